@@ -72,8 +72,11 @@ def of_commands() -> Iterator[tuple[str, str | None]]:
 def of_data() -> Iterator[tuple[str, str | None]]:
     """Return what stands in data files and is said, each with its context."""
     with (SOURCE / "data" / "designations.toml").open("rb") as file:
-        for kind in tomllib.load(file)["type"]:
-            yield from ((kind[name], None) for name in ("name", "advice") if name in kind)
+        data = tomllib.load(file)
+    for kind in data["type"]:
+        yield from ((kind[name], None) for name in ("name", "advice") if name in kind)
+    for table in ("prefixes", "suffixes", "inserts", "insert_housings", "phrases"):
+        yield from ((meaning, None) for meaning in data[table].values())
 
 
 def translated(language: str, *, parts: bool = True) -> Catalog:

@@ -189,7 +189,7 @@ def _tilts(solved: Solved) -> Iterator[Note]:
 
 
 def _free_directions(solved: Solved) -> Iterator[Note]:
-    """Directions that are under no load and have no stiffness: their displacement is any."""
+    """Directions without load and without stiffness: their displacement is arbitrary."""
     if not solved.load.array.any():
         return  # nothing is held, and _lost_contacts says so
     free = _free(solved)
@@ -213,7 +213,7 @@ def _free(solved: Solved) -> BoolArray:
 
 
 def _control(solved: Solved) -> Iterator[Note]:
-    """Where Jones's criterion does not bear out the raceway control that was assumed."""
+    """Where Jones's criterion does not confirm the assumed raceway control."""
     assumed = solved.case.model.raceway_control
     if assumed in ("none", "friction") or not _turns(solved):
         return

@@ -13,6 +13,7 @@ from rolamento.case.arrangement import BallRow
 from rolamento.plots.cage_turn import cage_turn_figure
 from rolamento.solution import solve
 from rolamento.studies.cage_turn import CageTurn, cage_turn
+from rolamento.words import speaking
 
 RPM = np.pi / 30.0
 
@@ -238,13 +239,15 @@ def test_the_figure_shows_the_variation_about_the_mean(turn: CageTurn) -> None:
     assert len(drawn) == 33
     assert np.ptp(drawn) == pytest.approx(1e9 * np.ptp(turn.solved.displacement.array[:, 0]))  # nm
     assert np.mean(drawn[:-1]) == pytest.approx(0.0, abs=1e-9)
-    polar = panel(figure, "Load of one ball, once round (kN)")
+    polar = panel(figure, "Load of one ball over a turn (kN)")
     largest = np.max(polar.get_lines()[0].get_ydata())
     assert largest == pytest.approx(1e-3 * turn.solved.inner.load.max())
 
 
 def test_the_figure_of_what_does_not_vary_says_so(case_218: Case) -> None:
-    figure = cage_turn_figure(cage_turn(with_speeds(case_218, 1e4, 0.0, fx=2e4), points=8), "pt")
+    still = cage_turn(with_speeds(case_218, 1e4, 0.0, fx=2e4), points=8)
+    with speaking("pt"):
+        figure = cage_turn_figure(still)
     texts = [text.get_text() for axes in figure.axes for text in axes.texts]
     assert texts.count("sem variação") == 3
 

@@ -71,7 +71,7 @@ def test_suffixes_are_told_and_the_unknown_is_named() -> None:
     parts = parse_designation("6305DDUC3E")
     assert dict(parts.meanings) == {
         "DDU": "contact seals on both sides",
-        "E": "reinforced interior",
+        "E": "reinforced internal design",
     }
     assert parse_designation("6205-Q").unknown == ("Q",)
 

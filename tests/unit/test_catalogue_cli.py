@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import tomllib
 from importlib import resources
 from pathlib import Path
@@ -13,11 +14,11 @@ from typer.testing import CliRunner, Result
 from rolamento.catalogue import catalogue, geometry_of
 from rolamento.cli.catalogue import app
 from rolamento.document.medium import Medium
-from rolamento.report.catalogue import bearing_report, search_report
-from rolamento.report.catalogue_words import CATALOGUE_WORDS
-from rolamento.report.language import LANGUAGES, words_for
+from rolamento.document.terminal import terminal
+from rolamento.pages.catalogue import bearing_page, search_page
 from rolamento.studies import parse_study
 from rolamento.studies import run as run_study
+from rolamento.words import said, speaking
 
 
 def run(*arguments: str) -> Result:
@@ -36,14 +37,14 @@ def test_search() -> None:
 def test_search_finds_nothing() -> None:
     result = run("search", "no such")
     assert result.exit_code == 1
-    assert "no bearing" in result.stdout
+    assert "no match" in result.stdout
 
 
 def test_show_tells_that_the_inside_is_inferred() -> None:
     result = run("show", "6305-2RS/C3")
     assert result.exit_code == 0
     assert "inferred from C, C0, f0, not published" in result.stdout
-    assert "10.319 mm  inferred  13/32 in" in result.stdout
+    assert re.search(r"10\.319 +mm +inferred +13/32 in", result.stdout)
     assert "clearance class C3" in result.stdout
     assert "2RS: contact seals on both sides" in result.stdout
     assert "NSK, Rolling Bearings" in result.stdout
@@ -53,7 +54,7 @@ def test_show_of_a_published_inside() -> None:
     result = run("show", "S 6012 C")
     assert result.exit_code == 0
     assert "inferred" not in result.stdout
-    assert "77.5 mm  published" in result.stdout
+    assert re.search(r"77\.5 +mm +published", result.stdout)
 
 
 def test_show_without_ratings_and_with_given_ones() -> None:
@@ -62,8 +63,8 @@ def test_show_without_ratings_and_with_given_ones() -> None:
     assert "--dynamic and --static" in without.stdout
     given = run("show", "7205B", "--dynamic", "14.8 kN", "--static", "9.4 kN")
     assert given.exit_code == 0
-    assert "14 800 N" in given.stdout
-    assert "What the ratings allow" in given.stdout
+    assert re.search("14 800 +N", given.stdout)
+    assert "Candidates that fit the ratings" in given.stdout
 
 
 @pytest.mark.parametrize(
@@ -119,18 +120,21 @@ def test_own_catalogue(tmp_path: Path) -> None:
     )
     result = run("show", "qx1", "--catalogue", str(file))
     assert result.exit_code == 0
-    assert "7.5 mm  published" in result.stdout
-    assert "38.5 mm  assumed" in result.stdout
+    assert re.search(r"7\.5 +mm +published", result.stdout)
+    assert re.search(r"38\.5 +mm +assumed", result.stdout)
 
 
-@pytest.mark.parametrize("language", sorted(LANGUAGES))
+@pytest.mark.parametrize("language", ["en", "pt"])
 @pytest.mark.parametrize("encoding", ["utf-8", "ascii"])
 def test_pages_in_every_language_and_encoding(language: str, encoding: str) -> None:
-    words, medium = words_for(language), Medium(encoding=encoding)
     inside = geometry_of("6815")
-    page = bearing_report(inside, inside.bearing, words, medium)
-    page += bearing_report(None, catalogue().find("7205B").bearing, words, medium)
-    page += search_report(catalogue().search("EX"), words, medium, is_all=False)
+    with speaking(language):
+        documents = (
+            bearing_page(inside, inside.bearing),
+            bearing_page(None, catalogue().find("7205B").bearing),
+            search_page(catalogue().search("EX"), is_all=False),
+        )
+    page = "".join(terminal(document, Medium(encoding=encoding)) for document in documents)
     page.encode(encoding)
     assert max(map(len, page.splitlines())) <= 80
 
@@ -140,7 +144,8 @@ def test_every_meaning_is_translated() -> None:
     data = tomllib.loads(file.read_text(encoding="utf-8"))
     tables = ("prefixes", "suffixes", "inserts", "insert_housings", "phrases")
     meanings = {meaning for table in tables for meaning in data[table].values()}
-    assert CATALOGUE_WORDS["pt"].translated.keys() == meanings
     inside = geometry_of("6305ZZ/C3")
-    page = bearing_report(inside, inside.bearing, words_for("pt"))
+    with speaking("pt"):
+        assert [meaning for meaning in meanings - {"flange"} if said(meaning) == meaning] == []
+        page = terminal(bearing_page(inside, inside.bearing))
     assert "ZZ: placas de proteção dos dois lados; classe de folga C3" in page

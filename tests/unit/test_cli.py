@@ -22,7 +22,7 @@ import rolamento
 from rolamento.cli import streams
 from rolamento.cli.app import COMMANDS, app
 from rolamento.cli.common import Language
-from rolamento.cli.grouped_help import GroupedCommand, GroupedCommands, Groups
+from rolamento.cli.grouped_help import GroupedCommands, Groups, SpokenCommand
 from rolamento.cli.optional_value import with_values
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.waiting import progress_of, waiting
@@ -436,7 +436,7 @@ ALL_COMMANDS = commands_of(PROGRAM)
 GROUPED = {
     words: command
     for words, command in ALL_COMMANDS.items()
-    if isinstance(command, GroupedCommand) and command.groups
+    if isinstance(command, SpokenCommand) and command.groups
 }
 
 
@@ -489,7 +489,7 @@ def test_a_long_list_of_options_has_headings() -> None:
 
 
 def test_what_has_no_heading_is_shown_below_the_last() -> None:
-    class Half(GroupedCommand):
+    class Half(SpokenCommand):
         groups: ClassVar[Groups] = {"Where": ("path",), "Nothing": ()}
 
     class Program(GroupedCommands):

@@ -46,7 +46,7 @@ def test_a_speed_that_does_not_say_its_unit_is_offered(run: Run) -> None:
     mfpt()
     code, _, error = run("a.mat")
     assert code == 2
-    assert "its bearing.rate = 25 may be it, in a unit that it does not say" in error
+    assert "bearing.rate = 25 in the file may be it, but without a unit" in error
     assert "--speed-channel bearing.rate --speed-unit Hz" in error
     code, out, _ = run("a.mat", "--speed-channel", "bearing.rate", "--speed-unit", "Hz")
     assert code == 0

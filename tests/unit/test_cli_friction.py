@@ -20,6 +20,7 @@ from rolamento.cli.friction import friction
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.plots.friction import friction_figure
 from rolamento.studies.friction_curves import friction_curve, read_range
+from rolamento.words import speaking
 
 Run = Callable[..., tuple[int, str, str]]
 CASES = ("ricci_fleury.toml", "6305_film.toml", "218_combined.toml")
@@ -96,7 +97,7 @@ def test_log_has_equal_ratios() -> None:
         ("model.raceway_control=a..b", 5, False, "takes no range"),
         ("bearing.inner_conformity=a..b", 5, False, "must be a number"),
         ("bearing.inner_conformity=0.4..0.6", 5, False, "inner_conformity"),
-        ("duty.load.fx=0..200N", 5, True, "must not reach zero"),
+        ("duty.load.fx=0..200N", 5, True, "must not be zero or change sign"),
         ("duty.load.fx=10..200N", 1, False, "must be 2 to 1000"),
         ("duty.load.fx=10..200N", 10**9, False, "must be 2 to 1000"),
     ],
@@ -276,11 +277,8 @@ def test_csv_has_a_line_for_every_point_of_every_curve(run: Run) -> None:
     lines = list(csv.DictReader(io.StringIO(out)))
     assert [line["variant"] for line in lines] == [""] * 4 + ["bearing.outer_conformity=0.57"] * 4
     assert [line["duty.load.fx_N"] for line in lines[:4]] == [
-        "10",
-        "73.33333333",
-        "136.6666667",
-        "200",
-    ]
+        "10", "73.33333333333334", "136.66666666666669", "200",
+    ]  # fmt: skip
     assert {line["status"] for line in lines} == {"converged"}
     assert {line["valid_todd"] for line in lines} == {"yes"}
     assert all(float(line["torque_todd_Nm"]) > 0.0 for line in lines)
@@ -303,7 +301,8 @@ def test_the_figure_shows_the_ratios_over_speed_only(examples: Path) -> None:
     case = load_case(examples / "ricci_fleury.toml")
     assert len(friction_figure([friction_curve(case, read_range(LOADS, 4))]).axes) == 1
     curves = [friction_curve(case, read_range(SPEEDS, 4, log=True))]
-    above, below = friction_figure(curves, "pt").axes
+    with speaking("pt"):
+        above, below = friction_figure(curves).axes
     assert above.get_ylabel() == "Torque de atrito (N·mm)"
     assert below.get_xlabel() == "Rotação do anel interno (rpm)"
     inner = below.get_lines()[0].get_ydata()
@@ -320,9 +319,8 @@ def test_the_figure_shows_the_ratios_over_speed_only(examples: Path) -> None:
         (("218_combined.toml", "--over", LOADS), "is missing; the friction calculation needs it"),
         (("ricci_fleury.toml", "--over", "duty.load.fx"), "FIELD=FIRST..LAST"),
         (("ricci_fleury.toml", "--plot", "f.png"), "needs --over"),
-        (("ricci_fleury.toml", "--csv", "-"), "needs --over"),
         (("ricci_fleury.toml", "--variant", "bearing.outer_conformity=0.57"), "needs --over"),
-        (("ricci_fleury.toml", "--over", LOADS, "--plot", "f.gif"), "must end in one of .png"),
+        (("ricci_fleury.toml", "--over", LOADS, "--plot", "f.gif"), "must end in .png"),
         (("ricci_fleury.toml", "--over", LOADS, "--json", "--csv", "-"), "only one of"),
         (("ricci_fleury.toml", "--over", LOADS, "--csv", "ricci_fleury.toml"), "is the case file"),
         (("ricci_fleury.toml", "--coefficient", "2"), "must be from 0 to 1"),
@@ -354,7 +352,7 @@ def test_the_guide_names_every_option() -> None:
         for option in parameter.opts
         if option.startswith("--") and option != "--help"
     }
-    assert options == set(re.findall(r"^\| `(--\w+)", GUIDE, re.MULTILINE))
+    assert options == set(re.findall(r"[|,] `(--\w+)", GUIDE))
 
 
 def test_the_commands_of_the_guide_run(run: Run, tmp_path: Path) -> None:

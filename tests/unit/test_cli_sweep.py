@@ -19,9 +19,10 @@ import rolamento
 from rolamento.cli import sweep_progress
 from rolamento.cli.sweep import sweep
 from rolamento.document.medium import Medium
-from rolamento.report.language import ENGLISH, PORTUGUESE
-from rolamento.report.study import study_report
+from rolamento.document.terminal import terminal
+from rolamento.pages.study import study_page
 from rolamento.studies import Interrupted, load_result, load_study, run_to_file, runner
+from rolamento.words import speaking
 
 STUDY = """
 title = "Two loads"
@@ -59,7 +60,7 @@ def test_a_study_is_solved_and_told_of(run: Run) -> None:
     result = run("study.toml")
     assert (result.exit_code, result.stderr) == (0, "")
     assert result.stdout.startswith("Two loads\n2 cases in ")
-    assert "all of them have a result" in result.stdout
+    assert "all cases have a result" in result.stdout
     assert "max_inner_max_pressure" in result.stdout
     assert "MPa" in result.stdout
     assert "Written to study.nc." in result.stdout
@@ -76,7 +77,7 @@ def test_the_ending_decides(run: Run, name: str) -> None:
 def test_standard_input_settings_and_language(run: Run) -> None:
     result = run("-", "--set", "duty.load.fz=1 kN", "--lang", "pt", given=STUDY)
     assert result.exit_code == 0
-    assert "todos têm resultado" in result.stdout
+    assert "todos os casos têm resultado" in result.stdout
     assert 'fz = "1 kN"' in load_result("study.nc").attrs["case"]
 
 
@@ -84,7 +85,7 @@ def test_some_without_a_result(run: Run) -> None:
     Path("study.toml").write_text(STUDY.replace("30 kN", "-30 kN"), "utf-8")
     result = run("study.toml")
     assert result.exit_code == 0
-    assert "1 have a result, 1 have none" in result.stdout
+    assert "cases with a result: 1; without: 1" in result.stdout
     assert "there is no equilibrium" in result.stdout
 
 
@@ -191,7 +192,7 @@ def test_ctrl_c_of_a_process(run: Run, examples: Path) -> None:
     process.send_signal(signal.SIGINT)
     _, errors = process.communicate(timeout=60)
     assert process.returncode == 130, errors
-    assert "of 3000000 cases are kept in long.nc.parts" in errors
+    assert "of 3 000 000 cases are kept in long.nc.parts" in errors
     assert "Traceback" not in errors
     assert list(parts.glob("*.npz"))
 
@@ -227,14 +228,14 @@ def test_ctrl_c_among_slow_cases(run: Run) -> None:
     process.send_signal(signal.SIGINT)
     _, errors = process.communicate(timeout=30)
     assert process.returncode == 130, errors
-    assert "of 300000 cases are kept in slow.nc.parts" in errors
+    assert "of 300 000 cases are kept in slow.nc.parts" in errors
     assert "Traceback" not in errors
 
 
 class TestProgress:
     def test_lines_where_there_is_no_terminal(self, capsys: pytest.CaptureFixture[str]) -> None:
         seconds = iter([0.0, 1.0, 5.0, 11.0, 11.0, 11.0, 11.0])
-        lines = sweep_progress.Lines(ENGLISH, clock=lambda: next(seconds))
+        lines = sweep_progress.Lines(clock=lambda: next(seconds))
         lines(1000, 21_000, 0)
         lines(11_000, 21_000, 3)
         written = capsys.readouterr().err
@@ -243,7 +244,7 @@ class TestProgress:
         )
 
     def test_no_line_too_early(self, capsys: pytest.CaptureFixture[str]) -> None:
-        lines = sweep_progress.Lines(ENGLISH)
+        lines = sweep_progress.Lines()
         for done in (0, 10, 20):
             lines(done, 20, 0)
         assert capsys.readouterr().err == ""
@@ -258,7 +259,7 @@ class TestProgress:
         monkeypatch.setenv("TERM", "xterm")
         monkeypatch.setenv("COLUMNS", "120")
         stream = Terminal()
-        with sweep_progress.told(PORTUGUESE, stream) as progress:
+        with speaking("pt"), sweep_progress.told(stream) as progress:
             progress(0, 100, 0)
             progress(50, 100, 2)
         shown = stream.getvalue()
@@ -269,7 +270,8 @@ class TestProgress:
 
 def test_report_in_ascii(run: Run) -> None:
     summary = run_to_file(load_study("study.toml"), "study.nc")
-    for words in (ENGLISH, PORTUGUESE):
-        text = study_report(summary, "Two loads", words, Medium(encoding="ascii"))
+    for language in ("en", "pt"):
+        with speaking(language):
+            text = terminal(study_page(summary, "Two loads"), Medium(encoding="ascii"))
         assert text.isascii()
         assert max(map(len, text.splitlines())) <= 80

@@ -17,11 +17,12 @@ import pytest
 from rolamento import Bearing, Case, Duty, Load
 from rolamento._json import dumps
 from rolamento.document.medium import Medium
+from rolamento.document.tables import to_csv
 from rolamento.document.terminal import terminal
 from rolamento.pages.diagnosis import diagnosis_page
 from rolamento.solution import solve
 from rolamento.status import NOT_CONVERGED
-from rolamento.tasks.diagnosis import CSV_COLUMNS, DiagnosisResult
+from rolamento.tasks.diagnosis import DiagnosisResult
 from rolamento.tasks.shaft_speed import ShaftSpeed, Tracking
 from rolamento.vibration.diagnosis import (
     DiagnosisSettings,
@@ -227,8 +228,9 @@ class TestData:
         assert data["signal"]["indicators"]["rms"] == pytest.approx(damaged().indicators.rms)
 
     def test_csv_is_the_spectrum_that_was_searched(self) -> None:
-        rows = list(csv.reader(StringIO(damaged().spectrum_csv(), newline="")))
-        assert tuple(rows[0]) == CSV_COLUMNS
+        rows = list(csv.reader(StringIO(to_csv(diagnosis_page(damaged())), newline="")))
+        header = ["band_low_Hz", "band_high_Hz", "order", "frequency_Hz", "over_noise_dB"]
+        assert rows[0] == header
         found = damaged().diagnosis
         bands = {part.band for part in found.components if part.band}
         assert len(rows) - 1 == len(bands) * len(found.spectra.order)
@@ -243,7 +245,7 @@ class TestData:
         assert float(strongest[4]) > 15.0
 
     def test_csv_of_nothing_found_is_of_one_band(self) -> None:
-        rows = healthy().spectrum_csv().splitlines()
+        rows = to_csv(diagnosis_page(healthy())).splitlines()
         assert len(rows) - 1 == len(healthy().diagnosis.spectra.order)
 
 

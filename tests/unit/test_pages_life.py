@@ -16,7 +16,6 @@ from rolamento.document.medium import Medium
 from rolamento.document.terminal import terminal
 from rolamento.life import LifeSummary, conditions_of, life, sensitivity
 from rolamento.life.record import OUTSIDE
-from rolamento.pages.across import setting_text
 from rolamento.pages.life import given_reliability, life_page, percent
 from rolamento.pages.life_over import life_over_page
 from rolamento.pages.life_spectrum import life_spectrum_page
@@ -24,6 +23,7 @@ from rolamento.pages.shaft import shaft_page
 from rolamento.pages.state import state_page
 from rolamento.solution import solve
 from rolamento.solved import Solved
+from rolamento.studies.names import setting_name
 from rolamento.studies.ranges import read_range
 from rolamento.tasks.life import life_of_shaft
 from rolamento.tasks.life_over import life_curve
@@ -336,7 +336,7 @@ def test_why_a_case_has_no_life_is_a_note(
     assert keys(analysis.notes) == {name}
     for language in LANGUAGES:
         text = shown(analysis, language, width=120)
-        assert said(Note(name), words.code)[:60] in text
+        assert said(Note(name), language)[:60] in text
 
 
 def test_l_able_without_viscosity_is_a_note_and_no_end() -> None:
@@ -347,7 +347,7 @@ def test_l_able_without_viscosity_is_a_note_and_no_end() -> None:
     assert set(analysis.life.theories) == {"iso281", "iso16281", "ioannides_harris"}
     for language in LANGUAGES:
         text = shown(analysis, language, width=120)
-        assert said(analysis.notes[0], words.code)[:60] in text
+        assert said(analysis.notes[0], language)[:60] in text
 
 
 # --- curves, spectra, shafts ------------------------------------------------------------------
@@ -439,9 +439,9 @@ def test_files_of_a_curve_have_all_its_points() -> None:
 
 
 def test_a_setting_has_the_label_of_its_field() -> None:
-    assert setting_text("life.contamination=0.8") == "contamination factor e_C = 0.8"
+    assert setting_name("life.contamination=0.8") == "contamination factor e_C = 0.8"
     with speaking("pt"):
-        assert setting_text("temperature.lubricant=70.5 degC") == (
+        assert setting_name("temperature.lubricant=70.5 degC") == (
             "temperatura do lubrificante = 70,5 degC"
         )
-    assert setting_text("nothing of ours") == "nothing of ours"
+    assert setting_name("nothing of ours") == "nothing of ours"

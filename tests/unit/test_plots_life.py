@@ -35,10 +35,11 @@ from rolamento.plots.life import (
     theory_look,
     what_helps,
 )
-from rolamento.plots.over_field import decades, short_label
+from rolamento.plots.over_field import decades
 from rolamento.plots.style import new_figure
 from rolamento.solution import solve
 from rolamento.solved import Solved
+from rolamento.studies.names import setting_name
 from rolamento.studies.ranges import read_range
 from rolamento.tasks.life_over import (
     LifeCurve,
@@ -111,7 +112,7 @@ def drawn(figure: Any) -> bytes:
 
 def test_lives_are_drawn_in_full_where_they_hold_and_faintly_where_not(curve: LifeCurve) -> None:
     axes = lives_by_theory([curve])
-    full = line(axes, "ISO 281")
+    full = line(axes, "ISO 281, basic")
     faint = next(
         one for one in axes.get_lines()
         if one.get_alpha() is not None and one.get_color() == full.get_color()
@@ -126,10 +127,10 @@ def test_lives_are_drawn_in_full_where_they_hold_and_faintly_where_not(curve: Li
     assert np.isnan(z[holds][:-1]).all()
     legend = axes.get_legend()
     assert legend is not None
-    assert legend.get_title().get_text() == "faint: the theory does not hold there"
+    assert legend.get_title().get_text() == "faint: the theory is not valid there"
     assert axes.get_yscale() == "log"
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("Radial load (kN)", "Life (h)")
-    assert {"ISO/TS 16281, modified", "ISO/TS 16281", "wanted life"} <= set(labels(axes))
+    assert {"ISO/TS 16281, modified", "ISO/TS 16281, basic", "required life"} <= set(labels(axes))
 
 
 def test_a_bound_far_above_does_not_lead_the_axis(curve: LifeCurve, case: Case) -> None:
@@ -139,13 +140,13 @@ def test_a_bound_far_above_does_not_lead_the_axis(curve: LifeCurve, case: Case) 
     low, high = axes.get_ylim()
     assert low < others.min()
     assert others.max() < high < 20.0 * others.max()
-    assert "Ioannides–Harris (bound)" in labels(axes)
+    assert "Ioannides and Harris (upper bound)" in labels(axes)
     # under one load it lies wholly above
     warm = life_curve(case, read_range("temperature.lubricant=40..90degC", 5))
     axes = lives_by_theory([warm])
-    assert "Ioannides–Harris (bound), above" in labels(axes)
+    assert "Ioannides and Harris (upper bound), above" in labels(axes)
     assert axes.get_ylim()[1] < np.min(warm["ioannides_harris"].hours)
-    assert axes.get_xlabel() == "Temperature of the lubricant (°C)"
+    assert axes.get_xlabel() == "Lubricant temperature (°C)"
     np.testing.assert_allclose(axes.get_xlim(), (40.0, 90.0))
 
 
@@ -155,7 +156,7 @@ def test_variants_stand_beside_by_the_theory_that_knows_most(case: Case) -> None
     variant = life_curve(override(case, [setting]), chosen, label=setting)
     figure = life_figure([life_curve(case, chosen), variant])
     (axes,) = figure.axes
-    found = line(axes, "ISO/TS 16281, modified, fz = 3kN")
+    found = line(axes, "ISO/TS 16281, modified, radial load Fz = 3kN")
     np.testing.assert_array_equal(found.get_ydata(), variant["iso16281_modified"].hours)
     assert axes.get_xlabel() == "Diametral clearance (µm)"
     assert figure.get_suptitle() == case.title
@@ -163,7 +164,7 @@ def test_variants_stand_beside_by_the_theory_that_knows_most(case: Case) -> None
 
 
 def test_the_wanted_life_is_a_line(curve: LifeCurve) -> None:
-    wanted = line(lives_by_theory([curve]), "wanted life")
+    wanted = line(lives_by_theory([curve]), "required life")
     np.testing.assert_allclose(wanted.get_ydata(), 2000.0)
 
 
@@ -172,9 +173,9 @@ def test_where_nothing_turns_revolutions_are_drawn(case: Case) -> None:
     curve = life_curve(still, read_range("duty.load.fz=1..5kN", 4))
     axes = lives_by_theory([curve])
     assert axes.get_ylabel() == "Life (10⁶ rev)"
-    shown = np.asarray(line(axes, "ISO 281").get_ydata())
+    shown = np.asarray(line(axes, "ISO 281, basic").get_ydata())
     np.testing.assert_array_equal(shown, curve["iso281"].life)
-    assert "wanted life" not in labels(axes)
+    assert "required life" not in labels(axes)
 
 
 def test_points_without_a_result_are_marked(case: Case) -> None:
@@ -212,8 +213,8 @@ def test_decades_are_numbered_however_many_there_are() -> None:
 
 
 def test_a_setting_is_told_by_its_last_part() -> None:
-    assert short_label("duty.load.fz=3kN") == "fz = 3kN"
-    assert short_label("new grease") == "new grease"
+    assert setting_name("duty.load.fz=3kN") == "radial load Fz = 3kN"
+    assert setting_name("new grease") == "new grease"
 
 
 # --- a_ISO -------------------------------------------------------------------------------------
@@ -298,10 +299,10 @@ def test_lives_over_load_are_those_of_the_cases(case: Case, lives: LoadLives) ->
 def test_the_basic_line_is_straight_and_those_with_a_limit_bend(lives: LoadLives) -> None:
     axes = load_over_life(lives)
     assert axes.get_xscale() == axes.get_yscale() == "log"
-    np.testing.assert_allclose(slopes(axes, "ISO 281"), -3.0, rtol=1e-9)
+    np.testing.assert_allclose(slopes(axes, "ISO 281, basic"), -3.0, rtol=1e-9)
     bent = slopes(axes, "ISO 281, modified")
     assert bent[0] < 1.2 * bent[-1] < -3.0
-    steep = slopes(axes, "Ioannides–Harris (bound)")
+    steep = slopes(axes, "Ioannides and Harris (upper bound)")
     assert steep[0] < 2.0 * steep[-1] < -3.0
     own = line(axes, "this case")
     np.testing.assert_allclose(own.get_ydata(), lives.load[lives.own])
@@ -315,7 +316,7 @@ def test_tests_stand_beside_the_theories(lives: LoadLives) -> None:
     ran = BearingTests("rig", np.array([0.02, 50.0, 80.0]), np.full(3, 0.5), failed)
     axes = load_over_life(lives, tests=[ran])
     np.testing.assert_array_equal(line(axes, "rig: failed").get_xdata(), [0.02, 50.0])
-    hollow = line(axes, "rig: ended whole")
+    hollow = line(axes, "rig: suspended")
     np.testing.assert_array_equal(hollow.get_xdata(), [80.0])
     assert hollow.get_markerfacecolor() == "white"
     assert axes.get_xlim()[0] < 0.02
@@ -325,7 +326,7 @@ def test_over_pressure(lives: LoadLives) -> None:
     axes = load_over_life(lives, by="pressure")
     own = line(axes, "this case")
     np.testing.assert_allclose(own.get_ydata(), lives.pressure[lives.own] / 1e6)
-    assert axes.get_ylabel() == "Greatest contact pressure (MPa)"
+    assert axes.get_ylabel() == "Maximum contact pressure (MPa)"
     assert "fatigue load limit C_u" not in labels(axes)
     heaviest = float(solve(lives.case).inner.max_pressure.max())
     assert lives.pressure[lives.own] == pytest.approx(heaviest, rel=1e-5)
@@ -342,7 +343,7 @@ def test_a_set_without_a_load_of_the_standard_takes_the_reference(case: Case) ->
     assert np.isnan(found.theories["iso281"].life).all()
     axes = load_over_life(found)
     assert axes.get_ylabel() == "P/C (ISO/TS 16281)"
-    np.testing.assert_allclose(slopes(axes, "ISO/TS 16281"), -3.0, rtol=1e-9)
+    np.testing.assert_allclose(slopes(axes, "ISO/TS 16281, basic"), -3.0, rtol=1e-9)
 
 
 def test_life_over_load_needs_a_load(case: Case) -> None:
@@ -408,7 +409,7 @@ def test_bars_are_the_ratios(state: Solved) -> None:
     for bar, change in zip(axes.patches, changes, strict=True):
         assert bar.get_x() + bar.get_width() == pytest.approx(change.life_ratio)  # type: ignore[attr-defined]
     names = [tick.get_text() for tick in axes.get_yticklabels()]
-    assert names[0] == "e_C greater by 0.2"
+    assert names[0] == "Contamination factor +0.2, at most 1"
     least, most = axes.get_xlim()
     assert least < min(change.life_ratio for change in changes) < 1.0 < most
     assert any(text.startswith("× 2.0") for text in texts(axes))

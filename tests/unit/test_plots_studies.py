@@ -103,12 +103,12 @@ def test_a_second_axis_is_a_family_of_lines() -> None:
     study = sweep()
     axes = study_lines(study)
     assert len(axes.lines) == 3
-    assert axes.get_legend().get_title().get_text() == "Speed of the inner ring (rpm)"
+    assert axes.get_legend().get_title().get_text() == "Inner ring speed (rpm)"
     assert labels(axes) == ["0", "4775", "9549"]
     assert len({(line.get_linestyle(), line.get_marker()) for line in axes.lines}) == 3
     pressure = study["max_inner_max_pressure"].values / 1e6
     np.testing.assert_allclose([line.get_ydata() for line in axes.lines], pressure.T)
-    assert axes.get_ylabel() == "Greatest Hertz pressure, inner race (MPa)"
+    assert axes.get_ylabel() == "Maximum Hertz pressure, inner race (MPa)"
 
 
 def test_over_chooses_the_axis_across() -> None:
@@ -154,7 +154,7 @@ def test_inputs_that_vary_together_are_one_axis() -> None:
     )
     assert study_lines(study).get_xlabel() == "Axial load Fx (N)"
     axes = study_lines(study, over="inner_speed")
-    assert axes.get_xlabel() == "Speed of the inner ring (rpm)"
+    assert axes.get_xlabel() == "Inner ring speed (rpm)"
     np.testing.assert_allclose(axes.lines[0].get_xdata(), np.array([0.0, 100.0, 300.0]) * RPM)
     with pytest.raises(InputError, match="it has duty, fx, inner_speed"):
         study_lines(study, over="fz")
@@ -225,7 +225,7 @@ def test_a_map_of_two_axes() -> None:
     assert study_map(study, "x", axes) is axes
     values = np.asarray(mesh_of(axes).get_array()).reshape(8, 9)
     np.testing.assert_allclose(values, study.x.values * 1e6)
-    assert axes.get_xlabel() == "Speed of the inner ring (rpm)"
+    assert axes.get_xlabel() == "Inner ring speed (rpm)"
     assert axes.get_ylabel() == "Axial load Fx (kN)"
     bar = figure_of(axes).axes[1]
     assert bar.get_ylabel() == "Axial displacement x (µm)"
@@ -302,7 +302,7 @@ def test_histogram_of_samples() -> None:
     for line, percent in zip(axes.lines[:3], (5, 50, 95), strict=True):
         assert line.get_xdata()[0] == pytest.approx(np.percentile(good, percent))
     assert len({line.get_linestyle() for line in axes.lines[:3]}) == 3
-    assert axes.get_xlabel() == "Greatest contact load, inner race (N)"
+    assert axes.get_xlabel() == "Maximum contact load, inner race (N)"
     assert axes.get_ylabel() == "Share of the samples (%)"
     assert labels(axes)[-1] == "no result: 4 of 400"
     assert labels(axes)[1].startswith("median: ")

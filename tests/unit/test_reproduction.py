@@ -337,7 +337,7 @@ def test_the_gallery_shows_what_the_program_gives(
     names = {"index.md", "index.html"} | {f"{item.stem}.csv" for item in tables.values()}
     for figure in figures.values():
         names |= {f"{figure.stem}.csv", f"{figure.stem}.png"}
-        assert f"**Figure {figure.number}.**" in page
+        assert f"### Figure {figure.number}\n" in page
         rows = list(csv.reader(io.StringIO((GALLERY / f"{figure.stem}.csv").read_text("utf-8"))))
         assert rows[0] == [values.header for values in figure.columns]
         for place, values in enumerate(figure.columns):

@@ -159,7 +159,9 @@ def test_decimal_marks_of_samples(
 def test_decimal_marks_that_are_asked_about(tmp_path: Path) -> None:
     path = tmp_path / "a.csv"
     path.write_text("load;speed\n" + "7;1.234\n" * 9 + "8;9\n", "utf-8")
-    with pytest.raises(InputError, match=r'"1.234": is 1.234 if .* and 1234 if it parts thousands'):
+    with pytest.raises(
+        InputError, match=r'"1.234": is 1.234 if .* and 1234 if it separates thousands'
+    ):
         channels_of(path)
     path.write_text("# decimal mark: comma\nload;speed\n" + "7;1.234\n" * 9 + "8;9\n", "utf-8")
     assert read_signal(path, channel=2, rate=1.0).samples[0] == 1234.0

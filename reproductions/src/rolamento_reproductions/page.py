@@ -336,8 +336,5 @@ def _gap_sentence(figure: Figure) -> Text:
         for code in sorted(set(codes))
     ]
     return said(
-        "gaps",
-        missing=len(codes),
-        total=len(figure.columns[0].values),
-        reasons=", ".join(reasons),
+        "gaps", missing=len(codes), total=len(figure.columns[0].values), reasons=", ".join(reasons)
     )

@@ -454,7 +454,7 @@ class Source:
     remarks: tuple[Text, ...]
     parts: tuple[Part, ...]
 
-    def reproduce(self, folder: str, pictures: Pictures, progress: Progress) -> list[str]:
+    def reproduce(self, folder: str | None, pictures: Pictures, progress: Progress) -> list[str]:
         """Compute it and write it to a folder (`writing.reproduce`)."""
         from rolamento_reproductions import writing
 

@@ -21,7 +21,14 @@ from rolamento.document import Figure as Picture
 from rolamento.document.html import html
 from rolamento.document.markdown import markdown
 from rolamento.errors import FileError
-from rolamento_reproductions.page import PageEnding, index_page, kind_of, misprints_page, summary
+from rolamento_reproductions.page import (
+    PageEnding,
+    index_page,
+    kind_of,
+    misprints_page,
+    said,
+    summary,
+)
 from rolamento_reproductions.record import (
     ERRATA_STEM,
     Cell,
@@ -124,7 +131,9 @@ _HEAD_OF_PAGE: Final = 10_000
 _ENDINGS: Final[tuple[Ending, ...]] = ("svg", "png")
 
 
-def reproduce(source: Source, folder: str, pictures: Pictures, progress: Progress) -> list[str]:
+def reproduce(
+    source: Source, folder: str | None, pictures: Pictures, progress: Progress
+) -> list[str]:
     """Compute a source and write it, in the language that is spoken.
 
     Parameters
@@ -132,7 +141,7 @@ def reproduce(source: Source, folder: str, pictures: Pictures, progress: Progres
     source
         What to reproduce.
     folder
-        Where to write; ``""`` for a folder of the source's name.
+        Where to write; by default a folder of the source's name.
     pictures
         Which formats to write.
     progress
@@ -148,7 +157,7 @@ def reproduce(source: Source, folder: str, pictures: Pictures, progress: Progres
     FileError
         If the folder cannot be taken, or a file not be written.
     """
-    place = open_folder(folder or source.name, source)
+    place = open_folder(source.name if folder is None else folder, source)
     sections = computed(source, progress)
     write(source, sections, place, pictures=pictures, progress=progress)
     return [*map(str, summary(sections)), str(place / PAGE)]
@@ -223,22 +232,18 @@ def open_folder(path: str, source: Source) -> Path:
         that are not ours: it has no index page written by this command for this source.
     """
     if not path or "\0" in path:
-        raise FileError("is not a possible folder name", source=path, example=source.name)
+        raise FileError(str(said("folder.impossible")), source=path, example=source.name)
     folder = Path(path)
     try:
         if folder.exists() and not folder.is_dir():
-            raise FileError("is a file; give a folder", source=path, example=source.name)
+            raise FileError(str(said("folder.is_file")), source=path, example=source.name)
         folder.mkdir(parents=True, exist_ok=True)
         taken = [name for name in file_names(source) if os.path.lexists(folder / name)]
         ours = _is_ours(folder, source)
     except OSError as error:
         raise _refused(error, path) from None
     if taken and not ours:
-        raise FileError(
-            f"holds a {taken[0]} that this command did not write; choose another folder",
-            source=path,
-            example=source.name,
-        )
+        raise FileError(str(said("folder.taken", name=taken[0])), source=path, example=source.name)
     return folder
 
 
@@ -278,10 +283,7 @@ def _is_ours(folder: Path, source: Source) -> bool:
 
 
 def _write_pages(
-    folder: Path,
-    stem: str,
-    page: Callable[[PageEnding], Document],
-    endings: Sequence[Ending] = (),
+    folder: Path, stem: str, page: Callable[[PageEnding], Document], endings: Sequence[Ending] = ()
 ) -> None:
     """Write a page as HTML and as Markdown, with its pictures beside it."""
 
@@ -307,4 +309,4 @@ def _remove(folder: Path, name: str) -> None:
 
 def _refused(error: OSError, path: str) -> FileError:
     reason = (error.strerror or str(error)).lower()
-    return FileError(f"cannot be written: {reason}", source=path)
+    return FileError(str(said("unwritten", reason=reason)), source=path)

@@ -20,7 +20,7 @@ import numpy as np
 
 from rolamento._foreign.bounds import MOST_MEMORY, PATIENCE, SLOWEST, guarded
 from rolamento.errors import FileError, InputError
-from rolamento.words import said
+from rolamento.words import language, said, speaking
 
 __all__ = ["Isolated", "serve"]
 
@@ -86,7 +86,7 @@ class Isolated:
         timer.start()
         began = time.monotonic()
         try:
-            for message in (*self._first, (method, arguments)):
+            for message in (*self._first, (method, arguments, language())):
                 pickle.dump(message, self._process.stdin)
             self._first = ()
             self._process.stdin.flush()
@@ -138,12 +138,12 @@ def serve() -> None:
     reader: Any = None
     while True:
         try:
-            method, arguments = pickle.load(sys.stdin.buffer)
+            method, arguments, code = pickle.load(sys.stdin.buffer)
         except EOFError:
             return
         answer: Any
         try:
-            with guarded(source, kind):
+            with speaking(code), guarded(source, kind):
                 reader = reader or make(source)
                 answer = getattr(reader, method)(*arguments)
         except InputError as error:

@@ -111,7 +111,7 @@ def analyse(
     Returns
     -------
     Analysis
-        Never raises for a duty that has no solution: the status tells.
+        Never raises for a duty without a solution: the status says so.
 
     Raises
     ------

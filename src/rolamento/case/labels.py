@@ -10,6 +10,11 @@ __all__ = ["LABELS", "label_of"]
 
 LABELS: Final = {
     "title": marked("title"),
+    "report.project": marked("project"),
+    "report.author": marked("author"),
+    "report.revision": marked("revision"),
+    "report.date": marked("date"),
+    "report.checked_by": marked("checked by"),
     "bearing.element": marked("rolling element"),
     "bearing.designation": marked("designation"),
     "bearing.ball_count": marked("number of balls"),

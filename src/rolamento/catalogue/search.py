@@ -201,7 +201,7 @@ class Catalogue:
             width=like.width,
             contact_angle=designation.contact_angle,
             sources=dict.fromkeys(_BOUNDARY, source)
-            | ({"contact_angle": "its letters"} if designation.contact_angle else {}),
+            | ({"contact_angle": "designation letters"} if designation.contact_angle else {}),
         )
 
     def _unknown(self, text: str) -> InputError:

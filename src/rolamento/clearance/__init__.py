@@ -1,4 +1,4 @@
-"""From the clearance of a bearing in its box to the one that it runs with.
+"""From the clearance of a bearing before mounting to its clearance in operation.
 
 Pure functions, one idea a file: clearance classes, the measuring load, tolerances of seats, press
 fits, temperature, speed, wear; `operating` puts them in a chain. See docs/theory/clearance.md.

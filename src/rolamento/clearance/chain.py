@@ -5,7 +5,7 @@ them is the interference that is left in operation:
 
     δ_eff = max(δ - smoothing + expansion - rotation, 0).
 
-The chain is reckoned for many bearings at once: what scatters comes as arrays.
+The chain is computed for many bearings at once: what scatters comes as arrays.
 """
 
 from __future__ import annotations
@@ -127,7 +127,7 @@ class _Seat:
 
 @dataclass(frozen=True, slots=True)
 class Assembly:
-    """Bearing, seats, temperatures and speeds, ready to be reckoned with; SI.
+    """Bearing, seats, temperatures and speeds, checked and ready for the calculation; SI.
 
     Of a batch all numbers may be arrays (cases,).
     """

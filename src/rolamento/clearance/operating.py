@@ -4,7 +4,7 @@ The chain: clearance before mounting, less the excess reading under the measurin
 the shaft, press fit in the housing, expansion, rotation, wear. Each step is a record of what it
 adds to the clearance, with its formula and source.
 
-The limits are those of all tolerances at their worst together: the minimum clearance goes with the
+The limits are those of all tolerances at their limits together: the minimum clearance goes with the
 tightest fits. `sample_clearance` draws the tolerances independently instead.
 """
 

@@ -1,6 +1,6 @@
 """How the clearance grows as a bearing wears: functions fitted to what was measured.
 
-Nobody can tell the wear of a bearing beforehand; a clearance measured again and again during a test
+The wear of a bearing cannot be predicted; a clearance measured again and again during a test
 can be described by
 
     running_in             P_d = P_0 + A (1 - e^(-t/τ))
@@ -8,7 +8,7 @@ can be described by
     power                  P_d = P_0 + A (t/t_last)^n,  0 < n ≤ 1
 
 with constants from least squares. The first two are what Campanha (2008, figure 4.3.3) describes:
-much at first, little afterwards. Beyond the last measurement a function tells nothing: NaN, unless
+much at first, little afterwards. Beyond the last measurement a function is not valid: NaN, unless
 asked for.
 """
 

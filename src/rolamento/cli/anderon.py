@@ -20,11 +20,10 @@ from rolamento.cli.options import (
     RateOption,
     ScaleOption,
     StartOption,
-    csv_option,
     plot_option,
 )
-from rolamento.cli.outputs import check_outputs
-from rolamento.cli.streams import STANDARD_STREAM, complain, put, put_json, show
+from rolamento.cli.outputs import NOWHERE, OUTPUT_OPTIONS, Outputs, with_outputs
+from rolamento.cli.streams import STANDARD_STREAM, complain, put, put_json
 from rolamento.cli.table_options import DecimalMarkOption
 from rolamento.errors import InputError
 from rolamento.words import marked, said
@@ -45,10 +44,11 @@ class AnderonCommand(JsonCommand):
         "Signal": ("channel", "rate", "unit", "scale", "start", "duration", "decimal_mark"),
         "Bearing": ("speed", "bearing", "hours"),
         "Acceptance": ("full_scale", "accepted"),
-        "Output": ("plot", "record", "json", "csv", "lang", "help"),
+        "Output": ("plot", "record", "json", *OUTPUT_OPTIONS, "lang", "help"),
     }
 
 
+@with_outputs
 def anderon(
     signals: Annotated[
         list[str],
@@ -115,7 +115,7 @@ def anderon(
     ] = None,
     plot: Annotated[str | None, plot_option("Draw noise over frequency, or over the hours")] = None,
     json: JsonOption = None,
-    csv: Annotated[str | None, csv_option("Write the table of bands")] = None,
+    outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
 ) -> None:
     """Show the noise in anderons and µm/s, and whether it passes.
@@ -123,8 +123,8 @@ def anderon(
     In the bands of an anderometer; for several signals, over the hours of a test.
     """
     with plain_endings(lang), in_options(anderon, signals="SIGNAL"):
-        outputs = {"--json": json, "--csv": csv, "--record": record, "--plot": plot}
-        _check_outputs(signals, outputs, hours)
+        files = {"--json": json, "--record": record, "--plot": plot}
+        _check_outputs(signals, outputs, files, hours)
         from rolamento import tasks
         from rolamento.cli.quantities import number_given
         from rolamento.cli.waiting import progress_of
@@ -147,17 +147,19 @@ def anderon(
         )
         if plot is not None:
             _draw(found, plot)
-        _show(found, json, csv, record)
+        _show(found, json, outputs, record)
     failed = found.measures_nothing or "rejected" in found.verdicts
     raise typer.Exit(NO_RESULT if failed else SOLVED)
 
 
-def _check_outputs(signals: list[str], outputs: dict[str, str | None], hours: str | None) -> None:
+def _check_outputs(
+    signals: list[str], outputs: Outputs, files: dict[str, str | None], hours: str | None
+) -> None:
     """Refuse outputs that would run into each other or over a signal, or lack the hours."""
-    check_outputs(outputs, *signals, rule=marked("is one of the signal files; choose another name"))
+    outputs.check(files, *signals, rule=marked("is one of the signal files; choose another name"))
     for option in ("--record", "--plot"):
         several = option == "--record" or len(signals) > 1
-        if outputs[option] is not None and several and hours is None:
+        if files[option] is not None and several and hours is None:
             raise InputError(
                 said("needs the hours of each signal"), source=option, example="--hours 60,120,180"
             )
@@ -239,17 +241,14 @@ def _draw(found: NoiseResult, plot: str) -> None:
     save_figure(figure, plot)
 
 
-def _show(found: NoiseResult, json: str | None, csv: str | None, record: str | None) -> None:
+def _show(found: NoiseResult, json: str | None, outputs: Outputs, record: str | None) -> None:
     """Write what was asked for; standard output takes data or the page, not both."""
     from rolamento.pages.anderon import anderon_page, noise_statement
 
     if json is not None:
         put_json(found.to_mapping(), json)
-    if csv is not None:
-        put(found.bands_csv(), csv)
     if record is not None:
         put(found.record(), record)
-    if STANDARD_STREAM not in (json, csv, record):
-        show(anderon_page(found))
-    elif "rejected" in found.verdicts:
+    outputs.show(lambda: anderon_page(found), json, record)
+    if STANDARD_STREAM in (json, outputs.csv, record) and "rejected" in found.verdicts:
         complain(noise_statement(found))

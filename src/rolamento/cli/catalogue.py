@@ -31,8 +31,6 @@ _MOST_OF_ALL: Final = 1000
 
 app = typer.Typer(
     cls=GroupedCommands,
-    help="Search bearings, and show the internal geometry of one.\n\nBy "
-    "designation: published data, and what is estimated from them.",
     no_args_is_help=True,
     rich_markup_mode=None,
 )
@@ -43,6 +41,14 @@ FilesOption = Annotated[
         "--catalogue", metavar="FILE", help="A catalogue of your own, CSV or TOML. Repeatable."
     ),
 ]
+
+
+@app.callback()
+def catalogue(lang: LanguageOption = None) -> None:
+    """Search bearings, and show the internal geometry of one.
+
+    By designation: published data, and what is estimated from them.
+    """
 
 
 @app.command(cls=JsonCommand, epilog="Examples: search 62; search 'EX 70'; search 25x52x15.")

@@ -22,11 +22,10 @@ from rolamento.cli.options import (
     ScaleOption,
     SettingsOption,
     StartOption,
-    csv_option,
     plot_option,
 )
-from rolamento.cli.outputs import check_outputs
-from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put, put_json, show
+from rolamento.cli.outputs import NOWHERE, OUTPUT_OPTIONS, Outputs, with_outputs
+from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put_json
 from rolamento.cli.table_options import DecimalMarkOption
 from rolamento.errors import InputError
 from rolamento.words import marked, said
@@ -53,10 +52,11 @@ class DiagnoseCommand(JsonCommand):
         ),
         "Signal": ("channel", "rate", "unit", "scale", "start", "duration", "decimal_mark"),
         "Search": ("slip", "speed_tolerance", "false_alarm"),
-        "Output": ("plot", "kurtogram", "json", "csv", "lang", "help"),
+        "Output": ("plot", "kurtogram", "json", *OUTPUT_OPTIONS, "lang", "help"),
     }
 
 
+@with_outputs
 def diagnose(
     signal: Annotated[
         str,
@@ -196,7 +196,7 @@ def diagnose(
         typer.Option("--kurtogram", metavar="FILE", help="Draw the kurtogram alone, likewise."),
     ] = None,
     json: JsonOption = None,
-    csv: Annotated[str | None, csv_option("Write the spectrum of the squared envelope")] = None,
+    outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
 ) -> None:
     """Diagnose damaged parts of a bearing from a vibration signal.
@@ -205,9 +205,11 @@ def diagnose(
     bounded memory.
     """
     with plain_endings(lang), in_options(diagnose, tolerance="--slip"):
-        outputs = {"--json": json, "--csv": csv, "--plot": plot, "--kurtogram": kurtogram}
-        check_outputs(
-            outputs, signal, bearing, rule=marked("is one of the input files; choose another name")
+        outputs.check(
+            {"--json": json, "--plot": plot, "--kurtogram": kurtogram},
+            signal,
+            bearing,
+            rule=marked("is one of the input files; choose another name"),
         )
         from rolamento import tasks
         from rolamento.cli.quantities import number_given
@@ -245,7 +247,7 @@ def diagnose(
             _show_too_short(found, json)
             raise typer.Exit(NO_RESULT)
         _draw(found, plot, kurtogram)
-        _show(found, json, csv)
+        _show(found, json, outputs)
     raise typer.Exit(NO_RESULT if found.verdict in _NO_VERDICT else SOLVED)
 
 
@@ -311,15 +313,12 @@ def _draw(found: DiagnosisResult, plot: str | None, kurtogram: str | None) -> No
         save_figure(picture, kurtogram)
 
 
-def _show(found: DiagnosisResult, json: str | None, csv: str | None) -> None:
+def _show(found: DiagnosisResult, json: str | None, outputs: Outputs) -> None:
     """Write what was asked for; standard output takes data or the page, not both."""
     if json is not None:
         put_json(found.to_mapping(), json)
-    if csv is not None:
-        put(found.spectrum_csv(), csv)
-    if STANDARD_STREAM not in (json, csv):
-        from rolamento.pages.diagnosis import diagnosis_page
+    from rolamento.pages.diagnosis import diagnosis_page
 
-        show(diagnosis_page(found))
-    elif found.verdict in _NO_VERDICT:
+    outputs.show(lambda: diagnosis_page(found), json)
+    if STANDARD_STREAM in (json, outputs.csv) and found.verdict in _NO_VERDICT:
         complain(" ".join(note.text for note in found.statement))

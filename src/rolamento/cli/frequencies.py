@@ -16,10 +16,9 @@ from rolamento.cli.options import (
     OuterSpeedOption,
     SettingsOption,
     SpeedOption,
-    csv_option,
 )
-from rolamento.cli.outputs import check_outputs
-from rolamento.cli.streams import STANDARD_STREAM, put, put_json, show
+from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
+from rolamento.cli.streams import put_json
 from rolamento.errors import InputError
 from rolamento.words import said
 
@@ -38,6 +37,7 @@ _TOLERANCES: Final[dict[str, Any]] = {
 """What a tolerance may be of, by its dimension; parts have none."""
 
 
+@with_outputs
 def frequencies(
     bearing: BearingArgument,
     speed: SpeedOption = None,
@@ -71,7 +71,7 @@ def frequencies(
         ),
     ] = 1,
     json: JsonOption = None,
-    csv: Annotated[str | None, csv_option("Write the lines")] = None,
+    outputs: Outputs = NOWHERE,
     settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
@@ -80,7 +80,7 @@ def frequencies(
     From its geometry, and from its loaded balls if the case has a load.
     """
     with plain_endings(lang), in_options(frequencies):
-        check_outputs({"--json": json, "--csv": csv}, bearing)
+        outputs.check({"--json": json}, bearing)
         from rolamento import tasks
 
         found = tasks.fault_frequencies(
@@ -94,7 +94,7 @@ def frequencies(
             sidebands=sidebands,
             settings=settings or (),
         )
-        _show(found, json, csv)
+        _show(found, json, outputs)
     failed = found.solved is not None and not found.solved.converged[0]
     raise typer.Exit(NO_RESULT if failed else SOLVED)
 
@@ -132,12 +132,9 @@ def _part_of_one(key: str, text: str) -> float:
         ) from None
 
 
-def _show(found: FrequencyResult, json: str | None, csv: str | None) -> None:
+def _show(found: FrequencyResult, json: str | None, outputs: Outputs) -> None:
     if json is not None:
         put_json(found.to_mapping(), json)
-    if csv is not None:
-        put(found.lines_csv(), csv)
-    if STANDARD_STREAM not in (json, csv):
-        from rolamento.pages.frequencies import frequencies_page
+    from rolamento.pages.frequencies import frequencies_page
 
-        show(frequencies_page(found))
+    outputs.show(lambda: frequencies_page(found), json)

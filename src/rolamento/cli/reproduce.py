@@ -6,8 +6,7 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from enum import StrEnum
-from importlib.metadata import EntryPoint, entry_points
-from typing import Annotated, Final, Protocol
+from typing import TYPE_CHECKING, Annotated, Final, Protocol
 
 import typer
 
@@ -16,6 +15,9 @@ from rolamento.cli.options import LanguageOption
 from rolamento.cli.streams import print_text
 from rolamento.errors import InputError, guess
 from rolamento.words import said
+
+if TYPE_CHECKING:
+    from importlib.metadata import EntryPoint
 
 GROUP: Final = "rolamento.reproductions"
 """Entry points by which packages offer publications, each a `Reproduction`."""
@@ -31,8 +33,8 @@ class Reproduction(Protocol):
     def reference(self) -> object:
         """Source, and what is in it."""
 
-    def reproduce(self, folder: str, pictures: str, progress: Progress) -> list[str]:
-        """Write it to a folder, its own if ``""``; return lines on what came out."""
+    def reproduce(self, folder: str | None, pictures: str, progress: Progress) -> list[str]:
+        """Write it to a folder, by default of its name; return lines on what came out."""
 
 
 class Pictures(StrEnum):
@@ -66,6 +68,8 @@ def reproduce(
 
     Computed by this program, with an index page.
     """
+    from importlib.metadata import entry_points
+
     with plain_endings(lang):
         found = {point.name: point for point in entry_points(group=GROUP)}
         if not found:
@@ -83,10 +87,8 @@ def reproduce(
         if name not in found:
             rule = said("cannot be reproduced; {guess}", guess=guess(name, sorted(found)))
             raise InputError(rule, value=name)
-        if output == "":
-            raise InputError(said("is not a valid folder name"), value=output, example=name)
         with _progress_bar() as progress:
-            lines = _loaded(found[name]).reproduce(output or "", pictures.value, progress)
+            lines = _loaded(found[name]).reproduce(output, pictures.value, progress)
         print_text("\n".join(lines) + "\n")
 
 

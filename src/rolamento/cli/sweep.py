@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from enum import StrEnum
-from typing import TYPE_CHECKING, Annotated, NoReturn
+from typing import Annotated, NoReturn
 
 import typer
 
@@ -18,9 +18,6 @@ from rolamento.cli.options import LanguageOption, SettingsOption
 from rolamento.cli.streams import complain, print_text
 from rolamento.errors import InputError
 from rolamento.words import said
-
-if TYPE_CHECKING:
-    pass
 
 
 class Listed(StrEnum):

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import sys
 from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
 
 from rolamento.cli.common import SOLVED, plain_endings
 from rolamento.cli.options import LanguageOption, PlotOption, json_option
-from rolamento.cli.outputs import check_outputs
+from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.shipped_data import check_one_given, data_and_json, known_example
-from rolamento.cli.streams import STANDARD_STREAM, print_text, put_json
+from rolamento.cli.streams import put_json
 from rolamento.cli.table_options import DecimalMarkOption, TimeColumnOption, told_in_options
 from rolamento.errors import InputError
 from rolamento.words import marked, said
@@ -29,6 +28,7 @@ LAWS: Final[dict[str, WearLaw]] = {
 }
 
 
+@with_outputs
 def trend(
     data: Annotated[
         str | None,
@@ -61,6 +61,7 @@ def trend(
     decimal_mark: DecimalMarkOption = None,
     plot: PlotOption = None,
     json: Annotated[str | None, json_option("Write everything as JSON")] = None,
+    outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
 ) -> None:
     """Show what changed in operation: clearance, noise.
@@ -69,7 +70,7 @@ def trend(
     """
     with plain_endings(lang):
         data, json = data_and_json(data, example, json)
-        check_outputs(
+        outputs.check(
             {"--json": json, "--plot": plot},
             data,
             rule=marked("is the data file itself; choose another name"),
@@ -79,8 +80,6 @@ def trend(
             rule = said("must be one of {known}", known=", ".join(LAWS))
             raise InputError(rule, source="--law", value=law, example="running-in")
         columns = {"time": time_column, "bearing": bearing_column, "decimal_mark": decimal_mark}
-        from rolamento.document.medium import Medium
-        from rolamento.document.terminal import terminal
         from rolamento.pages.trend import trend_page
         from rolamento.tasks.weibull import trend_study
         from rolamento.weibull import published_trend
@@ -97,6 +96,5 @@ def trend(
             save_figure(trend_figure(found.trend, found.fits), plot)
         if json is not None:
             put_json(found.to_mapping(), json)
-        if json != STANDARD_STREAM:
-            print_text(terminal(trend_page(found), Medium.of(sys.stdout)))
+        outputs.show(lambda: trend_page(found), json)
     raise typer.Exit(SOLVED)

@@ -11,14 +11,15 @@ import typer
 
 from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings
 from rolamento.cli.options import LanguageOption, json_option
-from rolamento.cli.outputs import check_outputs
-from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put
+from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
+from rolamento.cli.streams import STANDARD_STREAM, complain, put
 from rolamento.words import said, speaking
 
 if TYPE_CHECKING:
     from rolamento.verification import Progress, Source, Verification
 
 
+@with_outputs
 def verify(
     source: Annotated[
         list[str] | None,
@@ -33,6 +34,7 @@ def verify(
         ),
     ] = None,
     json: Annotated[str | None, json_option("Write all numbers as JSON")] = None,
+    outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
 ) -> None:
     """Compare the program with published numbers.
@@ -40,9 +42,9 @@ def verify(
     The exit code is 1 if one fails.
     """
     with plain_endings(lang):
-        check_outputs({"--json": json, "--markdown": markdown})
+        outputs.check({"--json": json, "--markdown": markdown})
         found = _run(source or ())
-        _write_outputs(found, json, markdown)
+        _write_outputs(found, json, markdown, outputs)
     raise typer.Exit(SOLVED if found.passed else NO_RESULT)
 
 
@@ -79,11 +81,11 @@ def _progress_on_terminal() -> Iterator[Progress]:
         yield progress
 
 
-def _write_outputs(found: Verification, json: str | None, markdown: str | None) -> None:
+def _write_outputs(
+    found: Verification, json: str | None, markdown: str | None, outputs: Outputs
+) -> None:
     """Write what was asked for; standard output takes data or the page, not both."""
     from rolamento.document.markdown import markdown as as_markdown
-    from rolamento.document.medium import Medium
-    from rolamento.document.terminal import terminal
     from rolamento.pages.verification import summary, verification_page
 
     if json is not None:
@@ -91,7 +93,6 @@ def _write_outputs(found: Verification, json: str | None, markdown: str | None) 
     if markdown is not None:
         with speaking("en"):  # the page of the documentation
             put(as_markdown(verification_page(found, introduction=True)), markdown)
-    if STANDARD_STREAM not in (json, markdown):
-        print_text(terminal(verification_page(found), Medium.of(sys.stdout)))
-    elif not found.passed:
+    outputs.show(lambda: verification_page(found), json, markdown)
+    if STANDARD_STREAM in (json, markdown, outputs.csv) and not found.passed:
         complain(summary(found))

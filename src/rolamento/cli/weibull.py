@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import sys
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, cast
 
@@ -17,7 +16,7 @@ from rolamento.cli.common import (
 from rolamento.cli.grouped_help import Groups
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import LanguageOption, SeedOption, json_option, plot_option
-from rolamento.cli.outputs import check_outputs
+from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.shipped_data import check_one_given, data_and_json, known_example
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put_json
 from rolamento.cli.table_options import (
@@ -63,6 +62,7 @@ class WeibullCommand(JsonCommand):
     }
 
 
+@with_outputs
 def weibull(
     data: Annotated[
         str | None,
@@ -199,6 +199,7 @@ def weibull(
     json: Annotated[
         str | None, json_option("Write everything as JSON, in the unit of the data")
     ] = None,
+    outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
 ) -> None:
     """Fit a Weibull distribution to a life test, with bounds.
@@ -207,8 +208,11 @@ def weibull(
     """
     with plain_endings(lang):
         data, json = data_and_json(data, example, json)
-        outputs = {"--json": json, "--plot": plot, "--contour": contour}
-        check_outputs(outputs, data, rule=marked("is the data file itself; choose another name"))
+        outputs.check(
+            {"--json": json, "--plot": plot, "--contour": contour},
+            data,
+            rule=marked("is the data file itself; choose another name"),
+        )
         if write is not None:
             print_text(_write_example(data, example, write))
             return
@@ -263,7 +267,7 @@ def weibull(
                 with told_in_options(quantity="--contour-of"):
                     regions = regions_of(found, contour_of)
                 save_figure(contour_figure(found, regions), contour)
-        _show(found, json)
+        _show(found, json, outputs)
     raise typer.Exit(SOLVED if found.has_result else NO_RESULT)
 
 
@@ -282,17 +286,14 @@ def _write_example(data: str | None, example: str | None, path: str) -> str:
     return said("Wrote {path}", path=path) + "\n"
 
 
-def _show(found: LifeTestSummary, json: str | None) -> None:
+def _show(found: LifeTestSummary, json: str | None, outputs: Outputs) -> None:
     """Write what was asked for; standard output takes data or the page, not both."""
     if json is not None:
         put_json(found.to_mapping(), json)
-    if json != STANDARD_STREAM:
-        from rolamento.document.medium import Medium
-        from rolamento.document.terminal import terminal
-        from rolamento.pages.weibull import weibull_page
+    from rolamento.pages.weibull import weibull_page
 
-        print_text(terminal(weibull_page(found), Medium.of(sys.stdout)))
-    elif not found.has_result:
+    outputs.show(lambda: weibull_page(found), json)
+    if STANDARD_STREAM in (json, outputs.csv) and not found.has_result:
         complain(str(found.groups[0].main.advice))
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from typing import Annotated, Final
 
 import typer
@@ -15,8 +14,8 @@ from rolamento.cli.common import (
 from rolamento.cli.grouped_help import GroupedCommands
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import LanguageOption, PlotOption, SeedOption, json_option
-from rolamento.cli.outputs import check_outputs
-from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put_json
+from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
+from rolamento.cli.streams import STANDARD_STREAM, complain, put_json
 from rolamento.cli.table_options import told_in_options
 from rolamento.errors import InputError
 from rolamento.words import said
@@ -28,8 +27,6 @@ _MAXIMUM_SIZES: Final = 20
 
 app = typer.Typer(
     cls=GroupedCommands,
-    help="Plan a life test: bearings, time, failures.\n\nBearings and time to "
-    "demonstrate a life, or failures to estimate one.",
     no_args_is_help=True,
     rich_markup_mode=None,
 )
@@ -51,11 +48,20 @@ ConfidenceOption = Annotated[
 JsonOption = Annotated[str | None, json_option("Write everything as JSON, in the unit of the life")]
 
 
+@app.callback()
+def weibull_plan(lang: LanguageOption = None) -> None:
+    """Plan a life test: bearings, time, failures.
+
+    Bearings and time to demonstrate a life, or failures to estimate one.
+    """
+
+
 @app.command(
     cls=JsonCommand,
     epilog="Examples: weibull-plan demonstration --life '1000 h' --bearings 10;"
     " weibull-plan demonstration --life '1000 h' --time '500 h' --failures-allowed 1.",
 )
+@with_outputs
 def demonstration(
     life: Annotated[
         str, typer.Option("--life", metavar="LIFE", help="Life to demonstrate, such as '1000 h'.")
@@ -83,6 +89,7 @@ def demonstration(
     confidence: ConfidenceOption = 0.9,
     plot: PlotOption = None,
     json: JsonOption = None,
+    outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
 ) -> None:
     """Plan to demonstrate a life with few failures or none.
@@ -90,9 +97,7 @@ def demonstration(
     Number of bearings against test time.
     """
     with plain_endings(lang):
-        check_outputs({"--json": json, "--plot": plot})
-        from rolamento.document.medium import Medium
-        from rolamento.document.terminal import terminal
+        outputs.check({"--json": json, "--plot": plot})
         from rolamento.pages.weibull_plan import demonstration_page
         from rolamento.tasks.weibull import demonstration_study
 
@@ -113,9 +118,8 @@ def demonstration(
             save_figure(chance_figure([found.plan, *found.beside], found.unit), plot)
         if json is not None:
             put_json(found.to_mapping(), json)
-        if json != STANDARD_STREAM:
-            print_text(terminal(demonstration_page(found), Medium.of(sys.stdout)))
-        elif not found.plan.planned:
+        outputs.show(lambda: demonstration_page(found), json)
+        if STANDARD_STREAM in (json, outputs.csv) and not found.plan.planned:
             complain(str(found.plan.advice))
     raise typer.Exit(SOLVED if found.plan.planned else NO_RESULT)
 
@@ -125,6 +129,7 @@ def demonstration(
     epilog="Examples: weibull-plan precision --ratio 5 --life '1000 h';"
     " weibull-plan precision --failures 6 --groups 6 --group-size 4.",
 )
+@with_outputs
 def precision(
     ratio: Annotated[
         float | None,
@@ -162,6 +167,7 @@ def precision(
     seed: SeedOption = 0,
     plot: PlotOption = None,
     json: JsonOption = None,
+    outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
 ) -> None:
     """Plan the precision of an estimated life.
@@ -169,7 +175,7 @@ def precision(
     How many failures narrow the bounds, and how long that takes.
     """
     with plain_endings(lang):
-        check_outputs({"--json": json, "--plot": plot})
+        outputs.check({"--json": json, "--plot": plot})
         sizes = group_size or []
         if (ratio is None) == (failures is None):
             raise InputError(
@@ -183,8 +189,6 @@ def precision(
             rule = said("may be given at most {most} times", most=_MAXIMUM_SIZES)
             raise InputError(rule, source="--group-size")
         from rolamento.cli.waiting import progress_of
-        from rolamento.document.medium import Medium
-        from rolamento.document.terminal import terminal
         from rolamento.pages.weibull_plan import precision_page
         from rolamento.tasks.weibull import precision_study
 
@@ -212,8 +216,7 @@ def precision(
             from rolamento.plots.weibull_plan import cost_figure
 
             save_figure(cost_figure(found.plans, found.time_label), plot)
-        if json != STANDARD_STREAM:
-            print_text(terminal(precision_page(found), Medium.of(sys.stdout)))
-        elif not found.planned:
+        outputs.show(lambda: precision_page(found), json)
+        if STANDARD_STREAM in (json, outputs.csv) and not found.planned:
             complain(str(found.plans[0].advice))
     raise typer.Exit(SOLVED if found.planned else NO_RESULT)

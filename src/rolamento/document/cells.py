@@ -129,7 +129,7 @@ def peaks(column: Column) -> list[bool]:
 
 def shares(column: Column) -> list[float]:
     """Return the lengths of a column of bars over that of the greatest."""
-    numbers = [value if isinstance(value, float) else 0.0 for value in column.values]
+    numbers = [v if isinstance(v, float) and isfinite(v) else 0.0 for v in column.values]
     greatest = max(numbers, default=0.0)
     return [number / greatest if greatest > 0.0 else 0.0 for number in numbers]
 

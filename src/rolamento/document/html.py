@@ -75,7 +75,6 @@ def html(document: Document, *, picture: PictureName | None = None) -> str:
     with speaking(document.language):
         setter = _Setter(document, picture)
         body = setter.body()
-        contents = setter.contents()
         tag = languages()[language()].replace("_", "-")
     made = " ".join(("rolamento", document.kind)).strip()
     about = " · ".join(part for part in (document.program, document.date) if part)
@@ -89,7 +88,7 @@ def html(document: Document, *, picture: PictureName | None = None) -> str:
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
         f'<meta name="generator" content="{escape(made)}">\n'
         f"<title>{title}</title>\n<style>\n{_style()}</style>\n</head>\n"
-        f'<body class="rolamento">\n<main>\n{setter.top()}{contents}{body}{footer}</main>\n'
+        f'<body class="rolamento">\n<main>\n{body}{footer}</main>\n'
         f"</body>\n</html>\n"
     )
 
@@ -102,7 +101,7 @@ def fragment(document: Document) -> str:
         tag = languages()[language()].replace("_", "-")
     return (
         f'<div class="rolamento notebook" lang="{tag}">\n<style>\n{_style()}</style>\n'
-        f"{setter.top()}{body}</div>\n"
+        f"{body}</div>\n"
     )
 
 
@@ -135,14 +134,16 @@ class _Setter:
         }
 
     def body(self) -> str:
-        """Return the sections; to be called once, before `top` and `contents`."""
-        return "".join(self._part(part) for part in self._document.sections)
+        """Return title and sections, the contents before the first section with a heading."""
+        before: list[str] = []
+        behind: list[str] = []
+        for part in self._document.sections:
+            text = self._part(part)
+            (behind if self._headings else before).append(text)
+        contents = self._contents() if self._named else ""
+        return "".join([self._top, *before, contents, *behind])
 
-    def top(self) -> str:
-        """Return the title."""
-        return self._top
-
-    def contents(self) -> str:
+    def _contents(self) -> str:
         """Return links to the sections, where there are many."""
         if len(self._headings) <= _MOST_WITHOUT_CONTENTS:
             return ""

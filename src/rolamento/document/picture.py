@@ -25,6 +25,7 @@ _SETTINGS: Final[Any] = {
     "svg.hashsalt": "rolamento",
     "svg.fonttype": "path",
 }
+_NOT_XML: Final = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _CODES: Final = {1: "M", 2: "L", 3: "Q", 4: "C"}
 _POINTS_OF_CODE: Final = {1: 1, 2: 1, 3: 2, 4: 3}
 _CLOSE: Final = 79
@@ -43,7 +44,10 @@ def picture_bytes(figure: Figure, kind: str, *, transparent: bool = False) -> by
         # A title may hold letters that the font lacks; a box stands for them.
         warnings.filterwarnings("ignore", "Glyph .* missing from font")
         figure.savefig(content, format=kind, metadata=_METADATA[kind], transparent=transparent)
-    return content.getvalue()
+    if kind != "svg":
+        return content.getvalue()
+    # Matplotlib says in comments which text it has drawn, whatever its characters
+    return _NOT_XML.sub("?", content.getvalue().decode("utf-8", "replace")).encode()
 
 
 @dataclass(frozen=True, slots=True)

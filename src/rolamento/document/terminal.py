@@ -144,7 +144,11 @@ class _Setter:
         return _joined([self._section(one, width) for one in sections])
 
     def _section(self, section: Section, width: int) -> Lines:
-        heading = self._hanging(Text(), section.heading, width, _HEADING) if section.heading else []
+        heading: Lines = []
+        if section.heading and section.level == 1:
+            heading = self._title(Title(section.heading), width)
+        elif section.heading:
+            heading = self._hanging(Text(), section.heading, width, _HEADING)
         return [*heading, *(line for block in section.blocks for line in self._block(block, width))]
 
     def _block(self, block: Block, width: int) -> Lines:
@@ -203,6 +207,11 @@ class _Setter:
     def _equation(self, block: Equation, width: int) -> Lines:
         label = f"({block.number})" if block.number else ""
         lines = self._hanging(self._text(f"  {label:5}"), block.plain, width)
+        longest = max((len(one.symbol) for one in block.symbols), default=0)
+        for one in block.symbols:
+            meaning = f"{one.meaning} [{one.unit}]" if one.unit else one.meaning
+            symbol = self._text(f"{' ' * 7}{one.symbol:{longest}}  ", "dim")
+            lines += self._hanging(symbol, meaning, width, "dim")
         behind = "; ".join(part for part in (block.name, block.source, block.valid) if part)
         return lines + self._hanging(Text(" " * 7), behind, width, "dim")
 

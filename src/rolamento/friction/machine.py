@@ -62,7 +62,7 @@ class MachineBearing:
 def machine_of(
     case: Case, film: Film, static_load_rating: ArrayLike, static_load: ArrayLike
 ) -> MachineBearing | None:
-    """Return the bearing as those models know it, from its designation.
+    """Return the bearing as those models describe it, from its designation.
 
     Parameters
     ----------

@@ -32,7 +32,7 @@ INERTIA_SHARE: Final = 0.1
 """Share of friction, or of the ball's load, that forces of inertia may take at low speed."""
 
 COUNTED_LOAD: Final = 0.05
-"""Of the heaviest ball's load: balls with less have no say in the torque."""
+"""Of the heaviest ball's load: balls with less are not judged for inertia."""
 
 FULL_FILM: Final = 3.0
 """Film parameter λ above which the surfaces do not touch."""
@@ -82,7 +82,7 @@ class Torque:
         (cases,), whether the model found a result
     losses
         heat by source in every contact at the speeds of the case, W; empty where the model
-        does not know contacts, zero at rest
+        does not resolve contacts, zero at rest
     """
 
     model: str
@@ -108,7 +108,7 @@ def torque_of_losses(
 
 
 def torque_of_parts(model: str, parts: Mapping[str, FloatArray], speed: FloatArray) -> Torque:
-    """The torque of a model that knows no contacts; speed: of the rings to each other, rad/s."""
+    """The torque of a model without contacts; speed: of the rings relative to each other, rad/s."""
     total = np.asarray(np.sum(list(parts.values()), axis=0))
     return Torque(model, total, parts, total * np.abs(speed), np.isfinite(total))
 
@@ -131,9 +131,9 @@ class Setting:
     dynamic_viscosity
         η₀ of the oil at the contacts' inlets, Pa·s; None without an oil
     film_parameter
-        the minimum λ of each case; NaN where it is not known, None before it is
+        the minimum λ of each case; NaN where unknown, None before it is computed
     control
-        which race the balls roll on, for models that need to know
+        which race the balls roll on, for models that need it
     mesh
         points on the ellipses; 80 × 5 by default
     machine
@@ -195,7 +195,7 @@ class TorqueModel:
     limits
         the cases in which the model is not valid, or only with a remark, by keys of notes
     of_contacts
-        whether it knows contacts, or else the bearing as a whole
+        whether it resolves contacts, rather than the bearing as a whole
     closed_form
         whether a case takes microseconds
     """

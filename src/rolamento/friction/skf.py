@@ -70,8 +70,8 @@ SLIDING_FULL_FILM: Final[Mapping[str, float]] = {
 """μ_EHL by oil."""
 
 SLIDING_BOUNDARY: Final = 0.12
-"""μ_bl of a turning bearing in SKF's later model, which tells it from the start; the catalogue of
-2013 gives one value of about 0.15 for both."""
+"""μ_bl of a turning bearing in SKF's later model, which distinguishes it from starting; the
+catalogue of 2013 gives one value of about 0.15 for both."""
 
 SLIDING_AT_START: Final = 0.15
 """μ_bl of one that starts to turn."""

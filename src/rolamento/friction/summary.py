@@ -157,7 +157,7 @@ def friction(
     machine
         Sizes, rating and lubricant, for Palmgren's and SKF's models beside.
     control
-        Which race the balls roll on, for the models that need to know.
+        Which race the balls roll on, for the models that need it.
     compare
         Whether to evaluate the other models of the contacts too; by default of a single case only.
     mesh
@@ -168,7 +168,7 @@ def friction(
     Raises
     ------
     InputError
-        For an unknown word, a coefficient that is missing, or a number out of range.
+        For an unknown name, a missing coefficient, or a number out of range.
     """
     refuse_other(solved, "friction")
     if model not in CONTACT_MODELS:

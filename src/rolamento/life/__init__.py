@@ -1,7 +1,7 @@
 """Rating and fatigue life: one file a theory, one record for all of them.
 
 Pure functions of arrays first; `life` gathers all theories for solved cases,
-`sensitivity` tells what would help.
+`sensitivity` finds what would help.
 """
 
 from rolamento.life.conditions import LifeConditions, conditions_of, with_lubricant

@@ -1,4 +1,4 @@
-"""What the theories of life want to know beside the solved balls, and where a case says it."""
+"""What the theories of life need beside the solved balls, and where a case gives it."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ class LifeConditions:
     dynamic_rating, static_rating
         C_r and C_0r of one row, N; by ISO 281 and ISO 76 from the geometry if not given
     reliability
-        S wanted, such as 0.9
+        required S, such as 0.9
     edition
         of ISO 281, for a_1
     viscosity
@@ -85,7 +85,7 @@ class LifeConditions:
         whether a ring turns against the load; by default those with a speed, and the inner where
         none has
     wanted_life
-        how long the bearing is to run, s: the summary tells with which reliability it does
+        required life, s: the summary gives the reliability with which it is reached
     sources
         where ratings come from that are not the user's own, by name
 
@@ -230,7 +230,7 @@ def _class_of(model: LifeModel) -> ContaminationClass | None:
 
 
 def _with_published_ratings(conditions: LifeConditions, case: Case) -> LifeConditions:
-    """Take ratings that are not given from the catalogue; the static one holds for steel balls."""
+    """Take ratings that are not given from the catalogue; the static one is for steel balls."""
     bearing = case.bearing
     published = bearing.published
     if published is None or bearing.rows is not None:

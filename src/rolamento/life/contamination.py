@@ -125,7 +125,7 @@ def class_of_grease(level: str) -> ContaminationClass:
 def contamination_factor(
     found: ContaminationClass, viscosity_ratio: ArrayLike, pitch_diameter: ArrayLike
 ) -> FloatArray:
-    """Contamination factor e_C, 0 (dirt decides) to 1 (clean).
+    """Contamination factor e_C, 0 (severe contamination) to 1 (clean).
 
     Parameters
     ----------

@@ -1,18 +1,18 @@
 """Which life leads: one rule for every report, table, figure and output.
 
 The reference life counts every ball; where κ and e_C are known, the modified reference life counts
-oil and dirt too, and leads. A life that includes less never takes its place: what it leaves out is
-what is wrong with the case. Three things may stand in the way of a number:
+oil and contamination too, and leads. A life that includes less never takes its place: what it
+leaves out is what is wrong with the case. Three things may stand in the way of a number:
 
 - κ below 0.1, or e_C of 0: the standard gives no factor. a_ISO does not fall with κ or e_C, and is
   0.1 where either ends, so the life is below a tenth of the basic one. That bound leads.
 - Only one of κ and e_C is known. The other can at best be κ = 4 or e_C = 1. Where even then a_ISO
   is below 1, it bounds the life, and that bound leads; else the basic reference life does, with the
-  remark that oil and dirt are not in it.
+  remark that lubrication and contamination are not included.
 - The load, the temperature or the geometry is outside what the reference life is for: nothing
   leads.
 
-So the life that leads never rises when the oil thins, the dirt increases or the load grows.
+So the life that leads never increases as the oil thins, contamination rises or the load grows.
 
 Sources: ISO 281:2007, 9.3.3; ADR 0010.
 """
@@ -80,7 +80,7 @@ class Headline:
         return Note(str(self.reason[case])) if self.reason[case] else None
 
     def to_mapping(self, case: int = 0) -> dict[str, Any]:
-        """Give one case as plain values; NaN as None, endless life as None beside "endless"."""
+        """Give one case as plain values; NaN as None, infinite life as None beside "endless"."""
         reason = self.reason_of(case)
         return {
             "theory": str(self.theory[case]) or None,

@@ -69,7 +69,7 @@ class Life:
     factors
         by which the basic life was multiplied, and what they come from, by name
     notes
-        by key, and in which cases each of them holds
+        by key, and in which cases each of them applies
     """
 
     theory: str
@@ -105,7 +105,7 @@ class Life:
         return tuple(Note(key) for key, where in self.notes.items() if where[case])
 
     def to_mapping(self, case: int = 0) -> dict[str, Any]:
-        """Give one case as plain values; NaN as None, endless life as None beside its note."""
+        """Give one case as plain values; NaN as None, infinite life as None beside its note."""
         return {
             "theory": self.theory,
             "reliability": self.reliability,

@@ -1,6 +1,6 @@
-"""How life depends on the reliability wanted: the factor a_1.
+"""How life depends on the required reliability: the factor a_1.
 
-A Weibull distribution of slope 3/2; the edition of 2007 adds a least life that (nearly) every
+A Weibull distribution of slope 3/2; the edition of 2007 adds a minimum life that (nearly) every
 bearing reaches, 5 % of the rating life:
 
     2007: a_1 = 0.95 [ln(1/S)/ln(1/0.9)]^(2/3) + 0.05
@@ -64,12 +64,12 @@ def reliability_of(life_ratio: ArrayLike, edition: Edition = "2007") -> FloatArr
 
     Parameters
     ----------
-    life_ratio : array, wanted life over L_10 (or over the life for 90 % of any theory).
+    life_ratio : array, required life over L_10 (or over the life for 90 % of any theory).
     edition : of ISO 281.
 
     Returns
     -------
-    S of that shape: 1 up to the least life of the edition.
+    S of that shape: 1 up to the minimum life of the edition.
     """
     ratio = positive(life_ratio, "life_ratio", zero=True)
     least = _MINIMUM_LIFE[_checked(edition)]

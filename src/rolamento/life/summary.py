@@ -80,7 +80,7 @@ class LifeSummary:
     viscosity_ratio, contamination_factor
         κ and e_C, (cases,); None where lubrication is not given
     conditions
-        what it was reckoned with
+        what it was calculated with
     """
 
     theories: Mapping[str, Life]
@@ -275,7 +275,7 @@ def _costliest(basis: Basis) -> NDArray[np.str_]:
         oil, dirt = np.nan_to_num(gain_of_oil), np.nan_to_num(gain_of_filter)
     best = np.where(oil >= dirt, "viscosity_ratio", "contamination")
     named = np.where(np.maximum(oil, dirt) < _WORTH, "load", best)
-    # where only one of them can be judged, the load cannot be told to be what costs most
+    # where only one of them can be judged, the load cannot be judged to cost most
     judged = ~np.isnan(gain_of_oil) & ~np.isnan(gain_of_filter)
     return np.asarray(np.where((named == "load") & ~judged, "", named), dtype="U15")
 

@@ -52,7 +52,7 @@ class Need:
     from_lubricant: bool = False
 
     def met(self, case: Case, varied: Collection[str] = ()) -> bool:
-        """Tell whether a case has it; varied: dotted names of what varies."""
+        """Return whether a case has it; varied: dotted names of what varies."""
         if any(
             f"life.{name}" in varied or getattr(case.life, name, None) is not None
             for name in self.fields

@@ -1,4 +1,4 @@
-"""Regimes of lubrication, how a bearing is expected to fail in them, and what a crack tells.
+"""Regimes of lubrication, how a bearing is expected to fail in them, and where cracks start.
 
 The limits and modes are in data/lubrication_regimes.toml, with their sources.
 """
@@ -81,7 +81,7 @@ def regime_of(film_parameter: float) -> Regime | None:
 
 
 def crack_origin(crack_depth: float, greatest_shear_depth: float) -> Origin:
-    """Tell where a crack came from by its depth, over that of the greatest shear stress.
+    """Return where a crack started, from its depth over that of the maximum shear stress.
 
     0.5 to 1.5: beneath the surface; up to 0.2: at the surface; else undecided. Both in m.
 

@@ -14,7 +14,7 @@ from rolamento.words import UNITS, manner, said
 if TYPE_CHECKING:
     from rolamento.case.fields import Field
 
-__all__ = ["field_column", "place_text", "read_text", "setting_text"]
+__all__ = ["field_column", "place_text", "read_text"]
 
 _DECADES: Final = 100.0
 
@@ -51,16 +51,3 @@ def place_text(field: Field, values: NDArray[np.float64], where: NDArray[np.bool
     if least == greatest:
         return said("at {value}", value=least)
     return said("from {least} to {greatest}", least=least, greatest=greatest)
-
-
-def setting_text(setting: str) -> str:
-    """Write what was set, ``"life.contamination=0.8"``, with the label of its field."""
-    from rolamento.case import Case
-
-    name, equals, value = setting.partition("=")
-    field = Case.fields().get(name.strip())
-    return (
-        f"{field.label} = {manner().localised(value.strip())}"
-        if equals and field is not None
-        else setting
-    )

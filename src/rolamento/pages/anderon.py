@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from math import exp, isfinite, nan
 from typing import TYPE_CHECKING, Final
 
@@ -21,6 +21,7 @@ from rolamento.document import (
     Title,
     Tone,
 )
+from rolamento.pages.data import in_files
 from rolamento.vibration.anderon import BANDS, velocity_of_anderons
 from rolamento.vibration.anderon_trend import AnderonTrend, BandTrend
 from rolamento.words import ABSENT, manner, marked, said, said_in
@@ -61,7 +62,25 @@ def anderon_page(found: NoiseResult) -> Document:
             sections += _over_time(found.trend)
     sections += _notes(found)
     sections.append(Section("", tuple(_figures(found)), key="figures"))
-    return Document(_title(found), tuple(sections), kind="anderon")
+    sections.append(in_files("levels", _COLUMNS, _levels(found)))
+    return Document(_title(found), tuple(sections), kind="anderon", main="levels")
+
+
+_COLUMNS: Final = {
+    "signal": "", "hours": "", "band": "", "low": "Hz", "high": "Hz", "velocity": "µm/s",
+    "anderons": "", "full_scale_anderons": "", "accepted_to_anderons": "", "verdict": "",
+}  # fmt: skip
+
+
+def _levels(found: NoiseResult) -> Iterator[tuple[CellContent, ...]]:
+    """Return each band of each signal."""
+    for place, one in enumerate(found.measured):
+        scales = found.scales_of(one)
+        for band in one.noise.bands:
+            scale = scales.get(band.name, nan)
+            verdict = found.verdict_of(place, band.name)
+            levels = (band.velocity, band.anderons, scale, found.part * scale)
+            yield one_line(one.title), one.hours, band.name, *band.band, *levels, verdict
 
 
 def _title(found: NoiseResult) -> str:
@@ -210,7 +229,7 @@ def _verdicts(found: NoiseResult) -> Iterable[Column]:
     verdicts = [found.verdict_of(0, band.name) for band in bands]
     yield Column(head=said("full scale"), values=full, form=".4", key="full_scale")
     yield Column(
-        head=said("of full scale"),
+        head=said("ratio"),
         values=[band.anderons / scale for band, scale in zip(bands, full, strict=True)],
         unit="%",
         form=".1f [%]",

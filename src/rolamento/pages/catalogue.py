@@ -20,7 +20,7 @@ from rolamento.document import (
     Title,
     Tone,
 )
-from rolamento.words import counted, manner, marked, said
+from rolamento.words import manner, marked, said
 
 __all__ = ["bearing_page", "search_page"]
 
@@ -251,9 +251,5 @@ def _candidates(candidates: Sequence[Candidate]) -> Section:
         " most open grooves that the ratings allow."
     )
     table = Table(columns=columns, key="candidates", legends=(legend,), gap=1, units="behind")
-    heading = counted(
-        "{n} candidate that fits the ratings",
-        "{n} candidates that fit the ratings",
-        len(candidates),
-    )
+    heading = said("Candidates that fit the ratings")
     return Section(heading, (table,), "candidates")

@@ -6,6 +6,8 @@ from collections.abc import Callable, Iterable
 from math import log10, pi
 from typing import TYPE_CHECKING, Final
 
+import numpy as np
+
 from rolamento.document import (
     Column,
     Document,
@@ -58,8 +60,9 @@ def diagnosis_page(found: DiagnosisResult) -> Document:
     if not found.still:
         sections.append(_why(found.diagnosis))
     sections += _notes(found)
-    sections.append(Section("", tuple(_figures(found)), key="figures"))
-    return Document(f"{found.bearing_name}: {found.title}", tuple(sections), kind="diagnose")
+    sections.append(Section("", (*_figures(found), _spectrum(found.diagnosis)), key="figures"))
+    title = f"{found.bearing_name}: {found.title}"
+    return Document(title, tuple(sections), kind="diagnose", main="spectrum")
 
 
 def _verdict(found: DiagnosisResult) -> Section:
@@ -349,6 +352,33 @@ def _notes(found: DiagnosisResult) -> list[Section]:
         if note.key == "no_loaded_frequencies" and unsolved and found.solved is not None:
             remarks.append(Remark(failure(found.solved), "no_solution_no_frequencies"))
     return [Section(said("Notes"), (Notes(tuple(remarks)),), key="notes")] * bool(remarks)
+
+
+def _spectrum(diagnosis: Diagnosis) -> Table:
+    """Return the spectrum of the squared envelope in the band of each fault, for files."""
+    spectra, places = diagnosis.spectra, diagnosis.bands_shown
+    count = len(spectra.order)
+    order = spectra.order.tolist() * len(places)
+    above = np.concatenate([spectra.above_noise[place] for place in places])
+    level = 10.0 * np.log10(above, out=np.full(above.shape, np.nan), where=above > 0.0)
+    lows, highs = ([spectra.bands[p][end] for p in places for _ in range(count)] for end in (0, 1))
+    return Table(
+        columns=(
+            Column(head=said("band from"), values=lows, unit="Hz", key="band_low"),
+            Column(head=said("band to"), values=highs, unit="Hz", key="band_high"),
+            Column(head=said("order"), values=order, key="order"),
+            Column(
+                head=said("frequency"),
+                values=[one * diagnosis.shaft_frequency for one in order],
+                unit="Hz",
+                key="frequency",
+            ),
+            Column(head=said("over noise"), values=level.tolist(), unit="dB", key="over_noise"),
+        ),
+        key="spectrum",
+        caption=said("Spectrum of the squared envelope"),
+        only_in_files=True,
+    )
 
 
 # --- pictures ----------------------------------------------------------------------------------

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from math import isfinite
 from typing import TYPE_CHECKING, Final
 
 from rolamento.case.bearing import Bearing
 from rolamento.document import (
+    CellContent,
     Column,
     Document,
     Notes,
@@ -18,6 +19,7 @@ from rolamento.document import (
     Table,
     Title,
 )
+from rolamento.pages.data import in_files
 from rolamento.pages.given import reason
 from rolamento.solved import Solved
 from rolamento.vibration.frequencies import FAULTS, FaultFrequencies, LineName
@@ -47,7 +49,35 @@ def frequencies_page(found: FrequencyResult) -> Document:
     if found.alternatives:
         sections.append(_alternatives(found.alternatives))
     sections += _notes(found)
-    return Document(found.title, tuple(sections), kind="frequencies")
+    sections.append(in_files("lines", _COLUMNS, _every_line(found)))
+    return Document(found.title, tuple(sections), kind="frequencies", main="lines")
+
+
+_COLUMNS: Final = {
+    "source": "", "row": "", "line": "", "harmonic": "", "sideband": "", "order": "",
+    "frequency": "Hz", "order_low": "", "order_high": "", "frequency_low": "Hz",
+    "frequency_high": "Hz",
+}  # fmt: skip
+"""Low and high are a nominal line's band, or a loaded line's range over the balls."""
+
+
+def _every_line(found: FrequencyResult) -> Iterator[tuple[CellContent, ...]]:
+    """Return lines, harmonics and sidebands."""
+    for one in found.by_source:
+        shaft = one.shaft_frequency
+        for name, line in one.lines.items():
+            band = line.band
+            ends = (
+                (line.minimum, line.maximum, shaft * line.minimum, shaft * line.maximum)
+                if band is None
+                else (band.order_low, band.order_high, band.frequency_low, band.frequency_high)
+            )
+            yield one.source, one.row, name, 1, 0, line.order, line.frequency, *ends
+        for kind, name in FAULTS.items():
+            for extra in one.harmonics(kind, found.harmonics, found.sidebands):
+                if (extra.harmonic, extra.sideband) != (1, 0):
+                    own = (name, extra.harmonic, extra.sideband, extra.order, extra.frequency)
+                    yield one.source, one.row, *own, *[None] * 4
 
 
 def balls_of(bearing: Bearing) -> str:

@@ -20,10 +20,10 @@ from rolamento.document import (
     Title,
 )
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.pages.across import field_column, place_text, setting_text
+from rolamento.pages.across import field_column, place_text
 from rolamento.pages.friction import torque_unit
 from rolamento.pages.given import untitled
-from rolamento.studies.names import torque_model_name
+from rolamento.studies.names import setting_name, torque_model_name
 from rolamento.words import decimals_for, in_unit, marked, said
 from rolamento.words.reasons import reason
 
@@ -77,7 +77,7 @@ def _picture(curves: Sequence[FrictionCurve]) -> Picture:
 def _variant(curve: FrictionCurve) -> list[Block]:
     if not curve.label:
         return []
-    text = said("with {setting}", setting=setting_text(curve.label))
+    text = said("with {setting}", setting=setting_name(curve.label))
     return [Statement(text, indent=2)]
 
 

@@ -22,9 +22,10 @@ from rolamento.document import (
     Title,
 )
 from rolamento.life.theories import THEORIES
-from rolamento.pages.across import field_column, place_text, read_text, setting_text
+from rolamento.pages.across import field_column, place_text, read_text
 from rolamento.pages.given import untitled
 from rolamento.pages.life import HOUR, MILLION, remarks
+from rolamento.studies.names import setting_name
 from rolamento.words import said
 from rolamento.words.reasons import reason
 from rolamento.words.theories import theory_heads, theory_name
@@ -74,7 +75,7 @@ def life_over_page(curves: Sequence[LifeCurve]) -> Document:
 def _curve(curve: LifeCurve, place: int) -> Section:
     blocks: list[Block] = []
     if curve.label:
-        setting = setting_text(curve.label)
+        setting = setting_name(curve.label)
         blocks.append(Statement(said("with {setting}", setting=setting), indent=2))
     blocks += [_table(curve, place), *_extremes(curve), *_remarks(curve), *_failures(curve)]
     heading = said("Life over {field}", field=curve.over.field.label)

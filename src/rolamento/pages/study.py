@@ -77,7 +77,7 @@ def _counts(summary: Summary) -> list[Block]:
     if not failed:
         return [*blocks, Statement(said("all cases have a result"), "good", mark="✓")]
     ended = said(
-        "{count} cases have a result, {failed} have none", count=summary.converged, failed=failed
+        "cases with a result: {count}; without: {failed}", count=summary.converged, failed=failed
     )
     blocks.append(Statement(ended, "warning", mark="✗"))
     reasons = {

@@ -130,7 +130,7 @@ def _introduction(title: str) -> Section:
         " tolerance; it is explained if it is not, but the explanation has been tested; otherwise"
         " it fails."
     )
-    return Section(blocks=(Title(title), Statement(text), Statement(meaning)), level=1)
+    return Section(blocks=(Title(title), Statement(text), Statement(meaning)))
 
 
 def _proof_note() -> str:
@@ -142,7 +142,7 @@ def _proof_note() -> str:
 
 
 def _of_source(result: SourceResult) -> Iterator[Section]:
-    yield Section(blocks=(Title(result.title),), key=result.name, level=1)
+    yield Section(result.title, key=result.name, level=1)
     for place, (source, group) in enumerate(groupby(result.checks, lambda check: check.source)):
         key = f"{result.name}_{place + 1}"
         yield Section(term(source), (_table(list(group), key),), key)

@@ -111,7 +111,8 @@ def weibull_page(found: LifeTestSummary) -> Document:
     notes = [*_notes(found)]
     if notes:
         remarks = tuple(Remark(note.text, note.key) for note in notes)
-        parts.append(Section(said("Notes"), (Notes(remarks),), "notes"))
+        level = 2 if alone else 1
+        parts.append(Section(said("Notes"), (Notes(remarks),), "notes", level=level))
     return Document(title, tuple(parts), "weibull")
 
 
@@ -153,9 +154,10 @@ def _parts_of_group(wanted: Wanted, group: GroupSummary, *, alone: bool) -> list
     """Say what one group says: in sentences, then in tables."""
     name = one_line(group.name)
     blocks: list[Block] = list(_statements(group, wanted))
+    heading = ""
     if not alone:
-        scheme = Statement(said(SCHEMES[group.test.scheme]), "faint", indent=2)
-        blocks = [Title(f"{name}: {_sizes(group.test)}"), scheme, *blocks]
+        heading = f"{name}: {_sizes(group.test)}"
+        blocks.insert(0, Statement(said(SCHEMES[group.test.scheme]), "faint", indent=2))
     tables = [
         Section(
             heading,
@@ -170,7 +172,7 @@ def _parts_of_group(wanted: Wanted, group: GroupSummary, *, alone: bool) -> list
             *_table_of_calculated(group, wanted),
         )
     ]
-    parts: list[Section | Beside] = [Section(blocks=tuple(blocks), key="group")]
+    parts: list[Section | Beside] = [Section(heading, tuple(blocks), "group", level=1)]
     if [table.key for table in tables[:2]] == ["fits", "bounds"]:
         parts.append(Beside((tables[0],), (tables[1],), key="fits_and_bounds"))
         tables = tables[2:]
@@ -516,7 +518,7 @@ def _comparison(found: LifeTestSummary) -> list[Section | Beside]:
             ),
         )
         blocks.append(Table(columns=columns, key="comparisons"))
-    return [Section(said("Comparison of the groups"), tuple(blocks), "comparison")]
+    return [Section(said("Comparison of the groups"), tuple(blocks), "comparison", level=1)]
 
 
 def _sentence_of_difference(judged: Sequence[Comparison], confidence: float) -> list[str]:

@@ -22,7 +22,6 @@ from rolamento.plots.over_field import (
     across,
     is_geometric,
     judged_line,
-    short_label,
 )
 from rolamento.plots.style import (
     INNER,
@@ -32,7 +31,7 @@ from rolamento.plots.style import (
     series,
     styled,
 )
-from rolamento.studies.names import torque_model_name
+from rolamento.studies.names import setting_name, torque_model_name
 from rolamento.words import said
 
 if TYPE_CHECKING:
@@ -126,7 +125,7 @@ def spin_to_roll(curves: Sequence[FrictionCurve], axes: Axes | None = None) -> A
                     np.abs(values),
                     color=look.color,
                     linestyle=_VARIANTS[number % len(_VARIANTS)],
-                    label=", ".join(part for part in (name, short_label(curve.label)) if part),
+                    label=", ".join(part for part in (name, setting_name(curve.label)) if part),
                 )
         if not drawn:
             return empty_frame(axes, no_result())
@@ -160,7 +159,7 @@ def _lines(
             torque, valid = curve.controlled_torque, curve.friction.regime != "full_film"
         else:
             torque, valid = curve.torque(model), curve.friction.validity[0].valid
-        name = f"{torque_model_name(model)}, {short_label(curve.label)}"
+        name = f"{torque_model_name(model)}, {setting_name(curve.label)}"
         lines.append((torque, np.asarray(valid), name, look))
     return lines
 

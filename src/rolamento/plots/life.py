@@ -24,13 +24,15 @@ from rolamento.plots.frame import (
     label_x,
     label_y,
     legend_above,
+    legend_in_columns,
     log_scale,
     no_result,
     no_result_count,
     number,
 )
-from rolamento.plots.over_field import across, decades, judged_line, short_label
+from rolamento.plots.over_field import across, decades, judged_line
 from rolamento.plots.style import SERIES, new_figure, series, styled
+from rolamento.studies.names import setting_name
 from rolamento.words import said
 from rolamento.words.theories import theory_name
 
@@ -130,7 +132,7 @@ def lives_by_theory(curves: Sequence[LifeCurve], axes: Axes | None = None) -> Ax
         across(axes, own.over.field, own.values)
         decades(axes, "y", limits)
         axes.set_ylabel(said("Life (h)") if turns else said("Life (10⁶ rev)"), parse_math=False)
-        legend_above(axes, title=said("faint: the theory is not valid there") if faint else "")
+        legend_in_columns(axes, title=said("faint: the theory is not valid there") if faint else "")
     return axes
 
 
@@ -183,7 +185,7 @@ def _lines_of_theories(
         theories = " / ".join(map(_name_of, names))
         # in the unit of the first, whether this one turns or not
         led = leading.hours if first.in_hours else leading.life
-        label = f"{theories}, {short_label(curve.label)}"
+        label = f"{theories}, {setting_name(curve.label)}"
         yield led, leading.valid, next(iter(names), REFERENCE.name), label, look
 
 
@@ -285,7 +287,7 @@ def load_over_life(
         decades(axes, "y", _upright_limits(lives, upright, by))
         axes.set_xlabel(said("Life (10⁶ rev)"), parse_math=False)
         axes.set_ylabel(_upright_name(lives, by), parse_math=False)
-        legend_above(axes, title=said("faint: the theory is not valid there") if faint else "")
+        legend_in_columns(axes, title=said("faint: the theory is not valid there") if faint else "")
     return axes
 
 
@@ -465,7 +467,7 @@ def what_helps(changes: Sequence[Change], axes: Axes | None = None) -> Axes:
         axes.grid(False, axis="y")
         least, most = min(float(ratios[known].min()), 1.0), max(float(ratios[known].max()), 1.0)
         room = _MARGIN * max(most - least, 0.1)
-        axes.set_xlim(least - (room if least < 1.0 else 0.0), most + room)
+        axes.set_xlim(least - (1.5 * room if least < 1.0 else 0.0), most + room)
         label_x(axes, said("Life after the change over life before"))
     return axes
 

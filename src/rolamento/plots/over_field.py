@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from rolamento.studies.fields import Field
 
-__all__ = ["across", "decades", "is_geometric", "judged_line", "short_label"]
+__all__ = ["across", "decades", "is_geometric", "judged_line"]
 
 Floats = NDArray[np.float64]
 
@@ -75,12 +75,6 @@ def judged_line(
     if fails.any():
         axes.plot(x, np.where(_widened(fails), y, np.nan), alpha=_FAINT, **look)
     return bool(fails.any())
-
-
-def short_label(label: str) -> str:
-    """Return a setting with the last part of its key alone."""
-    key, equals, value = label.partition("=")
-    return f"{key.rpartition('.')[2]} = {value}" if equals else label
 
 
 def is_geometric(values: Floats) -> bool:

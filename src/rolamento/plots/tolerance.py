@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -14,6 +12,7 @@ from rolamento.errors import InputError
 from rolamento.plots.axes_units import PERCENT, readable_unit
 from rolamento.plots.frame import (
     GREY,
+    capitalised,
     empty_frame,
     label_x,
     label_y,
@@ -22,7 +21,7 @@ from rolamento.plots.frame import (
     shown_text,
 )
 from rolamento.plots.style import MILLIMETRE, WIDTH, series, styled
-from rolamento.plots.words import PlotWords, plot_words
+from rolamento.studies.names import variable_name
 from rolamento.studies.sensitivity import RankCorrelations, ToleranceStudy
 from rolamento.studies.tolerance import FINEST, FLAT, ToleranceBand, ToleranceBands
 from rolamento.words import said
@@ -41,34 +40,7 @@ _FILL: Final = "#9FC6DF"
 _BINS: Final = (8, 50)
 
 
-@dataclass(frozen=True, slots=True)
-class _Words:
-    rank: str
-    partial: str
-    no_result: str
-    no_variation: str
-    left_out: str
-
-
-_WORDS: Final[Mapping[str, _Words]] = {
-    "en": _Words(
-        rank="Rank correlation",
-        partial="Partial rank correlation",
-        no_result="no sample has a result",
-        no_variation="does not vary",
-        left_out="{failed} of {count} samples have no result and are left out",
-    ),
-    "pt": _Words(
-        rank="Correlação de postos",
-        partial="Correlação parcial de postos",
-        no_result="nenhuma amostra tem resultado",
-        no_variation="não varia",
-        left_out="{failed} de {count} amostras não têm resultado e ficam de fora",
-    ),
-}
-
-
-def tolerance_figure(study: ToleranceStudy, language: str = "en") -> Figure:
+def tolerance_figure(study: ToleranceStudy) -> Figure:
     """Draw the distribution of each output with its percentiles, and the inputs that move it.
 
     Percentiles are lines, their confidence intervals bands. Beside them stand the rank
@@ -79,8 +51,6 @@ def tolerance_figure(study: ToleranceStudy, language: str = "en") -> Figure:
     study
         From `rolamento.tasks.studies.tolerance`, without further axes; its first six outputs are
         drawn.
-    language
-        ``"en"`` or ``"pt"``.
 
     Raises
     ------
@@ -97,7 +67,6 @@ def tolerance_figure(study: ToleranceStudy, language: str = "en") -> Figure:
             field="axes",
             example="rolamento plot RESULT",
         )
-    shared, words = plot_words(language), _WORDS.get(language, _WORDS["en"])
     chosen = bands.bands[:MOST_OUTPUTS]
     with styled():
         height = (_ROW * len(chosen) + 8.0) * MILLIMETRE
@@ -106,11 +75,15 @@ def tolerance_figure(study: ToleranceStudy, language: str = "en") -> Figure:
         for row, band in enumerate(chosen):
             values = study.samples.values(band.name)
             left, right = (figure.add_subplot(grid[row, column]) for column in (0, 1))
-            _distribution(left, values, bands, band, shared, words)
-            _ranking(right, ranks, band.name, shared, words)
+            _distribution(left, values, bands, band)
+            _ranking(right, ranks, band.name)
         failed = int(bands.without_result)
         if failed:
-            text = words.left_out.format(failed=failed, count=bands.samples)
+            text = said(
+                "{failed} of {count} samples have no result and are left out",
+                failed=failed,
+                count=bands.samples,
+            )
             figure.suptitle(text, fontsize=9.0, color="#B00000", parse_math=False)
     return figure
 
@@ -120,15 +93,11 @@ def _distribution(
     values: Floats,
     bands: ToleranceBands,
     band: ToleranceBand,
-    shared: PlotWords,
-    words: _Words,
 ) -> None:
-    axes.set_title(
-        shown_text(shared.name(band.name, band.long_name), 60), loc="left", parse_math=False
-    )
+    axes.set_title(shown_text(_name(band.name, band.long_name), 60), loc="left", parse_math=False)
     there = values[np.isfinite(values)]
     if not there.size:
-        empty_frame(axes, words.no_result)
+        empty_frame(axes, said("no sample has a result"))
         return
     unit = readable_unit(band.units, there)
     bins = int(np.clip(np.ceil(2.0 * there.size ** (1.0 / 3.0)), *_BINS))
@@ -138,8 +107,8 @@ def _distribution(
         FLAT * np.abs(there).max(), FINEST.get(band.units, 0.0)
     ):  # a histogram needs a width
         constant = 0.0 if np.abs(there).max() <= FINEST.get(band.units, 0.0) else drawn[0]
-        value = f"{number(float(constant), shared)} {unit.symbol}".removesuffix(" –")
-        empty_frame(axes, f"{words.no_variation}: {value}")
+        value = f"{number(float(constant))} {unit.symbol}".removesuffix(" –")
+        empty_frame(axes, said("does not vary: {value}", value=value))
         return
     axes.hist(
         drawn,
@@ -153,20 +122,20 @@ def _distribution(
         bands.percentiles, band.percentile, band.low, band.high, strict=True
     ):
         if np.isfinite(value):
-            _percentile(axes, percent, float(unit.of(value)), shared)
+            _percentile(axes, percent, float(unit.of(value)))
             ends = unit.of([value if np.isnan(end) else end for end in (low, high)])
             axes.axvspan(float(ends[0]), float(ends[1]), color="black", alpha=0.12, linewidth=0.0)
-    label_x(axes, unit.symbol, shared)
-    label_y(axes, PERCENT.label(shared.share), shared)
+    label_x(axes, unit.symbol)
+    label_y(axes, PERCENT.label(said("Share of the samples")))
     axes.margins(y=0.18)
 
 
-def _percentile(axes: Axes, percent: float, place: float, shared: PlotWords) -> None:
+def _percentile(axes: Axes, percent: float, place: float) -> None:
     axes.axvline(place, color="black", linewidth=0.9, linestyle="-" if percent == 50.0 else "--")
     axes.text(
         place,
         0.98,
-        f" {number(percent, shared, 6)} %",
+        f" {number(percent, 6)} %",
         transform=axes.get_xaxis_transform(),
         rotation=90.0,
         fontsize=7.0,
@@ -175,12 +144,10 @@ def _percentile(axes: Axes, percent: float, place: float, shared: PlotWords) -> 
     )
 
 
-def _ranking(
-    axes: Axes, ranks: RankCorrelations, output: str, shared: PlotWords, words: _Words
-) -> None:
+def _ranking(axes: Axes, ranks: RankCorrelations, output: str) -> None:
     order = ranks.ranking(output)[:_MOST_INPUTS]
     if not order:
-        empty_frame(axes, words.no_variation)
+        empty_frame(axes, said("does not vary"))
         return
     values, low, high = (array[list(order)] for array in ranks.telling(output))
     place = np.arange(len(order))[::-1]
@@ -193,7 +160,7 @@ def _ranking(
     )
     for x, (nearest, farthest) in zip(place, reach.T, strict=True):
         axes.plot([nearest, farthest], [x, x], color="black", linewidth=1.0)
-    names = [shared.name(ranks.inputs[index]) for index in order]
+    names = [_name(ranks.inputs[index]) for index in order]
     signs = ["+" if value >= 0.0 else "−" for value in values]
     axes.set_yticks(
         place,
@@ -203,4 +170,9 @@ def _ranking(
     axes.set_xlim(0.0, 1.0)
     axes.grid(visible=False, axis="y")
     axes.axvline(0.0, color=GREY, linewidth=0.6)
-    label_x(axes, words.partial if ranks.correlated else words.rank, shared)
+    partial = said("Partial rank correlation")
+    label_x(axes, partial if ranks.correlated else said("Rank correlation"))
+
+
+def _name(variable: str, long_name: str = "") -> str:
+    return capitalised(variable_name(variable) or long_name or variable.replace("_", " "))

@@ -146,7 +146,7 @@ def waveform(
     span
         To show, from and to; s. By default all.
     band
-        Of the envelope that tells where the marks begin; Hz.
+        Of the envelope that decides where the marks begin; Hz.
     """
     with styled():
         axes = new_figure(height=70.0)[1] if axes is None else axes
@@ -215,7 +215,7 @@ def _phase(
     from rolamento.vibration.demodulation import analytic_signal
 
     piece = replace(signal, samples=signal.samples[place[0] : place[1]], speed=None)
-    # a narrow band of a short piece may hold no lines: then all frequencies tell
+    # a narrow band of a short piece may hold no lines: then all frequencies are used
     narrow = band is None or (band[1] - band[0]) * piece.duration < 8.0
     power = np.square(np.abs(analytic_signal(piece, None if narrow else band)))
     times = np.arange(len(power)) / signal.rate
@@ -361,7 +361,7 @@ def _frames(
 
 
 _FLOOR: Final = -3.0
-"""dB; deeper than that noise tells nothing."""
+"""dB; deeper than that noise means nothing."""
 _ROOM: Final = 4.0
 _LEAST_TOP: Final = 16.0
 _HALF_PEAK: Final = 3

@@ -28,7 +28,7 @@ from rolamento.plots.frame import (
 from rolamento.plots.over_field import decades
 from rolamento.plots.style import Series, new_figure, series, styled
 from rolamento.weibull import EXPONENTS, plot_ordinate, plotting_positions
-from rolamento.words import manner, marked, said
+from rolamento.words import manner, marked, said, said_in
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -233,7 +233,7 @@ def _at_the_foot(
     label: of the group, where neither line nor points have it.
     """
     height, place = _RUG * (index + 0.6), axes.get_xaxis_transform()
-    suspended_label = said("suspended")
+    suspended_label = said_in("bearings", "suspended")
     suspended = np.unique(test.times[~test.failed])
     if suspended.size:
         axes.plot(

@@ -7,10 +7,10 @@ from functools import cache
 from typing import Final
 
 from rolamento.case import Case
-from rolamento.words import marked, said, speaking
+from rolamento.words import manner, marked, said, speaking
 from rolamento.words.theories import theory_name
 
-__all__ = ["torque_model_name", "variable_long_name", "variable_name"]
+__all__ = ["setting_name", "torque_model_name", "variable_long_name", "variable_name"]
 
 _WHOLE: Final = {
     "residual": marked("residual of the equilibrium, over the scale of its loads"),
@@ -111,6 +111,15 @@ def variable_long_name(variable: str, field: str = "") -> str:
     """Return what a variable is called in files: its name in English."""
     with speaking("en"):
         return variable_name(variable, field)
+
+
+def setting_name(setting: str) -> str:
+    """Write what was set, ``"life.contamination=0.8"``, with the label of its field."""
+    name, equals, value = setting.partition("=")
+    field = Case.fields().get(name.strip())
+    if not equals or field is None:
+        return setting
+    return f"{field.label} = {manner().localised(value.strip())}"
 
 
 def torque_model_name(model: str, *, short: bool = False) -> str:

@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-import csv
 import os
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import asdict, dataclass, replace
 from functools import cached_property
-from io import StringIO
-from math import ceil, inf, isfinite, nan, pi
+from math import ceil, inf, isfinite, pi
 from typing import Any, Final, Literal, Unpack
 
-import numpy as np
-
-from rolamento._json import csv_number
 from rolamento.case import Case
 from rolamento.case.bearing import Bearing
 from rolamento.errors import InputError
@@ -41,9 +36,6 @@ from rolamento.vibration.spectrum import Indicators, indicators
 from rolamento.words import Note, said
 
 SCHEMA: Final = 2
-CSV_COLUMNS: Final = ("band_low_Hz", "band_high_Hz", "order", "frequency_Hz", "over_noise_dB")
-"""Of the envelope's spectrum: one line of it in a row."""
-
 Conclusion = Literal["fault", "undecided", "watch", "nothing_found", "no_verdict"]
 
 _CLEAR: Final = 9.0
@@ -240,25 +232,6 @@ class DiagnosisResult:
             },
             "notes": _mappings(self.notes),
         }
-
-    def spectrum_csv(self) -> str:
-        """Return the spectrum of the squared envelope in every fault's band, or the best match's.
-
-        One line of the spectrum in a row below a header, lines ending in CR LF.
-        """
-        spectra, diagnosis = self.diagnosis.spectra, self.diagnosis
-        bands = [part.band for part in diagnosis.components if part.band is not None]
-        places = sorted({spectra.bands.index(band) for band in bands if band in spectra.bands})
-        text = StringIO(newline="")
-        writer = csv.writer(text)
-        writer.writerow(CSV_COLUMNS)
-        for place in places or [diagnosis.clearest_band]:
-            low, high = spectra.bands[place]
-            for order, above in zip(spectra.order, spectra.above_noise[place], strict=True):
-                level = 10.0 * float(np.log10(above)) if above > 0.0 else nan
-                numbers = (low, high, order, order * diagnosis.shaft_frequency, level)
-                writer.writerow([csv_number(float(number)) for number in numbers])
-        return text.getvalue()
 
 
 def _mappings(notes: Iterable[Note]) -> list[dict[str, Any]]:

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
-from io import StringIO
 from math import isfinite
 from typing import Any, Final
 
@@ -32,11 +30,6 @@ from rolamento.vibration.frequency_band import (
 from rolamento.words import Note, said
 
 SCHEMA: Final = 2
-CSV_COLUMNS: Final = (
-    "source", "row", "line", "harmonic", "sideband", "order", "frequency_Hz", "order_low",
-    "order_high", "frequency_low_Hz", "frequency_high_Hz",
-)  # fmt: skip
-"""The header: low and high are a nominal line's band, or a loaded line's range over the balls."""
 _MOST_HARMONICS: Final = 100
 _MOST_SIDEBANDS: Final = 10
 
@@ -105,34 +98,6 @@ class FrequencyResult:
             "harmonics": tables,
             "alternatives": [asdict(one) for one in self.alternatives],
         }
-
-    def lines_csv(self) -> str:
-        """Return lines, harmonics and sidebands, one a row below a header, ending in CR LF."""
-        text = StringIO(newline="")
-        writer = csv.writer(text)
-        writer.writerow(CSV_COLUMNS)
-        for one in self.by_source:
-            shaft = one.shaft_frequency
-            for name, line in one.lines.items():
-                band = line.band
-                ends = (
-                    (line.minimum, line.maximum, shaft * line.minimum, shaft * line.maximum)
-                    if band is None
-                    else (band.order_low, band.order_high, band.frequency_low, band.frequency_high)
-                )
-                numbers = (line.order, line.frequency, *ends)
-                writer.writerow((one.source, one.row, name, 1, 0, *map(_nine_digits, numbers)))
-            for kind, name in FAULTS.items():
-                for extra in one.harmonics(kind, self.harmonics, self.sidebands):
-                    if (extra.harmonic, extra.sideband) != (1, 0):
-                        place = (name, extra.harmonic, extra.sideband)
-                        own = (_nine_digits(extra.order), _nine_digits(extra.frequency))
-                        writer.writerow((one.source, one.row, *place, *own, *[""] * 4))
-        return text.getvalue()
-
-
-def _nine_digits(value: float) -> str:
-    return f"{value:.9g}" if isfinite(value) else ""
 
 
 def fault_frequencies(

@@ -31,14 +31,8 @@ from rolamento.vibration.anderon_trend import AnderonRecord, AnderonTrend, trend
 from rolamento.vibration.reading import SignalFile, open_signal
 from rolamento.vibration.signal import Signal
 from rolamento.words import Note, said
-from rolamento.words.naming import one_line
 
 SCHEMA: Final = 2
-CSV_COLUMNS: Final = (
-    "signal", "hours", "band", "low_Hz", "high_Hz", "velocity_um_per_s", "anderons",
-    "full_scale_anderons", "accepted_to_anderons", "verdict",
-)  # fmt: skip
-"""The header of the CSV: one band of one signal in a row."""
 _MICRO: Final = 1e6
 _HIGHEST_RATE: Final = 2e7
 _MOST_HOURS: Final = 1e9
@@ -77,7 +71,7 @@ class MeasuredNoise:
     noise
         as measured
     hours
-        of the test after which it was recorded; NaN if not told
+        of the test after which it was recorded; NaN if not given
     scaled_unit
         unit that the full scale of a file of whole numbers is taken for; "" otherwise
     sensitivity
@@ -189,7 +183,7 @@ class NoiseResult:
 
     @cached_property
     def trend(self) -> AnderonTrend | None:
-        """Over the test, if the hours of at least two signals are told."""
+        """Over the test, if the hours of at least two signals are given."""
         if len(self.measured) < 2 or not all(isfinite(one.hours) for one in self.measured):
             return None
         records = [
@@ -234,22 +228,6 @@ class NoiseResult:
             "notes": [note.to_mapping() for note in one.notes],
         }
 
-    def bands_csv(self) -> str:
-        """Return one band of one signal in a row below a header, lines ending in CR LF."""
-        text = StringIO(newline="")
-        writer = csv.writer(text)
-        writer.writerow(CSV_COLUMNS)
-        for place, one in enumerate(self.measured):
-            scales = self.scales_of(one)
-            for band in one.noise.bands:
-                scale = scales.get(band.name, nan)
-                velocity = _MICRO * band.velocity
-                numbers = (*band.band, velocity, band.anderons, scale, self.part * scale)
-                own = (one_line(one.title), csv_number(one.hours), band.name)
-                levels = (csv_number(number) for number in numbers)
-                writer.writerow((*own, *levels, self.verdict_of(place, band.name)))
-        return text.getvalue()
-
     def record(self) -> str:
         """Return the anderons over the hours as the CSV that `rolamento trend` reads.
 
@@ -285,7 +263,7 @@ def anderons(
     paths
         A file or several.
     speed
-        Of the inner ring: text such as "1800 rpm", or rad/s; by default as a file tells it, or else
+        Of the inner ring: text such as "1800 rpm", or rad/s; by default as a file gives it, or else
         that of the standard.
     full_scale
         By band: anderons, or a `FullScale`; without one there is no verdict.
@@ -298,7 +276,7 @@ def anderons(
     start, duration
         Of the part of each signal; s.
     stages
-        Is told of "reading" for each file, and how far that is.
+        Is called with "reading" for each file, and how far that is.
     reading
         channel, rate, unit, scale and decimal_mark, as of `rolamento.vibration.open_signal`.
 

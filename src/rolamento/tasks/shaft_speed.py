@@ -26,7 +26,7 @@ from rolamento.vibration.signal import Signal
 from rolamento.words import Note, said
 
 SpeedSource = Literal["given", "file", "case", "channel", "pulses", "vibration"]
-"""Who told the speed: whoever asked, the signal's file, the case; or what it was measured from."""
+"""Where the speed is from: the user, the signal's file, the case; or what it was measured from."""
 
 WITHIN: Final = 0.1
 _EXAMPLE: Final = 'speed="1797 rpm"'
@@ -222,7 +222,7 @@ class KnownSpeed:
     at
         gives a piece of the signal its speed, from the number of its first sample in the part on
     choices
-        what a person should know where a speed was given and the file tells another
+        what a person should know where a speed was given and the file gives another
     """
 
     shaft: ShaftSpeed
@@ -246,12 +246,12 @@ def known_speed(
     source, part
         The signal; opened with its channel of speeds, if one was asked for.
     progress
-        Is told how much is done where the file has to be gone through.
+        Is called with how much is done where the file has to be gone through.
 
     Raises
     ------
     InputError, FileError
-        If no speed is known, it is 0 or comes near it, or a channel does not tell it.
+        If no speed is known, it is 0 or comes near it, or a channel does not give it.
     """
     if source.speed_channel is not None:
         return _of_channel(asked, of_case, source, part, progress)
@@ -274,7 +274,7 @@ def known_speed(
 def _steady(asked: AskedSpeed, of_case: Rings, source: SignalFile) -> KnownSpeed:
     """Return the rings' speeds as given, of the signal's file, of the case.
 
-    What the file tells is the shaft's: the inner ring's, unless the outer one alone is given.
+    What the file gives is the shaft's: the inner ring's, unless the outer one alone is given.
     """
     inner, outer, of_file = asked.inner, asked.outer, source.speed
     by: SpeedSource = "given"
@@ -298,7 +298,7 @@ def _steady(asked: AskedSpeed, of_case: Rings, source: SignalFile) -> KnownSpeed
 
 
 def _over_file(given: float, of_file: float | None) -> tuple[Note, ...]:
-    """Say that the file tells another speed than the one that was given, if it does; rad/s."""
+    """Return that the file gives another speed than the one that was given, if it does; rad/s."""
     if of_file is None or abs(abs(given) - abs(of_file)) <= _SAME_SPEED * abs(of_file):
         return ()
     return (Note("speed_over_file", {"speed": given, "file": of_file}),)
@@ -368,7 +368,7 @@ def _interpolated(along: Along) -> AtSpeed:
 
 
 def _of_turning_ring(shaft: ShaftSpeed, rings: Rings, at: AtSpeed) -> KnownSpeed:
-    """Give the ring that turns its mean speed: the inner one, unless the outer alone is told."""
+    """Give the ring that turns its mean speed: the inner one, unless the outer alone is given."""
     outer_turns = not rings[0] and bool(rings[1])
     inner, outer = (0.0, shaft.mean) if outer_turns else (shaft.mean, 0.0)
     return KnownSpeed(shaft, inner, outer, at)
@@ -493,7 +493,7 @@ def of_tacho(source: SignalFile, part: range, channel: str | int, pulses: int) -
 
 
 def _opened_tacho(source: SignalFile, channel: str | int) -> SignalFile:
-    """Open the channel of pulses; of a file that tells no rate, it has that of the signal.
+    """Open the channel of pulses; of a file without a rate, it has that of the signal.
 
     Where the signal's rate was given over that of the file, the channel's goes with it.
     """
@@ -594,7 +594,7 @@ def found_in_vibration(
     within
         Part by which it may be off anywhere.
     progress
-        Is told how many stretches of how many are done.
+        Is called with how many stretches of how many are done.
 
     Raises
     ------

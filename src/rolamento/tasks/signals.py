@@ -24,7 +24,7 @@ AtSpeed = Callable[[Signal, int], Signal]
 
 
 class Reading(TypedDict, total=False):
-    """What a file does not tell of its signal; as of `rolamento.vibration.open_signal`."""
+    """What a file does not say of its signal; as of `rolamento.vibration.open_signal`."""
 
     channel: str | int | None
     rate: float | None
@@ -96,7 +96,7 @@ def streamed(pieces: Iterable[Signal], at: AtSpeed, read: Callable[[int], None])
     at
         Gives each its speed.
     read
-        Is told how many samples were read, as they are read.
+        Is called with how many samples were read, as they are read.
     """
     source = _with_speed(pieces, at)
     held = list(islice(source, _WHOLE + 1))

@@ -206,7 +206,7 @@ class SynthesisResult:
 
     @property
     def command(self) -> str:
-        """How to have the signal diagnosed; what its file tells is left out."""
+        """How to have the signal diagnosed; what its file says is left out."""
         words = ["rolamento", "diagnose", self.path, "--bearing", self.source]
         found = self.recipe.frequencies
         if self.path.lower().endswith(".wav") or found.outer_speed != 0.0:

@@ -86,7 +86,7 @@ def checked_band(band: object, rate: float, field: str = "band") -> Band:
 
 
 def require_signal(given: object) -> None:
-    """Refuse what is no `Signal`: bare samples do not tell their rate.
+    """Refuse what is no `Signal`: bare samples have no rate.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""The noise of a bearing as an anderometer tells it: radial velocity of the outer ring in bands.
+"""The noise of a bearing as an anderometer measures it: radial velocity of the outer ring in bands.
 
 The inner ring turns at 1800 rpm under a light axial load; a velocity pick-up touches the outer
 ring. One anderon is one microinch RMS of radial motion per radian of rotation and per square root
@@ -12,7 +12,7 @@ motion; a band that is twice as many octaves wide has √2 times the velocity at
 
 The same bands at the same speed are those in which ISO 15242-2 measures the velocity of radial
 ball bearings; its other parts, for roller bearings, have others. The anderons of a band are the
-root mean square of those of its equally wide parts, in octaves: a part that stands out tells which
+root mean square of those of its equally wide parts, in octaves: a part that stands out shows which
 frequencies make the level, on the scale on which it is judged.
 
 Campanha, dissertation (2008), chapter 2.8: bands, and acceptance up to 40 % of the full scale that
@@ -375,7 +375,7 @@ def velocity_of_anderons(anderons: float, band: Band, speed: float = SPEED) -> f
 def accept(
     noise: Noise, full_scale: Mapping[BandName, float], part: float = ACCEPTED
 ) -> Acceptance:
-    """Tell whether a bearing's noise is acceptable.
+    """Return whether a bearing's noise is acceptable.
 
     Parameters
     ----------

@@ -72,7 +72,7 @@ class CyclicCoherence:
         (carriers,), f; Hz
     coherence
         (carriers, modulations), |γ|, from 0 to about 1 and below 1.09; 1 at α = 0, 0 where
-        nothing can be told
+        nothing can be said
     """
 
     modulation: FloatArray

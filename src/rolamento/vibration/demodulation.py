@@ -1,7 +1,7 @@
 """Demodulation: the envelope of a signal in a band, whitened spectra, the kurtogram.
 
-A damaged spot is met again and again, and each blow lets the structure ring: the ringing carries
-the rate of the blows as a modulation of its *amplitude*, which the envelope recovers (Randall and
+A damaged spot is met again and again, and each impact makes the structure ring: the ringing carries
+the rate of the impacts as a modulation of its *amplitude*, which the envelope recovers (Randall and
 Antoni, Mechanical Systems and Signal Processing 25 (2011), 485-520). With z the analytic signal of
 the band, the one-sided spectrum of which is that of the signal twice,
 
@@ -14,7 +14,7 @@ Cepstrum pre-whitening: every line of the spectrum gets the same size and keeps 
 
 The real cepstrum is the inverse transform of ln |X|; set to zero but for its first value, what is
 left is a spectrum of one size with the phases of the signal. Tones and resonances lose their
-weight together, and blows stand out (Sawalhi and Randall 2011; Borghesani et al., Mechanical
+weight together, and impacts stand out (Sawalhi and Randall 2011; Borghesani et al., Mechanical
 Systems and Signal Processing 36 (2013), 370-384).
 
 The fast kurtogram: how impulsive a signal is in each of many bands.
@@ -202,7 +202,7 @@ CUTOFF: Final = 0.2
 _ROUNDING: Final = 1e-24
 """Of the square of the maximum sample: a band with less power has none."""
 _LEAST_VALUES: Final = 64
-"""In a band: with fewer a kurtosis tells nothing."""
+"""In a band: with fewer a kurtosis means nothing."""
 _MOST_LEVELS: Final = 12
 _OUTPUTS: Final = 8
 """Of a filter in one row of a product; even, as every second one of some filters is turned."""

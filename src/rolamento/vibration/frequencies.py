@@ -50,7 +50,7 @@ FAULTS: Final[dict[FaultKind, LineName]] = {
     "ball": "ball_spin_twice",
     "cage": "cage",
 }
-"""What is damaged, and the line that tells of it."""
+"""What is damaged, and the line that shows it."""
 
 _MOST_LINES: Final = 10_000
 
@@ -76,7 +76,7 @@ class FaultLine:
     frequency
         Hz; NaN if the shaft's speed is not known
     minimum, mean, maximum
-        orders over the loaded balls of a solved case; `order` where the geometry alone tells
+        orders over the loaded balls of a solved case; `order` where only the geometry is known
     band
         what uncertainty leaves open; None if nothing is said about it
     """
@@ -115,7 +115,7 @@ class Harmonic:
 
 @dataclass(frozen=True, slots=True)
 class FaultFrequencies:
-    """At which frequencies a row of balls tells of damage.
+    """Fault frequencies of a row of balls.
 
     The shaft is the ring that turns: the inner one, or the outer if the inner stands still.
     Frequencies are positive; `turns` holds the signs.
@@ -189,7 +189,7 @@ class FaultFrequencies:
         )
 
     def of_fault(self, kind: FaultKind) -> FaultLine:
-        """Return the line that tells of damage to a part."""
+        """Return the line of damage to a part."""
         line: FaultLine = getattr(self, FAULTS[_known(kind)])
         return line
 
@@ -283,7 +283,7 @@ def _check_counts(harmonics: int, sidebands: int) -> None:
 
 
 def plain_line(order: float, shaft_frequency: float) -> FaultLine:
-    """Return a line that geometry alone tells; order of the shaft, Hz."""
+    """Return a line of the geometry alone; order of the shaft, Hz."""
     order = abs(order)
     return FaultLine(order, order * shaft_frequency, order, order, order)
 

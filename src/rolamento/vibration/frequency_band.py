@@ -1,4 +1,4 @@
-"""What is not known for sure about fault frequencies: bands, and the alternatives of an inside.
+"""Uncertainty of fault frequencies: bands, and the other geometries that ratings allow.
 
 The bands are intervals: every line is monotonic in ball diameter, pitch diameter, contact angle,
 slip and each ring's speed as long as the others stay where they are, so the extremes lie at the
@@ -55,7 +55,7 @@ class Tolerances:
     slip
         in addition to the slip given, 0 to 1: the cage may lag by as much more
     candidates
-        whether the alternatives of an inferred inside are taken in
+        whether the alternatives of an estimated geometry are taken in
     """
 
     ball_diameter: float = 0.0
@@ -86,7 +86,7 @@ class Tolerances:
 
 @dataclass(frozen=True, slots=True)
 class Alternative:
-    """One inside that a bearing's ratings allow, and the orders that it would have.
+    """One internal geometry that a bearing's ratings allow, and the orders that it would have.
 
     Attributes
     ----------
@@ -126,7 +126,7 @@ def alternatives_of(
     slip: float = 0.0,
     contact_angle: float | AngleChoice = "zero",
 ) -> tuple[Alternative, ...]:
-    """Orders with every inside that the bearing's ratings allow; empty if its balls are known.
+    """Orders of every geometry that the bearing's ratings allow; empty if its balls are known.
 
     Parameters as of `nominal_frequencies`.
     """
@@ -166,7 +166,7 @@ def banded_frequencies(
     bearing, inner_speed, outer_speed, slip, contact_angle
         As of `nominal_frequencies`.
     tolerances
-        By how much what may be off. Those of an inferred inside, of an assumed angle, and
+        By how much what may be off. Those of an estimated geometry, of an assumed angle, and
         whatever is given, are taken at their worst together.
 
     Returns
@@ -280,7 +280,7 @@ def _angles(bearing: Bearing, contact_angle: float | AngleChoice, allowed: Toler
 
 
 def _candidates(bearing: Bearing) -> tuple[Candidate, ...]:
-    """Return what else could be inside, if the balls are inferred and not the user's own."""
+    """Return which other balls are possible, if they are inferred and not the user's own."""
     if bearing.designation is None or "inferred" not in bearing.origins.values():
         return ()
     return built_in_geometry(bearing.designation).candidates

@@ -35,7 +35,7 @@ Table = tuple[FloatArray, FloatArray]
 HALF_WIDTH: Final = 250
 """Lines on either side whose median is the level."""
 LOWEST_LINE: Final = 8
-"""Below, there are too few lines between a line and zero to tell the level."""
+"""Below, there are too few lines between a line and zero to know the level."""
 _REACHES: Final = np.array(
     [4, 5, 6, 8, 10, 12, 15, 20, 25, 30, 40, 50, 65, 80, 100, 130, 160, 200, HALF_WIDTH]
 )

@@ -1,6 +1,6 @@
-"""Discrete and random parts of a signal, told apart by what repeats and what does not.
+"""Discrete and random parts of a signal, separated by what repeats and what does not.
 
-Shafts and gears repeat exactly; a bearing's blows do not, because its balls slip. Antoni and
+Shafts and gears repeat exactly; a bearing's impacts do not, because its balls slip. Antoni and
 Randall, Mechanical Systems and Signal Processing 18 (2004), 103-117: blocks of the signal are
 predicted from blocks of the same length that lie a delay before, line by line,
 
@@ -67,7 +67,7 @@ def separate(
     delay: int | None = None,
     false_alarm: float = 0.01,
 ) -> Separation:
-    """Tell discrete and random parts of a signal apart.
+    """Separate the discrete and random parts of a signal.
 
     The speed should be steady, or the signal be order-tracked first.
 

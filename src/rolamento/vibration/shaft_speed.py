@@ -15,7 +15,7 @@ its steps limited by how fast the shaft can change. The signal is then tracked a
 the phase that its strongest harmonic still shows corrects it (Bonnardot et al., Mechanical Systems
 and Signal Processing 19 (2005), 766-785).
 
-Whether there is a shaft at all is told from the tracked signal: of its lines at orders 1 … H over
+The tracked signal shows whether there is a shaft at all: of its lines at orders 1 … H over
 the noise about them the evidence is a sum of exponential variables, and the chance that noise
 gives as much is counted over all paths that were searched.
 """
@@ -389,7 +389,7 @@ def _corrected(signal: Signal, harmonics: int) -> FloatArray:
     side = _side_band(spectrum, order, tracked.revolutions)
     # order·angle is gone, as the side band was moved to zero; revolutions per revolution
     slope = np.gradient(np.unwrap(np.angle(side)), 1.0 / per_turn) / (_TURN * order)
-    # the transform joins the record's ends: what is near them is not told
+    # the transform joins the record's ends: what is near them is left out
     margin = min(int(_TURNS_PER_BLOCK * per_turn / 2), len(slope) // 4)
     slope[:margin], slope[-margin:] = slope[margin], slope[-margin - 1]
     places = revolutions_of(signal)

@@ -199,7 +199,7 @@ def real_numbers(given: ArrayLike, field: str, example: str) -> FloatArray:
 
 
 def _refuse_bad(numbers: FloatArray, maximum: float, field: str, example: str) -> None:
-    """Refuse what is not finite or beyond a limit; the extremes tell without a copy."""
+    """Refuse what is not finite or beyond a limit; the extremes show it without a copy."""
     lowest, highest = float(np.min(numbers)), float(np.max(numbers))
     if not (lowest >= -maximum and highest <= maximum):
         wrong = np.flatnonzero(~(np.abs(np.atleast_1d(numbers)) <= maximum))[0]

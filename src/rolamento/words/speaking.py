@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import gettext
 import os
+import struct
 import sys
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -152,4 +153,8 @@ def _manner(code: str) -> Manner:
 def _catalogue(code: str) -> gettext.NullTranslations:
     if code == ENGLISH:
         return gettext.NullTranslations()
-    return gettext.translation(DOMAIN, CATALOGUES, languages=[languages()[code]], fallback=True)
+    folder = [languages()[code]]
+    try:
+        return gettext.translation(DOMAIN, CATALOGUES, languages=folder, fallback=True)
+    except (OSError, ValueError, struct.error):  # a damaged file
+        return gettext.NullTranslations()

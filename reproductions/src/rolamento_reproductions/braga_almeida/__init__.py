@@ -37,16 +37,8 @@ SOURCE: Final = Source(
             speeds_section,
         ),
         Part(said("outer_contact"), ("figure-3.01", "figure-3.02"), outer_section),
-        Part(
-            said("inner_contact"),
-            ("figure-4.01", "figure-4.02", "table-4.1"),
-            inner_section,
-        ),
-        Part(
-            said("orbit"),
-            ("figure-5.01", "figure-5.02", "table-5.1"),
-            orbit_section,
-        ),
+        Part(said("inner_contact"), ("figure-4.01", "figure-4.02", "table-4.1"), inner_section),
+        Part(said("orbit"), ("figure-5.01", "figure-5.02", "table-5.1"), orbit_section),
         Part(said("misprints"), (ERRATA_STEM,), misprints_section),
     ),
 )

@@ -248,10 +248,7 @@ def _direction(c: Contact) -> Misprint:
     return proven(
         ("", said("direction.place")),
         said("direction.what"),
-        (
-            said("direction.printed"),
-            said("direction.corrected"),
-        ),
+        (said("direction.printed"), said("direction.corrected")),
         said("direction.derivation"),
         Proof(along + beside * forward, along - beside * c.normal, c.ring_vector, np.abs(c.ring)),
     )

@@ -162,16 +162,10 @@ def valid_orbit_equations() -> tuple[ValidEquation, ...]:
     cage, middle = _mean_speeds()
     return (
         ValidEquation(
-            "19",
-            said("equation_19.what"),
-            formula("n_m = ½ [n_i (1 − γ) + n_e (1 + γ)]"),
-            cage,
+            "19", said("equation_19.what"), formula("n_m = ½ [n_i (1 − γ) + n_e (1 + γ)]"), cage
         ),
         ValidEquation(
-            "22",
-            said("ball_speed"),
-            formula("n_R = ½ (d_m/D) (1 − γ) (1 + γ) (n_e − n_i)"),
-            middle,
+            "22", said("ball_speed"), formula("n_R = ½ (d_m/D) (1 − γ) (1 + γ) (n_e − n_i)"), middle
         ),
         ValidEquation(
             "38",
@@ -275,14 +269,8 @@ def modulation_misprint() -> Misprint:
     return proven(
         ("", said("modulation_misprint.place")),
         said("modulation_misprint.what"),
-        (
-            said("modulation_misprint.printed"),
-            said("modulation_misprint.corrected"),
-        ),
-        said(
-            "modulation_misprint.derivation",
-            signals=_SIGNALS,
-        ),
+        (said("modulation_misprint.printed"), said("modulation_misprint.corrected")),
+        said("modulation_misprint.derivation", signals=_SIGNALS),
         Proof(by_fm, by_am, envelope, envelope.max(axis=1)),
     )
 

@@ -25,10 +25,7 @@ from rolamento_reproductions.record import (
 )
 from rolamento_reproductions.text import Text, same
 
-_RACES: dict[Race, Text] = {
-    "outer": said("races.outer"),
-    "inner": said("races.inner"),
-}
+_RACES: dict[Race, Text] = {"outer": said("races.outer"), "inner": said("races.inner")}
 _EQUATIONS: dict[Race, tuple[str, str, str]] = {
     "outer": ("32", "34", "3"),
     "inner": ("41", "42", "4"),
@@ -68,37 +65,15 @@ def _map(race: Race) -> Figure:
     rolling, transverse = _slip(one, race, across, along)
     first, second, chapter = _EQUATIONS[race]
     columns = (
-        Series(
-            "across",
-            "mm",
-            said("across_rolling_x_0"),
-            across * patch.semi_major[0] / MILLI,
-        ),
-        Series(
-            "along",
-            "mm",
-            said("map.along"),
-            along * patch.semi_minor[0] / MILLI,
-        ),
+        Series("across", "mm", said("across_rolling_x_0"), across * patch.semi_major[0] / MILLI),
+        Series("along", "mm", said("map.along"), along * patch.semi_minor[0] / MILLI),
         Series("rolling_slip", "m/s", said("map.rolling_slip"), rolling),
         Series("transverse_slip", "m/s", said("map.transverse_slip"), transverse),
         Series("slip", "m/s", said("map.slip"), np.hypot(rolling, transverse)),
     )
     maps = (
-        Map(
-            "rolling_slip",
-            said(
-                "map.rolling_slip.slip_along_rolling",
-                first=first,
-            ),
-        ),
-        Map(
-            "transverse_slip",
-            said(
-                "map.transverse_slip.slip_across_rolling",
-                second=second,
-            ),
-        ),
+        Map("rolling_slip", said("map.rolling_slip.slip_along_rolling", first=first)),
+        Map("transverse_slip", said("map.transverse_slip.slip_across_rolling", second=second)),
         Map(
             "slip",
             said("map.slip.both_size_and"),
@@ -160,12 +135,7 @@ def _profile(race: Race) -> Figure:
     printed = motion.drift[0] + motion.side * patch.rolling_radius(across) * motion.roll[0]
     first, _, chapter = _EQUATIONS[race]
     columns = (
-        Series(
-            "across",
-            "mm",
-            said("across_rolling_x_0"),
-            across * patch.semi_major[0] / MILLI,
-        ),
+        Series("across", "mm", said("across_rolling_x_0"), across * patch.semi_major[0] / MILLI),
         Series("as_printed", "m/s", said("profile.as_printed"), printed),
         Series("with_spin", "m/s", said("profile.with_spin"), whole),
     )
@@ -175,23 +145,10 @@ def _profile(race: Race) -> Figure:
     )
     return Figure(
         number=f"{chapter}.2",
-        caption=said(
-            "profile.caption",
-            races=_RACES[race],
-            first=first,
-        ),
+        caption=said("profile.caption", races=_RACES[race], first=first),
         source=GIVEN.source_of("contacts"),
         columns=columns,
-        picture=Curves(
-            (
-                Panel(
-                    "across",
-                    said("profile.y_title"),
-                    "m/s",
-                    lines,
-                ),
-            )
-        ),
+        picture=Curves((Panel("across", said("profile.y_title"), "m/s", lines),)),
         claims=(_spin_part(race, printed, whole, given["inner_speed_rpm"]),),
     )
 
@@ -201,12 +158,7 @@ def _spin_part(race: Race, printed: Floats, whole: Floats, speed_rpm: float) -> 
     share = left_out / float(np.abs(whole).max())
     return Claim(
         said("spin_part.statement"),
-        said(
-            "spin_part.finding",
-            speed_rpm=speed_rpm,
-            left_out=left_out,
-            share=100.0 * share,
-        ),
+        said("spin_part.finding", speed_rpm=speed_rpm, left_out=left_out, share=100.0 * share),
         share > 0.25,
         of_theory=True,
     )
@@ -255,16 +207,8 @@ def _race_rows(race: Race, words: Text, balls: tuple[Ball, ...]) -> list[tuple[T
     middle = [[float(v[0]) for v in _slip(one, race, np.zeros(1), np.zeros(1))] for one in balls]
     ring = [(one.speed if race == "inner" else 0.0) - one.orbit for one in balls]
     return [
-        row(
-            said("race_rows.v_y_in", words=words),
-            [value[0] for value in middle],
-            3,
-        ),
-        row(
-            said("race_rows.v_t_in", words=words),
-            [value[1] for value in middle],
-            3,
-        ),
+        row(said("race_rows.v_y_in", words=words), [value[0] for value in middle], 3),
+        row(said("race_rows.v_t_in", words=words), [value[1] for value in middle], 3),
         row(
             said("race_rows.rotation_rad_s", words=words, rotation=rotation),
             [-float(one.motion(race).spin[0]) for one in balls],
@@ -290,14 +234,7 @@ def _gyroscopic(dry: Ball, oiled: Ball, much: float, little: float) -> Claim:
     gone = after < _LITTLE_LEFT * before and spins[1] < _LITTLE_LEFT * spins[0]
     return Claim(
         said("gyroscopic.statement"),
-        said(
-            "gyroscopic.finding",
-            much,
-            little,
-            before,
-            after,
-            *spins,
-        ),
+        said("gyroscopic.finding", much, little, before, after, *spins),
         gone,
     )
 
@@ -309,10 +246,7 @@ def _held(controlled: Ball) -> Claim:
     part = (0.0 - controlled.orbit) * np.sin(controlled.patch("outer").contact_angle[0])
     return Claim(
         said("held.statement"),
-        said(
-            "held.finding",
-            part=abs(2.0 * float(part)),
-        ),
+        said("held.finding", part=abs(2.0 * float(part))),
         abs(spin) < _ROUNDING,
         of_theory=True,
     )

@@ -180,12 +180,7 @@ def _speed_figure(
     number: str, caption: Text, title: Text, speeds: Floats, values: dict[str, Floats]
 ) -> Figure:
     columns = (
-        Series(
-            "inner_speed",
-            "rpm",
-            said("speed_figure.inner_speed"),
-            speeds,
-        ),
+        Series("inner_speed", "rpm", said("speed_figure.inner_speed"), speeds),
         *(Series(name, "", label, values[name]) for name, label in _WAYS),
         Series(
             "status",
@@ -214,10 +209,7 @@ def _cage_figure(speeds: Floats, solved: dict[str, list[Ball]]) -> Figure:
     values["equations"] = np.full(speeds.size, _by_equations()[0])
     figure = _speed_figure(
         "2.1",
-        said(
-            "figure_2_1.caption",
-            axial_load_kn=GIVEN.inputs_of("contacts")["axial_load_kN"],
-        ),
+        said("figure_2_1.caption", axial_load_kn=GIVEN.inputs_of("contacts")["axial_load_kN"]),
         said("figure_2_1.cage_speed_n"),
         speeds,
         values,
@@ -248,11 +240,7 @@ def _ball_figure(speeds: Floats, solved: dict[str, list[Ball]]) -> Figure:
     }
     values["equations"] = np.full(speeds.size, -_by_equations()[1])
     return _speed_figure(
-        "2.2",
-        said("figure_2_2.caption"),
-        said("figure_2_2.ball_speed_n"),
-        speeds,
-        values,
+        "2.2", said("figure_2_2.caption"), said("figure_2_2.ball_speed_n"), speeds, values
     )
 
 
@@ -279,10 +267,7 @@ def _table_of_frequencies() -> Table:
     ]
     return Table(
         number="2.1",
-        caption=said(
-            "table_of_frequencies.caption",
-            speed_rpm=speed_rpm,
-        ),
+        caption=said("table_of_frequencies.caption", speed_rpm=speed_rpm),
         source=GIVEN.source_of("speeds"),
         columns=(
             TableColumn("part", said("table_of_frequencies.part"), parts),
@@ -297,18 +282,8 @@ def _table_of_frequencies() -> Table:
 
 _ROUNDING = 1e-12
 _ORBIT_FIGURES = (
-    (
-        "5.1",
-        "orbital_speed",
-        said("figure_5_1"),
-        said("figure_5_1.cage_speed_by"),
-    ),
-    (
-        "5.2",
-        "ball_speed",
-        said("figure_5_2"),
-        said("figure_5_2.ball_speed_by"),
-    ),
+    ("5.1", "orbital_speed", said("figure_5_1"), said("figure_5_1.cage_speed_by")),
+    ("5.2", "ball_speed", said("figure_5_2"), said("figure_5_2.ball_speed_by")),
 )
 
 
@@ -331,12 +306,7 @@ def _orbit_figure(number: str, name: str, title: Text, words: Text) -> Figure:
     )
     columns = [
         Series("yaw", "°", same("β′"), np.repeat(yaws, degrees.size)),
-        Series(
-            "attitude",
-            "°",
-            said("orbit_figure.attitude"),
-            np.tile(degrees, len(yaws)),
-        ),
+        Series("attitude", "°", said("orbit_figure.attitude"), np.tile(degrees, len(yaws))),
         Series(name, "", title, value),
     ]
     lines = [
@@ -408,10 +378,7 @@ def _orbit_table() -> Table:
         claims=(
             Claim(
                 said("orbit_table.statement"),
-                said(
-                    "orbit_table.finding",
-                    off=100.0 * off,
-                ),
+                said("orbit_table.finding", off=100.0 * off),
                 holds=gap < _ROUNDING and abs(off) < _ROUNDING,
                 partly=gap < _ROUNDING,
             ),

@@ -19,10 +19,7 @@ SOURCE: Final = Source(
     name="campanha-2008",
     title=said("title"),
     reference=said("reference"),
-    remarks=(
-        said("twenty_four_6305"),
-        said("number_that_agrees"),
-    ),
+    remarks=(said("twenty_four_6305"), said("number_that_agrees")),
     parts=(
         Part(said("in_short"), ("table-A",), overview_section),
         Part(
@@ -41,25 +38,15 @@ SOURCE: Final = Source(
             life_tests_section,
         ),
         Part(said("noise"), ("table-4.1.3", "table-4.1.4"), noise_section),
-        Part(
-            said("how_bearings_failed"),
-            ("table-F",),
-            shear_section,
-        ),
+        Part(said("how_bearings_failed"), ("table-F",), shear_section),
         Part(
             said("clearance_and_wear"),
             ("table-3.2", "table-G", "figure-4.3.01", "figure-4.3.02", "figure-4.3.03"),
             clearance_section,
         ),
+        Part(said("oil_film_and_film"), ("table-H", "table-I", "table-J"), film_section),
         Part(
-            said("oil_film_and_film"),
-            ("table-H", "table-I", "table-J"),
-            film_section,
-        ),
-        Part(
-            said("roughness_and_temperature"),
-            ("table-4.4.1", "figure-4.4.01"),
-            roughness_section,
+            said("roughness_and_temperature"), ("table-4.4.1", "figure-4.4.01"), roughness_section
         ),
         Part(said("slips_text"), ("table-K",), slips_section),
     ),

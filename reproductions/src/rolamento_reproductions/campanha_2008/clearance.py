@@ -90,8 +90,7 @@ def _by_measurement() -> Figure:
             Claim(
                 said("by_measurement.statement"),
                 said(
-                    "by_measurement.finding",
-                    *(float(step) for steps in growth for step in steps),
+                    "by_measurement.finding", *(float(step) for steps in growth for step in steps)
                 ),
                 all(bool((steps > 0.0).all()) for steps in growth),
             ),
@@ -122,11 +121,7 @@ def _over_time() -> Figure:
                 said("over_time.bearing_measured", bearing=bearing),
                 points=True,
             ),
-            Line(
-                f"bearing_{bearing}_law",
-                look,
-                said("over_time.bearing_law", bearing=bearing),
-            ),
+            Line(f"bearing_{bearing}_law", look, said("over_time.bearing_law", bearing=bearing)),
         ]
     return Figure(
         number="4.3.3",
@@ -163,10 +158,7 @@ def _no_steady_wear() -> Text:
         fit_wear(hours * HOUR, measured_of(b) * MICRO, "running_in_and_steady") for b in BEARINGS
     ]
     maximum = max(fit.constants["wear_rate"] for fit in fits) * 1e3 * HOUR / MICRO
-    return said(
-        "no_steady_wear",
-        value_max=max(0.1, float(np.ceil(10.0 * maximum) / 10.0)),
-    )
+    return said("no_steady_wear", value_max=max(0.1, float(np.ceil(10.0 * maximum) / 10.0)))
 
 
 def _constants(bearing: int) -> Text:
@@ -178,12 +170,7 @@ def _constants(bearing: int) -> Text:
         for name, scale in zip(names, scales, strict=True)
         for value in (fit.constants[name], fit.standard_errors[name])
     ]
-    return said(
-        "constants",
-        bearing,
-        *pairs,
-        fit.residual / MICRO,
-    )
+    return said("constants", bearing, *pairs, fit.residual / MICRO)
 
 
 _LATE = 180.0
@@ -237,11 +224,7 @@ def _elastic() -> Claim:
     agreeing = sum(check.verdict == "agrees" for check in checks)
     return Claim(
         said("elastic.statement"),
-        said(
-            "elastic.finding",
-            agreeing=agreeing,
-            checks_count=len(checks),
-        ),
+        said("elastic.finding", agreeing=agreeing, checks_count=len(checks)),
         agreeing == len(checks),
     )
 
@@ -269,12 +252,7 @@ def _classes() -> Table:
         claims=(
             Claim(
                 said("classes.statement"),
-                said(
-                    "classes.finding",
-                    *new,
-                    low,
-                    high,
-                ),
+                said("classes.finding", *new, low, high),
                 all(low <= value <= high for value in new),
             ),
         ),

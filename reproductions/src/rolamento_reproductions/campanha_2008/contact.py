@@ -55,10 +55,7 @@ def check_of(quantity: str, condition: str = "") -> Check:
 def contact_table() -> Table:
     """Return the numbers of oil and contact."""
     return numbers_table(
-        "H",
-        said("contact_table.caption"),
-        GIVEN.source_of("contact"),
-        contact_numbers(),
+        "H", said("contact_table.caption"), GIVEN.source_of("contact"), contact_numbers()
     )
 
 
@@ -365,10 +362,7 @@ def _subsurface() -> Claim:
     origins = {crack_origin(value * MILLIMETRE, depth * MILLIMETRE) for value in lost}
     return Claim(
         said("subsurface.statement"),
-        said(
-            "subsurface.finding",
-            *(value / depth for value in lost),
-        ),
+        said("subsurface.finding", *(value / depth for value in lost)),
         origins == {"subsurface"},
     )
 
@@ -380,10 +374,7 @@ def _surface() -> Claim:
     origins = {crack_origin(value * MILLIMETRE, depth * MILLIMETRE) for value in cracks}
     return Claim(
         said("surface.statement"),
-        said(
-            "surface.finding",
-            *(value / depth for value in cracks),
-        ),
+        said("surface.finding", *(value / depth for value in cracks)),
         origins == {"surface"},
     )
 

@@ -99,10 +99,7 @@ def _rms(row: dict[str, Any]) -> Number:
         row["rms_um"],
         _USUAL_RATIO * mean,
         float(rms_of_mean_roughness(mean)),
-        said(
-            "rms.reason",
-            mean=mean,
-        ),
+        said("rms.reason", mean=mean),
     )
 
 
@@ -125,11 +122,7 @@ def _parameter(case: dict[str, Any], check: Check) -> Number:
         check.printed,
         evidence(check),
         check.computed,
-        said(
-            "parameter.reason",
-            before=before,
-            after=after,
-        ),
+        said("parameter.reason", before=before, after=after),
     )
 
 
@@ -154,10 +147,7 @@ def _speed_doubted() -> Claim:
     ratio = float(check.printed) / check.computed
     return Claim(
         said("speed_doubted.statement"),
-        said(
-            "speed_doubted.finding",
-            ratio=ratio,
-        ),
+        said("speed_doubted.finding", ratio=ratio),
         holds=abs(ratio - 1.0) > 0.1,
     )
 
@@ -167,10 +157,7 @@ def _pressure_doubted() -> Claim:
     both = [_film(viscosity, coefficient=float(wooster(viscosity)) * k) for k in (1.0, 1.1)]
     return Claim(
         said("pressure_doubted.statement"),
-        said(
-            "pressure_doubted.finding",
-            both=100.0 * (both[1] / both[0] - 1.0),
-        ),
+        said("pressure_doubted.finding", both=100.0 * (both[1] / both[0] - 1.0)),
         holds=False,
         partly=True,
     )

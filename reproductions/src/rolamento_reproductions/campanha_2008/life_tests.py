@@ -141,11 +141,7 @@ def against_table() -> Table:
             column("condition", said("condition"), [same(r.condition) for r in rows]),
             column("shape", same("β"), [_shape(row.shape) for row in rows]),
             column("tests_h", said("against_table.tests_h"), [_lives(r.found) for r in rows]),
-            column(
-                "ratio",
-                said("against_table.ratio"),
-                [_ratio_text(row.found) for row in rows],
-            ),
+            column("ratio", said("against_table.ratio"), [_ratio_text(row.found) for row in rows]),
             column("p", same("p"), [_probability(row.found.p_value) for row in rows]),
             column("verdict", said("against_table.verdict"), [_verdict_text(row) for row in rows]),
         ),
@@ -272,10 +268,7 @@ def _film_and_life() -> Claim:
 
 def _outside() -> Text:
     share = 100.0 * load() / printed("life")["dynamic_rating_N"]
-    return said(
-        "outside",
-        share=share,
-    )
+    return said("outside", share=share)
 
 
 _NONE: Final = same("–")
@@ -336,38 +329,17 @@ def _fit_rows() -> tuple[_Row, ...]:
 def _of_procedure_two() -> tuple[_Row, ...]:
     four, five = four_failures(), five_failures()
     return (
-        _of_line(
-            said("of_procedure_two.procedure_ii_as"),
-            four,
-            as_plotted(four),
-        ),
-        _of_line(
-            said("of_procedure_two.same_ln_t"),
-            four,
-            rank_regression(four),
-        ),
-        _of_likelihood(
-            said("of_procedure_two.same_maximum_likelihood"),
-            Tested.of(four),
-        ),
-        _of_line(
-            said("of_procedure_two.with_test_5"),
-            five,
-            as_plotted(five),
-        ),
+        _of_line(said("of_procedure_two.procedure_ii_as"), four, as_plotted(four)),
+        _of_line(said("of_procedure_two.same_ln_t"), four, rank_regression(four)),
+        _of_likelihood(said("of_procedure_two.same_maximum_likelihood"), Tested.of(four)),
+        _of_line(said("of_procedure_two.with_test_5"), five, as_plotted(five)),
     )
 
 
 def _of_condition_one() -> tuple[_Row, ...]:
     return (
-        _of_likelihood(
-            said("of_condition_one.six_failures_condition"),
-            Tested.of(six_failures()),
-        ),
-        _of_likelihood(
-            said("of_condition_one.condition_i_all"),
-            life_by_all(),
-        ),
+        _of_likelihood(said("of_condition_one.six_failures_condition"), Tested.of(six_failures())),
+        _of_likelihood(said("of_condition_one.condition_i_all"), life_by_all()),
         _of_likelihood(said("of_condition_one.same_without_test"), without_test(5)),
         _of_likelihood(
             said("of_condition_one.same_without_test.same_without_test"), without_test(1)
@@ -380,11 +352,7 @@ def _of_condition_two() -> tuple[_Row, ...]:
     hot, own = as_if_failed(), life_by_all().fit.shape
     shapes = {**shapes_of_fatigue(), f"{own:.2f}": own}
     return (
-        _of_line(
-            said("of_condition_two.condition_ii_as"),
-            hot,
-            as_plotted(hot),
-        ),
+        _of_line(said("of_condition_two.condition_ii_as"), hot, as_plotted(hot)),
         *(_at_shape(*pair) for pair in shapes.items()),
     )
 
@@ -414,31 +382,21 @@ def _steep() -> Claim:
     shape = life_by_all().shape
     return Claim(
         said("steep.statement"),
-        said(
-            "steep.finding",
-            interval=interval(shape, 2),
-        ),
+        said("steep.finding", interval=interval(shape, 2)),
         holds=shape.lower > _WEAR,
     )
 
 
 def _other_limits() -> Text:
     life = bounds(condition("I"), "L10", method="calibrated_likelihood_ratio")
-    return said(
-        "other_limits",
-        lower=life.lower,
-        upper=life.upper,
-    )
+    return said("other_limits", lower=life.lower, upper=life.upper)
 
 
 def _pooled() -> Text:
     whole = published_life_test("campanha_2008", group="procedure")
     first = whole.select(published_life_test("campanha_2008").group == "I")
     alike = compare(first, "homogeneous")
-    return said(
-        "pooled",
-        p_value=alike.p_value,
-    )
+    return said("pooled", p_value=alike.p_value)
 
 
 _DOUBLE = 100.0
@@ -506,26 +464,17 @@ def _record() -> Table:
 
     return Table(
         number="4.1.1",
-        caption=said(
-            "record.caption",
-            basic_life_hours=basic_life_hours(rating),
-        ),
+        caption=said("record.caption", basic_life_hours=basic_life_hours(rating)),
         source=GIVEN.source_of("life_tests"),
         columns=(
             column("test", said("record.test"), [test.number for test in tests]),
             column("procedure", said("record.procedure"), [t.procedure for t in tests]),
             column("condition", said("condition"), [t.condition for t in tests]),
             column(
-                "bearings",
-                said("record.bearings"),
-                [_listed_numbers(t.bearings) for t in tests],
+                "bearings", said("record.bearings"), [_listed_numbers(t.bearings) for t in tests]
             ),
             column("hours", said("time_h"), [f"{t.hours:.1f}" for t in tests]),
-            column(
-                "revolutions_1e6",
-                said("record.revolutions_1e6"),
-                [f"{n:.2f}" for n in turns],
-            ),
+            column("revolutions_1e6", said("record.revolutions_1e6"), [f"{n:.2f}" for n in turns]),
             column(
                 "over_rating_life",
                 said("record.over_rating_life"),
@@ -546,12 +495,7 @@ def _six() -> Claim:
     count = sum(len(test.bearings) for test in life_tests())
     return Claim(
         said("six.statement"),
-        said(
-            "six.finding",
-            failed_count=len(failed),
-            count_1=count,
-            count_2=count - len(failed),
-        ),
+        said("six.finding", failed_count=len(failed), count_1=count, count_2=count - len(failed)),
         (len(failed), count) == (6, 24),
     )
 
@@ -561,9 +505,7 @@ def _third() -> Claim:
     return Claim(
         said("third.statement"),
         said(
-            "third.finding",
-            listed_numbers=_listed_numbers(first.bearings),
-            failed=first.failed[0],
+            "third.finding", listed_numbers=_listed_numbers(first.bearings), failed=first.failed[0]
         ),
         3 in first.bearings,
     )
@@ -575,10 +517,7 @@ def _sides() -> Claim:
     against = [number for number in single if (number % 2 == 1) != (number in drive)]
     return Claim(
         said("sides.statement"),
-        said(
-            "sides.finding",
-            bearings=said("sides.and", *against),
-        ),
+        said("sides.finding", bearings=said("sides.and", *against)),
         holds=not against,
     )
 
@@ -602,10 +541,7 @@ def comparison_numbers() -> tuple[Number, ...]:
             given["measured_percent"],
             _above(without, measured),
             NONE,
-            said(
-                "comparison_numbers.measured.reason",
-                above=_above(lives["life_I"], measured),
-            ),
+            said("comparison_numbers.measured.reason", above=_above(lives["life_I"], measured)),
         ),
         Number(
             "catalogue",

@@ -77,12 +77,7 @@ def distribution_figure() -> Figure:
     ball = np.where(np.isclose(place, np.round(place)), np.round(place) + 1.0, np.nan)
     microns = [clearance / MICRO for clearance in clearances]
     columns = (
-        Series(
-            "clearance",
-            "µm",
-            said("radial_clearance"),
-            np.repeat(microns, azimuth.size),
-        ),
+        Series("clearance", "µm", said("radial_clearance"), np.repeat(microns, azimuth.size)),
         Series(
             "azimuth", "°", said("distribution_figure.azimuth"), np.tile(azimuth, len(clearances))
         ),
@@ -106,10 +101,7 @@ def distribution_figure() -> Figure:
     )
     return Figure(
         number="4.1.3",
-        caption=said(
-            "distribution_figure.caption",
-            load=load(),
-        ),
+        caption=said("distribution_figure.caption", load=load()),
         source=GIVEN.source_of("load_zone"),
         columns=columns,
         picture=Curves(
@@ -153,14 +145,8 @@ def _heaviest() -> Claim:
     stribeck = STRIBECK * load() / ball_count()
     loads = [float(state.max_ball_load) for state in new]
     return Claim(
-        said(
-            "heaviest.statement",
-            stribeck=stribeck,
-        ),
-        said(
-            "heaviest.finding",
-            *loads,
-        ),
+        said("heaviest.statement", stribeck=stribeck),
+        said("heaviest.finding", *loads),
         holds=False,
         partly=all(0.85 * stribeck < value < stribeck for value in loads),
     )
@@ -246,20 +232,12 @@ def _life_figure() -> Figure:
     lines = (
         Line("life_by_maker", 0, said("life_figure.maker_s_formula")),
         Line("life_ball_by_ball", 1, said("life_figure.ball_by_ball")),
-        Line(
-            "life_of_tested",
-            2,
-            said("life_figure.clearance_13_28"),
-            points=True,
-        ),
+        Line("life_of_tested", 2, said("life_figure.clearance_13_28"), points=True),
         Line("life_as_taken", 3, said("life_figure.72_m_as"), points=True),
     )
     return Figure(
         number="4.1.4",
-        caption=said(
-            "life_figure.caption",
-            load=load(),
-        ),
+        caption=said("life_figure.caption", load=load()),
         source=GIVEN.source_of("load_zone"),
         columns=columns,
         picture=Curves(
@@ -290,13 +268,7 @@ def _fifth() -> Claim:
 def _rare() -> Claim:
     low, high = (float(loaded(c).load_zone_parameter) for c in clearances_of_class())
     return Claim(
-        said("rare.statement"),
-        said(
-            "rare.finding",
-            high=high,
-            low=low,
-        ),
-        high < low < NO_CLEARANCE,
+        said("rare.statement"), said("rare.finding", high=high, low=low), high < low < NO_CLEARANCE
     )
 
 
@@ -370,8 +342,7 @@ def load_zone_numbers() -> tuple[Number, ...]:
             life * round(kept, 2),
             NONE,
             said(
-                "load_zone_numbers.reduced_life.reason",
-                *(life * value for value in reversed(new)),
+                "load_zone_numbers.reduced_life.reason", *(life * value for value in reversed(new))
             ),
         ),
     )

@@ -171,11 +171,7 @@ def _of_weibull() -> tuple[_Slip, ...]:
             same("2.7, (2.7.5)"),
             formula("1/β + (Σ ln t/Σ t^β ln t)/n − Σ ln t/Σ t^β = 0"),
             formula("1/β + (Σ ln t)/n − Σ t^β ln t/Σ t^β = 0"),
-            said(
-                "slip.1_beta_ln_t.reason",
-                shape=four.shape,
-                l10=four.l10,
-            ),
+            said("slip.1_beta_ln_t.reason", shape=four.shape, l10=four.l10),
         ),
         _Slip(
             same("2.7, (2.7.5), (2.7.6)"),

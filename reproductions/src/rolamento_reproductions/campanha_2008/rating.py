@@ -70,10 +70,7 @@ def rating_numbers() -> tuple[Number, ...]:
             given["static_rating_kN"],
             static,
             static,
-            said(
-                "rating_numbers.static_rating.reason",
-                static=static * KILO,
-            ),
+            said("rating_numbers.static_rating.reason", static=static * KILO),
         ),
         Number(
             "rating",
@@ -107,10 +104,7 @@ def rating_numbers() -> tuple[Number, ...]:
             printed("life")["basic_life_h"],
             basic_life_hours(catalogue),
             basic_life_hours(catalogue),
-            said(
-                "rating_numbers.basic_life.reason",
-                load=load() / catalogue,
-            ),
+            said("rating_numbers.basic_life.reason", load=load() / catalogue),
         ),
     )
 
@@ -158,10 +152,7 @@ def _by_the_standard(given: dict[str, Any], rated: float) -> tuple[Number, Numbe
             given["dynamic_rating_of_table_N"],
             float(dynamic_rating(*_geometry(), factor=closed)),
             rated * KILO,
-            said(
-                "by_the_standard.rating_of_table.reason",
-                closed=closed,
-            ),
+            said("by_the_standard.rating_of_table.reason", closed=closed),
         ),
     )
 
@@ -196,10 +187,7 @@ def _by_measured_grooves(given: dict[str, Any], rated: float) -> tuple[Number, N
             given["dynamic_rating_of_measured_N"],
             float(dynamic_rating(*_geometry(), factor=factor)),
             rated * KILO,
-            said(
-                "by_measured_grooves.measured_rating.reason",
-                raised=(raised / usual) ** 3,
-            ),
+            said("by_measured_grooves.measured_rating.reason", raised=(raised / usual) ** 3),
         ),
         Number(
             "gain",
@@ -222,10 +210,7 @@ def _factor_of_exact_grooves() -> float:
 def _ratings() -> Table:
     return numbers_table(
         "B",
-        said(
-            "ratings.caption",
-            load=load(),
-        ),
+        said("ratings.caption", load=load()),
         GIVEN.source_of("ratings"),
         rating_numbers(),
         claims=(_below_plastic(), _underrated()),
@@ -242,10 +227,7 @@ def _below_plastic() -> Claim:
     ]
     return Claim(
         said("below_plastic.statement"),
-        said(
-            "below_plastic.finding",
-            *(pressure / 1e6 for pressure in (*pressures, _PERMITTED)),
-        ),
+        said("below_plastic.finding", *(pressure / 1e6 for pressure in (*pressures, _PERMITTED))),
         max(pressures) < _PERMITTED,
     )
 
@@ -260,10 +242,7 @@ def _underrated() -> Claim:
     ]
     return Claim(
         said("underrated.statement"),
-        said(
-            "underrated.finding",
-            found=100.0 * (1.0 - found[1] / found[0]),
-        ),
+        said("underrated.finding", found=100.0 * (1.0 - found[1] / found[0])),
         holds=False,
         partly=True,
     )
@@ -362,10 +341,7 @@ def nsk_table() -> Table:
     """Return the printed lives as a table."""
     return numbers_table(
         "C",
-        said(
-            "nsk_table.caption",
-            cleanliness=_cleanliness(),
-        ),
+        said("nsk_table.caption", cleanliness=_cleanliness()),
         GIVEN.source_of("nsk"),
         nsk_numbers(),
         heads=(said("printed"), said("nsk_table.heads")),
@@ -376,7 +352,5 @@ def nsk_table() -> Table:
 def _outside() -> Text:
     rating = float(GIVEN.inputs_of("ratings")["dynamic_rating_kN"]) * KILO
     return said(
-        "outside.that_stand_in",
-        maximum_load=100.0 * MAXIMUM_LOAD,
-        load=100.0 * load() / rating,
+        "outside.that_stand_in", maximum_load=100.0 * MAXIMUM_LOAD, load=100.0 * load() / rating
     )

@@ -149,11 +149,7 @@ def _worn_alike() -> Claim:
 
 def _shape(rows: list[tuple[int, str, float, float, float]]) -> Text:
     ratios = [row[4] / row[3] for row in rows]
-    return said(
-        "shape.r_z_r",
-        ratios_min=min(ratios),
-        ratios_max=max(ratios),
-    )
+    return said("shape.r_z_r", ratios_min=min(ratios), ratios_max=max(ratios))
 
 
 # --- figure 4.4.1 -----------------------------------------------------------
@@ -197,9 +193,7 @@ def _temperatures() -> Figure:
     return Figure(
         number="4.4.1",
         caption=said(
-            "temperatures.caption",
-            temperature_1=temperature("I"),
-            temperature_2=temperature("II"),
+            "temperatures.caption", temperature_1=temperature("I"), temperature_2=temperature("II")
         ),
         source=GIVEN.source_of("temperature"),
         columns=columns,
@@ -258,11 +252,7 @@ def _enough() -> Claim:
     needed = _needed()
     return Claim(
         said("enough.statement"),
-        said(
-            "enough.finding",
-            needed,
-            *(_viscosity(name) / needed for name in ("I", "II")),
-        ),
+        said("enough.finding", needed, *(_viscosity(name) / needed for name in ("I", "II"))),
         needed <= GIVEN.inputs_of("temperature")["reference_viscosity_mm2_s"],
     )
 
@@ -355,10 +345,7 @@ def _low() -> Claim:
     recorded = seen & (set(_rejected()) | set(BEARINGS))
     return Claim(
         said("low.statement"),
-        said(
-            "low.finding",
-            bearings=said("low.and", *sorted(rejected)),
-        ),
+        said("low.finding", bearings=said("low.and", *sorted(rejected))),
         rejected == recorded,
     )
 
@@ -369,11 +356,7 @@ def _reliable() -> Claim:
     counts = [sum(band in bands for bands in passed.values()) for band in _BANDS]
     return Claim(
         said("reliable.statement"),
-        said(
-            "reliable.finding",
-            len(passed),
-            *counts,
-        ),
+        said("reliable.finding", len(passed), *counts),
         holds=counts[-1] == 0,
         partly=counts[0] == 0,
     )
@@ -445,10 +428,7 @@ def _marks_and_clearance() -> Claim:
     rises = [np.diff(_together(bearing)[0]) for bearing in BEARINGS]
     return Claim(
         said("marks_and_clearance.statement"),
-        said(
-            "marks_and_clearance.finding",
-            *correlations,
-        ),
+        said("marks_and_clearance.finding", *correlations),
         all(bool((rise > 0).all()) for rise in rises) and min(correlations) > _CLOSE,
         of_theory=True,
     )

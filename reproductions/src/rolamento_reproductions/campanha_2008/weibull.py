@@ -146,10 +146,7 @@ def _of_condition_two() -> Number:
         as_plotted(chosen).l10,
         said("of_condition_two.life_ii.right", minimum_life=minimum_life(SHAPE)),
         said(
-            "of_condition_two.life_ii.reason",
-            chosen_count=len(chosen),
-            size=hot.size,
-            shape=SHAPE,
+            "of_condition_two.life_ii.reason", chosen_count=len(chosen), size=hot.size, shape=SHAPE
         ),
     )
 
@@ -165,10 +162,7 @@ def figure_of_condition_one() -> Figure:
     printed, _, _ = lives_of_tests()
     return _paper(
         "4.1.1",
-        said(
-            "figure_4_1_1.caption",
-            size=condition("I").size,
-        ),
+        said("figure_4_1_1.caption", size=condition("I").size),
         printed.printed,
         four_failures(),
         life_by_all(),
@@ -183,10 +177,7 @@ def figure_without_test_5() -> Figure:
     whole = without_test(5)
     return _paper(
         "4.1.2",
-        said(
-            "figure_4_1_2.caption",
-            size=whole.test.size,
-        ),
+        said("figure_4_1_2.caption", size=whole.test.size),
         printed.printed,
         five_failures(),
         whole,
@@ -258,11 +249,7 @@ def _paper_lines(printed: str, line: WeibullFit, whole: Tested) -> tuple[Line, .
         Line(
             "as_printed",
             1,
-            said(
-                "paper_lines.as_printed_l",
-                life=same("{:.1f}", float(printed)),
-                shape=line.shape,
-            ),
+            said("paper_lines.as_printed_l", life=same("{:.1f}", float(printed)), shape=line.shape),
         ),
         Line("failed_as_printed", 1, points=True),
         Line(
@@ -351,12 +338,7 @@ def _left_out() -> Text:
     first = float(six_failures().times.min())
     count = condition("I").size
     early = 1.0 - float(as_plotted(four_failures()).reliability_at(first)) ** count
-    return said(
-        "left_out",
-        first=first,
-        count=count,
-        early=100.0 * early,
-    )
+    return said("left_out", first=first, count=count, early=100.0 * early)
 
 
 def _swapped() -> Claim:
@@ -380,9 +362,4 @@ def _swapped() -> Claim:
 def _any_three() -> Text:
     chosen = five_failures()
     early = int((~chosen.failed & (chosen.times < chosen.times[chosen.failed].min())).sum())
-    return said(
-        "any_three",
-        early=early,
-        size=chosen.size,
-        l10=Tested.of(chosen).fit.l10,
-    )
+    return said("any_three", early=early, size=chosen.size, l10=Tested.of(chosen).fit.l10)

@@ -24,49 +24,18 @@ SOURCE: Final = Source(
     reference=said("reference"),
     remarks=(
         said("every_figure_and"),
-        said(
-            "throughout_outer_raceway",
-            modulus=modulus() / 1e9,
-        ),
+        said("throughout_outer_raceway", modulus=modulus() / 1e9),
         said("table_5_2"),
     ),
     parts=(
         Part(said("at_rest"), _FIGURES[1:6], static_section),
-        Part(
-            said("speeds_and_forces_from"),
-            _FIGURES[6:10],
-            motion_section,
-        ),
-        Part(
-            said("radial_load_at_speed"),
-            ("figure-5.10", "table-5.3"),
-            radial_section,
-        ),
-        Part(
-            said("axial_load_at_several"),
-            _FIGURES[11:15],
-            axial_section,
-        ),
-        Part(
-            said("combined_load_and_which"),
-            _FIGURES[15:21],
-            combined_section,
-        ),
-        Part(
-            said("loads_along_three_axes"),
-            _FIGURES[21:25],
-            three_loads_section,
-        ),
+        Part(said("speeds_and_forces_from"), _FIGURES[6:10], motion_section),
+        Part(said("radial_load_at_speed"), ("figure-5.10", "table-5.3"), radial_section),
+        Part(said("axial_load_at_several"), _FIGURES[11:15], axial_section),
+        Part(said("combined_load_and_which"), _FIGURES[15:21], combined_section),
+        Part(said("loads_along_three_axes"), _FIGURES[21:25], three_loads_section),
         Part(said("radial_displacement"), _FIGURES[25:27], shift_section),
-        Part(
-            said("tilted_inner_ring"),
-            (*_FIGURES[27:33], "table-5.4"),
-            tilt_section,
-        ),
-        Part(
-            said("examples_harris_1991"),
-            ("table-C.1", "table-C.2"),
-            examples_section,
-        ),
+        Part(said("tilted_inner_ring"), (*_FIGURES[27:33], "table-5.4"), tilt_section),
+        Part(said("examples_harris_1991"), ("table-C.1", "table-C.2"), examples_section),
     ),
 )

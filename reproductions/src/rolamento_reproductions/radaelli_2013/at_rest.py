@@ -83,10 +83,7 @@ def _distribution() -> Figure:
     )
     return Figure(
         number="5.1",
-        caption=said(
-            "distribution.caption",
-            radial_load_n=given["radial_load_N"],
-        ),
+        caption=said("distribution.caption", radial_load_n=given["radial_load_N"]),
         source=source_of("radial_distribution"),
         columns=columns,
         picture=Curves((Panel("azimuth", columns[3].title, "N", lines, tick=45.0, around=True),)),
@@ -104,10 +101,7 @@ def _claims_on_clearance(solved: dict[float, RadialSolution]) -> tuple[Claim, ..
     return (
         Claim(
             said("claims_on_clearance.statement"),
-            said(
-                "claims_on_clearance.finding",
-                *zones,
-            ),
+            said("claims_on_clearance.finding", *zones),
             zones == sorted(zones, reverse=True) and len(set(zones)) == len(zones),
         ),
         Claim(
@@ -135,10 +129,7 @@ def _note_on_integral() -> Text:
         radial_load(bearing("209"), load, distribution=distribution)
         for distribution in ("continuous", "discrete")
     ]
-    return said(
-        "note_on_integral",
-        *(float(state.max_ball_load) for state in states),
-    )
+    return said("note_on_integral", *(float(state.max_ball_load) for state in states))
 
 
 # --- figures 5.2 to 5.5 -----------------------------------------------------
@@ -166,18 +157,10 @@ def _radial_curves() -> tuple[Figure, Figure]:
             said("figure_5_2.caption"),
             (x, shift),
             _stiffening(loads, shift.numbers),
-            (
-                said(
-                    "figure_5_2.at_no_load",
-                    numbers=float(shift.numbers[0]),
-                ),
-            ),
+            (said("figure_5_2.at_no_load", numbers=float(shift.numbers[0])),),
         ),
         _figure_over_load(
-            "5.3",
-            said("figure_5_3.caption"),
-            (x, ball),
-            _proportion(loads, ball.numbers),
+            "5.3", said("figure_5_3.caption"), (x, ball), _proportion(loads, ball.numbers)
         ),
     )
 
@@ -207,12 +190,7 @@ def _axial_curves() -> tuple[Figure, Figure]:
             said("figure_5_5.caption"),
             (x, ball),
             _proportion(loads, ball.numbers),
-            (
-                said(
-                    "figure_5_5.line_bends_little",
-                    *np.degrees(state.contact_angle[[0, -1]]),
-                ),
-            ),
+            (said("figure_5_5.line_bends_little", *np.degrees(state.contact_angle[[0, -1]])),),
         ),
     )
 
@@ -242,11 +220,7 @@ def _stiffening(loads: Floats, shift: Floats) -> Claim:
     last = float(shift[-1] - np.interp(loads[-1] + _LAST, loads, shift))
     return Claim(
         said("stiffening.statement"),
-        said(
-            "stiffening.finding",
-            first=first,
-            last=last,
-        ),
+        said("stiffening.finding", first=first, last=last),
         bool(last < first and (np.diff(shift, 2) < 0.0).all()),
     )
 
@@ -257,10 +231,7 @@ def _proportion(loads: Floats, ball: Floats) -> Claim:
     miss = float(np.abs(ball - line(loads)).max() / ball.max())
     return Claim(
         said("proportion.statement"),
-        said(
-            "proportion.finding",
-            miss=100.0 * miss,
-        ),
+        said("proportion.finding", miss=100.0 * miss),
         miss < _MAX_BEND,
     )
 
@@ -355,10 +326,7 @@ def _motion_figure(what: _Motion, speeds: Floats, angles: Floats, values: Floats
     signed = said("motion_figure.size_is_drawn")
     return Figure(
         number=what.number,
-        caption=said(
-            "motion_figure.caption",
-            caption=what.caption,
-        ),
+        caption=said("motion_figure.caption", caption=what.caption),
         source=source_of("motion"),
         columns=columns,
         picture=Curves((_panel_over_speed(what, given), _panel_over_angle(what, given))),

@@ -77,18 +77,8 @@ def _solved_sweep() -> _Sweep:
 def _with_speed_and_load(sweep: _Sweep, *columns: Series) -> tuple[Series, ...]:
     speeds, loads = sweep.speeds, sweep.loads
     return (
-        Series(
-            "inner_speed",
-            "rpm",
-            said("inner_ring_speed_n"),
-            np.repeat(speeds, loads.size),
-        ),
-        Series(
-            "axial_load",
-            "kN",
-            said("axial_load_f"),
-            np.tile(loads, speeds.size),
-        ),
+        Series("inner_speed", "rpm", said("inner_ring_speed_n"), np.repeat(speeds, loads.size)),
+        Series("axial_load", "kN", said("axial_load_f"), np.tile(loads, speeds.size)),
         *columns,
         status_column(sweep.solved.status.code),
     )
@@ -160,12 +150,7 @@ def _angles(sweep: _Sweep) -> Figure:
             ),
             _towards_rest(sweep, np.abs(inner - inner[0]), same("α_i"), "°"),
         ),
-        (
-            said(
-                "figure_5_11.with_no_load",
-                inner=float(inner[0, 0]),
-            ),
-        ),
+        (said("figure_5_11.with_no_load", inner=float(inner[0, 0])),),
     )
 
 
@@ -259,10 +244,7 @@ def _towards_rest(sweep: _Sweep, distance: Floats, symbol: Text, unit: str) -> C
     """State how far a quantity is from its value at rest, at a small and at the maximum load."""
     small, great = float(_at_load(sweep, distance, 5.0)[-1]), float(distance[-1, -1])
     return Claim(
-        said(
-            "towards_rest.statement",
-            symbol=symbol,
-        ),
+        said("towards_rest.statement", symbol=symbol),
         said(
             "towards_rest.finding",
             speeds=float(sweep.speeds[-1]),
@@ -291,11 +273,7 @@ def shift_section(title: Text) -> Section:
     rise = _last_over_first(over_speed)
     weaker = Claim(
         said("shift_section.statement"),
-        said(
-            "shift_section.finding",
-            rise=rise,
-            fall=1.0 / fall,
-        ),
+        said("shift_section.finding", rise=rise, fall=1.0 / fall),
         1.0 < rise < 1.0 / fall,
     )
     return Section(title, (_figure_over_load(over_load), _figure_over_speed(over_speed, weaker)))
@@ -321,12 +299,7 @@ def _over_speed() -> tuple[Series, ...]:
     load = Load(fx=given["axial_load_kN"] * KILO, fz=given["radial_load_kN"] * KILO)
     solved = solve(case(Duty(load=load)), inner_speed=speeds * RPM)
     return (
-        Series(
-            "inner_speed",
-            "rpm",
-            said("inner_ring_speed_n"),
-            speeds,
-        ),
+        Series("inner_speed", "rpm", said("inner_ring_speed_n"), speeds),
         Series("radial_displacement", "mm", _RADIAL_SHIFT, solved.displacement.z / MILLI),
         status_column(solved.status.code),
     )
@@ -350,17 +323,8 @@ def _figure_over_load(columns: tuple[Series, ...]) -> Figure:
         picture=_curve_over(columns, 10.0),
         claims=(
             Claim(
-                said(
-                    "figure_over_load.statement",
-                    low=low,
-                    high=high,
-                ),
-                said(
-                    "figure_over_load.finding",
-                    at_low=at_low,
-                    at_high=at_high,
-                    fall=fall,
-                ),
+                said("figure_over_load.statement", low=low, high=high),
+                said("figure_over_load.finding", at_low=at_low, at_high=at_high, fall=fall),
                 abs(fall - 80.0) < 1.0,
             ),
         ),

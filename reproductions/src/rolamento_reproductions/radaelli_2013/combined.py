@@ -111,10 +111,7 @@ def figure_pair(
     angle = said("contact_angle")
     loads = _figure_round_the_ring(
         numbers[0],
-        said(
-            "figure_pair.ball_loads_at",
-            case=case,
-        ),
+        said("figure_pair.ball_loads_at", case=case),
         source,
         found,
         (
@@ -125,10 +122,7 @@ def figure_pair(
     )
     angles = _figure_round_the_ring(
         numbers[1],
-        said(
-            "figure_pair.contact_angles_at",
-            case=case,
-        ),
+        said("figure_pair.contact_angles_at", case=case),
         source,
         found,
         (
@@ -281,11 +275,7 @@ def _opposite_angles(whole: Round) -> Claim:
     inner, outer = whole.inner_angle[opposite], whole.outer_angle[opposite]
     return Claim(
         said("opposite_angles.statement"),
-        said(
-            "opposite_angles.finding",
-            inner=inner,
-            outer=outer,
-        ),
+        said("opposite_angles.finding", inner=inner, outer=outer),
         bool(outer < _NEAR_ZERO < 60.0 < inner),
     )
 
@@ -307,10 +297,7 @@ def _alike_angles(whole: Round, still: Round) -> Claim:
     difference = _angle_difference(whole, still)
     return Claim(
         said("alike_angles.statement"),
-        said(
-            "alike_angles.finding",
-            difference=difference,
-        ),
+        said("alike_angles.finding", difference=difference),
         difference < _ALIKE_ANGLE,
     )
 
@@ -360,9 +347,7 @@ def _displacements(whole: Round, still: Round) -> Text:
 def _lightest(light: Round) -> Text:
     opposite = _at_azimuth(light, 180.0)
     return said(
-        "lightest",
-        inner_load=light.inner_load[opposite],
-        outer_load=light.outer_load[opposite],
+        "lightest", inner_load=light.inner_load[opposite], outer_load=light.outer_load[opposite]
     )
 
 
@@ -394,9 +379,7 @@ def three_loads_section(title: Text) -> Section:
         (("5.21", "5.22"), ("5.23", "5.24")), found, given["first_ball_deg"], strict=True
     ):
         extra = said(
-            "three_loads_section.f_y_kn",
-            lateral_load_kn=given["lateral_load_kN"],
-            first=first,
+            "three_loads_section.f_y_kn", lateral_load_kn=given["lateral_load_kN"], first=first
         )
         figures.extend(
             figure_pair(numbers, _caption_of_loads(given, extra), source_of("three_loads"), one)
@@ -414,10 +397,7 @@ def three_loads_section(title: Text) -> Section:
 def _turned_loads(found: Round, direction: float) -> Claim:
     peak = float(found.azimuth[np.argmax(found.inner_load)])
     return Claim(
-        said(
-            "turned_loads.statement",
-            direction=direction,
-        ),
+        said("turned_loads.statement", direction=direction),
         said("turned_loads.finding", peak=peak),
         abs(peak - direction) < _NEAR_DIRECTION,
     )
@@ -428,11 +408,7 @@ def _turned_angles(found: Round, direction: float) -> Claim:
     opposite = direction - 180.0
     return Claim(
         said("turned_angles.statement"),
-        said(
-            "turned_angles.finding",
-            peak=peak,
-            opposite=opposite,
-        ),
+        said("turned_angles.finding", peak=peak, opposite=opposite),
         abs(peak - opposite) < _NEAR_DIRECTION,
     )
 
@@ -443,12 +419,7 @@ def _moved_loads(still: Round, moved: Round) -> Claim:
     change = _by_ball(still, moved, still.inner_load, moved.inner_load)
     return Claim(
         said("moved_loads.statement"),
-        said(
-            "moved_loads.finding",
-            change=change,
-            heaviest_1=heaviest[1],
-            heaviest_2=heaviest[0],
-        ),
+        said("moved_loads.finding", change=change, heaviest_1=heaviest[1], heaviest_2=heaviest[0]),
         change > 0.01 * heaviest[0],
     )
 
@@ -456,12 +427,7 @@ def _moved_loads(still: Round, moved: Round) -> Claim:
 def _moved_angles(still: Round, moved: Round) -> Claim:
     change = _by_ball(still, moved, still.inner_angle, moved.inner_angle)
     return Claim(
-        said("moved_angles.statement"),
-        said(
-            "moved_angles.finding",
-            change=change,
-        ),
-        change > 1.0,
+        said("moved_angles.statement"), said("moved_angles.finding", change=change), change > 1.0
     )
 
 
@@ -542,11 +508,7 @@ def _weak_on_loads(level: Round, tilted: Round) -> Claim:
     share = change / float(level.outer_load.max())
     return Claim(
         said("weak_on_loads.statement"),
-        said(
-            "weak_on_loads.finding",
-            change=change,
-            share=100.0 * share,
-        ),
+        said("weak_on_loads.finding", change=change, share=100.0 * share),
         share < _WEAK_LOAD,
     )
 

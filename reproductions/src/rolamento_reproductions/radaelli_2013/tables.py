@@ -47,10 +47,7 @@ def _positions() -> Figure:
     )
     return Figure(
         number="5.10",
-        caption=said(
-            "positions.caption",
-            ball_count=rings.ball_count,
-        ),
+        caption=said("positions.caption", ball_count=rings.ball_count),
         source=source_of("positions"),
         columns=columns,
         picture=Positions(rings.ball_diameter / MILLI, rings.pitch_diameter / MILLI),
@@ -110,12 +107,7 @@ def _radial_table() -> Table:
             ),
         ),
         claims=(_displacement(solved), _mirrored(solved), *_static_estimate(solved)),
-        notes=(
-            said(
-                "radial_table.holding_ring_at",
-                fx=float(solved.load.fx[0]),
-            ),
-        ),
+        notes=(said("radial_table.holding_ring_at", fx=float(solved.load.fx[0])),),
     )
 
 
@@ -134,12 +126,7 @@ def _mirrored(solved: Solved) -> Claim:
     apart = float(np.abs(loads[1:] - loads[:0:-1]).max() / loads.max())
     digits = min(_DIGITS, int(-np.log10(max(apart, 1e-99))))
     return Claim(
-        said("mirrored.statement"),
-        said(
-            "mirrored.finding",
-            digits=digits,
-        ),
-        digits == _DIGITS,
+        said("mirrored.statement"), said("mirrored.finding", digits=digits), digits == _DIGITS
     )
 
 
@@ -155,22 +142,14 @@ def _static_estimate(solved: Solved) -> tuple[Claim, Claim]:
     by_speed = (turning - at_rest) / gap
     return (
         Claim(
-            said(
-                "static_estimate.statement",
-                printed=float(printed),
-            ),
-            said(
-                "static_estimate.finding",
-                computed=cell.computed,
-            ),
+            said("static_estimate.statement", printed=float(printed)),
+            said("static_estimate.finding", computed=cell.computed),
             cell.agreement == "printed",
         ),
         Claim(
             said("static_estimate.statement.centrifugal_force_explains"),
             said(
-                "static_estimate.finding.at_rest_with",
-                at_rest=at_rest,
-                by_speed=100.0 * by_speed,
+                "static_estimate.finding.at_rest_with", at_rest=at_rest, by_speed=100.0 * by_speed
             ),
             by_speed > 0.5,
         ),
@@ -190,10 +169,7 @@ def _radial_example() -> Table:
     computed = _radial_example_values(given["radial_load_N"])
     return Table(
         number="C.1",
-        caption=said(
-            "radial_example.caption",
-            radial_load_n=given["radial_load_N"],
-        ),
+        caption=said("radial_example.caption", radial_load_n=given["radial_load_N"]),
         source=source_of("table_C1"),
         columns=_example_columns(given["rows"], computed, _C1_TITLES),
         claims=(_greatest_difference(given),),
@@ -270,10 +246,7 @@ def _axial_example() -> Table:
     }
     return Table(
         number="C.2",
-        caption=said(
-            "axial_example.caption",
-            axial_load_n=given["axial_load_N"],
-        ),
+        caption=said("axial_example.caption", axial_load_n=given["axial_load_N"]),
         source=source_of("table_C2"),
         columns=_example_columns(given["rows"], computed, _C2_TITLES),
         claims=(_greatest_difference(given),),
@@ -310,13 +283,7 @@ def _greatest_difference(given: dict[str, object]) -> Claim:
         if float(theirs) != 0.0
     ]
     return Claim(
-        said(
-            "greatest_difference.statement",
-            stated=stated,
-        ),
-        said(
-            "greatest_difference.finding",
-            differences_max=max(differences),
-        ),
+        said("greatest_difference.statement", stated=stated),
+        said("greatest_difference.finding", differences_max=max(differences)),
         round(max(differences), 0 if stated >= 1.0 else 1) == stated,
     )

@@ -31,16 +31,8 @@ SOURCE: Final = Source(
         ),
     ),
     parts=(
-        Part(
-            said("torque_at_low_speed"),
-            ("figure-08", "table-8"),
-            torque_section,
-        ),
-        Part(
-            said("spin_and_roll_at"),
-            ("figure-09",),
-            spin_section,
-        ),
+        Part(said("torque_at_low_speed"), ("figure-08", "table-8"), torque_section),
+        Part(said("spin_and_roll_at"), ("figure-09",), spin_section),
         Part(said("misprints"), (ERRATA_STEM,), misprints_section),
     ),
 )

@@ -88,10 +88,7 @@ def misprints_section(title: Text) -> Section:
     return Section(title, (errata,))
 
 
-_REMARKS = (
-    said("remarks.symbols_as_in"),
-    said("remarks.18_is_right"),
-)
+_REMARKS = (said("remarks.symbols_as_in"), said("remarks.18_is_right"))
 
 
 def _ellipse(modulus: Floats, radius: Floats) -> Floats:
@@ -116,10 +113,7 @@ def _curvature() -> Misprint:
     return proven(
         ("10", said("equations_10_to_12")),
         said("curvature.what"),
-        (
-            said("curvature.r_c_sum"),
-            said("curvature.r_c_reduced"),
-        ),
+        (said("curvature.r_c_sum"), said("curvature.r_c_reduced")),
         said("curvature.derivation"),
         Proof(
             _ellipse(modulus, total) / truth,
@@ -171,10 +165,7 @@ def _arc_centre() -> Misprint:
     return proven(
         ("16", said("equations_16_and_17")),
         said("arc_centre.what"),
-        (
-            said("arc_centre.with_r_e"),
-            said("arc_centre.r_e_d"),
-        ),
+        (said("arc_centre.with_r_e"), said("arc_centre.r_e_d")),
         said("arc_centre.derivation"),
         Proof(edge(effective), edge(half), half, sagitta),
     )

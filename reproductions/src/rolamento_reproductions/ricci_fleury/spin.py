@@ -121,12 +121,7 @@ def _spin_figure() -> Figure:
             said("spin_figure.outer_conformity"),
             np.repeat(values, speeds.size),
         ),
-        Series(
-            "inner_speed",
-            "rpm",
-            said("spin_figure.inner_speed"),
-            np.tile(speeds, len(values)),
-        ),
+        Series("inner_speed", "rpm", said("spin_figure.inner_speed"), np.tile(speeds, len(values))),
         Series(
             "inner_spin_to_roll",
             "",
@@ -166,11 +161,7 @@ def _spin_figure() -> Figure:
     )
     return Figure(
         number="9",
-        caption=said(
-            "spin_figure.caption",
-            axial_load_n=given["axial_load_N"],
-            values=values[1],
-        ),
+        caption=said("spin_figure.caption", axial_load_n=given["axial_load_N"], values=values[1]),
         source=GIVEN.source_of("spin"),
         columns=columns,
         picture=Curves((_spin_panel(values),)),
@@ -197,12 +188,7 @@ def _spin_panel(values: list[float]) -> Panel:
     )
     solid, dashed = (same("f_o = {:.3f}", value) for value in values)
     return Panel(
-        "inner_speed",
-        said("spin_panel.y_title"),
-        "",
-        lines,
-        tick=5000.0,
-        keys=(solid, dashed),
+        "inner_speed", said("spin_panel.y_title"), "", lines, tick=5000.0, keys=(solid, dashed)
     )
 
 
@@ -214,10 +200,7 @@ def _improvement(values: list[float], found: list[_Bearing]) -> Claim:
     cheaper = second.torque < first.torque
     share = [100.0 * float(np.mean(which)) for which in (better_in, better_out, cheaper)]
     return Claim(
-        said(
-            "improvement.statement",
-            values=values[1],
-        ),
+        said("improvement.statement", values=values[1]),
         said(
             "improvement.finding",
             *share,
@@ -269,10 +252,7 @@ def _no_free_lunch(found: list[_Bearing]) -> tuple[Claim, ...]:
     return (
         Claim(
             said("no_free_lunch.statement"),
-            said(
-                "no_free_lunch.finding",
-                minimum=minimum,
-            ),
+            said("no_free_lunch.finding", minimum=minimum),
             minimum > 0.05,
             of_theory=True,
         ),

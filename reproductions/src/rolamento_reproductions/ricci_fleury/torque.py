@@ -109,17 +109,7 @@ def _torque_figure(found: _TorqueSweep) -> Figure:
         caption=_caption(),
         source=GIVEN.source_of("torque"),
         columns=columns,
-        picture=Curves(
-            (
-                Panel(
-                    "axial_load",
-                    said("friction_torque_t"),
-                    "N·mm",
-                    lines,
-                    tick=20.0,
-                ),
-            )
-        ),
+        picture=Curves((Panel("axial_load", said("friction_torque_t"), "N·mm", lines, tick=20.0),)),
         claims=(*_of_the_text(found), *_of_theory(found)),
         notes=(
             said(
@@ -135,9 +125,7 @@ def _torque_figure(found: _TorqueSweep) -> Figure:
 def _caption() -> Text:
     given = GIVEN.inputs_of("torque")
     return said(
-        "caption",
-        speed_rpm=given["speed_rpm"],
-        friction_coefficient=given["friction_coefficient"],
+        "caption", speed_rpm=given["speed_rpm"], friction_coefficient=given["friction_coefficient"]
     )
 
 
@@ -150,10 +138,7 @@ def _beyond() -> Text:
     over_control = 100.0 * (simplified / jones_control(solved, mu).total - 1.0)
     over_full = 100.0 * (simplified / jones_full_motion(solved, mu)[0].total - 1.0)
     pairs = np.column_stack([loads, over_control, over_full]).ravel()
-    return said(
-        "beyond",
-        *(float(value) for value in pairs),
-    )
+    return said("beyond", *(float(value) for value in pairs))
 
 
 # --- statements of the text -------------------------------------------------
@@ -171,19 +156,12 @@ def _of_the_text(found: _TorqueSweep) -> tuple[Claim, ...]:
     return (
         Claim(
             said("of_the_text.statement"),
-            said(
-                "of_the_text.finding",
-                slip_min=100.0 * slip.min(),
-                slip_max=100.0 * slip.max(),
-            ),
+            said("of_the_text.finding", slip_min=100.0 * slip.min(), slip_max=100.0 * slip.max()),
             bool(slip.min() > _MOST_OF_FRICTION),
         ),
         Claim(
             said("of_the_text.statement.at_equal_conformities"),
-            said(
-                "of_the_text.finding.eccentricity_inside_outsid",
-                *eccentric,
-            ),
+            said("of_the_text.finding.eccentricity_inside_outsid", *eccentric),
             eccentric[0] > eccentric[1] and bool(np.all(held < 0)),
         ),
     )
@@ -220,11 +198,7 @@ def _harris(found: _TorqueSweep) -> Claim:
     )
     return _expected(
         said("harris.harris_without_slip"),
-        said(
-            "harris.jones_full_over",
-            *_extremes(ratio),
-            float(second.mean()),
-        ),
+        said("harris.jones_full_over", *_extremes(ratio), float(second.mean())),
         np.all(np.abs(ratio - second) < _BY_E) and ratio.min() > 1.015 and ratio.max() < 1.035,
     )
 
@@ -233,19 +207,13 @@ def _bare_todd(t: dict[str, Floats]) -> Claim:
     ratio = t["jones_control"] / t["todd_bare"]
     return _expected(
         said("bare_todd.jones_with_control"),
-        said(
-            "bare_todd.they_differ_by",
-            ratio_max=100.0 * float(np.abs(ratio - 1.0).max()),
-        ),
+        said("bare_todd.they_differ_by", ratio_max=100.0 * float(np.abs(ratio - 1.0).max())),
         np.all(np.abs(ratio - 1.0) < _NEAR_TODD),
     )
 
 
 def _above(values: Floats) -> Text:
-    return said(
-        "above",
-        *(100.0 * (value - 1.0) for value in _extremes(values)),
-    )
+    return said("above", *(100.0 * (value - 1.0) for value in _extremes(values)))
 
 
 def _simplified_over_control(t: dict[str, Floats]) -> Claim:
@@ -270,11 +238,7 @@ def _both_spin(found: _TorqueSweep) -> Claim:
     inner, outer = found.spins
     return _expected(
         said("both_spin.in_full_model"),
-        said(
-            "both_spin.spin_over_roll",
-            *_extremes(inner),
-            *_extremes(outer),
-        ),
+        said("both_spin.spin_over_roll", *_extremes(inner), *_extremes(outer)),
         min(inner.min(), outer.min()) > 0.01,
     )
 
@@ -286,8 +250,7 @@ def _order(t: dict[str, Floats]) -> Claim:
     return _expected(
         said("order.from_below_harris"),
         said(
-            "at_all_loads" if rising and smaller else "not_at_all_loads",
-            loads=t["jones_full"].size,
+            "at_all_loads" if rising and smaller else "not_at_all_loads", loads=t["jones_full"].size
         ),
         rising and smaller,
     )

@@ -3,7 +3,7 @@
 A machine in good order may modulate its noise too: once per revolution, with what else turns, and
 slowly as its load wanders. Noise that is modulated so repeats its own pattern at that spacing, and
 lines of its envelope are no longer independent of each other. The regular part is therefore
-divided out of the squared envelope: what is left is noise of one level, and in it the blows of a
+divided out of the squared envelope: what is left is noise of one level, and in it the impacts of a
 fault. Of the lines S about a multiple n of what turns, and W of the taper's square about zero,
 
     m_n(θ) = Σ S_k e^(jkθ) / Σ W_k e^(jkθ),   over as many lines on either side as the line rises
@@ -179,9 +179,9 @@ def filled(power: FloatArray, left_out: BoolArray) -> FloatArray:
 
 
 _MARGIN: Final = 1.3
-"""Lines that are kept before a product with the regular part, over those that are wanted."""
+"""Lines that are kept before a product with the regular part, over those that are needed."""
 _STEPS: Final = 4
-"""Steps of an envelope, over the lines that are wanted of it."""
+"""Steps of an envelope, over the lines that are needed of it."""
 _LEAST: Final = 0.1
 """Of the mean: lower the regular part is not taken, or a few samples would be blown up."""
 _NEIGHBOURS: Final = 50
@@ -196,7 +196,7 @@ class ModulationPowers(NamedTuple):
 
     plain, even: (lines,), as it is and without its regular part, of sums over the steps; depth:
     (lines,), squares of the modulation depth as it is: of e² = mean (1 + d cos(nθ + φ)) that is d²,
-    and a train of short blows alone has d = 2 at each multiple; spreads: (1 + regular places,),
+    and a train of short impacts alone has d = 2 at each multiple; spreads: (1 + regular places,),
     lines on either side of 0 and of each place that were taken for regular, -1 for none.
     """
 
@@ -233,7 +233,7 @@ def over_angle(squared: FloatArray, places: FloatArray | None, lines: int) -> Fl
     places
         (samples of the block,), share of the block's angle at each; None for a steady shaft.
     lines
-        Of its spectrum that are wanted.
+        Of its spectrum that are needed.
     """
     size = len(squared)
     steps = fft.next_fast_len(_STEPS * lines, real=True)
@@ -262,7 +262,7 @@ def modulation_powers(
     regular
         Where lines of what turns are.
     lines
-        How many are wanted.
+        How many are needed.
     most
         Lines on either side that are taken with a regular one at most.
     """
@@ -407,7 +407,7 @@ class BandSpectra:
     bare
         likewise because they hold nothing but tones
     has_comb
-        whether most hold a full comb of discrete lines at a part's frequency: blows without slip
+        whether most hold a full comb of discrete lines at a part's frequency: impacts without slip
     dropouts
         whether samples only repeat the one before, again and again
     repeats_after

@@ -203,7 +203,7 @@ class Watch:
         self._read = 0
 
     def usable(self, samples: FloatArray) -> bool:
-        """Look at the next samples; tell whether there is anything in them."""
+        """Look at the next samples; return whether there is anything in them."""
         if self.repeats_after is None:
             self._look_for_beginning(samples)
         self._read += len(samples)

@@ -80,9 +80,9 @@ def no_fault(
     untested: bool = False,
     depth: float = nan,
 ) -> ComponentVerdict:
-    """Return the verdict that nothing was found, or that nothing can be told.
+    """Return the verdict that nothing was found, or that nothing can be said.
 
-    why: nothing can be told, or its lines are there without telling of it; depth: of those.
+    why: nothing can be said, or its lines are there without being evidence of it; depth: of those.
     """
     nominal = field.orders.fundamental(component)
     probability, evidence = (nan, nan) if finding is None else chance(finding.evidence, trials)
@@ -167,7 +167,7 @@ def refined(finding: Finding, field: Field) -> float:
         total = float(np.sum(above))
         if np.isfinite(total) and total > 0.0:
             middle = float(np.sum(above * places)) / total
-            # a line tells of the order by its multiple, and the less the wider it is
+            # a line gives the order by its multiple, and the less the wider it is
             weight = line.multiple**2 * total / (1.0 + line.width**2)
             weighted += weight * (middle - line.sideband * finding.spacing) / line.multiple
             weights += weight

@@ -1,7 +1,7 @@
 """The spectra that are searched: which lines are left out, and the noise about the others.
 
 A fault explains multiples of its own lines, and sidebands of the shaft and the cage. A line of
-another part's window that is one of them tells nothing of that part. The sidebands fold
+another part's window that is one of them is no evidence of that part. The sidebands fold
 at zero: 4 - f of an outer race lies near the cage's order, f + 1 near the ball's.
 
 Other lines may stand out that no part of the bearing and no turn of the shaft explains. A wrong
@@ -246,7 +246,7 @@ _LOWER: Final = (2, 3, 4)
 _SAME: Final = 0.004
 """Of an order: as near, a line is a multiple."""
 _NEAR_SPEED: Final = 0.25
-"""By which a speed may be wrong for the part to be told whose line it would then be."""
+"""By which a speed may be wrong for a line to be named as a part's at another speed."""
 
 
 def unexplained_lines(
@@ -260,7 +260,7 @@ def unexplained_lines(
         As searched.
     fault
         The part that explains most, its order, and its depth: from where it counts as damage on,
-        only lines as deep are told of, so that none is taken for what a fault makes besides its
+        only lines as deep are listed, so that none is taken for what a fault makes besides its
         multiples and their sidebands.
     """
     left_out = field.left_out.copy()

@@ -72,6 +72,6 @@ _LINES: Final = 1.5
 
 
 def is_near_mains(hertz: FloatArray, resolution: float, mains: float) -> BoolArray:
-    """Which frequencies are multiples of the mains', as far as lines so far apart can tell; Hz."""
+    """Which frequencies are multiples of the mains', as far as lines so far apart can show; Hz."""
     number = np.maximum(np.rint(hertz / mains), 1.0)
     return np.abs(hertz - number * mains) <= np.maximum(_LINES * resolution, _OFF * hertz)

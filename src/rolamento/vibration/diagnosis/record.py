@@ -217,9 +217,9 @@ class Diagnosis:
     speed_factor
         of that over the given one
     speed_source
-        "given", "shaft_lines" or "fault_lines": what tells it
+        "given", "shaft_lines" or "fault_lines": where it is from
     speed_confirmed
-        whether the shaft's own lines tell or agree with it, or it was certain
+        whether the shaft's own lines give it or agree with it, or it was certain
     undecided
         parts that would be damaged if the shaft ran at another speed, and that speed; Hz
     revolutions
@@ -364,6 +364,13 @@ class Diagnosis:
             for per_band in self.spectra.evidence.values()
         ]
         return int(np.argmax(np.max(scores, axis=0))) if scores else 0
+
+    @property
+    def bands_shown(self) -> list[int]:
+        """Numbers of the bands of all parts that are stated; without any, the clearest band."""
+        found = {part.band for part in self.components}
+        shown = [place for place, band in enumerate(self.spectra.bands) if band in found]
+        return shown or [self.clearest_band]
 
     def of(self, component: Component) -> ComponentVerdict:
         """Return the verdict for a component."""

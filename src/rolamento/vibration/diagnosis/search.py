@@ -88,7 +88,7 @@ class Hypothesis:
 
     @property
     def step(self) -> float:
-        """How well a fundamental is told: a line, or half of the width, at the highest multiple."""
+        """How fine a fundamental is: a line, or half of the width, at the highest multiple."""
         return max(1.0, 0.5 * self.width) / self.highest
 
 
@@ -323,7 +323,7 @@ def _evidence(
 ) -> tuple[FloatArray, int]:
     """-ln of the probability of a hypothesis at each fundamental; (bands, grid). How many trials.
 
-    0 where too few of its lines are there: of several, one alone tells nothing.
+    0 where too few of its lines are there: of several, one alone means nothing.
     """
     if not _apart(hypothesis, float(grid[len(grid) // 2]), spacing):
         return np.zeros((scores.bands, len(grid))), 0

@@ -1,4 +1,4 @@
-"""What a diagnosis is told: the orders of the bearing's faults, and how sure to be of a finding."""
+"""The input of a diagnosis: the orders of the bearing's faults, and how sure to be of a finding."""
 
 from __future__ import annotations
 
@@ -170,14 +170,14 @@ class DiagnosisSettings:
         contact angle that is not quite known
     speed_tolerance
         part by which a speed that was given as one number may be wrong: all lines move alike, and
-        the shaft's own lines tell by how much; 0 if it is certain
+        the shaft's own lines show by how much; 0 if it is certain
     speed_uncertainty
         part by which a speed that is known may still be off or wander
     block_revolutions
         revolutions of the shaft of which one spectrum is made; longer records are averaged
     remove_tones
         whether to take out discrete lines first, as of gears and electric fields; a bearing's own
-        blows slip, and make none
+        impacts slip, and make none
 
     Raises
     ------

@@ -6,7 +6,7 @@ Of the spectrum's power over the noise about each line, R, the first ten multipl
     L(f) = Σ min(ℓₙ, ℓ₍₅₎),   ℓₙ = max(ln(R(n f)/ln(100)), 0),   n = 1 … 10,
 
 where ℓ₍₅₎ is the fifth largest of the ten: what counts are lines that one of a hundred lines of
-noise reaches, and half of the multiples have to be there. A comb of blows whose frequency is near
+noise reaches, and half of the multiples have to be there. A comb of impacts whose frequency is near
 three times the shaft's has three of the ten, and counts for nothing; one near twice has five, and
 none of them odd. L is the sum of that of the
 samples and of that of the squared envelope of all the band. The given speed needs less: a third
@@ -63,11 +63,11 @@ class ShaftLines:
     Attributes
     ----------
     factor
-        of the speed over the given one; 1 unless the lines tell another
+        of the speed over the given one; 1 unless the lines give another
     clearness
         L at that speed
     confirmed
-        whether the lines tell the speed, or agree with the given one
+        whether the lines give the speed, or agree with the given one
     """
 
     factor: float

@@ -5,8 +5,8 @@ size of its line at n over its mean, here of the pre-whitened band, with the noi
 taken off. Any healthy bearing has lines at the frequencies of its parts, from load that varies and
 from waviness; a long record makes the smallest of them certain. What they do not have is size.
 
-A modulation without blows has no depth over 4/3 (e² = (1 + cos)²) and hardly any over 1 (where e²
-comes to nothing once in each period); a train of short blows alone has 2.
+A modulation without impacts has no depth over 4/3 (e² = (1 + cos)²) and hardly any over 1 (where e²
+comes to nothing once in each period); a train of short impacts alone has 2.
 """
 
 from __future__ import annotations
@@ -22,11 +22,11 @@ from rolamento.vibration.diagnosis.lines import taper
 
 Grade = Literal["nothing", "watch", "damage", "severe"]
 GRADES: Final[tuple[Grade, ...]] = ("nothing", "watch", "damage", "severe")
-"""The least first; "watch" are lines as many healthy bearings have."""
+"""The least first; "watch" are lines as in many healthy bearings."""
 DAMAGE: Final = 0.30
-"""Depth from which on a part counts as damaged; docs/adr/0012 tells how it was found."""
+"""Depth from which a part counts as damaged; docs/adr/0012 says how it was found."""
 SEVERE: Final = 1.0
-"""From there on the band holds hardly more than blows."""
+"""From there on the band holds hardly more than impacts."""
 _REACH: Final = 2
 """Lines on either side of a discrete one that the taper spreads it over."""
 

@@ -52,12 +52,12 @@ def diagnose(
     orders: FaultOrders,
     settings: DiagnosisSettings | None = None,
 ) -> Diagnosis:
-    """Tell which parts of a bearing a vibration signal shows to be damaged.
+    """Return which parts of a bearing a vibration signal shows to be damaged.
 
     Two things decide. The probability that noise without lines of the bearing gives any finding is
     at most ``settings.false_alarm``: the search counts all that it tries. And the modulation is as
     deep as healthy bearings do not have it: see `size`. "Nothing found" is a verdict about this
-    record, not a certificate: docs/diagnosis-rates.md tells what is found how often.
+    record, not a certificate: docs/diagnosis-rates.md gives the rates of detection.
 
     Parameters
     ----------
@@ -132,7 +132,7 @@ _FOOT: Final = 3.0
 _BESIDE: Final = 0.01
 """Orders likewise."""
 _MULTIPLES: Final = 5
-"""Of a first part's order, near which a second part's lines tell nothing."""
+"""Of a first part's order, near which a second part's lines mean nothing."""
 _CLOSE_CALL: Final = 1.3
 """Depth over the limit of damage, up to which the verdict is a close one."""
 _SURE: Final = 1.64
@@ -166,7 +166,7 @@ class _Candidate:
 def judge(
     spectra: BandSpectra, orders: FaultOrders, settings: DiagnosisSettings, shaft: ShaftLines
 ) -> Diagnosis:
-    """Judge a bearing by its squared-envelope spectra, at the speed that its shaft's lines tell."""
+    """Judge a bearing by its squared-envelope spectra, at the speed that its shaft's lines give."""
     freedom = 0.0 if shaft.confirmed else settings.speed_tolerance
     whole = field_of(spectra, orders, settings, freedom)
     findings = whole.findings(COMPONENTS)
@@ -288,7 +288,7 @@ def _depth(
     """Depth at the fundamental; of a ball or at its spin, of a cage of three multiples together.
 
     Damage to a ball strikes twice a turn, and harder on one race; what a cage does comes but once
-    in some turns of the shaft, and the depth of rare blows is spread over many multiples. Beside
+    in some turns of the shaft, and the depth of rare impacts is spread over many multiples. Beside
     it stands its standard deviation by noise.
     """
     multiples = {"ball": (1.0, 0.5), "cage": (1.0, 2.0, 3.0)}.get(part, (1.0,))
@@ -310,7 +310,7 @@ def _by_shaft(field: Field, part: Component, trials: int, *, seen: bool) -> _Can
 
     seen: whether the part is a candidate by what lies about the multiple. Returns the candidate, if
     it stands beside a multiple and is no foot of it, or on one and stands out of all lower ones;
-    else whether a line lies there that may be of the part, so that nothing can be told of it.
+    else whether a line lies there that may be of the part, so that nothing can be said of it.
     """
     low, high = field.window(part)
     foot = _FOOT / field.turns
@@ -417,7 +417,7 @@ def _same_cage(first: _Candidate, other: _Candidate) -> bool:
 
 
 def _cage_slip(one: _Candidate) -> float:
-    """Part by which the cage is faster than nominal, by one part; NaN if it does not tell."""
+    """Part by which the cage is faster than nominal, by one part; NaN if it does not show it."""
     orders = one.field.orders
     deviation = one.order / (orders.fundamental(one.part) or nan) - 1.0
     if one.part == "cage" and orders.outer_spacing > 0.0:

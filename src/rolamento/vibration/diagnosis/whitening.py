@@ -2,7 +2,7 @@
 
 Gears, shafts and electric fields make discrete lines, which are taken out. A line counts as
 discrete if noise of the level about it would hardly ever reach it, and if it is as narrow as the
-taper makes a steady tone. Blows that slip make broad humps, which stay.
+taper makes a steady tone. Impacts that slip make broad humps, which stay.
 
 One kind of discrete lines stays too: a full comb of the frequency of a fault, where most of all
 lines that do not belong to the shaft are its teeth or their sidebands and at least every other
@@ -149,7 +149,7 @@ def _are_multiples(
 ) -> BoolArray:
     """Which tones lie within a line of a multiple, or within a part of themselves.
 
-    That part counts up to a tenth of the fundamental; beyond, nothing can be told.
+    That part counts up to a tenth of the fundamental; beyond, nothing can be said.
     """
     number = np.rint(tones / fundamental)
     off = np.abs(tones - number * fundamental)

@@ -147,7 +147,7 @@ class ArraysSource(Source):
 
 
 class NumpySource(ArraysSource):
-    """The array of an .npy file, mapped, or those of an .npz archive, each read as it is wanted.
+    """The array of an .npy file, mapped, or those of an .npz archive, each read as it is needed.
 
     Nothing is unpickled. What an archive inflates to is bounded as a file read whole is.
     """

@@ -194,7 +194,7 @@ class Meaning:
 
 
 def chosen_channel(channels: tuple[Channel, ...], wanted: Any) -> int:
-    """Number of the channel that is wanted, counted from 0."""
+    """Number of the chosen channel, counted from 0."""
     if wanted is None:
         if len(channels) == 1:
             return 0

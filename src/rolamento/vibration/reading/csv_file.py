@@ -46,7 +46,7 @@ _MARKS: Final = {b"\xff\xfe": "UTF-16", b"\xfe\xff": "UTF-16"}
 class CsvSource(Source):
     """An open table of text.
 
-    The file is run through once for the places of its rows; numbers are read as they are wanted.
+    The file is run through once for the places of its rows; numbers are read as they are needed.
     """
 
     def __init__(self, path: Path, mark: DecimalMark | None = None) -> None:
@@ -286,7 +286,7 @@ class CsvLayout:
         of those that have one: Hz or rpm
     two_ways
         what a number above the table is with a decimal point, and with a decimal comma, by name and
-        text, if nothing tells which
+        text, if nothing shows which
     numerals
         how the numbers of the table are written
     """
@@ -334,7 +334,7 @@ def layout_of(head: bytes, source: str, mark: DecimalMark | None = None) -> CsvL
     FileError
         If no row of numbers is among them.
     InputError
-        If nothing tells whether their points are decimal marks.
+        If nothing shows whether their points are decimal marks.
     """
     raw = head.split(b"\n")
     lines = [_text(line) for line in raw]
@@ -453,7 +453,7 @@ def _pairs(
 ) -> tuple[dict[str, float], dict[str, str], dict[str, tuple[str, float, float]]]:
     """Numbers given by name above the table, units of some, and those that nobody can be sure of.
 
-    mark: the decimal one, if the table or the user tells it.
+    mark: the decimal one, if the table or the user gives it.
     """
     found: dict[str, float] = {}
     units: dict[str, str] = {}

@@ -1,4 +1,4 @@
-"""Which format a file has: what it begins with tells, and for text its ending."""
+"""Which format a file has: by its first bytes, and for text by its ending."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ _UFF: Final = re.compile(rb"\s{0,200}-1[ \r]*\n *\d{1,5}[bB]?[ \d]*\r?\n")
 def open_source(path: str | os.PathLike[str], mark: DecimalMark | None = None) -> Source:
     """Open a file with the reader of its format.
 
-    mark: the decimal one of a table of text, over what the table tells.
+    mark: the decimal one of a table of text, over what the table says.
 
     Raises
     ------

@@ -67,7 +67,7 @@ _PERHAPS_SPEED: Final = (
 _FASTEST_SHAFT: Final = 1000.0
 """Turns per second: no sampling rate of a vibration is as low, and hardly a shaft is as fast."""
 _CLEARLY_BELOW: Final = 20.0
-"""Times that a sampling rate is above the shaft's: a record with less tells of no bearing."""
+"""Times that a sampling rate is above the shaft's: a record with less shows no bearing."""
 _UNIT: Final = ("unit", "units", "unitstring", "yunit", "yunits", "engunits")
 _TIME: Final = (
     *("t", "time", "times", "timestamp", "seconds", "elapsed", "xtime", "zeit", "tempo", "temps"),
@@ -255,7 +255,7 @@ def unit_among(texts: Mapping[str, str]) -> str:
 
 
 def positive(value: float) -> bool:
-    """Tell whether a number can be a rate or a step."""
+    """Return whether a number can be a rate or a step."""
     return 0.0 < value < 1e12
 
 

@@ -56,11 +56,11 @@ class SignalFile:
     speed
         of the shaft, rad/s, if it is one number; None if the file does not say, or it is a channel
     speed_channel
-        channel of the file that tells the speed sample by sample; None if there is none
+        channel of the file that gives the speed sample by sample; None if there is none
     notes
         how the samples were taken from the file
     choices
-        those of the notes that tell what was taken for what where the file says several things
+        those of the notes that say which value was taken where the file gives several
     speeds_perhaps
         numbers of the file by name that may be the shaft's speed and do not say their unit
     """
@@ -232,9 +232,9 @@ def open_signal(
     speed_unit
         rpm, rad/s, deg/s or Hz; not needed if the file says so, or the name ends in rpm or Hz
     decimal_mark
-        "point" or "comma", of a table of text in which nothing tells whether 12.500 is 12.5
+        "point" or "comma", of a table of text in which nothing shows whether 12.500 is 12.5
     start
-        of the part that is wanted, from the beginning of the file; s
+        of the part to read, from the beginning of the file; s
     duration
         of the part, s; all that follows by default
 
@@ -364,7 +364,7 @@ def _part(length: int, rate: float, start: float, duration: float | None) -> tup
 
 
 def _refuse_not_finite(samples: FloatArray, start: int, rate: float, field: str) -> None:
-    """Refuse samples that are no numbers, and tell how many there are and where the first is."""
+    """Refuse samples that are no numbers, and say how many there are and where the first is."""
     wrong = ~np.isfinite(samples)
     count = int(np.count_nonzero(wrong))
     if count:

@@ -86,12 +86,12 @@ def plain_unit(text: str) -> str:
 
 
 def is_unit(unit: str) -> bool:
-    """Tell whether text, as `plain_unit` returns it, is a unit that has a name here."""
+    """Return whether text, as `plain_unit` returns it, is a unit that has a name here."""
     return unit in _NAMED
 
 
 def is_raw(unit: str) -> bool:
-    """Tell whether a unit is that of a recorder: of volts or counts."""
+    """Return whether a unit is that of a recorder: of volts or counts."""
     return unit in RAW_UNITS and unit != "1"
 
 

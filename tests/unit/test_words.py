@@ -1,0 +1,310 @@
+"""What is said to people: catalogues, numbers in texts, notes; and the catalogues themselves."""
+
+from __future__ import annotations
+
+import gettext
+import importlib.util
+import json
+import pickle
+import sys
+from collections.abc import Iterator
+from math import nan, pi
+from pathlib import Path
+from threading import Barrier, Thread
+from types import ModuleType
+
+import numpy as np
+import pytest
+
+from rolamento.words import (
+    Manner,
+    Note,
+    counted,
+    language,
+    language_asked,
+    language_of,
+    languages,
+    manner,
+    marked,
+    said,
+    said_in,
+    speaking,
+)
+
+SPEAKING = sys.modules["rolamento.words.speaking"]
+ROOT = Path(__file__).parents[2]
+
+
+@pytest.fixture
+def scripts() -> ModuleType:
+    """The script that keeps the catalogues."""
+    spec = importlib.util.spec_from_file_location("words_script", ROOT / "scripts" / "words.py")
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.fixture
+def catalogues(
+    tmp_path: Path, scripts: ModuleType, monkeypatch: pytest.MonkeyPatch
+) -> Iterator[Path]:
+    """A catalogue of Portuguese and one of a language with three forms of the plural."""
+    for name, rule, entries in (
+        ("pt_BR", "nplurals=2; plural=(n > 1)", PORTUGUESE),
+        ("pl", THREE_FORMS, POLISH),
+    ):
+        folder = tmp_path / name / "LC_MESSAGES"
+        folder.mkdir(parents=True)
+        head = 'msgid ""\nmsgstr ""\n"Content-Type: text/plain; charset=utf-8\\n"\n'
+        head += f'"Language: {name}\\n"\n"Plural-Forms: {rule};\\n"\n\n'
+        (folder / "rolamento.po").write_text(head + entries, encoding="utf-8")
+    monkeypatch.setattr(scripts, "LOCALE", tmp_path)
+    for name in ("pt_BR", "pl"):
+        scripts.compile_(name)
+    monkeypatch.setattr(SPEAKING, "CATALOGUES", tmp_path)
+    _forget()
+    yield tmp_path
+    _forget()
+
+
+def _forget() -> None:
+    for kept in (SPEAKING.languages, SPEAKING._manner, SPEAKING._catalogue):
+        kept.cache_clear()
+
+
+PORTUGUESE = """
+msgctxt "decimal mark"
+msgid "."
+msgstr ","
+
+msgid "turns at {speed:.4 rpm}"
+msgstr "gira a {speed:.4 rpm}"
+
+msgctxt "race"
+msgid "inner"
+msgstr "interna"
+
+msgctxt "ring"
+msgid "inner"
+msgstr "interno"
+
+msgid "{n} ball"
+msgid_plural "{n} balls"
+msgstr[0] "{n} esfera"
+msgstr[1] "{n} esferas"
+"""
+THREE_FORMS = (
+    "nplurals=3; plural=(n==1 ? 0 : n%10>=2 && n%10<=4 && (n%100<10 || n%100>=20) ? 1 : 2)"
+)
+POLISH = """
+msgid "{n} ball"
+msgid_plural "{n} balls"
+msgstr[0] "{n} kulka"
+msgstr[1] "{n} kulki"
+msgstr[2] "{n} kulek"
+"""
+
+
+@pytest.mark.usefixtures("catalogues")
+class TestSaying:
+    def test_english_stands_where_it_is_used(self) -> None:
+        assert said("turns at {speed:.4 rpm}", speed=100.0 * pi) == "turns at 3000 rpm"
+        assert said("a plain {text}") == "a plain {text}"
+
+    def test_another_language_in_a_block(self) -> None:
+        with speaking("pt"):
+            assert language() == "pt"
+            assert said("turns at {speed:.4 rpm}", speed=55.0 * pi / 30.0) == "gira a 55 rpm"
+            assert said("turns at {speed:.4 rpm}", speed=5.25 * pi / 30.0) == "gira a 5,25 rpm"
+            with speaking(None):
+                assert language() == "pt"
+            with speaking("en"):
+                assert manner().mark == "."
+            assert manner().mark == ","
+        assert language() == "en"
+
+    def test_what_is_not_translated_is_english(self) -> None:
+        with speaking("pt"):
+            assert said("untranslated {n:.2}", n=1.5) == "untranslated 1,5"
+
+    def test_one_word_of_two_contexts(self) -> None:
+        with speaking("pt"):
+            assert said_in("race", "inner") == "interna"
+            assert said_in("ring", "inner") == "interno"
+        assert said_in("ring", "inner") == "inner"
+
+    @pytest.mark.parametrize(
+        ("code", "number", "text"),
+        [
+            ("en", 0, "0 balls"), ("en", 1, "1 ball"), ("en", 2, "2 balls"),
+            ("pt", 0, "0 esfera"), ("pt", 1, "1 esfera"), ("pt", 2, "2 esferas"),
+            ("pl", 1, "1 kulka"), ("pl", 3, "3 kulki"), ("pl", 5, "5 kulek"),
+            ("pl", 22, "22 kulki"), ("pl", 112, "112 kulek"),
+        ],
+    )  # fmt: skip
+    def test_forms_of_the_plural(self, code: str, number: int, text: str) -> None:
+        with speaking(code):
+            assert counted("{n} ball", "{n} balls", number) == text
+
+    def test_marked_is_said_later(self) -> None:
+        text = marked("turns at {speed:.4 rpm}")
+        with speaking("pt"):
+            assert said(text, speed=0.0).startswith("gira")
+
+    def test_languages_are_those_of_the_catalogues(self) -> None:
+        assert dict(languages()) == {"en": "en", "pt": "pt_BR", "pl": "pl"}
+        assert language_of("pl") == "pl"
+        assert language_of("xx") == "en"
+        assert language_of(None, {"LANG": "pt_BR.UTF-8"}) == "pt"
+        assert language_of(None, {"LC_ALL": "C", "LANG": "pt_BR.UTF-8"}) == "en"
+        assert language_of(None, {}) == "en"
+
+    @pytest.mark.parametrize(
+        ("arguments", "code"),
+        [
+            (("solve", "a.toml", "--lang", "pt"), "pt"),
+            (("--lang=pt", "--help"), "pt"),
+            (("--lang", "en", "solve", "--lang", "pt"), "pt"),
+            (("solve", "--", "--lang", "pt"), "en"),
+            (("solve", "--lang"), "en"),
+            ((), "en"),
+        ],
+    )
+    def test_the_language_that_a_command_line_asks_for(
+        self, arguments: tuple[str, ...], code: str, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        monkeypatch.setenv("LC_ALL", "C.UTF-8")
+        assert language_asked(arguments) == code
+
+    def test_each_thread_speaks_its_own(self) -> None:
+        meet, heard = Barrier(2), {}
+
+        def speak(code: str) -> None:
+            with speaking(code):
+                for _ in range(50):
+                    meet.wait()
+                    heard.setdefault(code, set()).add(said_in("race", "inner"))
+
+        threads = [Thread(target=speak, args=(code,)) for code in ("en", "pt")]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        assert heard == {"en": {"inner"}, "pt": {"interna"}}
+
+    def test_a_catalogue_that_is_missing_is_english(self, catalogues: Path) -> None:
+        (catalogues / "pt_BR" / "LC_MESSAGES" / "rolamento.mo").unlink()
+        _forget()
+        with speaking("pt"):
+            assert said("turns at {speed:.4 rpm}", speed=0.0) == "turns at 0 rpm"
+
+    def test_a_broken_catalogue_is_english(self, catalogues: Path) -> None:
+        (catalogues / "pt_BR" / "LC_MESSAGES" / "rolamento.mo").write_bytes(b"no catalogue")
+        _forget()
+        with speaking("pt"):
+            assert said("turns at {speed:.4 rpm}", speed=0.0) == "turns at 0 rpm"
+
+
+@pytest.mark.parametrize(
+    ("value", "form", "english", "portuguese"),
+    [
+        (12345, "", "12 345", "12 345"),
+        (1234.5, "", "1234", "1234"),
+        (0.52321, ".3", "0.523", "0,523"),
+        (2.0, ".2f", "2.00", "2,00"),
+        (2.0, ".4", "2", "2"),
+        (1.5e-9, ".1e", "1.5e-09", "1,5e-09"),
+        (1e9, ".6g", "1e+09", "1e+09"),
+        (-0.25, ".6g", "−0.25", "−0,25"),
+        (1.5, "+.2f", "+1.50", "+1,50"),
+        (pi, ".4 rpm", "30 rpm", "30 rpm"),
+        (pi, ".4 [rpm]", "30", "30"),
+        (343.15, ".4 °C", "70 °C", "70 °C"),
+        (pi / 4, ".3 °", "45°", "45°"),
+        (0.5, ".3 %", "50 %", "50 %"),
+        (nan, ".3", "–", "–"),
+        ("text", ".3 rpm", "text", "text"),
+        ([0.5, 1.0], ".2", "0.5, 1", "0,5, 1"),
+        (np.array([1, 2]), "", "1, 2", "1, 2"),
+        (list(range(9)), "", "0, 1, 2, 3, 4, 5, 6, 7 …", "0, 1, 2, 3, 4, 5, 6, 7 …"),
+    ],
+)
+def test_specifications_of_numbers(value: object, form: str, english: str, portuguese: str) -> None:
+    template = "{value:" + form + "}"
+    assert Manner(".").format(template, value=value) == english
+    assert Manner(",").format(template, value=value) == portuguese
+
+
+def test_a_specification_that_is_none() -> None:
+    with pytest.raises(ValueError, match="is no specification"):
+        Manner(".").number(1.0, ".3 furlong")
+
+
+class TestNotes:
+    NOTE = Note("not_converged", {"residual": 1e-3, "tolerance": 1e-9})
+
+    def test_as_json_and_back(self) -> None:
+        with speaking("pt"):
+            mapping = json.loads(json.dumps(self.NOTE.to_mapping()))
+            assert self.NOTE.text != mapping["text"]
+        assert mapping["text"] == self.NOTE.text == str(self.NOTE)
+        assert Note.from_mapping(mapping) == self.NOTE
+
+    def test_they_are_values(self) -> None:
+        assert pickle.loads(pickle.dumps(self.NOTE)) == self.NOTE
+        assert len({self.NOTE, Note("not_converged", dict(self.NOTE.values))}) == 1
+        with pytest.raises(TypeError):
+            self.NOTE.values["residual"] = 0.0  # type: ignore[index]
+
+
+class TestScript:
+    def test_it_finds_what_is_said(self, scripts: ModuleType) -> None:
+        found = scripts.template()
+        assert found.get("must be one of {known}") is not None
+        assert found.get("Show the version.") is not None
+        assert found.get("FILE", "metavar") is not None
+        assert found.get("Inside the bearing") is not None
+
+    def test_it_complains(
+        self, scripts: ModuleType, catalogues: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        from babel.messages.catalog import Catalog
+
+        wanted = Catalog()
+        wanted.add("turns at {speed:.4 rpm}")
+        wanted.add(("{n} ball", "{n} balls"))
+        wanted.add("missing here")
+        wanted.add("inner", context="race")
+        monkeypatch.setattr(scripts, "template", lambda: wanted)
+        path = catalogues / "pt_BR" / "LC_MESSAGES" / "rolamento.po"
+        text = path.read_text(encoding="utf-8")
+        text = text.replace("gira a {speed:.4 rpm}", "gira a {spede}")
+        text = text.replace('msgctxt "race"', '#, fuzzy\nmsgctxt "race"')
+        path.write_text(text, encoding="utf-8")
+        told = "\n".join(scripts.complaints("pt_BR"))
+        assert "missing: 'missing here'" in told
+        assert "unused: '.'" in told
+        assert "fuzzy: 'inner'" in told
+        assert "filled in otherwise: 'turns at {speed:.4 rpm}'" in told
+
+    def test_a_further_language_is_one_file(
+        self, scripts: ModuleType, catalogues: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        monkeypatch.setattr(sys, "argv", ["words.py", "--new", "fr"])
+        assert scripts.main() == 0
+        path = catalogues / "fr" / "LC_MESSAGES" / "rolamento.po"
+        assert "Plural-Forms: nplurals=2; plural=(n > 1);" in path.read_text(encoding="utf-8")
+        _forget()
+        assert "fr" in languages()
+        with speaking("fr"):
+            assert said("untranslated") == "untranslated"
+        assert isinstance(gettext.translation("rolamento", catalogues, ["fr"]), object)
+
+    def test_every_place_of_a_translation_is_one_of_the_english(self, scripts: ModuleType) -> None:
+        wrong = []
+        for message in scripts.translated("pt_BR"):
+            allowed = scripts._places(message.id)
+            wrong += [t for t in scripts._texts(message.string) if scripts._places(t) - allowed]
+        assert not wrong
