@@ -136,11 +136,6 @@ LABELS: Final = {
     "life.fatigue_limit": marked("fatigue limit stress τ_u"),
     "life.depth": marked("stress-volume depth"),
     "life.nsk_cleanliness": marked("contamination factor a_c (NSK)"),
-    "report.project": marked("project"),
-    "report.author": marked("author"),
-    "report.revision": marked("revision"),
-    "report.date": marked("date"),
-    "report.checked_by": marked("checked by"),
 }
 """By dotted name."""
 
