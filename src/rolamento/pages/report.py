@@ -62,7 +62,6 @@ def report_page(report: Report) -> Document:
     report
         What `rolamento.tasks.report_on` gathered.
     """
-    title = report.cases[0].title or untitled()
     warnings = _warnings(report)
     solved = [case for case in report.cases if case.converged]
     parts = [
@@ -79,8 +78,9 @@ def report_page(report: Report) -> Document:
     for number, (heading, blocks, key, inner) in enumerate(parts, start=1):
         sections.append(Section(f"{number}  {heading}", tuple(blocks), key, level=1))
         sections += inner
+    many = len(report.cases) > 1
     return Document(
-        title,
+        _title(report) if many else report.cases[0].title or untitled(),
         tuple(sections),
         kind="report",
         main="summary",
@@ -94,7 +94,6 @@ def report_page(report: Report) -> Document:
 
 def _head(report: Report) -> Section:
     head = report.head
-    many = len(report.cases) > 1
     entries = [
         *([Entry(said("project"), head.project)] if head.project else []),
         *_case_titles(report),
@@ -104,12 +103,14 @@ def _head(report: Report) -> Section:
         Entry(said("checked by"), head.checked_by or "_" * 24),
         Entry(said("program"), said("Rolamento {version}", version=report.version)),
     ]
-    title = (
-        said("Bearing calculation report: comparison of {n} cases", n=len(report.cases))
-        if many
-        else said("Bearing calculation report")
-    )
-    return Section("", (Title(title), KeyValues(tuple(entries))), key="title_block")
+    return Section("", (Title(_title(report)), KeyValues(tuple(entries))), key="title_block")
+
+
+def _title(report: Report) -> str:
+    count = len(report.cases)
+    if count == 1:
+        return said("Bearing calculation report")
+    return said("Bearing calculation report: comparison of {n} cases", n=count)
 
 
 def _case_titles(report: Report) -> list[Entry]:
@@ -307,7 +308,7 @@ def _columns(report: Report, rows: Sequence[_Row], later: Sequence[int]) -> Iter
             align="right",
             tones=tones,
         )
-        if index:
+        if index and case.converged and report.cases[0].converged:
             pairs = [_differences(report, row, index) for row in rows]
             for place, head, key in ((0, "Δ", "difference"), (1, "Δ, %", "percent")):
                 yield Column(
@@ -336,11 +337,11 @@ def _differences(report: Report, row: _Row, case: int) -> tuple[CellContent, Cel
     if absolute is None:
         return None, None
     form = _bracketed(row.form).replace("[°C]", "[K]")
-    write = manner().number
-    if write(absolute, form) == write(0.0, form):
+    write, plain = manner().number, _bracketed(row.form)
+    first, own = (one.number(row.path) or 0.0 for one in (report.cases[0], report.cases[case]))
+    if write(first, plain) == write(own, plain):  # what is less is rounding
         return Number(0.0), None
-    first = report.cases[0].number(row.path) or 0.0
-    share = None if write(first, form) == write(0.0, form) or row.shown_unit == "°C" else share
+    share = None if write(first, plain) == write(0.0, plain) or row.shown_unit == "°C" else share
     return Number(absolute, f"+{form}"), None if share is None else Number(share, "+.1f [%]")
 
 
@@ -477,13 +478,12 @@ def _inputs(report: Report) -> list[Section]:
     if len(report.cases) == 1:
         table = _input_table(report, fields, [0], "inputs", sources)
         return [Section("", (*table, *sources.blocks()), key="inputs_table")]
-    differing = [field for field in fields if _differs(report, field)]
-    equal = [field for field in fields if field not in differing]
-    later = list(range(1, len(report.cases)))
+    equal = [field for field in fields if not _differing(report, field)]
     tables: list[Table] = []
-    for number, index in enumerate(later, start=1):
-        key = "inputs_that_differ" + (f"_{number}" if number > 1 else "")
-        tables += _input_table(report, differing, [0, index], key, sources)
+    for index in range(1, len(report.cases)):
+        own = [field for field in fields if index in _differing(report, field)]
+        key = "inputs_that_differ" + (f"_{index}" if index > 1 else "")
+        tables += _input_table(report, own, [0, index], key, sources)
     same: Sequence[Statement | Table] = tables or [
         Statement(said("The cases have the same inputs."))
     ]
@@ -532,9 +532,11 @@ def _all_fields(report: Report) -> list[str]:
     return sorted(found, key=lambda name: (tables.index(name.partition(".")[0]), place(name)))
 
 
-def _differs(report: Report, field: str) -> bool:
+def _differing(report: Report, field: str) -> list[int]:
+    """Which cases have another value than the first."""
     found = [case.input(field) for case in report.cases]
-    return len({None if one is None else one.value for one in found}) > 1
+    values = [None if one is None else one.value for one in found]
+    return [index for index, value in enumerate(values) if value != values[0]]
 
 
 def _input_table(
