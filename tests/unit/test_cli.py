@@ -352,7 +352,10 @@ def test_outputs_may_not_be_what_is_read(tmp_path: Path) -> None:
     check_outputs({"--json": str(path)}, None, "6205", "-", str(tmp_path / "absent"))
     with pytest.raises(rolamento.FileError, match="is the file of the signal itself; choose"):
         check_outputs(
-            {"--json": str(path)}, "6205", str(path), rule="is the file of the signal itself"
+            {"--json": str(path)},
+            "6205",
+            str(path),
+            rule="is the file of the signal itself; choose another name",
         )
 
 
@@ -393,7 +396,7 @@ def test_demo_writes_the_example_but_not_over_another_file(run: Run) -> None:
     Path("copy.toml").write_text("mine", encoding="utf-8")
     second = run("demo", "--write", "copy.toml")
     assert second.code == 2
-    assert second.err == "rolamento: copy.toml: exists already; choose another name\n"
+    assert second.err == "rolamento: copy.toml: already exists; choose another name\n"
     assert Path("copy.toml").read_text(encoding="utf-8") == "mine"
 
 

@@ -54,7 +54,7 @@ def report(
     settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Write a calculation report to sign: inputs, results, equations, limits, references.
+    """Write a calculation report to sign, of one case or several.
 
     Several cases stand side by side, with their differences from the first.
     """
