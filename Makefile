@@ -22,6 +22,7 @@ demo: runtime
 test: dev
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
+	$(BIN)/python scripts/words.py --check
 	@# the kernels are compiled once, while mypy has the other core
 	$(BIN)/python -c "from tests.regression.golden import compile_first; compile_first()" & \
 	kernels=$$!; $(BIN)/mypy || exit 1; wait $$kernels
