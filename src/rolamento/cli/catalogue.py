@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
 
-from rolamento._json import dumps
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
@@ -175,6 +174,8 @@ def _show_list(found: tuple[CatalogueBearing, ...], is_all: bool, json: str | No
     from rolamento.tasks.catalogue import search_mapping
 
     if json is not None:
+        from rolamento._json import dumps
+
         put(dumps(search_mapping(found)) + "\n", json)
     if json != STANDARD_STREAM:
         print_text(terminal(search_page(found, is_all=is_all), Medium.of(sys.stdout)))
@@ -189,6 +190,8 @@ def _show_one(
     from rolamento.tasks.catalogue import bearing_mapping
 
     if json is not None:
+        from rolamento._json import dumps
+
         put(dumps(bearing_mapping(geometry, bearing)) + "\n", json)
     if json != STANDARD_STREAM:
         print_text(terminal(bearing_page(geometry, bearing), Medium.of(sys.stdout)))
