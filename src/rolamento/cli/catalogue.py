@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
 
-from rolamento._json import dumps
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
@@ -181,6 +180,8 @@ def _show_list(
     from rolamento.tasks.catalogue import search_mapping
 
     if json is not None:
+        from rolamento._json import dumps
+
         put(dumps(search_mapping(found)) + "\n", json)
     outputs.show(lambda: search_page(found, is_all=is_all), json)
 
@@ -195,5 +196,7 @@ def _show_one(
     from rolamento.tasks.catalogue import bearing_mapping
 
     if json is not None:
+        from rolamento._json import dumps
+
         put(dumps(bearing_mapping(geometry, bearing)) + "\n", json)
     outputs.show(lambda: bearing_page(geometry, bearing), json)

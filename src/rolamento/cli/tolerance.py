@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from rolamento._json import dumps
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
@@ -92,6 +91,8 @@ def _percentiles(text: str | None) -> tuple[float, ...]:
 def _show(found: ToleranceStudy, json: str | None, plot: str | None, outputs: Outputs) -> None:
     """Write what was asked for; standard output takes data or the page, not both."""
     if json is not None:
+        from rolamento._json import dumps
+
         put(dumps(found.to_mapping()) + "\n", json)
     if plot is not None:
         from rolamento.plots.saving import save_figure
