@@ -439,8 +439,12 @@ ALL_COMMANDS = commands_of(PROGRAM)
 GROUPED = {
     words: command
     for words, command in ALL_COMMANDS.items()
-    if isinstance(command, SpokenCommand) and command.groups
+    if isinstance(command, SpokenCommand) and command.headings()
 }
+
+
+def has_arguments(command: SpokenCommand) -> bool:
+    return any(parameter.param_type_name == "argument" for parameter in command.params)
 
 
 def test_the_help_shows_every_command_below_its_heading(run: Run) -> None:
@@ -463,7 +467,7 @@ def help_of(words: tuple[str, ...]) -> list[str]:
 @pytest.mark.parametrize("words", ALL_COMMANDS, ids=" ".join)
 def test_the_help_of_a_command_begins_with_one_line_of_what_it_does(words: tuple[str, ...]) -> None:
     said = ALL_COMMANDS[words].get_short_help_str(200)
-    verbs = "Compare|Draw|Fit|List|Make|Plan|Say|Search|Show|Solve|Write"
+    verbs = "Compare|Diagnose|Draw|Fit|List|Make|Plan|Reproduce|Say|Search|Show|Solve|Write"
     assert re.fullmatch(rf"({verbs}) [^.]+\.", said)
     listed = [re.split(" {2,}", line.strip()) for line in help_of(words[:-1])]
     assert [words[-1], said] in listed, "is more than one line"
@@ -475,11 +479,11 @@ def test_the_help_of_a_command_begins_with_one_line_of_what_it_does(words: tuple
 @pytest.mark.parametrize("words", GROUPED, ids=" ".join)
 def test_every_option_stands_below_one_heading(words: tuple[str, ...]) -> None:
     command = GROUPED[words]
-    named = [name for names in command.groups.values() for name in names]
+    named = [name for names in command.headings().values() for name in names]
     options = {p.name: p.opts[0] for p in command.params if p.param_type_name == "option"}
     assert sorted(named) == sorted({*options, "help"})
     lines = help_of(words)
-    headings = ["Arguments", *command.groups]
+    headings = [*(["Arguments"] if has_arguments(command) else []), *command.headings()]
     assert [line[:-1] for line in lines if re.fullmatch(r"[A-Z].*:", line)] == headings
     lines = lines[: next(i for i, line in enumerate(lines) if line.startswith("  Example"))]
     for option in options.values():

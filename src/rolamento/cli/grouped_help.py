@@ -22,6 +22,12 @@ Groups = Mapping[str, tuple[str, ...]]
 METAVAR: Final = "metavar"
 """The context of words that stand for a value, such as FILE."""
 
+_LONG: Final = 15
+"""Parameters beyond which options stand below headings."""
+_WRITTEN: Final = (
+    "json", "plot", "report", "csv", "xlsx", "table", "separator", "decimal", "si", "lang"
+)  # fmt: skip
+"""Options that say what is written, and how."""
 _LONGEST: Final = 200
 """Characters of a one-line help, which is wrapped and not cut where it is too long for a line."""
 
@@ -40,6 +46,15 @@ class SpokenCommand(TyperCommand):
     """A command whose help is said, the options in groups by the names of their parameters."""
 
     groups: ClassVar[Groups] = {}
+
+    def headings(self) -> Groups:
+        """Return its groups; in a long list without any, what is written stands apart."""
+        names = [str(p.name) for p in self.params if p.param_type_name == "option"]
+        if self.groups or len(self.params) <= _LONG:
+            return self.groups
+        written = tuple(name for name in names if name in _WRITTEN)
+        others = tuple(name for name in names if name not in _WRITTEN)
+        return {marked("Options"): others, marked("Output"): (*written, "help")}
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         """Parse the arguments, and refuse those that are too many."""
@@ -154,7 +169,7 @@ def _write_options(
             arguments.append(record)
         elif record is not None:
             options[str(parameter.name)] = record
-    of_command = {} if more else command.groups
+    of_command = {} if more else command.headings()
     groups = _grouped(options, of_command, marked("Options"))
     _write(formatter, {marked("Arguments"): arguments, **groups})
     _write(formatter, more)
@@ -169,8 +184,8 @@ def _grouped(
         for heading, names in groups.items()
     }
     named = {name for names in groups.values() for name in names}
-    found[rest] = [record for name, record in records.items() if name not in named]
-    return found
+    left = [record for name, record in records.items() if name not in named]
+    return {**found, rest: [*found.get(rest, []), *left]}
 
 
 def _write(formatter: Any, groups: Mapping[str, Sequence[tuple[str, str]]]) -> None:

@@ -16,7 +16,7 @@ from rolamento.cli.common import (
 from rolamento.cli.grouped_help import Groups
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import LanguageOption, SeedOption, json_option, plot_option
-from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
+from rolamento.cli.outputs import NOWHERE, OUTPUT_OPTIONS, Outputs, with_outputs
 from rolamento.cli.shipped_data import check_one_given, data_and_json, known_example
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put_json
 from rolamento.cli.table_options import (
@@ -58,7 +58,7 @@ class WeibullCommand(JsonCommand):
         "Fit": ("method", "three_parameter", "shape", "bayes"),
         "Bounds": ("bounds", "confidence", "sides", "samples", "seed"),
         "Results": ("reliability", "time", "calculated_life"),
-        "Output": ("plot", "contour", "contour_of", "json", "lang", "help"),
+        "Output": ("plot", "contour", "contour_of", "json", *OUTPUT_OPTIONS, "lang", "help"),
     }
 
 

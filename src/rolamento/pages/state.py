@@ -7,7 +7,6 @@ and azimuths run clockwise like the hours.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from math import cos, isfinite, nan, pi, sin
 from typing import TYPE_CHECKING, Final
 
@@ -68,8 +67,7 @@ def state_page(solved: Solved, analysis: Analysis | None = None) -> Document:
         sections += [*_set(solved), _middle(solved), stiffness_section(solved)]
         sections += [balls_section(solved), *_rolling(solved)]
     else:  # files have its balls all the same, without numbers
-        table = replace(balls_table(solved), only_in_files=True)
-        sections.append(Section("", (table,), key="balls"))
+        sections.append(Section("", (all_of_the_balls(solved),), key="balls"))
     if analysis is not None:
         sections += _what_follows(solved, analysis, notes)
     sections += notes_section(notes)
