@@ -19,6 +19,7 @@ from collections.abc import Iterable
 from typing import Any, Final, Self
 
 from rolamento.words import marked, said
+from rolamento.words.naming import shortened
 
 __all__ = [
     "FileError",
@@ -122,7 +123,7 @@ class InputError(RolamentoError, ValueError):
 
     def _subject(self) -> str:
         named = said(self.field) if " " in self.field else self.field
-        field = _shortened(_escaped(named), 2 * _LONGEST_VALUE)
+        field = shortened(_escaped(named), 2 * _LONGEST_VALUE)
         if self.value is ABSENT:
             return field
         return f"{field} = {shown(self.value)}" if field else shown(self.value)
@@ -167,12 +168,12 @@ def shown(value: object) -> str:
     if isinstance(value, list | tuple | set):
         return said("a list")
     if isinstance(value, str):
-        return f'"{_shortened(_escaped(value), _LONGEST_VALUE)}"'
+        return f'"{shortened(_escaped(value), _LONGEST_VALUE)}"'
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, int) and value.bit_length() > 200:
         return said("a very long integer")
-    return _shortened(_escaped(str(value)), _LONGEST_VALUE)
+    return shortened(_escaped(str(value)), _LONGEST_VALUE)
 
 
 def printable(text: str) -> str:
@@ -221,10 +222,6 @@ _OF_SYSTEM: Final = (
     marked("too many levels of symbolic links"),
 )
 """What `cause` has to say most often."""
-
-
-def _shortened(text: str, longest: int) -> str:
-    return text if len(text) <= longest else text[: longest - 1] + "…"
 
 
 def _escaped(text: str) -> str:

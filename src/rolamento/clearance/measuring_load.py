@@ -43,7 +43,8 @@ def usual_measuring_load(bore: float) -> float:
     InputError
         If the bore (m) is outside 2.5 to 280 mm.
     """
-    return _LOADS[step_of(bore, _BORES, field="bore", standard="the table of measuring loads")]
+    standard = said("the table of measuring loads")
+    return _LOADS[step_of(bore, _BORES, field="bore", standard=standard)]
 
 
 def measuring_load_correction(

@@ -58,7 +58,6 @@ _WIDEST: Final = 112
 _WIDEST_HALF: Final = 58
 _TABLE_SIZE: Final = 9.0
 _LEAST_SIZE: Final = 5.5
-_SKETCH_WIDTH: Final = 80
 _LONG_TEXT: Final = 24
 _LONGEST_HEADER: Final = 90
 _MOST_WITHOUT_CONTENTS: Final = 10

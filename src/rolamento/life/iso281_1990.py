@@ -17,6 +17,7 @@ from rolamento.life._figures import positive
 from rolamento.life.reliability import outside_print, reliability_factor
 from rolamento.life.theory import OF_BEARING, OF_EQUIVALENT_LOAD, Need, Theory
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.words import marked
 
 if TYPE_CHECKING:
     from rolamento.life.basis import Basis
@@ -108,7 +109,7 @@ def _evaluate(basis: Basis) -> Life:
 EDITION: Final = "1990"
 ADJUSTMENT: Final = Need(
     "adjustment",
-    "a material factor or an operation factor",
+    marked("a material factor or an operation factor"),
     "[life] with operation_factor = 0.8 in the case",
     ("material_factor", "operation_factor"),
 )

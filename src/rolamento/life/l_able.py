@@ -39,7 +39,7 @@ from rolamento.life.theory import (
     Theory,
 )
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.words import said
+from rolamento.words import marked, said
 
 if TYPE_CHECKING:
     from rolamento.life.basis import Basis
@@ -60,8 +60,8 @@ MAXIMUM_TEMPERATURE: Final = 130.0 + 273.15
 _MAXIMUM_POINTS: Final = 10_000
 _MAXIMUM_ROWS: Final = 1000
 _NAMES: Final = {
-    "viscosity_ratio": "κ of the rows",
-    "load_parameter": "load parameters of the header",
+    "viscosity_ratio": marked("κ of the rows"),
+    "load_parameter": marked("load parameters of the header"),
     "factor": "a_NSK",
 }
 _EXAMPLE: Final = "kappa,0.01,0.05,0.2"
@@ -328,7 +328,7 @@ def _evaluate(basis: Basis) -> Life:
 
 NSK_CLEANLINESS: Final = Need(
     "life.nsk_cleanliness",
-    "the maker's cleanliness factor",
+    marked("the maker's cleanliness factor"),
     "[life] with nsk_cleanliness = 0.8 in the case",
     ("nsk_cleanliness",),
 )

@@ -31,7 +31,7 @@ from rolamento.life.reliability import RATING_RELIABILITY
 from rolamento.life.spectrum import shaft_life
 from rolamento.life.theory import OF_BEARING, OF_LOAD, Need, Theory
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.words import said
+from rolamento.words import marked, said
 
 if TYPE_CHECKING:
     from rolamento.geometry import Race
@@ -179,7 +179,7 @@ def _evaluate(basis: Basis) -> Life:
 
 FACTORS: Final = Need(
     "tallian factors",
-    "factors of Tallian's form",
+    marked("factors of Tallian's form"),
     "[life.tallian_subsurface] with defect_density = 0.5 in the case",
     ("tallian_subsurface", "tallian_surface"),
 )

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 from rolamento.case.life_model import DIRT
+from rolamento.words import marked
 
 if TYPE_CHECKING:
     from rolamento.case import Case
@@ -71,20 +72,20 @@ def _any_below(table: str, names: Collection[str]) -> bool:
 
 VISCOSITY_RATIO: Final = Need(
     "viscosity ratio",
-    "a viscosity ratio, or a lubricant and its temperature,",
+    marked("a viscosity ratio, or a lubricant and its temperature,"),
     "[life] with viscosity_ratio = 1.5 in the case",
     ("viscosity_ratio",),
     from_lubricant=True,
 )
 CLEANLINESS: Final = Need(
     "cleanliness",
-    "the cleanliness of the lubricant",
+    marked("the cleanliness of the lubricant"),
     '[life] with cleanliness = "-/17/14" and oil_supply = "circulating" in the case',
     DIRT,
 )
 REQUIRED_LIFE: Final = Need(
     "life.wanted_life",
-    "the required life",
+    marked("the required life"),
     '[life] with wanted_life = "20000 h" in the case',
     ("wanted_life",),
 )

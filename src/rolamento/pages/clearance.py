@@ -25,15 +25,15 @@ from rolamento.words import in_unit, manner, marked, said, said_in
 if TYPE_CHECKING:
     from rolamento.clearance import ClearanceSamples, OperatingClearance
 
-__all__ = ["clearance_page"]
+__all__ = ["STEPS", "clearance_page"]
 
-_STEPS: Final = {
+STEPS: Final = {
     "initial": marked("before mounting"),
     "measuring_load": marked("measuring load"),
     "shaft_fit": marked("fit on the shaft"),
     "housing_fit": marked("fit in the housing"),
     "temperature": marked("temperature"),
-    "speed": marked("speed"),
+    "speed": marked("centrifugal expansion"),
     "wear": marked("wear"),
 }
 _DETAILS: Final = {
@@ -72,7 +72,7 @@ def _chain(found: OperatingClearance) -> Section:
     """The steps one below the other, what went into the fits beneath them, and their sum."""
     rows: list[tuple[str, Sequence[float], str, Tone]] = []
     for step in found.steps:
-        rows.append((said(_STEPS[step.name]), step.change, "µm", ""))
+        rows.append((said(STEPS[step.name]), step.change, "µm", ""))
         rows += [
             (f"  {said(label)}", step.details[name], "MPa" if name == "pressure" else "µm", "faint")
             for name, label in _DETAILS.items()
@@ -117,7 +117,7 @@ def _number(values: Sequence[float], place: int, unit: str) -> CellContent:
 def _sources(found: OperatingClearance) -> Section:
     entries = tuple(
         Entry(
-            f"{said(_STEPS[step.name])}:", f"{step.formula.text}; {step.source.text}", tone="faint"
+            f"{said(STEPS[step.name])}:", f"{step.formula.text}; {step.source.text}", tone="faint"
         )
         for step in found.steps
     )

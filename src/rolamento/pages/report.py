@@ -34,6 +34,7 @@ from rolamento.document import (
 from rolamento.friction.model import REMARKS
 from rolamento.life.record import BOUNDS, OUTSIDE
 from rolamento.life.theories import THEORIES
+from rolamento.pages.clearance import STEPS
 from rolamento.pages.equations import equations_of, references_of
 from rolamento.pages.given import untitled
 from rolamento.pages.state import balls_table, rosette_section, stiffness_section
@@ -912,15 +913,6 @@ def _verdict(case: CaseReport, theory: str) -> str:
 
 # --- clearance ------------------------------------------------------------------------------------
 
-_STEPS: Final = {
-    "initial": marked("before mounting"),
-    "measuring_load": marked("measuring load"),
-    "shaft_fit": marked("fit on the shaft"),
-    "housing_fit": marked("fit in the housing"),
-    "temperature": marked("temperature"),
-    "speed": marked("centrifugal expansion"),
-    "wear": marked("wear"),
-}
 _DETAILS: Final = (
     ("interference", marked("interference as mounted"), "µm"),
     ("smoothing", marked("loss by smoothing"), "µm"),
@@ -937,7 +929,7 @@ def _clearance(report: Report) -> list[Table]:
         return [_chain(case) for case in report.cases if case.clearance is not None]
     names = [
         name
-        for name in _STEPS
+        for name in STEPS
         if any(
             case.clearance is not None and any(step.name == name for step in case.clearance.steps)
             for case in report.cases
@@ -955,7 +947,7 @@ def _clearance(report: Report) -> list[Table]:
         places = [_place_of(case, name) for case in report.cases]
         at = next(place for place in places if place is not None)
         if all(place in (None, at) for place in places):
-            steps.append(_Row(said(_STEPS[name]), f"clearance.steps.{at}.change.1", ".3 µm"))
+            steps.append(_Row(said(STEPS[name]), f"clearance.steps.{at}.change.1", ".3 µm"))
     groups.append((said("Mean change of clearance by step"), steps))
     return list(_tables(report, groups, "clearance"))
 
@@ -972,7 +964,7 @@ def _chain(case: CaseReport) -> Table:
     labels, units, paths, sources = [], [], [], []
     tones: list[Tone] = []
     for place, step in enumerate(case.clearance.steps):
-        labels.append(said(_STEPS.get(step.name, step.name)))
+        labels.append(said(STEPS[step.name]))
         units.append("µm")
         paths.append(f"clearance.steps.{place}.change")
         sources.append(step.source.text)
@@ -1493,19 +1485,23 @@ def _life_validity(report: Report) -> tuple[Table, ...]:
     rows, verdicts = [], []
     for name in THEORIES:
         own = [_reasoned(case, name) for case in report.cases]
-        if any(own):
+        if any(text for text, _ in own):
             rows.append(theory_name(name))
             verdicts.append(own)
     return _verdict_table(report, said("theory"), rows, verdicts, "life_validity")
 
 
-def _reasoned(case: CaseReport, theory: str) -> str:
+def _reasoned(case: CaseReport, theory: str) -> tuple[str, Tone]:
     life = case.analysis.life
     if life is None or theory not in life.theories:
-        return ""
-    notes = life.theories[theory].notes_of(0)
-    why = [note.text for note in notes if note.key in OUTSIDE | BOUNDS]
-    verdict = _verdict(case, theory)
+        return "", ""
+    own = life.theories[theory]
+    why = [note.text for note in own.notes_of(0) if note.key in OUTSIDE | BOUNDS]
+    holds = bool(own.valid[0] or own.below[0])
+    return _with_reasons(_verdict(case, theory), why), "" if holds else "warning"
+
+
+def _with_reasons(verdict: str, why: Sequence[str]) -> str:
     return said("{verdict}: {why}", verdict=verdict, why=" ".join(why)) if why else verdict
 
 
@@ -1521,34 +1517,38 @@ def _friction_validity(report: Report) -> tuple[Table, ...]:
     return _verdict_table(report, said("model"), labels, verdicts, "friction_validity")
 
 
-def _friction_verdict(case: CaseReport, model: str) -> str:
+def _friction_verdict(case: CaseReport, model: str) -> tuple[str, Tone]:
     friction = case.analysis.friction
     found = None if friction is None else next(
         (own for own in friction.validity if own.model == model), None
     )  # fmt: skip
     if found is None:
-        return ""
+        return "", ""
     why = [note.text for note in found.notes_of(0)]
-    verdict = said("yes") if found.valid[0] else said("no")
-    return said("{verdict}: {why}", verdict=verdict, why=" ".join(why)) if why else verdict
+    if found.valid[0]:
+        return _with_reasons(said("yes"), why), ""
+    return _with_reasons(said("no"), why), "warning"
 
 
 def _verdict_table(
-    report: Report, head: str, rows: Sequence[str], verdicts: Sequence[Sequence[str]], key: str
+    report: Report,
+    head: str,
+    rows: Sequence[str],
+    verdicts: Sequence[Sequence[tuple[str, Tone]]],
+    key: str,
 ) -> tuple[Table, ...]:
     if not rows:
         return ()
     many = len(report.cases) > 1
     columns = [Column(head=head, values=list(rows), key=head)]
     for index, case in enumerate(report.cases):
-        texts = [own[index] for own in verdicts]
-        no = said("no")
+        texts, tones = zip(*(own[index] for own in verdicts), strict=True)
         columns.append(
             Column(
                 head=said("case {name}", name=case.name) if many else said("valid here"),
                 values=texts,
                 key=case.name,
-                tones=["warning" if text.startswith(no) else "" for text in texts],
+                tones=tones,
             )
         )
     return (Table(columns=tuple(columns), key=key, rule=True),)

@@ -23,6 +23,7 @@ from rolamento.document import (
 from rolamento.life.theories import THEORIES
 from rolamento.pages.life import HOUR, formulas_only, percent, remarks
 from rolamento.words import said
+from rolamento.words.naming import shortened
 from rolamento.words.reasons import reason
 from rolamento.words.theories import theory_heads, theory_life
 
@@ -131,7 +132,7 @@ def _table(found: ShaftLife, names: Sequence[str]) -> Table:
         ),
         Column(
             head="",
-            values=[*map(_shortened, names), said("together")],
+            values=[*(shortened(name, _LONGEST_NAME) for name in names), said("together")],
             key="bearing",
             tones=tones,
         ),
@@ -189,10 +190,6 @@ def _hours_column(found: ShaftLife, name: str) -> Column:
     tones[-1] = "strong"
     head = "\n".join(f"{word} " for word in theory_heads(name))
     return Column(head=head, values=values, unit="h", key=name, tones=tones, align="right")
-
-
-def _shortened(name: str) -> str:
-    return name if len(name) <= _LONGEST_NAME else f"{name[: _LONGEST_NAME - 1]}…"
 
 
 def _remarks(found: ShaftLife) -> tuple[Block, ...]:

@@ -18,9 +18,9 @@ from rolamento.document import (
     Table,
     Title,
 )
-from rolamento.pages.texts import one_line, shortened
 from rolamento.units import to_si
 from rolamento.words import marked, said
+from rolamento.words.naming import one_line, shortened
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Picture

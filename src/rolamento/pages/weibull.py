@@ -28,7 +28,6 @@ from rolamento.document import (
     Tone,
 )
 from rolamento.pages.lives import alike, brief, life_name, percent, written
-from rolamento.pages.texts import one_line, shortened
 from rolamento.weibull import (
     EXPONENTS,
     Bounds,
@@ -43,6 +42,7 @@ from rolamento.weibull import (
     regions_of,
 )
 from rolamento.words import ABSENT, Note, counted, manner, marked, said
+from rolamento.words.naming import one_line, shortened
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Picture

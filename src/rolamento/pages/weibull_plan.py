@@ -20,9 +20,9 @@ from rolamento.document import (
     Title,
 )
 from rolamento.pages.lives import FIGURES, life_name, percent
-from rolamento.pages.texts import one_line
 from rolamento.weibull import Demonstration, Estimand, LifeTestPlan
 from rolamento.words import ABSENT, Note, counted, manner, said
+from rolamento.words.naming import one_line
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Picture

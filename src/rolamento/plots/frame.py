@@ -15,6 +15,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter, ScalarFo
 
 from rolamento.errors import InputError
 from rolamento.words import manner, said
+from rolamento.words.naming import one_line
 from rolamento.words.reasons import reason
 
 GREY: Final = "#707070"
@@ -86,8 +87,7 @@ def no_result_count(count: int, total: int) -> str:
 
 def shown_text(text: str, longest: int = _LONGEST_LABEL) -> str:
     """Return a text of others as one line that can be printed, not too long."""
-    plain = " ".join("".join(c if c.isprintable() else " " for c in text[:500]).split())
-    return plain if len(plain) <= longest else plain[: longest - 1] + "…"
+    return one_line(text, longest)
 
 
 def in_lines(label: str) -> str:

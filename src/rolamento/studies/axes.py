@@ -144,9 +144,8 @@ class Axis(Record):
         return self
 
     def _check_zipped(self, zipped: Mapping[str, tuple[Any, ...]], in_file: bool) -> None:
-        self._refuse(
-            ("values", "first", "last", "count"), "is given beside zipped, which has lists"
-        )
+        rule = said("is given beside zipped, which has lists")
+        self._refuse(("values", "first", "last", "count"), rule)
         fields.refuse_rivals(tuple(zipped), at="zipped")
         size = len(next(iter(zipped.values())))
         for name, values in zipped.items():

@@ -26,6 +26,7 @@ import rolamento
 from rolamento.errors import InputError
 from rolamento.studies.plan import Part, Plan, Task, solve_task
 from rolamento.studies.runner import Executor
+from rolamento.words import said
 
 __all__ = ["ClusterError", "dask_cluster"]
 
@@ -96,9 +97,13 @@ def _client(address: str) -> Any:
                 lambda: distributed.Client(address, timeout=PATIENCE, set_as_default=False),
             )
     except Exception as error:  # whatever answers there, in whatever words
-        raise ClusterError(f"cannot be reached: {_first_line(error)}", **example) from None
+        raise ClusterError(
+            said("cannot be reached: {reason}", reason=_first_line(error)), **example
+        ) from None
     if kind != "Scheduler":
-        raise ClusterError(f"is a {str(kind).lower()} of Dask and no scheduler", **example)
+        raise ClusterError(
+            said("is a {kind} of Dask and no scheduler", kind=str(kind).lower()), **example
+        )
     return client
 
 
@@ -107,7 +112,7 @@ def _distributed() -> Any:
         import distributed
     except ImportError:
         raise ClusterError(
-            "needs Dask, which is not installed", example="pip install 'rolamento[cluster]'"
+            said("needs Dask, which is not installed"), example="pip install 'rolamento[cluster]'"
         ) from None
     return distributed
 
@@ -121,13 +126,19 @@ def _check_workers(client: Any, address: str) -> int:
         raise _lost(_first_line(error), address) from None
     if not versions:
         raise ClusterError(
-            "has no workers", value=address, source="scheduler", example=f"dask worker {address}"
+            said("has no workers"),
+            value=address,
+            source="scheduler",
+            example=f"dask worker {address}",
         )
     others = {version for version in versions.values() if version != rolamento.__version__}
     if others:
         raise ClusterError(
-            f"has workers with Rolamento {', '.join(sorted(others))}; this is"
-            f" {rolamento.__version__}",
+            said(
+                "has workers with Rolamento {others}; this is {own}",
+                others=", ".join(sorted(others)),
+                own=rolamento.__version__,
+            ),
             value=address,
             source="scheduler",
         )
@@ -201,7 +212,7 @@ def _next(done: queue.SimpleQueue[Any], client: Any) -> Any:
         with suppress(queue.Empty):
             return done.get(timeout=SILENCE)
         if client.status != "running":
-            raise TimeoutError("the scheduler has gone away")
+            raise TimeoutError(said("the scheduler has gone away"))
         _within(PATIENCE, lambda: client.sync(client.scheduler.identity, callback_timeout=PATIENCE))
 
 
@@ -225,7 +236,7 @@ def _within(seconds: float, action: Callable[[], T]) -> T:
     try:
         succeeded, result = results.get(timeout=seconds + 1.0)
     except queue.Empty:
-        raise TimeoutError(f"no answer within {seconds:g} s") from None
+        raise TimeoutError(said("no answer within {seconds:.4 s}", seconds=seconds)) from None
     if not succeeded:
         raise result
     found: T = result
@@ -252,7 +263,9 @@ def _quiet() -> Iterator[None]:
 
 def _lost(reason: str, address: str) -> ClusterError:
     return ClusterError(
-        f"has failed: {reason}; what was solved is kept", value=address, source="scheduler"
+        said("has failed: {reason}; what was solved is kept", reason=reason),
+        value=address,
+        source="scheduler",
     )
 
 

@@ -57,7 +57,7 @@ def read_field(name: str, *, at: str = "field") -> Field:
 def _advice(name: str, known: Mapping[str, Field]) -> str:
     inside = [other for other in known if other.startswith(f"{name}.")]
     if inside:
-        return f"it is a table with {', '.join(inside)}"
+        return said("it is a table with {fields}", fields=", ".join(inside))
     same_leaf = [other for other, field in known.items() if field.leaf == name]
     near = same_leaf[0] if same_leaf else nearest(name, known)
     if near:

@@ -155,9 +155,9 @@ def outputs_of(names: Iterable[str]) -> tuple[Output, ...]:
 
 
 _MISSING: Final[Mapping[str, tuple[str, str]]] = {
-    "lubricant": ("a lubricant", 'lubricant = "ISO VG 68" in the case'),
+    "lubricant": (marked("a lubricant"), 'lubricant = "ISO VG 68" in the case'),
     "temperature.lubricant": (
-        "the lubricant's temperature",
+        marked("the lubricant's temperature"),
         '[temperature] with lubricant = "70 degC" in the case',
     ),
     "surface": (

@@ -30,6 +30,7 @@ from rolamento.notes import SPEED_LIMIT, STATIC_PRESSURE_LIMIT, TILT_LIMIT
 from rolamento.solved import RACES
 from rolamento.tasks.bearing import BearingLike, case_of, is_designation
 from rolamento.units import Dimension
+from rolamento.words import said
 
 __all__ = [
     "MOST_CASES",
@@ -296,7 +297,9 @@ def report_on(
 
     if not 1 <= len(bearings) <= MOST_CASES:
         raise InputError(
-            f"must be 1 to {MOST_CASES} in one report", field="CASE", value=len(bearings)
+            said("must be 1 to {most} in one report", most=MOST_CASES),
+            field="CASE",
+            value=len(bearings),
         )
     read = [_read(one, settings) for one in bearings]
     given_over = _named(settings)

@@ -562,7 +562,7 @@ def _speed_of_pulses(signal: Signal, pulses: int, channel: str | int) -> FloatAr
     try:
         return speed_from_pulses(signal, pulses)
     except InputError as error:
-        rule, _, _ = error.rule.partition(";")
+        rule = error.rule
         if error.field == "pulses_per_revolution":
             raise error.with_details(field="pulses", example="pulses=1") from None
         if error.field == "number of pulses":

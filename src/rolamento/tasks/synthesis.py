@@ -174,7 +174,7 @@ class SynthesisResult:
         """
         recipe, truth = self.recipe, self.made.truth
         if sum(len(one.times) for one in truth.faults) > _MOST_IMPACTS:
-            rule = f"would hold more than {_MOST_IMPACTS} impacts"
+            rule = said("would hold more than {most} impacts", most=_MOST_IMPACTS)
             raise InputError(rule, field="truth", value=self.truth_path)
         return {
             "schema": SCHEMA,
@@ -429,7 +429,9 @@ def _refuse_silence(made: Synthesis) -> None:
     if not made.signal.samples.any():
         rule = said("is silent: no part of it has any amplitude")
         if recipe.faults:
-            rule += "; no ball is pressed where the damage lies, or the signal is too short"
+            rule = said(
+                "is silent: no ball is loaded where the damage lies, or the signal is too short"
+            )
         raise InputError(rule, field="signal", example='load="uniform"')
 
 

@@ -147,9 +147,10 @@ def _crossings(samples: FloatArray, level: float, margin: float) -> FloatArray:
 def _check_pulses(times: FloatArray) -> None:
     if len(times) < _LEAST_PULSES:
         raise InputError(
-            said("must be at least {least}; check the level and the edge", least=_LEAST_PULSES),
+            said("must be at least {least}", least=_LEAST_PULSES),
             field=marked("number of pulses"),
             value=len(times),
+            example='level=0.5, edge="falling"',
         )
     intervals = np.diff(times)
     ratio = intervals[1:] / intervals[:-1]
@@ -157,11 +158,11 @@ def _check_pulses(times: FloatArray) -> None:
     if len(wrong) > 0:
         raise InputError(
             said(
-                "are uneven near {times:.4g} s: one is missing or extra; check the "
-                "level and the number per revolution",
+                "are uneven near {times:.4g} s: one is missing or extra",
                 times=times[wrong[0] + 1],
             ),
             field="pulses",
+            example="level=0.5, pulses_per_revolution=2",
         )
 
 

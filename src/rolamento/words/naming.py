@@ -7,7 +7,16 @@ from typing import Final
 
 from rolamento.words.speaking import marked, said
 
-__all__ = ["PARTS", "either", "listed", "one_line", "part_name", "the_part", "the_part_first"]
+__all__ = [
+    "PARTS",
+    "either",
+    "listed",
+    "one_line",
+    "part_name",
+    "shortened",
+    "the_part",
+    "the_part_first",
+]
 
 PARTS: Final[Mapping[str, str]] = {
     "outer_race": marked("outer race"),
@@ -61,4 +70,9 @@ def either(items: Iterable[str]) -> str:
 def one_line(text: str, longest: int = 200) -> str:
     """Return a text of others as one line that can be printed, not too long."""
     plain = " ".join("".join(c if c.isprintable() else " " for c in text[:2000]).split())
-    return plain if len(plain) <= longest else plain[: longest - 1] + "…"
+    return shortened(plain, longest)
+
+
+def shortened(text: str, longest: int = 20) -> str:
+    """Return a text that fits into a cell."""
+    return text if len(text) <= longest else text[: longest - 1] + "…"
