@@ -191,7 +191,7 @@ def test_pickles_are_not_loaded(tmp_path: Path, trap: tuple[Trap, Path]) -> None
     np.savez(tmp_path / "a.npz", x=objects, allow_pickle=True)
     refused(tmp_path / "a.npz", "NumPy archive without a channel of real numbers")
     (tmp_path / "b.npy").write_bytes(pickle.dumps(trap[0]))
-    refused(tmp_path / "b.npy", "is not the NumPy file that its name says")
+    refused(tmp_path / "b.npy", "is not a NumPy file, although its name says so")
     assert not trap[1].exists()
 
 

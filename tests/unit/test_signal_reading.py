@@ -510,7 +510,7 @@ def test_samples_that_are_no_signal(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("name", "content", "message"),
     [
-        ("a.wav", b"not a wav", "is not a WAV file, as its name says"),
+        ("a.wav", b"not a wav", "is not a WAV file, although its name says so"),
         ("a.mat", b"MATLAB 4?", "is not a MATLAB file of version 5 to 7.3"),
         ("a.jpg", b"\xff\xd8\xff", "is not of a format that can be read: WAV"),
         ("a.csv", b"\xff\xfea\0", "is UTF-16 text"),

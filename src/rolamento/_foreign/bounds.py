@@ -175,8 +175,8 @@ def guarded(source: str, kind: str) -> Iterator[None]:
 def _amount(size: int) -> str:
     for unit, worth in (("GB", 2**30), ("MB", 2**20)):
         if size >= worth:
-            return f"{manner().number(size / worth, '.4')} {unit}"
-    return f"{manner().number(size / 2**10, '.4')} kB"
+            return f"{manner().number(size / worth, '.4g')} {unit}"
+    return f"{manner().number(size / 2**10, '.4g')} kB"
 
 
 def _in_short(reason: str) -> str:
