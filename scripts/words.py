@@ -41,7 +41,10 @@ def template() -> Catalog:
     """Return all that the program says, in English."""
     catalogue = Catalog()
     for _, _, message, _, context in extract_from_dir(
-        SOURCE, method_map=[("**.py", "python")], keywords=KEYWORDS
+        SOURCE,
+        method_map=[("**.py", "python")],
+        keywords=KEYWORDS,
+        directory_filter=lambda folder: True,  # Babel would pass over private packages
     ):
         catalogue.add(message, context=context)
     for message, context in (*of_commands(), *of_data()):

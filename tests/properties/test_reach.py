@@ -126,5 +126,6 @@ def test_what_is_in_reach(value: float, open_start: bool) -> None:
         return
     with pytest.raises(InputError, match=re.escape("length")) as error:
         in_reach([1.5, value], "length", "m", 1.0, 2.0, least_too=not open_start)
-    assert f"{'above' if open_start else 'from'} 1 to 2 m" in str(error.value)
+    least = "greater than 1 and at most" if open_start else "from 1 to"
+    assert f"must be {least} 2 m" in str(error.value)
     assert error.value.value == value

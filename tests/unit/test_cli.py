@@ -583,7 +583,7 @@ HOSTILE = "\x1b]0;owned\x07\x1b[2J\x9b31m\u202egnp"
 
 
 def shown_on_a_terminal(directory: Path, *arguments: str) -> str:
-    """What a command writes to a terminal with colours, without those colours."""
+    """What a command writes to a terminal, without colours and what moves a progress bar."""
     import pty  # POSIX only
 
     main, end = pty.openpty()
@@ -599,7 +599,8 @@ def shown_on_a_terminal(directory: Path, *arguments: str) -> str:
                 pieces.append(piece)
         done.wait(60)
     os.close(main)
-    return re.sub(r"\x1b\[[0-9;]*m", "", b"".join(pieces).decode()).replace("\r\n", "\n")
+    bar = r"\x1b\[(\?25[lh]|2K|1A)|\r"
+    return re.sub(rf"\x1b\[[0-9;]*m|{bar}", "", b"".join(pieces).decode())
 
 
 @needs_sh

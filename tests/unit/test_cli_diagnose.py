@@ -350,7 +350,7 @@ class TestWrongInput:
             (("outer.npy", *KNOWN[2:], "--bearing", "fan.toml", "--angle", "free"), "--nominal"),
             (("outer.npy", *KNOWN, "--set", "duty.load.fz=3"), "--set: duty.load.fz"),
             (("outer.npy", *KNOWN, "--set", "duty.lode=3"), "--set"),
-            (("text.wav", *KNOWN), "is not the WAV file"),
+            (("text.wav", *KNOWN), "is not a WAV file, although its name says so"),
             (("two.npz", *KNOWN), "--channel: must be chosen, by name or number: 1 a, 2 b"),
             (("two.npz", *KNOWN, "--channel", "c"), "--channel a"),
             (("outer.npy", *KNOWN, "--speed", "fast"), "--speed"),

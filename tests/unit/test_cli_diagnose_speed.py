@@ -167,8 +167,8 @@ class TestTachoOfAnotherRate:
     @pytest.mark.parametrize(
         ("pulses", "told"),
         [
-            (1, "ends at 6 s, before the signal that is diagnosed, at 12 s"),
-            (None, "they have to be as many"),
+            (1, "ends at 6 s, before the analysed signal, at 12 s"),
+            (None, "since the file gives no rates, they must be equal"),
         ],
     )
     def test_pulses_that_end_before(self, run: Run, pulses: int | None, told: str) -> None:
@@ -256,7 +256,7 @@ class TestWrongInput:
     @pytest.mark.parametrize(
         ("arguments", "told"),
         [
-            ((*GIVEN, "--speed-channel", "n"), "--speed-unit: of the speed"),
+            ((*GIVEN, "--speed-channel", "n"), '--speed-unit: is needed for the speed "n"'),
             ((*GIVEN, "--speed-channel", "n", "--speed-unit", "knots"), "one of rpm, rad/s, deg/s"),
             ((*GIVEN, "--speed-channel", "x", "--speed-unit", "rpm"), "1 acc, 2 n, 3 key"),
             ((*GIVEN, "--speed-channel", "acc", "--speed-unit", "rpm"), "channel of the samples"),
@@ -264,11 +264,11 @@ class TestWrongInput:
                 (*GIVEN, "--speed-channel", "turning", "--speed-unit", "rad/s"),
                 "must keep its direction and stay clear of zero; cut the",
             ),
-            ((*GIVEN, "--speed", "1797 rpm", "--speed-unit", "rpm"), "goes with --speed-channel"),
-            ((*GIVEN, "--speed", "1797 rpm", "--pulses", "2"), "goes with --tacho"),
-            ((*GIVEN, "--speed", "1797 rpm", "--within", "0.1"), "goes with --track"),
-            ((*CHANNEL, "--tacho", "key"), "another way to the speed than --speed-channel"),
-            ((*TACHO, "--track"), "another way to the speed than --tacho"),
+            ((*GIVEN, "--speed", "1797 rpm", "--speed-unit", "rpm"), "needs --speed-channel"),
+            ((*GIVEN, "--speed", "1797 rpm", "--pulses", "2"), "needs --tacho"),
+            ((*GIVEN, "--speed", "1797 rpm", "--within", "0.1"), "needs --track"),
+            ((*CHANNEL, "--tacho", "key"), "gives the speed in another way than --speed-channel"),
+            ((*TACHO, "--track"), "gives the speed in another way than --tacho"),
             ((*TACHO, "--speed", "1797 rpm"), '--speed: "1797 rpm": is a steady speed'),
             ((*CHANNEL, "--outer-speed", "9 rpm"), '--outer-speed: "9 rpm": is a steady speed'),
             (
@@ -280,13 +280,13 @@ class TestWrongInput:
             ((*GIVEN, "--tacho", "none"), "--tacho"),
             ((*GIVEN, "--tacho", "n"), "--tacho 2 --pulses 1"),
             ((*TACHO, "--pulses", "0"), "integer from 1"),
-            ((*TACHO, "--duration", "0.1 s"), "number of pulses must be at least 4, here "),
+            ((*TACHO, "--duration", "0.1 s"), "number of pulses: must be at least 4, here "),
             ((*GIVEN, "--track"), "--speed: is missing"),
             (
                 (*TRACK, "--within", "0.5"),
                 "--within: 0.5: must be a fraction above 0 and at most 0.3",
             ),
-            ((*TRACK, "--duration", "1 s"), "at least 96 revolutions"),
+            ((*TRACK, "--duration", "1 s"), "at least 96 shaft revolutions at the nominal speed"),
             ((*GIVEN, "--track", "--speed", "60000 rpm"), "--track: rate"),
         ],
     )
@@ -300,7 +300,7 @@ class TestWrongInput:
         monkeypatch.setattr(shaft_speed, "MOST_TACHO_SAMPLES", 100_000)
         code, _, err = run(*TACHO)
         assert code == 2
-        assert "up to 100000 samples, 8.33333 s; these are 144000" in err
+        assert "up to 100 000 samples, 8.33333 s; this record has 144 000" in err
         example = err.partition("example: ")[2].partition(")")[0].replace("'", "")
         option, duration = example.split(" ", 1)
         assert run(*TACHO, option, duration)[0] == 0
@@ -311,4 +311,4 @@ class TestWrongInput:
         monkeypatch.setattr(shaft_speed, "MOST_STRETCH_SAMPLES", 50_000)
         code, _, err = run(*TRACK)
         assert code == 2
-        assert "--track: holds 50000 samples in memory at once, and 192 revolutions are" in err
+        assert "--track: holds 50 000 samples in memory at once, and 192 revolutions are" in err

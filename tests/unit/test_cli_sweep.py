@@ -134,7 +134,7 @@ def test_a_sweep_does_not_write_over_its_case(run: Run) -> None:
 def test_lists(run: Run) -> None:
     fields, outputs = run("--list", "fields").stdout, run("--list", "outputs").stdout
     assert "duty.load.fx" in fields
-    assert "axes and scatter" in fields
+    assert "axes, scatter" in fields
     assert "stiffness_ryry" in outputs
     assert "per ball" in outputs
 

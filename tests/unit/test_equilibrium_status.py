@@ -493,11 +493,11 @@ def test_scalars_and_the_case_s_own_values_fill_up() -> None:
     [
         ({"fxx": [1.0]}, UnknownKeyError, "fx"),
         ({"inner_sped": [1.0]}, UnknownKeyError, "inner_speed"),
-        ({"load": [1.0]}, UnknownKeyError, "not known"),
+        ({"load": [1.0]}, UnknownKeyError, "not a field that can vary; known: inner_speed, .*fx"),
         ({"fx": [1.0, 2.0], "fz": [1.0]}, InputError, "one length"),
         ({"fx": [[1.0, 2.0]]}, InputError, "one-dimensional"),
-        ({"fx": [1.0], "x": [0.0]}, InputError, "beside"),
-        ({"my": 0.0, "ry": [0.0]}, InputError, "beside"),
+        ({"fx": [1.0], "x": [0.0]}, InputError, r"displacement\.x: cannot be combined .*load\.fx"),
+        ({"my": 0.0, "ry": [0.0]}, InputError, r"displacement\.ry: cannot be combined .*load\.my"),
     ],
 )
 def test_input_errors_of_a_batch(

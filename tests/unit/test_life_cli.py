@@ -258,11 +258,12 @@ def test_data_of_a_spectrum(run: Run) -> None:
     data, rows = strict(Path("s.json").read_text("utf-8")), table(out)
     assert data["kind"] == "life_spectrum"
     assert [row["duty.load.fz"] for row in rows] == ["1 kN", "2 kN", "4 kN"]
-    assert [float(row["time_share"]) for row in rows] == [0.5, 0.4, 0.1]
+    assert [float(row["time_share_percent"]) for row in rows] == [50.0, 40.0, 10.0]
     for name in ("iso281", "iso16281_modified"):
         damage = data["theories"][name]["damage"]
         assert sum(damage) == pytest.approx(1.0)
-        assert [float(row[f"{name}_damage"]) for row in rows] == pytest.approx(damage)
+        written = [float(row[f"{name}_damage_percent"]) / 100.0 for row in rows]
+        assert written == pytest.approx(damage)
     assert data["steps"]["values"]["duty.load.fz"] == [1000.0, 2000.0, 4000.0]
 
 
@@ -292,7 +293,7 @@ def test_over_a_field(run: Run) -> None:
         own = rows[4 * number : 4 * number + 4]
         for name, theory in curve["theories"].items():
             assert [float(row[f"{name}_h"]) for row in own] == pytest.approx(theory["hours"])
-            assert [row[f"{name}_holds"] == "yes" for row in own] == theory["holds"]
+            assert [row[f"{name}_valid"] == "yes" for row in own] == theory["holds"]
     assert Path("c.svg").read_text("utf-8").lstrip().startswith("<?xml")
 
 

@@ -170,7 +170,7 @@ def test_files_and_text_will_do(examples: Path) -> None:
     assert life_of_case(path).changes
     with pytest.raises(InputError, match="must be a Case or the path of a case file"):
         life_of_case(3)  # type: ignore[arg-type]
-    with pytest.raises(InputError, match=r"must be what rolamento\.solve returned"):
+    with pytest.raises(InputError, match=r"must be the result of rolamento\.solve"):
         life(load_case(path))  # type: ignore[arg-type]
 
 

@@ -216,7 +216,7 @@ def test_wrong_shares() -> None:
         miner_life([10.0, 20.0], [1.0])
     with pytest.raises(InputError, match="shares"):
         miner_life([10.0, 20.0], [1.5, -0.5])
-    with pytest.raises(InputError, match="nothing turns"):
+    with pytest.raises(InputError, match="speeds: must not all be zero: nothing rotates"):
         revolution_shares([0.5, 0.5], [0.0, 0.0])
 
 

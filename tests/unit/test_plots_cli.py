@@ -124,11 +124,11 @@ def test_a_failed_state_has_no_life_to_draw(kind: str, run: Run) -> None:
     ("file", "kind", "message"),
     [
         ("state.json", "sn", "case.life: is missing"),
-        ("steep.json", "sn", "is a thrust bearing's"),
+        ("steep.json", "sn", "is that of a thrust bearing"),
         ("angular.json", "zone", "needs a single radial-contact bearing given by its clearance"),
         ("oilless.json", "aiso", '--kind = "aiso": needs a viscosity ratio'),
         ("bare.json", "helps", "case = None: must be a table"),
-        ("sweep.nc", "aiso", "cannot be combined with a study"),
+        ("sweep.nc", "aiso", '--kind = "aiso": does not suit a study; possible: lines, map'),
     ],
 )
 def test_lives_that_cannot_be_drawn(
@@ -222,8 +222,11 @@ def test_a_study_of_failures_is_drawn_and_told(run: Run) -> None:
         (("state.json", "-o", "figure.gif"), "must end in .png, .svg or .pdf"),
         (("state.json", "-o", "-"), "must end in .png, .svg or .pdf"),
         (("state.json", "-o", "no/figure.png"), "cannot be written"),
-        (("state.json", "--kind", "lines"), '--kind = "lines": cannot be combined with the JSON'),
-        (("sweep.nc", "--kind", "rosette"), '--kind = "rosette": cannot be combined with a study'),
+        (
+            ("state.json", "--kind", "lines"),
+            '--kind = "lines": does not suit the JSON of a state; possible: rosette, balls',
+        ),
+        (("sweep.nc", "--kind", "rosette"), '--kind = "rosette": does not suit a study; possible:'),
         (("state.json", "--variable", "x"), '--variable = "x": is for studies'),
         (("state.json", "--over", "x"), '--over = "x": is for studies'),
         (("sweep.nc", "--variable", "q"), "is not in the study; known: x, z"),

@@ -104,8 +104,8 @@ def test_file_that_may_not_be_read(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("name", "head", "message"),
     [
-        ("a.npy", npy("(137438953472,)", content=b""), "must be at most 100000000 at once"),
-        ("a.csv", b"a\n1\n2\n", "a table of text is read up to 16 GB"),
+        ("a.npy", npy("(137438953472,)", content=b""), "must be at most 100 000 000 at once"),
+        ("a.csv", b"a\n1\n2\n", "a text table is read up to 16 GB"),
         ("a.parquet", b"PAR1", "is not a readable Parquet file"),
         ("a.mat", b"MATLAB".ljust(124) + b"\0\1IM", "is read whole, up to 512 MB"),
         ("a.npz", b"PK\x03\x04", "is read whole, up to 512 MB"),
@@ -178,7 +178,7 @@ def test_npz_with_members_without_end(tmp_path: Path) -> None:
     tail += struct.pack("<4sIQI", b"PK\6\7", 0, end, 1)
     tail += struct.pack("<4s4H2IH", b"PK\5\6", 0, 0, 65535, 65535, 2**32 - 1, 2**32 - 1, 0)
     (tmp_path / "a.npz").write_bytes(b"PK\3\4" + bytes(begin - 4) + one * count + tail)
-    refused(tmp_path / "a.npz", "has more than 10000 arrays")
+    refused(tmp_path / "a.npz", "has more than 10 000 arrays")
 
 
 # what would have to be executed
@@ -241,17 +241,17 @@ def wav(data: bytes, *, channels: int = 1, rate: int = 8000, size: bytes = b"\xf
     ("content", "message"),
     [
         # of a recorder that did not know the size: what is there is read
-        (wav(b"data\xf0\xff\xff\xff" + bytes(100)), "does not change over 50 samples"),
+        (wav(b"data\xf0\xff\xff\xff" + bytes(100)), "is constant over 50 samples"),
         (
             wav(b"data\x64\0\0\0" + bytes(100), size=b"\xf0\xff\xff\x7f"),
-            "says that it holds 2147483640 bytes, and there are 144",
+            "declares 2 147 483 640 bytes, and there are 144",
         ),
         (
             b"RF64\xff\xff\xff\xffWAVE"
             + b"ds64"
             + struct.pack("<IQQQI", 28, 2**63, 2**63, 0, 0)
             + wav(b"")[12:],
-            "says that it holds 9223372036854775816 bytes",
+            "declares 9 223 372 036 854 775 816 bytes",
         ),
         (wav(b"data\x64\0\0\0" + bytes(100), channels=65535), "is not a readable WAV file"),
         (wav(b"data\x64\0\0\0" + bytes(100), channels=0), "is not a readable WAV file"),
@@ -281,7 +281,7 @@ def doubles(size: int, content: bytes = bytes(80)) -> bytes:
     ("content", "message"),
     [
         (matrix((2**31 - 1, 2**31 - 1), doubles(80)), "declares 3.436e.10 GB and has"),
-        (matrix((-10, 1), doubles(80)), "does not change over 10 samples"),
+        (matrix((-10, 1), doubles(80)), "is constant over 10 samples"),
         (matrix((-10, -1), doubles(80)), "is not a readable MATLAB file"),
         (matrix((10, 1), doubles(2**32 - 1)), "asks for more memory"),
         (matrix((9, 1), doubles(80)), "cannot reshape"),
@@ -377,7 +377,7 @@ def test_parquet_with_groups_of_too_many_rows(
     column = pa.array(np.zeros(1_000_001, np.int8))
     pq.write_table(pa.table({"x": column}), tmp_path / "a.parquet", row_group_size=2_000_000)
     assert (tmp_path / "a.parquet").stat().st_size < 10_000
-    refused(tmp_path / "a.parquet", "rows in a group = 1000001: must be at most 1000000")
+    refused(tmp_path / "a.parquet", "rows in a group = 1000001: must be at most 1 000 000")
 
 
 @pytest.mark.parametrize("place", ["head", "pages", "foot"])
@@ -409,7 +409,7 @@ def test_parquet_that_is_damaged(tmp_path: Path, place: str) -> None:
         (b"1;2\n3;4\n" + b"5" * 20_000_000, "has a line of more than 64 kB"),
         (b'"' * 60_000 + b"\n1;2\n", "."),
         (b'1;"2\n' * 20_000, "."),
-        (b"1\n" + b"9" * 59 + b"\n1e308\n", "must be finite numbers of a size up to 1e.60"),
+        (b"1\n" + b"9" * 59 + b"\n1e308\n", "must be finite numbers of magnitude up to 1e.60"),
         (b"1\n2\n1e400\n", "1 of 3 samples are not finite numbers; the first is sample 2"),
         (b"1\nnan\n2\n", "1 of 3 samples are not finite numbers; the first is sample 1"),
         (b"1\n-inf\n2\n", "1 of 3 samples are not finite numbers"),
@@ -454,7 +454,7 @@ def universal(step: float, count: int) -> bytes:
         (universal(0.0, 2), "rate: is not in the file"),
         (b"    -1\n    58\n" + b"    -1x" * 3_000_000, "without a channel of real numbers"),
         (b"    -1\n    58\n" + b"\n    -1x" * 3_000_000, "without a channel of real numbers"),
-        (b"    -1\n    58\n" + b"    -1\n" * 1_000_000, "has more than 10000 data sets"),
+        (b"    -1\n    58\n" + b"    -1\n" * 1_000_000, "has more than 10 000 data sets"),
         (b"    -1\n    58\n" + b"    -1" + b" " * 20_000_000, "without a channel of real numbers"),
     ],
 )

@@ -184,16 +184,19 @@ def arrays(tmp_path: Path) -> Path:
     [
         (
             {"speed_channel": "rmp"},
-            r'speed_channel = "rmp": is not one.*1 acc, 2 rpm.*a number: .*fs',
+            r'speed_channel = "rmp": must be one, and only one, of 1 acc, 2 rpm.*a number: .*fs',
         ),
-        ({"speed_channel": 9}, "speed_channel = 9: is not one"),
-        ({"speed_channel": True}, "speed_channel = true: is not one"),
+        ({"speed_channel": 9}, "speed_channel = 9: must be one, and only one, of 1 acc"),
+        ({"speed_channel": True}, "speed_channel = true: must be one, and only one, of 1 acc"),
         ({"speed_channel": "acc"}, 'speed_channel = "acc": is the channel of the samples'),
         (
             {"speed_channel": "short_rpm"},
             '"short_rpm": has 1199 numbers, and the channel of the samples 1200',
         ),
-        ({"speed_channel": "speed"}, 'speed_unit: of the speed "speed" is to be given.*rpm, rad/s'),
+        (
+            {"speed_channel": "speed"},
+            'speed_unit: is needed for the speed "speed".*one of rpm, rad/s',
+        ),
         (
             {"speed_channel": "speed", "speed_unit": "g"},
             'speed_unit = "g": must be one of rpm, rad/s',
@@ -204,7 +207,10 @@ def arrays(tmp_path: Path) -> Path:
             'speed_unit = "rpm": needs a speed_channel, and none is given',
         ),
         ({"speed_channel": "wrong_rpm"}, r"speed = nan: 1 of 1200 samples are not finite.* 40 "),
-        ({"speed_channel": "great_rpm"}, r"speed = .*must be finite numbers of a size up to 1e.07"),
+        (
+            {"speed_channel": "great_rpm"},
+            r"speed = .*must be finite numbers of magnitude up to 1e.07",
+        ),
         ({"speed_channel": "none_rpm"}, "none_rpm = nan: is not a finite number"),
     ],
 )
@@ -218,7 +224,7 @@ def test_speed_in_a_unit_of_the_file(tmp_path: Path) -> None:
     rows = "\n".join(f"{x:.9f};{r:.6f};{r:.6f}" for x, r in zip(SAMPLES, RPM, strict=True))
     (tmp_path / "a.csv").write_text(f"fs: 2000\nacc;a (V);b (rpm)\n{rows}\n", "utf-8")
     with pytest.raises(
-        InputError, match='speed_channel = "a": is in V, which is no unit of a spee'
+        InputError, match='speed_channel = "a": is in V, which is not a unit of speed'
     ):
         read_signal(tmp_path / "a.csv", channel=1, speed_channel="a", speed_unit="rpm")
     with pytest.raises(InputError, match=r'speed_unit = "Hz": contradicts the file, .* "rpm"'):

@@ -266,5 +266,5 @@ def test_a_result_larger_than_the_disk(
 ) -> None:
     usage = shutil.disk_usage(tmp_path)
     monkeypatch.setattr(shutil, "disk_usage", lambda path: usage._replace(free=1000))
-    with pytest.raises(FileError, match=r"it takes .* MB, and 0.001 MB are free; what"):
+    with pytest.raises(FileError, match=r"it needs .* MB, and 0.001 MB are free; what"):
         run_to_file(study, tmp_path / "r.nc")

@@ -376,7 +376,9 @@ class TestToFile:
         folder = tmp_path / "result.nc.parts"
         folder.mkdir()
         (folder / "diary.txt").write_text("dear diary")
-        said = 'holds "diary.txt", which Rolamento did not write and does not remove; move it away'
+        said = (
+            'contains "diary.txt", which Rolamento did not write and does not remove; move it away'
+        )
         with pytest.raises(FileError, match=said):
             run_to_file(study, self.file(tmp_path), restart=restart)
         assert (folder / "diary.txt").read_text() == "dear diary"

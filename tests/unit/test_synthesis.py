@@ -787,7 +787,7 @@ def test_impacts_have_a_bound(bearing: Bearing) -> None:
         rate=8000.0,
         modes=(Mode(1000.0),),
     )
-    with pytest.raises(InputError, match="may be at most 5000000; shorten") as caught:
+    with pytest.raises(InputError, match="may be at most 5 000 000; shorten") as caught:
         synthesise(recipe)
     assert caught.value.field == "faults.impacts"
     assert caught.value.value == round(fast.ball_pass_inner.frequency * 10.0 * (1.0 - 1.0 / 80_000))

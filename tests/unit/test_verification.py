@@ -436,8 +436,8 @@ def test_the_page_may_go_to_standard_output(command: Command) -> None:
             ("--source", "harris"),
             'source = "harris": is an unknown source; did you mean harris_1991',
         ),
-        (("--json", "--markdown", "-"), "standard output: only one of --json, --markdown"),
-        (("--json", "x", "--markdown", "x"), "x: only one of --json, --markdown"),
+        (("--json", "--markdown", "-"), "standard output: only one of --json and --markdown can"),
+        (("--json", "x", "--markdown", "x"), "x: only one of --json and --markdown can"),
         (("--source", "iso_16281", "--json", "no/such/place"), "no/such/place: cannot be written"),
     ],
 )

@@ -115,7 +115,10 @@ def test_too_large_to_draw_still_has_chi_square() -> None:
         ("groups.*2 to 50", {"A": A}),
         ("groups.*2 to 50", {str(i): A for i in range(51)}),
         ("groups.*inspections", {"A": A, "B": LifeTest([2.0, 3.0], lower=[1.0, 2.0])}),
-        ("groups.*one unit", {"A": A, "B": LifeTest([2.0, 3.0], unit="Mrev")}),
+        (
+            'groups = "Mrev, h": must have the same unit',
+            {"A": A, "B": LifeTest([2.0, 3.0], unit="Mrev")},
+        ),
     ],
 )
 def test_what_cannot_be_compared(match: str, groups: dict[str, LifeTest]) -> None:

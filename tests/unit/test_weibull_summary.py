@@ -164,7 +164,7 @@ def test_wrong_wishes_are_refused(keywords: dict[str, Any], field: str) -> None:
 
 def test_too_many_groups_are_refused() -> None:
     test = LifeTest(np.arange(1.0, 22.0), group=[str(i) for i in range(21)])
-    with pytest.raises(InputError, match="20 at most"):
+    with pytest.raises(InputError, match="groups = 21: must be at most 20"):
         summarise(test)
     assert summarise(test, Wanted(samples=100), by_group=False).has_result
 

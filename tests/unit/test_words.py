@@ -211,6 +211,8 @@ class TestSaying:
     ("value", "form", "english", "portuguese"),
     [
         (12345, "", "12 345", "12 345"),
+        (-1234, "", "−1234", "−1234"),
+        (2**63 + 8, "", "9 223 372 036 854 775 816", "9 223 372 036 854 775 816"),
         (1234.5, "", "1234", "1234"),
         (0.52321, ".3", "0.523", "0,523"),
         (2.0, ".2f", "2.00", "2,00"),
@@ -266,6 +268,7 @@ class TestScript:
         assert found.get("Show the version.") is not None
         assert found.get("FILE", "metavar") is not None
         assert found.get("Inside the bearing") is not None
+        assert found.get("is not a readable {kind}: {reason}") is not None  # of a private package
 
     def test_it_complains(
         self, scripts: ModuleType, catalogues: Path, monkeypatch: pytest.MonkeyPatch

@@ -17,7 +17,7 @@ from typing import Final
 import numpy as np
 
 from rolamento.errors import FileError, InputError, shown
-from rolamento.words import marked, said
+from rolamento.words import manner, marked, said
 
 __all__ = [
     "LARGEST_CHUNK",
@@ -114,7 +114,7 @@ def size_of_file(path: str | os.PathLike[str]) -> int:
     FileError
         If there is none, it is of another kind, or it is empty.
     """
-    with guarded(source := str(path), "file"):
+    with guarded(source := str(path), marked("file")):
         about = os.stat(path)
         if stat.S_ISDIR(about.st_mode):
             raise FileError(said("is a directory; give a signal file"), source=source)
@@ -167,15 +167,16 @@ def guarded(source: str, kind: str) -> Iterator[None]:
             ) from None
         reason = _in_short(str(error) or type(error).__name__)
         raise FileError(
-            said("is not a readable {kind}: {reason}", kind=kind, reason=reason), source=source
+            said("is not a readable {kind}: {reason}", kind=said(kind), reason=reason),
+            source=source,
         ) from None
 
 
 def _amount(size: int) -> str:
     for unit, worth in (("GB", 2**30), ("MB", 2**20)):
         if size >= worth:
-            return f"{size / worth:.4g} {unit}"
-    return f"{size / 2**10:.4g} kB"
+            return f"{manner().number(size / worth, '.4')} {unit}"
+    return f"{manner().number(size / 2**10, '.4')} kB"
 
 
 def _in_short(reason: str) -> str:

@@ -45,7 +45,7 @@ class Isolated:
     path
         Of the file.
     kind
-        Of the file, for messages.
+        Of the file, for messages: a text that is marked.
 
     Raises
     ------
@@ -96,7 +96,7 @@ class Isolated:
             raise FileError(
                 said(
                     "is damaged: the library of this {kind} broke off, or came to no end",
-                    kind=self._kind,
+                    kind=said(self._kind),
                 ),
                 source=self._source,
             ) from None

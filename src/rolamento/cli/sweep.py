@@ -17,7 +17,7 @@ from rolamento.cli.options import LanguageOption, SettingsOption
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.streams import complain, print_text
 from rolamento.errors import InputError
-from rolamento.words import said
+from rolamento.words import marked, said
 
 
 class Listed(StrEnum):
@@ -83,7 +83,11 @@ def sweep(
             raise InputError(
                 said("is missing"), field="STUDY", example="rolamento sweep study.toml"
             )
-        outputs.check({"--output": output}, study)
+        outputs.check(
+            {"--output": output},
+            study,
+            rule=marked("is the study file itself; choose another name"),
+        )
         from rolamento.cli.sweep_progress import told
         from rolamento.pages.study import study_page
         from rolamento.tasks import studies

@@ -53,9 +53,12 @@ def miner_life(lives: ArrayLike, shares: ArrayLike, *, axis: int = 0) -> FloatAr
     share = positive(shares, "shares", zero=True)
     if share.ndim != 1 or share.size != life.shape[-1]:
         raise InputError(
-            said("must be one for each step, {shape}", shape=life.shape[-1]),
+            said(
+                "must be as many as the steps, {steps}; given: {given}",
+                steps=life.shape[-1],
+                given=share.size,
+            ),
             field="shares",
-            value=f"{share.size} numbers",
         )
     if not abs(float(share.sum()) - 1.0) <= _SUM:
         raise InputError(said("must sum to 1"), field="shares", value=float(share.sum()))

@@ -18,7 +18,7 @@ from rolamento._foreign.readers import NetcdfVariables
 from rolamento.errors import FileError
 from rolamento.studies.plan import Layout, Plan, Variable, slabs
 from rolamento.studies.study import SAMPLE
-from rolamento.words import said
+from rolamento.words import marked, said
 
 __all__ = ["dataset", "load_result"]
 
@@ -70,7 +70,7 @@ def load_result(path: str | os.PathLike[str]) -> xr.Dataset:
     if not Path(source).is_file():
         raise FileError(said("cannot be opened: no such file"), source=source)
     try:
-        with Isolated(NetcdfVariables, Path(source), "NetCDF file") as process:
+        with Isolated(NetcdfVariables, Path(source), marked("NetCDF file")) as process:
             loaded = xr.decode_cf(_read(process, source)).load()
     except FileError:
         raise

@@ -148,6 +148,11 @@ class Manner(Formatter):
         negative = value < 0.0 and any(digit in "123456789" for digit in text)
         return (_MINUS if negative else "") + grouped.replace(".", self.mark)
 
+    def whole(self, value: int) -> str:
+        """Write an integer of any size, all its digits, in groups as `fixed`."""
+        text = f"{abs(value):,}".replace(",", " " if abs(value) >= _SMALLEST_GROUPED else "")
+        return (_MINUS if value < 0 else "") + text
+
     def column(self, values: Sequence[float], digits: int = 5, most: int = 4) -> list[str]:
         """Write numbers that stand below each other, with the same decimals."""
         decimals = decimals_for(values, digits, most)
@@ -221,7 +226,7 @@ class Manner(Formatter):
         if isinstance(value, bool):
             return str(value)
         if isinstance(value, int) and not format_spec:
-            return self.fixed(value, 0)
+            return self.whole(value)
         if isinstance(value, int | float):
             return self.number(float(value), format_spec)
         if hasattr(value, "tolist"):

@@ -159,7 +159,7 @@ class NumpySource(ArraysSource):
         size = size_of_file(path)
         with path.open("rb") as file:
             is_archive = file.read(2) == b"PK"
-        kind = "NumPy archive" if is_archive else "NumPy array"
+        kind = marked("NumPy archive") if is_archive else marked("NumPy array")
         with guarded(self._source, kind):
             try:
                 variables = self._members(path, size) if is_archive else self._mapped(path, size)
@@ -176,7 +176,7 @@ class NumpySource(ArraysSource):
 
     def _samples(self, place: Place, start: int, count: int) -> FloatArray:
         if place.variable not in self._arrays:
-            with guarded(self._source, "NumPy archive"):
+            with guarded(self._source, marked("NumPy archive")):
                 self._arrays[place.variable] = self._archive[self._names[place.variable]]
         array = self._arrays[place.variable]
         line = array if array.ndim == 1 else np.moveaxis(array, place.axis, 0)[:, place.row]
@@ -234,11 +234,12 @@ class IsolatedSource(ArraysSource):
         if kind == "MATLAB":
             check_whole(size, self._source)
         reader = MatlabArrays if kind == "MATLAB" else Hdf5Arrays
-        self._process = Isolated(reader, path, f"{kind} file")
+        named = marked("MATLAB file") if kind == "MATLAB" else marked("HDF5 file")
+        self._process = Isolated(reader, path, named)
         try:
             variables = self._process.ask("variables")
             self._names = [variable.name for variable in variables]
-            self._take(variables, self._source, f"{kind} file")
+            self._take(variables, self._source, named)
         except BaseException:
             self.close()
             raise

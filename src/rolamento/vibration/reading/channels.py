@@ -150,7 +150,7 @@ def checked_channels(channels: Iterable[Channel], source: str, kind: str) -> tup
         found.append(channel)
     if not found:
         raise FileError(
-            said("is a {kind} file without a channel of real numbers", kind=kind), source=source
+            said("is a {kind} without a channel of real numbers", kind=said(kind)), source=source
         )
     return tuple(found)
 

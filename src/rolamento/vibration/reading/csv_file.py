@@ -60,7 +60,7 @@ class CsvSource(Source):
             raise FileError(limit, source=self._source)
         self._file = path.open("rb")
         try:
-            with guarded(self._source, "table"):
+            with guarded(self._source, marked("table")):
                 head = _head(self._file, size, self._source)
                 self._layout = layout_of(head, self._source, mark)
                 self._rows = _Rows(self._file, self._layout.offset, self._source)
@@ -68,7 +68,7 @@ class CsvSource(Source):
                 self._columns = self._columns_of_channels()
                 self.numbers = self._layout.numbers
                 channels = [self._channel(number) for number in self._columns]
-            self.channels = checked_channels(channels, self._source, "table")
+            self.channels = checked_channels(channels, self._source, marked("table"))
         except BaseException:
             self._file.close()
             raise
@@ -82,7 +82,7 @@ class CsvSource(Source):
         step = min(_MOST_AT_ONCE, max(1, _PIECE // self._rows.longest))
         for first in range(0, count, step):
             number = min(step, count - first)
-            with guarded(self._source, "table"):
+            with guarded(self._source, marked("table")):
                 block = self._block(start + first, number, columns)
             if self._timeline is not None:
                 self._timeline[1].check(block[:, -1], start + first, self._source)
@@ -361,7 +361,7 @@ def layout_of(head: bytes, source: str, mark: DecimalMark | None = None) -> CsvL
         mark=mark,
     )
     try:
-        numerals.check(next((name for name in names if name), "table"))
+        numerals.check(next((name for name in names if name), marked("table")))
     except InputError as error:
         raise error.with_details(source=source) from None
     comma = numerals.mark == "comma" or (
@@ -403,7 +403,7 @@ def _first_row(lines: Sequence[str], source: str) -> tuple[int, str | None]:
                 return number, separator
     raise FileError(
         said("has no table of numbers in its first lines"),
-        example="time (s);acc (g) over rows such as 0,0001;0,25",
+        example=said("time (s);acc (g) over rows such as 0,0001;0,25"),
         source=source,
     )
 

@@ -11,7 +11,7 @@ from rolamento._foreign.bounds import check_declared, guarded, size_of_file
 from rolamento._tables import DecimalMark
 from rolamento.errors import FileError
 from rolamento.vibration.reading.channels import Source
-from rolamento.words import said
+from rolamento.words import marked, said
 
 __all__ = ["ENDINGS", "open_source"]
 
@@ -22,7 +22,7 @@ ENDINGS: Final = {
     "MATLAB": (".mat",),
     "HDF5": (".h5", ".hdf5", ".hdf", ".he5", ".nc"),
     "Parquet": (".parquet", ".pq"),
-    "universal file": (".uff", ".unv", ".uf", ".bunv"),
+    "UFF": (".uff", ".unv", ".uf", ".bunv"),
 }
 """Endings by format."""
 
@@ -45,12 +45,12 @@ def open_source(path: str | os.PathLike[str], mark: DecimalMark | None = None) -
     file = _path(path)
     source = str(file)
     size = size_of_file(file)
-    with guarded(source, "signal file"), file.open("rb") as stream:
+    with guarded(source, marked("signal file")), file.open("rb") as stream:
         head = stream.read(512)
         kind = _kind(head, stream, size, file.suffix.lower())
     if not kind:
         raise _unknown(file.suffix.lower(), source)
-    with guarded(source, "signal file"):
+    with guarded(source, marked("signal file")):
         opened_source = _source_of(kind, file, mark)
         try:
             for channel in opened_source.channels:
@@ -97,7 +97,7 @@ def _unknown(ending: str, source: str) -> FileError:
     if ending == ".mat":
         rule = said("is not a MATLAB file of version 5 to 7.3; in MATLAB, save it with -v7")
     elif named:
-        rule = said("is not a {named} file, as its name says", named=named)
+        rule = said("is not a {named} file, although its name says so", named=named)
     else:
         known = "; ".join(f"{kind} ({', '.join(ends)})" for kind, ends in ENDINGS.items())
         rule = said("is not of a format that can be read: {known}", known=known)

@@ -53,7 +53,7 @@ class ParquetSource(Source):
         self._position: tuple[tuple[int, ...], int] = ((), 0)
         self._batches: Iterator[FloatArray] = iter(())
         self._rest = np.empty((0, 1))
-        with guarded(self._source, "Parquet file"):
+        with guarded(self._source, marked("Parquet file")):
             self._file = pq.ParquetFile(
                 path,
                 memory_map=False,
@@ -63,11 +63,11 @@ class ParquetSource(Source):
                 thrift_container_size_limit=_MOST_TEXT,
             )
         try:
-            with guarded(self._source, "Parquet file"):
+            with guarded(self._source, marked("Parquet file")):
                 self._look()
                 self.numbers = _numbers_among(self._texts)
                 channels = [self._channel(field) for field in self._fields]
-            self.channels = checked_channels(channels, self._source, "Parquet file")
+            self.channels = checked_channels(channels, self._source, marked("Parquet file"))
         except BaseException:
             self.close()
             raise
@@ -76,7 +76,7 @@ class ParquetSource(Source):
         """Return samples of some channels; the times beside them are checked."""
         samples = np.empty((len(channels), count))
         filled = 0
-        with guarded(self._source, "Parquet file"):
+        with guarded(self._source, marked("Parquet file")):
             if self._position != (tuple(channels), start):
                 self._seek(channels, start)
             self._position = ((), 0)  # until all of it is read

@@ -113,7 +113,7 @@ class SignalFile:
             If the file is damaged there, or a sample is not a finite number.
         """
         name = str(self.path)
-        with guarded(name, "signal file"):
+        with guarded(name, marked("signal file")):
             start = checked_count(
                 start, "start", least=0, most=self.length - 1, example="start = 0"
             )
@@ -250,7 +250,7 @@ def open_signal(
     source = open_source(path, None if decimal_mark is None else checked_mark(decimal_mark))
     name = os.fspath(path)
     try:
-        with guarded(str(name), "signal file"):
+        with guarded(str(name), marked("signal file")):
             beside = channel_beside(source, speed_channel) if channel is None else None
             number = chosen_channel(source.channels, channel) if beside is None else beside
             chosen = source.channels[number]

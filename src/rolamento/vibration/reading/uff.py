@@ -22,7 +22,7 @@ from rolamento.vibration.reading.channels import Channel, Source, checked_channe
 from rolamento.vibration.reading.metadata import Timeline, positive, short_name
 from rolamento.vibration.reading.units import plain_unit, quantity_of_unit
 from rolamento.vibration.signal import SI_UNITS, Quantity
-from rolamento.words import said
+from rolamento.words import marked, said
 
 __all__ = ["UffSource"]
 
@@ -95,17 +95,17 @@ class UffSource(Source):
         self._source = str(path)
         check_whole(size_of_file(path), self._source)
         self._held: dict[int, FloatArray] = {}
-        with guarded(self._source, "universal file"):
+        with guarded(self._source, marked("universal file")):
             self._sets = list(_Reader(path.read_bytes(), self._source).records())
         channels = [record.channel for record in self._sets]
-        self.channels = checked_channels(channels, self._source, "universal file")
+        self.channels = checked_channels(channels, self._source, marked("universal file"))
 
     def read(self, channels: Sequence[int], start: int, count: int) -> FloatArray:
         """Return samples of some channels."""
         self._held = {n: samples for n, samples in self._held.items() if n in channels}
         for channel in channels:
             if channel not in self._held:
-                with guarded(self._source, "universal file"):
+                with guarded(self._source, marked("universal file")):
                     self._held[channel] = self._sets[channel].numbers.samples(self._source)
         return np.stack([self._held[channel][start : start + count] for channel in channels])
 

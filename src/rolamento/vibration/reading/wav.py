@@ -33,7 +33,7 @@ class WavSource(Source):
     def __init__(self, path: Path) -> None:
         self._source = str(path)
         size = size_of_file(path)
-        with guarded(self._source, "WAV file"):
+        with guarded(self._source, marked("WAV file")):
             _refuse_cut_off(path, size, self._source)
             try:
                 self._file = soundfile.SoundFile(self._source)
@@ -60,7 +60,9 @@ class WavSource(Source):
                 self.notes = (Note("bits_to_full_scale", {"bits": bits}),)
             rate = float(self._file.samplerate)
             each = Channel("", self._file.frames, rate, "1" if bits else "")
-            self.channels = checked_channels([each] * self._file.channels, self._source, "WAV file")
+            self.channels = checked_channels(
+                [each] * self._file.channels, self._source, marked("WAV file")
+            )
         except BaseException:
             self._file.close()
             raise
@@ -69,7 +71,7 @@ class WavSource(Source):
         """Return samples of some channels, in pieces: memory is taken for those channels only."""
         samples = np.empty((len(channels), count))
         at_once = max(1, _AT_ONCE // self._file.channels)
-        with guarded(self._source, "WAV file"):
+        with guarded(self._source, marked("WAV file")):
             self._file.seek(start)
             for first in range(0, count, at_once):
                 number = min(at_once, count - first)
