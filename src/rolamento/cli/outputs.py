@@ -128,6 +128,8 @@ class Outputs:
 
     def write(self, document: Document) -> None:
         """Write the files that were asked for."""
+        if not any(self.files().values()):
+            return
         from rolamento.document.tables import to_csv, to_xlsx
         from rolamento.document.writing import write
 

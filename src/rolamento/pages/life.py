@@ -58,7 +58,6 @@ __all__ = [
     "remarks",
     "required_sentence",
     "theories_section",
-    "theory_tone",
     "validity_section",
     "verdict",
 ]
@@ -212,11 +211,6 @@ def verdict(valid: bool, below: bool) -> str:
     if below:
         return said("bound")
     return said("yes") if valid else said("no")
-
-
-def theory_tone(valid: bool, below: bool) -> Tone:
-    """Return how that word is meant."""
-    return "good" if valid else "warning"
 
 
 # --- the statement -----------------------------------------------------------------------------
@@ -527,7 +521,7 @@ def theories_section(summary: LifeSummary) -> Section:
             head=said("valid"),
             values=[verdict(*one) for one in judged],
             key="valid",
-            tones=[theory_tone(*one) for one in judged],
+            tones=["good" if valid else "warning" for valid, _ in judged],
         )
     )
     table = Table(columns=tuple(columns), key="theories", fixed=2, units="behind", indent=0)

@@ -21,7 +21,6 @@ from rolamento.pages.life import (
     reached,
     remarks,
     required_sentence,
-    theory_tone,
     verdict,
 )
 from rolamento.words import said
@@ -119,7 +118,7 @@ def _theories(found: SpectrumLife) -> Section:
             head=said("valid"),
             values=[verdict(*one) for one in judged],
             key="valid",
-            tones=[theory_tone(*one) for one in judged],
+            tones=["good" if valid else "warning" for valid, _ in judged],
         ),
     )
     legends = [said("for {reliability:.7 %} reliability", reliability=found.reliability)]
