@@ -25,8 +25,7 @@ from rolamento.static.radial import Distribution
 from rolamento.units import MILLIMETRE, from_si
 from rolamento.words import said
 
-MEASURING_LOAD_SOURCE: Final = "Campanha 2008, table 3.2"
-
+# Campanha 2008, table 3.2
 _BORES: Final = (2.5, 18.0, 50.0, 280.0)
 _LOADS: Final = (24.5, 49.0, 147.0)
 _GREATEST_LOAD: Final = 1e6

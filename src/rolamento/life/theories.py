@@ -34,8 +34,6 @@ THEORIES: Final[Mapping[str, Theory]] = {
 
 BY_RANK: Final = tuple(sorted(THEORIES, key=lambda name: THEORIES[name].rank))
 """Names by weight: figures list theories so."""
-FIRST_LEFT_OUT: Final = tuple(name for name in reversed(BY_RANK) if not THEORIES[name].standard)
-"""Names of those that give way in this order where a table has no room for all."""
 
 NEEDS: Final[Mapping[str, Need]] = {
     need.name: need

@@ -113,7 +113,6 @@ def _shifted_viscosity(temperature: ArrayLike, line: ViscosityLine) -> FloatArra
 
 # --- viscosity index: how little an oil thins between 40 and 100 °C; plain numbers -----------
 
-MAXIMUM_INDEX: Final = 400.0
 
 # From Y mm²/s at 100 °C on: a, b, c of L = a Y² + b Y + c, and d, e, f of H likewise.
 _INDEX_COEFFICIENTS: Final = (
