@@ -399,7 +399,7 @@ def clearance_from_temperature(
         If the bearing is given by its contact angle, or a difference is out of range.
 
     Linear: a mean difference shifts the mean clearance, and a standard deviation s of the
-    difference adds one of expansion · s · (d_m + D). Holds for rings that are each of one
+    difference adds one of expansion · s · (d_m + D). Valid for rings that are each of one
     temperature and grow freely, balls as warm as the inner ring, and one material; a fit that
     hinders the growth, or ceramic balls, changes it. Source: NSK, Rolling Bearings (catalogue
     E1102), which takes (4 D_bearing + d_bore)/5 for the outer raceway's diameter.
