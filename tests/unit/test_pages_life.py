@@ -16,7 +16,7 @@ from rolamento.document.medium import Medium
 from rolamento.document.terminal import terminal
 from rolamento.life import LifeSummary, conditions_of, life, sensitivity
 from rolamento.life.record import OUTSIDE
-from rolamento.pages.life import given_reliability, life_page, percent
+from rolamento.pages.life import life_page, percent
 from rolamento.pages.life_over import life_over_page
 from rolamento.pages.life_spectrum import life_spectrum_page
 from rolamento.pages.shaft import shaft_page
@@ -125,8 +125,8 @@ def test_shares(share: float, text: str) -> None:
 
 def test_a_given_reliability_keeps_its_digits() -> None:
     with speaking("pt"):
-        assert given_reliability(0.9) == "90 %"
-        assert given_reliability(0.99995) == "99,995 %"
+        assert manner().number(0.9, ".7 %") == "90 %"
+        assert manner().number(0.99995, ".7 %") == "99,995 %"
 
 
 # --- the statement ----------------------------------------------------------------------------

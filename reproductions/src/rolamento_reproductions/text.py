@@ -25,7 +25,6 @@ from rolamento.words import language, manner, speaking
 
 ENGLISH: Final = "en"
 _MINUS: Final = "−"
-_SPACE: Final = "\N{NARROW NO-BREAK SPACE}"
 _HEADING: Final = "## "
 _LABEL: Final = re.compile(r"- ([\w.]+): (.+)")
 _FUNCTION: Final = re.compile(r"\b(sin|tan)\b")

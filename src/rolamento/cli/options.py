@@ -24,7 +24,6 @@ __all__ = [
     "SettingsOption",
     "SpeedOption",
     "StartOption",
-    "csv_option",
     "json_option",
     "plot_option",
 ]
@@ -34,11 +33,6 @@ def json_option(what: str) -> Any:
     """Return the option ``--json [FILE]`` that does what is said."""
     text = f"{what}; without FILE, to standard output."
     return typer.Option("--json", metavar="[FILE]", help=text)
-
-
-def csv_option(what: str) -> Any:
-    """Return the option ``--csv FILE`` that does what is said."""
-    return typer.Option("--csv", metavar="FILE", help=f"{what}; - is standard output.")
 
 
 def plot_option(what: str) -> Any:

@@ -26,9 +26,9 @@ from rolamento.life.reliability import reliability_factor, reliability_of
 from rolamento.life.theories import THEORIES
 from rolamento.numerics import FloatArray
 from rolamento.solved import Solved
+from rolamento.units import HOUR
 from rolamento.words import said
 
-_HOUR: Final = 3600.0
 _WORTH: Final = 1.5
 """Gain of the modified life below which neither oil nor cleanliness is what limits it."""
 
@@ -124,7 +124,7 @@ class LifeSummary:
         edition, leading = self.conditions.edition, self.headline
         for_ninety = leading.hours / reliability_factor(leading.reliability, edition)
         with np.errstate(divide="ignore", invalid="ignore"):
-            ratio = numbers(time, "time") / _HOUR / for_ninety
+            ratio = numbers(time, "time") / HOUR / for_ninety
         known = np.where(np.isnan(ratio), 1.0, ratio)
         return np.where(np.isnan(ratio), np.nan, reliability_of(known, edition))
 

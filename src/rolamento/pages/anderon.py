@@ -22,6 +22,7 @@ from rolamento.document import (
     Tone,
 )
 from rolamento.pages.data import in_files
+from rolamento.units import HOUR
 from rolamento.vibration.anderon import BANDS, velocity_of_anderons
 from rolamento.vibration.anderon_trend import AnderonTrend, BandTrend
 from rolamento.words import ABSENT, manner, marked, said, said_in
@@ -47,7 +48,6 @@ _QUANTITIES: Final = {
     "displacement": marked("displacement"),
     "unknown": marked("signal"),
 }
-_HOUR: Final = 3600.0
 _LONGEST_NAME: Final = 32
 
 
@@ -258,7 +258,7 @@ def _signals(found: NoiseResult) -> Section:
         ),
         Column(
             head=said("time"),
-            values=[_HOUR * one.hours for one in found.measured],
+            values=[HOUR * one.hours for one in found.measured],
             unit="h",
             form=".6 [h]",
             key="hours",
@@ -331,7 +331,7 @@ def _over_time(trend: AnderonTrend) -> list[Section]:
 
 
 def _in_seconds(hours: float) -> CellContent:
-    return _HOUR * hours if isfinite(hours) else None
+    return HOUR * hours if isfinite(hours) else None
 
 
 def _rejected(band: BandTrend) -> str:

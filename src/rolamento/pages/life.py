@@ -34,7 +34,8 @@ from rolamento.life.record import BOUNDS, OUTSIDE
 from rolamento.life.theories import THEORIES
 from rolamento.pages.given import head, untitled
 from rolamento.pages.state import notes_section
-from rolamento.words import ABSENT, Note, manner, said
+from rolamento.units import HOUR
+from rolamento.words import ABSENT, Note, said
 from rolamento.words.theories import theory_life, theory_name, theory_scope
 
 if TYPE_CHECKING:
@@ -44,10 +45,8 @@ if TYPE_CHECKING:
     from rolamento.solved import Solved
 
 __all__ = [
-    "HOUR",
     "MILLION",
     "changes_section",
-    "given_reliability",
     "life_notes",
     "life_page",
     "life_section",
@@ -62,7 +61,6 @@ __all__ = [
     "verdict",
 ]
 
-HOUR: Final = 3600.0
 MILLION: Final = 1e6
 LIFE: Final = ".3r [10⁶ rev]"
 HOURS: Final = ".3r [h]"
@@ -153,11 +151,6 @@ def percent(share: float) -> str:
     if 0.0 < share < 2.0 * _HARDLY_ANY:
         return said("less than {value:.3 %}", value=0.001)
     return said("{share:.3 %}", share=share)
-
-
-def given_reliability(reliability: float) -> str:
-    """Write a reliability that was given, with all its digits."""
-    return manner().number(reliability, ".7 %")
 
 
 def _unit_of_force(values: Iterable[float]) -> str:

@@ -24,8 +24,9 @@ from rolamento.document import (
 from rolamento.life.theories import THEORIES
 from rolamento.pages.across import field_column, place_text, read_text
 from rolamento.pages.given import untitled
-from rolamento.pages.life import HOUR, MILLION, remarks
+from rolamento.pages.life import MILLION, remarks
 from rolamento.studies.names import setting_name
+from rolamento.units import HOUR
 from rolamento.words import said
 from rolamento.words.reasons import reason
 from rolamento.words.theories import theory_heads, theory_name

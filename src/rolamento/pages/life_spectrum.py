@@ -14,7 +14,6 @@ from rolamento.life import Life
 from rolamento.life.iso16281 import THEORY as REFERENCE
 from rolamento.pages.given import untitled
 from rolamento.pages.life import (
-    HOUR,
     formulas_only,
     life_columns,
     percent,
@@ -23,6 +22,7 @@ from rolamento.pages.life import (
     required_sentence,
     verdict,
 )
+from rolamento.units import HOUR
 from rolamento.words import said
 from rolamento.words.reasons import reason
 from rolamento.words.theories import theory_life, theory_name

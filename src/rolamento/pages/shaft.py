@@ -21,7 +21,8 @@ from rolamento.document import (
     Tone,
 )
 from rolamento.life.theories import THEORIES
-from rolamento.pages.life import HOUR, formulas_only, percent, remarks
+from rolamento.pages.life import formulas_only, percent, remarks
+from rolamento.units import HOUR
 from rolamento.words import said
 from rolamento.words.naming import shortened
 from rolamento.words.reasons import reason

@@ -33,6 +33,7 @@ from rolamento.plots.frame import (
 from rolamento.plots.over_field import across, decades, judged_line
 from rolamento.plots.style import SERIES, new_figure, series, styled
 from rolamento.studies.names import setting_name
+from rolamento.units import HOUR
 from rolamento.words import said
 from rolamento.words.theories import theory_name
 
@@ -65,7 +66,6 @@ _ABOVE: Final = 10.0
 """How far an upper bound may lead the axis beyond the other theories."""
 _ROOM: Final = 1.5
 _VARIANTS: Final[tuple[Any, ...]] = ("-", "--", ":", "-.", (0, (5, 1, 1, 1)), (0, (7, 2)))
-_HOUR: Final = 3600.0
 _RATIOS: Final = (0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.5, 2.0, 3.0, 4.0)
 """κ of the curves, as on the standard's charts."""
 _STRENGTH: Final = (0.005, 5.0)
@@ -125,7 +125,7 @@ def lives_by_theory(curves: Sequence[LifeCurve], axes: Axes | None = None) -> Ax
             shown = said("{name}, above", name=name) if beyond else name
             faint |= judged_line(axes, x, life, valid, shown, look)
         if turns and own.case.life is not None and own.case.life.wanted_life is not None:
-            wanted = own.case.life.wanted_life / _HOUR
+            wanted = own.case.life.wanted_life / HOUR
             axes.axhline(wanted, color=GREY, linewidth=0.9, label=said("required life"))
             limits = min(limits[0], wanted / _ROOM), max(limits[1], wanted * _ROOM)
         _mark_missing(axes, x, own)

@@ -35,6 +35,7 @@ from rolamento.studies.fields import Field, Value, read_field, refuse_rivals
 from rolamento.studies.solving import CONVERGED, INVALID_INPUT, array_fields, base_case
 from rolamento.tasks.life import SCHEMA, CaseSource, TableSource, case_of, factor_table
 from rolamento.tasks.life_over import LifeRows, lives_of_rows
+from rolamento.units import HOUR
 from rolamento.words import said
 
 __all__ = ["DutyLife", "DutySteps", "SpectrumLife", "life_under", "read_spectrum"]
@@ -43,7 +44,6 @@ MOST_WITH_STRESS_VOLUME: Final = 1000
 """Steps up to which the theory of Ioannides and Harris, which takes milliseconds, is evaluated."""
 _MOST_SINGLE: Final = 2000
 """Cases of their own that the steps may need."""
-_HOUR: Final = 3600.0
 MOST_STEPS: Final = 10_000
 
 Kind = Literal["share", "revolutions"]
@@ -196,7 +196,7 @@ class SpectrumLife:
         hours_for_ninety = reached.hours / float(reliability_factor(self.reliability, edition))
         if self.required_life is None or not hours_for_ninety > 0.0:
             return None
-        return float(reliability_of(self.required_life / _HOUR / hours_for_ninety, edition))
+        return float(reliability_of(self.required_life / HOUR / hours_for_ninety, edition))
 
     def to_json(self) -> str:
         """Return all of it as one JSON object: SI units, hours, millions of revolutions."""
