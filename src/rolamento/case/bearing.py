@@ -423,6 +423,13 @@ class Bearing(Record):
                 value=self.outer_conformity,
                 example=said("leave it out"),
             )
+        if self.outer_shoulder_height is not None:
+            raise InputError(
+                said("is not given of a self-aligning bearing: its outer race is a sphere"),
+                field="outer_shoulder_height",
+                value=from_si(self.outer_shoulder_height, "length"),
+                example=said("leave it out"),
+            )
         if self.contact_angle == 0.0:
             raise InputError(
                 said("of a self-aligning bearing must be greater than 0 deg"),

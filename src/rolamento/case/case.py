@@ -193,6 +193,38 @@ class Case(Record):
         return self
 
     @model_validator(mode="after")
+    def _model_fits_the_grooves(self) -> Self:
+        """On other grooves some choices of the model have no meaning."""
+        kind, model = self.bearing.kind, self.model
+        if kind is None:
+            return self
+        many = kind in ("four_point", "thrust")
+        allowed = ("outer", "inner") if many else ("outer", "inner", "jones", "none")
+        if model.raceway_control not in allowed:
+            raise InputError(
+                said(
+                    'must be one of {allowed} with bearing.kind = "{kind}"',
+                    allowed=", ".join(allowed),
+                    kind=kind,
+                ),
+                field="model.raceway_control",
+                value=model.raceway_control,
+                example='raceway_control = "outer"',
+            )
+        if many and model.cage == "none":
+            raise InputError(
+                said(
+                    'must be loose or rigid with bearing.kind = "{kind}": the balls orbit with the'
+                    " cage",
+                    kind=kind,
+                ),
+                field="model.cage",
+                value=model.cage,
+                example='cage = "loose"',
+            )
+        return self
+
+    @model_validator(mode="after")
     def _friction_control_has_friction(self) -> Self:
         """Balls that only friction controls need a coefficient of it, and one row."""
         if self.model.raceway_control != "friction":

@@ -63,6 +63,8 @@ to 2e-10 up to 0.5."""
 PRECISION: Final = 1e-11
 NEGLIGIBLE: Final = 1e-7
 """Of the ball's diameter: an approach whose load is none, beside which balls are in balance."""
+EDGE: Final = 1e-9
+"""Cosine: a contact at the very end of a half circle is past it."""
 GREATEST_APPROACH: Final = 0.02
 """Of the ball's diameter: beyond is no elastic contact."""
 
@@ -185,6 +187,11 @@ class GrooveRow:
             sine=np.sin(n.angle),
         )
 
+    @property
+    def driven(self) -> BoolArray:
+        """Whether a centrifugal force acts on the balls; (cases,)."""
+        return np.asarray(self.numbers.force > 0.0)
+
     def refuse(self, cases: BoolArray) -> None:
         """Take some cases for invalid: they are left alone."""
         self.sound[cases] = False
@@ -193,6 +200,8 @@ class GrooveRow:
 
     def held(self, place: FloatArray, which: Indices, control: FloatArray) -> HeldOnGrooves:
         """Hold some of the cases at a place; (len(which), 5)."""
+        if not len(which):
+            return self.nothing(0)
         n = _taken(self.numbers, which)
         cases, balls = len(which), self.element_count
         cosine, sine = self._azimuth(n)
@@ -244,7 +253,8 @@ class GrooveRow:
             bottom = ball.bottom * [flank, 1.0]
             for contact, race in zip(contacts, (ball.inner, ball.outer), strict=True):
                 pressed = contact.load > 0.0
-                over = pressed & ((contact.direction * bottom).sum(axis=-1) < race.edge)
+                end = race.edge + EDGE
+                over = pressed & ((contact.direction * bottom).sum(axis=-1) < end)
                 past |= over.reshape(cases, -1).any(axis=1)
                 sunk = pressed & (contact.approach > GREATEST_APPROACH * ball.diameter)
                 deep |= sunk.reshape(cases, -1).any(axis=1)
