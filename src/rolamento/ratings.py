@@ -28,6 +28,8 @@ from rolamento.numerics.elliptic import complete
 
 __all__ = [
     "MAXIMUM_GAMMA",
+    "SELF_ALIGNING_CONFORMITY",
+    "THRUST_CONFORMITY",
     "RatedType",
     "dynamic_factor",
     "dynamic_factor_of_grooves",
@@ -60,9 +62,12 @@ _DYNAMIC_THRUST: Final = _LUNDBERG_PALMGREN * 0.9
 """All balls share an axial load; reduction factor 0.9."""
 _UNEVEN: Final = 1.0 / 3.0
 """1 - sin α/3: what thrust bearings lose by their balls' not sharing the load evenly."""
-_SELF_ALIGNING_GROOVE: Final = 0.53
-_THRUST_GROOVE, _THRUST_STATIC_GROOVE = 0.535, 0.54
-"""Groove conformity behind the tables of thrust bearings: of ISO 281, and of ISO 76."""
+SELF_ALIGNING_CONFORMITY: Final = 0.53
+"""f_i behind the tables of self-aligning bearings."""
+THRUST_CONFORMITY: Final = 0.535
+"""Of both grooves, behind the table of ISO 281 for thrust bearings."""
+_THRUST_STATIC_CONFORMITY: Final = 0.54
+"""Likewise of ISO 76."""
 _PRESSURE: Final = 4200.0
 """MPa at the heaviest ball under the static rating (ISO 76, ball bearings but self-aligning)."""
 _PRESSURE_SELF_ALIGNING: Final = 4600.0
@@ -87,7 +92,7 @@ def dynamic_factor(gamma: ArrayLike, kind: RatedType = "radial") -> FloatArray:
     if kind == "radial":
         return _interpolated("dynamic", gamma)
     g = _within(gamma, 0.01, MAXIMUM_GAMMA)
-    inner = _SELF_ALIGNING_GROOVE
+    inner = SELF_ALIGNING_CONFORMITY
     return _dynamic_by_grooves(_DYNAMIC_SELF_ALIGNING, g, inner, _sphere(g), 1.04)
 
 
@@ -107,7 +112,7 @@ def static_factor(gamma: ArrayLike, kind: RatedType = "radial") -> FloatArray:
         return thrust_static_factor(gamma)
     g = _within(gamma, 0.0, MAXIMUM_GAMMA)
     inner = _load_at_pressure(
-        1.0 + g / (1.0 - g), np.full(np.shape(g), _SELF_ALIGNING_GROOVE), _PRESSURE_SELF_ALIGNING
+        1.0 + g / (1.0 - g), np.full(np.shape(g), SELF_ALIGNING_CONFORMITY), _PRESSURE_SELF_ALIGNING
     )
     sphere = _sphere(np.maximum(g, _TINY))
     outer = _load_at_pressure(1.0 - g / (1.0 + g), sphere, _PRESSURE_SELF_ALIGNING)
@@ -115,7 +120,7 @@ def static_factor(gamma: ArrayLike, kind: RatedType = "radial") -> FloatArray:
 
 
 def thrust_dynamic_factor(
-    ratio: ArrayLike, contact_angle: ArrayLike, conformity: ArrayLike = _THRUST_GROOVE
+    ratio: ArrayLike, contact_angle: ArrayLike, conformity: ArrayLike = THRUST_CONFORMITY
 ) -> FloatArray:
     """Return f_c (cos α)^0.7 tan α of a thrust bearing, at 90° its f_c (N and mm, without b_m).
 
@@ -153,7 +158,7 @@ def thrust_static_factor(gamma: ArrayLike) -> FloatArray:
     4200 MPa.
     """
     g = _within(gamma, 0.0, MAXIMUM_GAMMA)
-    groove = np.full(np.shape(g), _THRUST_STATIC_GROOVE)
+    groove = np.full(np.shape(g), _THRUST_STATIC_CONFORMITY)
     return _load_at_pressure(1.0 + g / (1.0 - g), groove, _PRESSURE)
 
 
