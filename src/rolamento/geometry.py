@@ -267,12 +267,14 @@ def groove_places(
     *,
     contact_angle: ArrayLike | None = None,
     diametral_clearance: ArrayLike | None = None,
+    shim_angle: ArrayLike | None = None,
 ) -> GroovePlaces:
     """Groove lengths, offsets of the groove centres, and the circle of the inner ones; m.
 
     Parameters: arrays that broadcast; m, rad. Without a contact angle the bearing is given by
-    its clearance, and centred. Returns arrays of the broadcast shape; NaN where no contact angle
-    takes up the clearance. Harris (1991), chapter 2; Radaelli (2013) eqs. 22, 65, 66, 81.
+    its clearance, and centred; so is a four-point bearing, which has a shim angle and either.
+    Returns arrays of the broadcast shape; NaN where no contact angle takes up the clearance.
+    Harris (1991), chapter 2; Radaelli (2013) eqs. 22, 65, 66, 81.
     """
     diameter = np.asarray(ball_diameter, dtype=np.float64)
     inner = (np.asarray(inner_conformity) - 0.5) * diameter
@@ -281,11 +283,13 @@ def groove_places(
     if contact_angle is not None:
         angle = np.asarray(contact_angle, dtype=np.float64)
         axial, radial = distance * np.sin(angle), distance * np.cos(angle)
+        axial = axial if shim_angle is None else 0.0 * axial
     else:
         assert diametral_clearance is not None
+        closed = 0.0 if shim_angle is None else shim_angle
         clearance = np.asarray(diametral_clearance, dtype=np.float64)
-        angle = free_contact_angle(clearance, distance)
-        axial, radial = 0.0 * distance, distance - 0.5 * clearance
+        angle = free_contact_angle(clearance, distance, closed)
+        axial, radial = 0.0 * distance, distance * np.cos(closed) - 0.5 * clearance
     radius = 0.5 * np.asarray(pitch_diameter) + inner * np.cos(angle)
     return GroovePlaces(*np.broadcast_arrays(inner, outer, axial, radial, radius))
 
@@ -294,7 +298,8 @@ def edge_cosine(bearing: Any, race: Race) -> FloatArray:
     """Cosine of the angle at which a groove ends: that of its shoulder, or 0.
 
     cos α = 1 - h / (f D) of a shoulder of height h. A groove without a given height is taken as
-    a half circle, so that a contact may lie anywhere below 90°.
+    a half circle, so that a contact may lie anywhere below 90°. The angle counts from the deepest
+    point: of a thrust bearing from the free contact angle, else from the radial plane.
     """
     radius = getattr(bearing, f"{race}_conformity") * bearing.ball_diameter
     height = getattr(bearing, f"{race}_shoulder_height")
