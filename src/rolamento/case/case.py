@@ -146,7 +146,8 @@ class Case(Record):
             if name in given:
                 raise InputError(said("is given twice"), field=name)
             given[name] = value
-        return Case.from_mapping(changed(self._own_mapping(given), given, Case))
+        with self.bearing.looked_up():
+            return Case.from_mapping(changed(self._own_mapping(given), given, Case))
 
     def _own_mapping(self, changes: Iterable[str]) -> dict[str, Any]:
         """The tables of the case's file; balls of the rings' material go on following it."""
@@ -392,7 +393,8 @@ def override(case: Case, settings: Iterable[str]) -> Case:
         If a setting names no field, or the result is not valid.
     """
     settings = tuple(settings)
-    return _case_from(case._own_mapping(settings), settings)
+    with case.bearing.looked_up():
+        return _case_from(case._own_mapping(settings), settings)
 
 
 def save_case(case: Case, path: str | os.PathLike[str]) -> None:
@@ -490,17 +492,17 @@ def _needs_sizes(name: str, table: Mapping[str, Any]) -> bool:
 def _sizes_of(bearing: Any) -> dict[str, float]:
     """What the catalogue tells; nothing of what is no designation, which others refuse."""
     if isinstance(bearing, Bearing):
-        designation: Any = bearing.designation
-    else:
-        designation = bearing.get("designation") if isinstance(bearing, Mapping) else None
+        known = bearing.published
+        return {} if known is None else {name: getattr(known, name) for name in _SIZES}
+    designation: Any = bearing.get("designation") if isinstance(bearing, Mapping) else None
     if isinstance(designation, int) and not isinstance(designation, bool):
         designation = str(designation)
     if not isinstance(designation, str):
         return {}
-    from rolamento.catalogue import built_in_geometry
+    from rolamento.catalogue import catalogue
 
     try:
-        found = built_in_geometry(designation, False).bearing
+        found = catalogue().find(designation).bearing
     except InputError:
         return {}
     return {name: getattr(found, name) for name in _SIZES}
