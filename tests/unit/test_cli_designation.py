@@ -127,6 +127,29 @@ def test_a_designation_is_no_file(folder: Path) -> None:
     assert is_designation("6205")
 
 
+OWN = """\
+designation,bore_mm,outside_diameter_mm,width_mm,dynamic_rating_kN,static_rating_kN
+My-1,50,110,27,62,38.5
+"""
+
+
+@pytest.mark.parametrize(
+    ("command", "more"),
+    [
+        ("solve", LOAD),
+        ("life", LOAD),
+        ("friction", ("--coefficient", "0.1", *LOAD)),
+        ("turn", ("--points", "4", *LOAD)),
+        ("report", LOAD),
+        ("frequencies", ("--speed", "1480 rpm")),
+    ],
+)
+def test_a_catalogue_of_ones_own(folder: Path, command: str, more: tuple[str, ...]) -> None:
+    (folder / "own.csv").write_text(OWN, encoding="utf-8")
+    assert "My-1" in run(command, "My-1", "--catalogue", "own.csv", *more)
+    assert "My-1" in run(command, "My-1", *more, code=2)
+
+
 def test_in_python() -> None:
     assert rolamento.solve("6310", fz=[1e3, 2e3]).converged.all()
     assert load_case("6310", ["title=ours"]).title == "ours"
