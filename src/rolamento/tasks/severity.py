@@ -186,6 +186,7 @@ class SeverityResult:
                     "velocity": list(machine.velocity),
                     "displacement": list(machine.displacement),
                     "source": machine.source,
+                    "quoted": machine.quoted,
                     "displacement_source": machine.displacement_source,
                 }
                 for machine in self.classes

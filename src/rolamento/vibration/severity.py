@@ -104,8 +104,8 @@ class MachineClass:
         from above which to which; W
     group, support
         of ISO 20816-3; 0 and "" of the other
-    source, displacement_source
-        of the figures
+    source, quoted, displacement_source
+        of the figures; and the public place where those of the velocity were seen
     """
 
     name: str
@@ -116,6 +116,7 @@ class MachineClass:
     group: int
     support: str
     source: str
+    quoted: str
     displacement_source: str
 
     def zone_of(self, velocity: float) -> Zone:
@@ -144,6 +145,7 @@ def machine_classes() -> tuple[MachineClass, ...]:
             row.get("group", 0),
             row.get("support", ""),
             row["source"],
+            row["quoted"],
             row.get("displacement_source", ""),
         )
         for row in toml_of("severity", "rolamento.vibration")["class"]
