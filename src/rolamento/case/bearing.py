@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from contextlib import AbstractContextManager, nullcontext
 from functools import lru_cache
-from typing import TYPE_CHECKING, Annotated, Any, Final, Literal, NamedTuple, Self
+from typing import TYPE_CHECKING, Annotated, Any, Final, Literal, NamedTuple, Self, cast
 
 from pydantic import (
     BeforeValidator,
     ConfigDict,
     Field,
     ModelWrapValidatorHandler,
+    PrivateAttr,
     SerializationInfo,
     SerializerFunctionWrapHandler,
     ValidationInfo,
@@ -36,7 +38,7 @@ from rolamento.units import Dimension, from_si
 from rolamento.words import said
 
 if TYPE_CHECKING:
-    from rolamento.catalogue import CatalogueBearing
+    from rolamento.catalogue import CatalogueBearing, InternalGeometry
 
 __all__ = ["Bearing", "RowPlace", "balls_fit", "clearance_fits"]
 
@@ -212,6 +214,8 @@ class Bearing(Record):
         examples=['[{ orientation = "+", position = "0 mm" }]'],
     )
     preload: PreloadField | None = Field(None, examples=["500 N"])
+    _listed: tuple[CatalogueBearing, ...] = PrivateAttr(default=())
+    """The records outside the built-in catalogue by which the designation was found."""
 
     @classmethod
     def named(cls, designation: str, **fields: Any) -> Self:
@@ -238,12 +242,9 @@ class Bearing(Record):
         ``"given"`` by the user, ``"published"`` by a maker, ``"inferred"`` from the ratings,
         or ``"assumed"``: an ordinary conformity, the middle of the clearance class.
         """
-        if self.designation is None:
+        if self.told is None:
             return {}
-        from rolamento.catalogue import built_in_geometry
-
-        own = self.model_fields_set
-        told = built_in_geometry(self.designation, not own.issuperset(_BALL_FIELDS)).origins
+        own, told = self.model_fields_set, self.told.origins
         return {
             name: "given" if name in own else told[name]
             for name in _CATALOGUE_FIELDS
@@ -251,22 +252,32 @@ class Bearing(Record):
         }
 
     @property
-    def published(self) -> CatalogueBearing | None:
-        """What the catalogue holds of the designation; None without one."""
+    def told(self) -> InternalGeometry | None:
+        """What the designation says, and the catalogue of it; None without one.
+
+        Without balls where the user gave them all.
+        """
         if self.designation is None:
             return None
-        from rolamento.catalogue import built_in_geometry
+        from rolamento.catalogue import catalogue_with, geometry_of
 
-        return built_in_geometry(self.designation, False).bearing
+        return geometry_of(
+            self.designation,
+            catalogue_of=catalogue_with(self._listed),
+            with_balls=not self.model_fields_set.issuperset(_BALL_FIELDS),
+        )
+
+    @property
+    def published(self) -> CatalogueBearing | None:
+        """What the catalogue holds of the designation; None without one."""
+        return None if self.told is None else self.told.bearing
 
     @property
     def clearance_class(self) -> str | None:
         """Class of ISO 5753-1 that the clearance is the middle of; None of any other clearance."""
-        if self.origins.get("diametral_clearance") != "assumed" or self.designation is None:
+        if self.told is None or self.origins.get("diametral_clearance") != "assumed":
             return None
-        from rolamento.catalogue import built_in_geometry
-
-        return built_in_geometry(self.designation, False).clearance_class
+        return self.told.clearance_class
 
     @property
     def is_set(self) -> bool:
@@ -286,6 +297,19 @@ class Bearing(Record):
         """
         return _places(self)
 
+    def replace(self, **changes: Any) -> Self:
+        """Return a new bearing with the given fields changed; see `Record.replace`."""
+        with self.looked_up():
+            return super().replace(**changes)
+
+    def looked_up(self) -> AbstractContextManager[object]:
+        """Return a block in which the designation is found where this bearing found it."""
+        if not self._listed:
+            return nullcontext()
+        from rolamento.catalogue import listed
+
+        return listed(self._listed)
+
     @model_validator(mode="wrap")
     @classmethod
     def _filled_in(
@@ -295,8 +319,11 @@ class Bearing(Record):
         if not isinstance(given, Mapping):
             return handler(given)
         designation = _as_text(given.get("designation"))
+        records: tuple[CatalogueBearing, ...] = ()
         if isinstance(designation, str):
-            found = _of_catalogue(designation, given, in_file=at_the_border(info.context))
+            geometry = _geometry(designation, given)
+            found = _of_catalogue(geometry, given, in_file=at_the_border(info.context))
+            records = geometry.records
         else:
             found = _of_first_row(given)
         merged = {**given, **found}
@@ -306,6 +333,7 @@ class Bearing(Record):
             found.pop("outer_conformity", None)
         bearing = handler({**given, **found})
         bearing.__pydantic_fields_set__.difference_update(found)
+        cast("dict[str, Any]", bearing.__pydantic_private__)["_listed"] = records
         return bearing
 
     @model_serializer(mode="wrap")
@@ -548,17 +576,28 @@ class Bearing(Record):
                 raise error.with_details(field=f"preload.{error.field}") from None
 
 
-def _of_catalogue(designation: str, given: Mapping[str, Any], *, in_file: bool) -> dict[str, Any]:
-    """Return the fields that a designation tells and the user does not."""
-    from rolamento.catalogue import built_in_geometry
+def _own_fields(given: Mapping[str, Any]) -> set[str]:
+    return {name for name, value in given.items() if value is not None}
 
-    own = {name for name, value in given.items() if value is not None}
+
+def _geometry(designation: str, given: Mapping[str, Any]) -> InternalGeometry:
+    from rolamento.catalogue import geometry_of
+
+    return geometry_of(designation, with_balls=not _own_fields(given).issuperset(_BALL_FIELDS))
+
+
+def _of_catalogue(
+    geometry: InternalGeometry, given: Mapping[str, Any], *, in_file: bool
+) -> dict[str, Any]:
+    """Return the fields that a designation tells and the user does not."""
+    own = _own_fields(given)
     missing = _CATALOGUE_FIELDS.keys() - own
     if own.intersection(_PLAY):
         missing -= set(_PLAY)
-    geometry = built_in_geometry(designation, not own.issuperset(_BALL_FIELDS))
     if missing.issuperset(_PLAY) and not geometry.fields.keys() & set(_PLAY):
-        raise InputError(geometry.lack_of_play, field="designation", value=designation)
+        raise InputError(
+            geometry.lack_of_play, field="designation", value=geometry.designation.text
+        )
     found: dict[str, Any] = {}
     for name in missing & geometry.fields.keys():
         value, dimension = geometry.fields[name], _CATALOGUE_FIELDS[name]
