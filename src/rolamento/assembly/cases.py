@@ -164,7 +164,7 @@ def spread(
     _check_own_fields(case.bearing, arrays)
     valid &= _consistent(common, held, case.bearing.ball_count, case.bearing.kind)
     placed = []
-    for place in _row_places(case.bearing):
+    for place in case.bearing.ball_rows:
         if case.bearing.kind == "self_aligning":
             placed.append(_on_sphere(case, place, common, arrays, cases, threads, fast))
             continue
@@ -211,11 +211,6 @@ def _unheld(bearing: Bearing, row: Row, free: BoolArray, load: FloatArray) -> Bo
         acts = (load[:, 1:] != 0.0).any(axis=1) | row.driven
         unheld = free[:, 0] & ((load[:, 0] < 0.0) | ((load[:, 0] == 0.0) & acts))
     return unheld
-
-
-def _row_places(bearing: Bearing) -> tuple[RowPlace, ...]:
-    """The rows of balls: the two rows of contacts of a four-point bearing are one."""
-    return bearing.places[:1] if bearing.kind == "four_point" else bearing.places
 
 
 def _on_sphere(

@@ -310,6 +310,11 @@ class Bearing(Record):
 
         return listed(self._listed)
 
+    @property
+    def ball_rows(self) -> tuple[RowPlace, ...]:
+        """Those of the `places` that have balls of their own: one of a four-point bearing."""
+        return self.places[:1] if self.kind == "four_point" else self.places
+
     @model_validator(mode="wrap")
     @classmethod
     def _filled_in(

@@ -152,7 +152,7 @@ def _gyroscopic_moment_left_out(values: Values) -> str:
     return said(
         "The balls orbit with the cage at its nominal speed, and their gyroscopic moment, up to"
         " {moment:.3 N·mm}, is left out of the balance: friction holds it with a coefficient of"
-        " {friction_coefficient:.3f}.",
+        " {friction_coefficient:.2}.",
         friction_coefficient=needed,
         **numbers,
     )
