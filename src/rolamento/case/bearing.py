@@ -195,7 +195,7 @@ class Bearing(Record):
         Replaces("contact_angle"),
     ] = Field(None, examples=["0.015 mm"])
     shim_angle: (
-        Annotated[float, Quantity("angle", at_least="0 deg", below="90 deg", varies=True)] | None
+        Annotated[float, Quantity("angle", above="0 deg", below="90 deg", varies=True)] | None
     ) = Field(None, examples=["20 deg"])
     spacing: (
         Annotated[float, Quantity("length", above="0 mm", at_most="10 m", varies=True)] | None

@@ -250,7 +250,7 @@ def touches_both_arcs(solved: Solved) -> BoolArray:
         return np.zeros(len(solved), np.bool_)
     with np.errstate(invalid="ignore"):
         pairs = solved.loaded.reshape(len(solved), 2, -1)
-    return np.asarray(pairs.all(axis=1).any(axis=1))
+    return np.asarray(np.any(np.all(pairs, axis=1), axis=1))
 
 
 def limits_of_dry_friction(setting: Setting) -> dict[str, BoolArray]:
