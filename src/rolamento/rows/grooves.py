@@ -62,7 +62,7 @@ to 2e-10 up to 0.5."""
 PRECISION: Final = 1e-11
 NEGLIGIBLE: Final = 1e-7
 """Of the ball's diameter: an approach whose load is none, beside which balls are in balance."""
-ROUNDING: Final = 1e-15
+ROUNDING: Final = 1e-13
 """Of an arc's length L: a lesser approach is no contact."""
 EDGE: Final = 1e-9
 """Cosine: a contact at the very end of a half circle is past it."""
