@@ -485,9 +485,7 @@ def _no_equilibrium(case: Case, axis: int, axial_load: float) -> Note:
     """Name the direction that nothing supports, and what would."""
     bearing = case.bearing
     if bearing.kind == "thrust":
-        return Note(
-            "thrust_unsupported" if axis == 0 else "thrust_pushed_aside", {"axis": AXES[axis]}
-        )
+        return Note("thrust_pushed_aside" if axial_load > 0.0 else "thrust_unsupported")
     if bearing.kind == "self_aligning" and axis > 2:
         return Note("sphere_holds_no_moment", {"axis": AXES[axis]})
     if bearing.kind is not None:

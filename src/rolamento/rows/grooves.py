@@ -178,10 +178,11 @@ class GrooveRow:
     def sizes(self) -> RowSizes:
         """For the assembly."""
         n = self.numbers
+        reach = n.inner.length + n.outer.length
         return RowSizes(
             arm=n.arm,
             diameter=n.diameter,
-            reach=n.inner.length + n.outer.length,
+            reach=reach,
             stiffness=_both(n),
             sine=np.sin(n.angle),
         )
@@ -210,6 +211,9 @@ class GrooveRow:
         ball = _taken(n, of_ball)
         centres = centre.reshape(-1, 2)
         line = (share * centre).reshape(-1, 2)
+        if len(self.flanks) == 1:  # two flanks are even about the middle
+            line[:, 0] += np.repeat(share.ravel() * (n.inner.shift + n.outer.shift), balls)
+            line[:, 0] -= ball.outer.shift
         gripped = [_flank(ball, k, centres, line)[0].load > ball.force for k in self.flanks]
         loose = (ball.rest[:, 1] > 0.0) & ~np.any(gripped, axis=0)
         start = np.where(loose[:, np.newaxis], ball.rest, line)
