@@ -56,6 +56,7 @@ _CATALOGUE_FIELDS: Final[Mapping[str, Dimension | None]] = {
     "diametral_clearance": "length",
     "kind": None,
     "shim_angle": "angle",
+    "arrangement": None,
     "spacing": "length",
 }
 """What a designation fills in, by the dimension."""
@@ -587,6 +588,10 @@ def _of_catalogue(
     missing = _CATALOGUE_FIELDS.keys() - own
     if own.intersection(_PLAY):
         missing -= set(_PLAY)
+    if "rows" in own:
+        missing -= {"arrangement", "spacing"}
+    if "contact_angle" in own and geometry.fields.get("kind") == "self_aligning":
+        missing -= {"spacing"}
     if missing.issuperset(_PLAY) and not geometry.fields.keys() & set(_PLAY):
         raise InputError(
             geometry.lack_of_play, field="designation", value=geometry.designation.text
@@ -639,9 +644,12 @@ def _places(bearing: Bearing) -> tuple[RowPlace, ...]:
     if rows is None:
         return (RowPlace(bearing, 1.0, 0.0, 0.0),)
     plain: dict[str, Any] = dict.fromkeys(_SET_FIELDS)
+    told = _CATALOGUE_FIELDS.keys() - bearing.model_fields_set - plain.keys()
     if bearing.designation is None:  # of the first row
-        told = _CATALOGUE_FIELDS.keys() - bearing.model_fields_set
         plain.update({name: getattr(bearing, name) for name in told})
+    elif bearing.arrangement is not None and "arrangement" not in bearing.model_fields_set:
+        # a double row by its designation: each row is no such bearing
+        plain.update({"designation": None, **{name: getattr(bearing, name) for name in told}})
     places = []
     for index, row in enumerate(rows):
         try:
