@@ -216,8 +216,11 @@ class Designation:
 
     @property
     def equivalents(self) -> tuple[str, ...]:
-        """Numbers under which makers list a bearing of the same type and size, the nearest first."""
-        own = [self.number + letters for letters in designation_data()["listed_as"].get(self.series, ())]
+        """Numbers by which makers list a bearing of the same type and size, the nearest first."""
+        own = [
+            self.number + letters
+            for letters in designation_data()["listed_as"].get(self.series, ())
+        ]
         other = designation_data()["same_size"].get(self.series)
         return (*own, other + self.number[-2:]) if other else tuple(own)
 
@@ -228,9 +231,7 @@ class Designation:
         keys = [folded(self.text), folded(self.name)]
         if self.number:
             letters = [
-                key
-                for key, value in _angles_of(self.kind).items()
-                if angle == radians(value)
+                key for key, value in _angles_of(self.kind).items() if angle == radians(value)
             ]
             keys += [folded(self.number + letter) for letter in letters] if angle else []
             keys += [folded(self.number)] if angle is None else []
