@@ -60,7 +60,6 @@ _NAMES: Final = {
     "inner_conformity": marked("inner conformity"),
     "outer_conformity": marked("outer conformity"),
     "diametral_clearance": marked("diametral clearance"),
-    "kind": marked("kind of grooves"),
     "shim_angle": marked("shim angle α_s"),
     "arrangement": marked("arrangement of the rows"),
     "spacing": marked("distance of the rows"),
@@ -201,14 +200,15 @@ def _named_figures(
 
 
 def _internal(geometry: InternalGeometry) -> Section:
-    origins = [geometry.origins[name] for name in geometry.fields]
+    told = {name: value for name, value in geometry.fields.items() if name != "kind"}
+    origins = [geometry.origins[name] for name in told]
     tones: list[Tone] = ["" if origin == "published" else "warning" for origin in origins]
     sizes = [
         ball_name(value) if name == "ball_diameter" else ""
-        for name, value in geometry.fields.items()
+        for name, value in told.items()
     ]
     columns = (
-        *_named_figures(geometry.fields),
+        *_named_figures(told),
         Column(head="", key="origin", values=[said(_ORIGINS[one]) for one in origins], tones=tones),
         Column(
             head="",
