@@ -644,12 +644,14 @@ def _places(bearing: Bearing) -> tuple[RowPlace, ...]:
     if rows is None:
         return (RowPlace(bearing, 1.0, 0.0, 0.0),)
     plain: dict[str, Any] = dict.fromkeys(_SET_FIELDS)
-    told = _CATALOGUE_FIELDS.keys() - bearing.model_fields_set - plain.keys()
     if bearing.designation is None:  # of the first row
+        told = _CATALOGUE_FIELDS.keys() - bearing.model_fields_set - plain.keys()
         plain.update({name: getattr(bearing, name) for name in told})
-    elif bearing.arrangement is not None and "arrangement" not in bearing.model_fields_set:
-        # a double row by its designation: each row is no such bearing
-        plain.update({"designation": None, **{name: getattr(bearing, name) for name in told}})
+    elif "arrangement" not in bearing.model_fields_set and bearing.rows is None:
+        # a double row by its designation, which would fill the arrangement in again
+        one = bearing.model_copy(update=plain)
+        signs = ((row, 1.0 if row.orientation == "+" else -1.0) for row in rows)
+        return tuple(RowPlace(one, sign, row.position, row.phase) for row, sign in signs)
     places = []
     for index, row in enumerate(rows):
         try:
