@@ -56,6 +56,7 @@ _CATALOGUE_FIELDS: Final[Mapping[str, Dimension | None]] = {
     "diametral_clearance": "length",
     "kind": None,
     "shim_angle": "angle",
+    "arrangement": None,
     "spacing": "length",
 }
 """What a designation fills in, by the dimension."""
@@ -599,6 +600,10 @@ def _of_catalogue(
     missing = _CATALOGUE_FIELDS.keys() - own
     if own.intersection(_PLAY):
         missing -= set(_PLAY)
+    if "rows" in own:
+        missing -= {"arrangement", "spacing"}
+    if "contact_angle" in own and geometry.fields.get("kind") == "self_aligning":
+        missing -= {"spacing"}
     if missing.issuperset(_PLAY) and not geometry.fields.keys() & set(_PLAY):
         raise InputError(
             geometry.lack_of_play, field="designation", value=geometry.designation.text
@@ -652,8 +657,13 @@ def _places(bearing: Bearing) -> tuple[RowPlace, ...]:
         return (RowPlace(bearing, 1.0, 0.0, 0.0),)
     plain: dict[str, Any] = dict.fromkeys(_SET_FIELDS)
     if bearing.designation is None:  # of the first row
-        told = _CATALOGUE_FIELDS.keys() - bearing.model_fields_set
+        told = _CATALOGUE_FIELDS.keys() - bearing.model_fields_set - plain.keys()
         plain.update({name: getattr(bearing, name) for name in told})
+    elif "arrangement" not in bearing.model_fields_set and bearing.rows is None:
+        # a double row by its designation, which would fill the arrangement in again
+        one = bearing.model_copy(update=plain)
+        signs = ((row, 1.0 if row.orientation == "+" else -1.0) for row in rows)
+        return tuple(RowPlace(one, sign, row.position, row.phase) for row, sign in signs)
     places = []
     for index, row in enumerate(rows):
         try:
