@@ -37,6 +37,7 @@ from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.plot import plot
 from rolamento.cli.report import report
 from rolamento.cli.reproduce import reproduce
+from rolamento.cli.severity import SeverityCommand, severity
 from rolamento.cli.streams import STANDARD_STREAM, end_of_output, print_text, put
 from rolamento.cli.sweep import sweep
 from rolamento.cli.synthesise import SynthesiseCommand, synthesise
@@ -56,7 +57,7 @@ _PROGRAM: Final = "rolamento"
 COMMANDS: Final[Groups] = {
     "Inside the bearing": ("demo", "solve", "turn", "friction", "report"),
     "Life and life tests": ("life", "weibull", "weibull-plan", "trend"),
-    "Vibration": ("frequencies", "diagnose", "synthesise", "anderon"),
+    "Vibration": ("frequencies", "diagnose", "severity", "synthesise", "anderon"),
     "Catalogue and clearance": ("catalogue", "clearance"),
     "Studies and figures": ("sweep", "tolerance", "plot"),
     "Verification": ("verify", "reproduce"),
@@ -218,6 +219,11 @@ app.command(
     epilog="Examples: diagnose signal.wav --bearing 6205 --speed '1797 rpm' --plot signal.png; "
     "diagnose run.npz --bearing case.toml --speed-channel rpm.",
 )(diagnose)
+app.command(
+    cls=SeverityCommand,
+    epilog="Examples: severity motor.csv --unit g --speed '1480 rpm' --power '45 kW' --support"
+    " rigid; severity jan.wav feb.wav mar.wav --unit mm/s --hours 0,700,1400 --plot trend.png.",
+)(severity)
 app.command(
     cls=SynthesiseCommand,
     epilog="Example: synthesise 6205 --speed '1797 rpm' --fault inner_race --load radial --snr -8"
