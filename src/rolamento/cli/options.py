@@ -11,6 +11,7 @@ from rolamento.cli.common import Language
 __all__ = [
     "BearingArgument",
     "CaseArgument",
+    "CataloguesOption",
     "ChannelOption",
     "DurationOption",
     "JsonOption",
@@ -52,6 +53,14 @@ CaseArgument = Annotated[
 SettingsOption = Annotated[
     list[str] | None,
     typer.Option("--set", metavar="KEY=VALUE", help="Override a field of the case. Repeatable."),
+]
+CataloguesOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--catalogue",
+        metavar="FILE",
+        help="A catalogue of your own, CSV or TOML, for designations. Repeatable.",
+    ),
 ]
 JsonOption = Annotated[str | None, json_option("Write everything as JSON, in SI units")]
 PlotOption = Annotated[str | None, plot_option("Draw the result")]
