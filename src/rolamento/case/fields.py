@@ -15,14 +15,24 @@ from typing import Any, Final, Literal, get_args, get_origin
 from pydantic import BaseModel, create_model
 from pydantic.fields import FieldInfo
 
+from rolamento._reading import parse_mapping
 from rolamento.case.labels import label_of
 from rolamento.case.quantity import Quantity, Ratio
 from rolamento.case.record import Record, example_of, meanings, record_of, replaced
-from rolamento.errors import InputError, UnknownKeyError, guess
+from rolamento.errors import FileError, InputError, UnknownKeyError, guess
 from rolamento.units import SI_UNIT, Dimension, from_si
 from rolamento.words import said, speaking
 
-__all__ = ["OVERRIDE_SOURCE", "Field", "Value", "changed", "fields_of", "overridden"]
+__all__ = [
+    "OVERRIDE_SOURCE",
+    "Field",
+    "Value",
+    "changed",
+    "fields_of",
+    "in_file_form",
+    "overridden",
+    "values_of",
+]
 
 OVERRIDE_SOURCE: Final = "--set"
 
@@ -32,7 +42,8 @@ Value = float | int | bool | str
 Kind = Literal["number", "count", "switch", "text", "list"]
 
 _EXAMPLE: Final = 'duty.load.fz="10 kN"'
-_LONGEST_SETTING: Final = 300
+_INLINE_EXAMPLE: Final = """'bearing.preload={ force = "500 N" }'"""
+_LONGEST_SETTING: Final = 2000
 
 
 @dataclass(frozen=True, eq=False)
@@ -240,26 +251,35 @@ def overridden(
     mapping, record
         As in `changed`.
     settings
-        Each ``KEY=VALUE``, with a dotted key and the value as in a case file; the quotes around
-        text may be left out.
+        Each ``KEY=VALUE``, with a dotted key and the value as in a case file, a table or a list
+        as TOML writes it in one line; the quotes around text may be left out.
 
     Raises
     ------
     InputError
         If a setting is not of that form, or its key names no field.
     """
-    values: dict[str, object] = {}
     try:
-        for setting in settings:
-            key, equals, text = setting.partition("=")
-            if not equals or not key.strip() or len(setting) > _LONGEST_SETTING:
-                raise InputError(said("must be KEY=VALUE"), value=setting, example=_EXAMPLE)
-            name = ".".join(part.strip() for part in key.split("."))
-            values.pop(name, None)  # the last one counts
-            values[name] = _value(text.strip(), _field(name, record))
+        values = values_of(settings, record)
         return changed(mapping, values, record, in_file=True), frozenset(values)
     except InputError as error:
         raise error.with_details(source=OVERRIDE_SOURCE) from None
+
+
+def values_of(settings: Iterable[str], record: type[Record]) -> dict[str, object]:
+    """Return what settings set: values as a file holds them, by dotted name.
+
+    Parameters and errors as of `overridden`.
+    """
+    values: dict[str, object] = {}
+    for setting in settings:
+        key, equals, text = setting.partition("=")
+        if not equals or not key.strip() or len(setting) > _LONGEST_SETTING:
+            raise InputError(said("must be KEY=VALUE"), value=setting, example=_EXAMPLE)
+        name = ".".join(part.strip() for part in key.split("."))
+        values.pop(name, None)  # the last one counts
+        values[name] = _given(name, text.strip(), record)
+    return values
 
 
 def changed(
@@ -293,15 +313,30 @@ def changed(
     """
     result = dict(mapping)
     for name, value in values.items():
-        _put(result, name, value if in_file else _as_in_a_file(name, value, record), record)
-        field = fields_of(record).get(name)
-        for rival in field.replaces if field is not None and value is not None else ():
+        _put(result, name, value if in_file else in_file_form(name, value, record), record)
+        for rival in _rivals(name, value, record):
             if rival not in values:
                 _put(result, rival, None, record)
     return result
 
 
-def _as_in_a_file(name: str, value: Any, record: type[Record]) -> object:
+def _rivals(name: str, value: object, record: type[Record]) -> Iterator[str]:
+    """The names of the fields that a value, or those of a table, take the place of."""
+    field = fields_of(record).get(name)
+    if field is not None and value is not None:
+        yield from field.replaces
+    for leaf, inner in value.items() if isinstance(value, Mapping) else ():
+        yield from _rivals(f"{name}.{leaf}", inner, record)
+
+
+def in_file_form(name: str, value: Any, record: type[Record]) -> object:
+    """Return a value of a field or a table, SI or a record, as a file holds it.
+
+    Raises
+    ------
+    InputError
+        If there is no such field, or it takes no such value.
+    """
     table, field = _table(name, record), fields_of(record).get(name)
     if table is not None and (value is None or isinstance(value, Mapping | Record)):
         return value if value is None else _mapping_of(value, table)
@@ -358,6 +393,26 @@ def _field(name: str, record: type[Record]) -> Field:
         field=name,
         example=_EXAMPLE,
     )
+
+
+def _given(name: str, text: str, record: type[Record]) -> object:
+    """Return what a setting gives: a value, or the table or list that TOML has in one line."""
+    field = fields_of(record).get(name)
+    is_list = field is not None and field.kind == "list"
+    if text.startswith("[" if is_list else "{") and (is_list or _table(name, record) is not None):
+        return _inline(name, text)
+    return _value(text, _field(name, record))
+
+
+def _inline(name: str, text: str) -> object:
+    try:
+        mapping = parse_mapping(f"value = {text}", "toml", "")
+        if len(mapping) == 1:
+            return mapping["value"]
+        rule = said("must be a single value")
+    except FileError as error:
+        rule = error.rule
+    raise InputError(rule, field=name, value=text, example=_INLINE_EXAMPLE)
 
 
 def _value(text: str, field: Field) -> object:

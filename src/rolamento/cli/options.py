@@ -24,6 +24,7 @@ __all__ = [
     "SettingsOption",
     "SpeedOption",
     "StartOption",
+    "VariantsOption",
     "json_option",
     "plot_option",
 ]
@@ -48,6 +49,15 @@ CaseArgument = Annotated[
 SettingsOption = Annotated[
     list[str] | None,
     typer.Option("--set", metavar="KEY=VALUE", help="Override a field of the case. Repeatable."),
+]
+VariantsOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--variant",
+        metavar="NAME:FIELD=VALUE",
+        help="Also the case with this changed, under this name; further FIELD=VALUE after commas, "
+        "such as 'spring:bearing.preload={ spring = \"500 N\" }'. Repeatable.",
+    ),
 ]
 JsonOption = Annotated[str | None, json_option("Write everything as JSON, in SI units")]
 PlotOption = Annotated[str | None, plot_option("Draw the result")]
