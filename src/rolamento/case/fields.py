@@ -16,10 +16,11 @@ from pydantic import BaseModel, create_model
 from pydantic.fields import FieldInfo
 
 from rolamento._reading import parse_mapping
+from rolamento.case.hints import hint
 from rolamento.case.labels import label_of
 from rolamento.case.quantity import Quantity, Ratio
 from rolamento.case.record import Record, example_of, meanings, record_of, replaced
-from rolamento.errors import FileError, InputError, UnknownKeyError, guess
+from rolamento.errors import FileError, InputError, UnknownKeyError
 from rolamento.units import SI_UNIT, Dimension, from_si
 from rolamento.words import said, speaking
 
@@ -377,21 +378,23 @@ def _field(name: str, record: type[Record]) -> Field:
         here = tuple(dict.fromkeys(other.split(".")[0] for other in inside))
         if part not in here:
             rule = (
-                said("is an unknown key; {guess}", guess=guess(part, here))
+                said("is an unknown key; {guess}", guess=hint(table + part, known, here))
                 if here
                 else said("is an unknown key; {table} is not a table", table=table[:-1])
             )
             raise UnknownKeyError(rule, field=name, example=_EXAMPLE)
         if (leaf := known.get(f"{table}{part}")) is not None and leaf.kind == "list":
             raise InputError(
-                said("is a list; set it in the file"), field=leaf.name, example=_EXAMPLE
+                said("is a list; give all of it, or set it in the file"),
+                field=leaf.name,
+                example=f"{leaf.name}=[…]",
             )
     inside = [other[len(name) + 1 :] for other in known if other.startswith(f"{name}.")]
     here = tuple(dict.fromkeys(other.split(".")[0] for other in inside))
     raise InputError(
-        said("is a table; set one of its fields: {here}", here=", ".join(here)),
+        said("is a table; set all of it, or one of its fields: {here}", here=", ".join(here)),
         field=name,
-        example=_EXAMPLE,
+        example=_INLINE_EXAMPLE,
     )
 
 
