@@ -47,6 +47,7 @@ __all__ = [
     "override",
     "parse_case",
     "save_case",
+    "with_changes",
 ]
 
 
@@ -427,6 +428,17 @@ def override(case: Case, settings: Iterable[str]) -> Case:
     settings = tuple(settings)
     with case.bearing.looked_up():
         return _case_from(case._own_mapping(settings), settings)
+
+
+def with_changes(case: Case, changes: Mapping[str, Any]) -> Case:
+    """Return a case with values changed as `Case.with_` does, given as a file holds them.
+
+    Raises
+    ------
+    InputError
+        If there is no such field, or the result is not valid.
+    """
+    return Case.from_mapping(changed(case._own_mapping(changes), changes, Case, in_file=True))
 
 
 def save_case(case: Case, path: str | os.PathLike[str]) -> None:
