@@ -18,8 +18,8 @@ import numpy as np
 from rolamento.assembly.cases import spread
 from rolamento.assembly.solve import solve_cases
 from rolamento.case import Case
-from rolamento.case.arrangement import PRELOAD_KINDS
 from rolamento.case.duty import AXES, LOADS, Duty, Load
+from rolamento.numerics import FloatArray
 from rolamento.rows.ball.row import compiled_but_not_loaded
 from rolamento.solved import Preloading, Solved
 
@@ -38,15 +38,14 @@ def preload_of(case: Case) -> Preloading | None:
     preload = case.bearing.preload
     if preload is None:
         return None
-    kind = next(name for name in PRELOAD_KINDS if getattr(preload, name) is not None)
     duty = Duty(first_ball_azimuth=case.duty.first_ball_azimuth)
     running = duty.replace(inner_speed=case.duty.inner_speed, outer_speed=case.duty.outer_speed)
     still = not (case.duty.inner_speed or case.duty.outer_speed)
-    at_rest = _between_rows(_solved(case.replace(duty=duty)))
-    at_speed = at_rest if still else _between_rows(_solved(case.replace(duty=running)))
+    at_rest = float(between_rows(_solved(case.replace(duty=duty)))[0])
+    at_speed = at_rest if still else float(between_rows(_solved(case.replace(duty=running)))[0])
     first = _loss(case, min)
     whole = first if _axial(case.duty) else _loss(case, max)
-    return Preloading(kind, at_rest, at_speed, *first, *whole)
+    return Preloading(preload.kind, at_rest, at_speed, *first, *whole)
 
 
 def _axial(duty: Duty) -> bool:
@@ -60,10 +59,14 @@ def _solved(case: Case) -> Solved:
     return solve_cases(spread(case, threads=1))
 
 
-def _between_rows(solved: Solved) -> float:
-    """Axial force that the rows put on each other: what those that carry toward +x carry."""
-    axial = solved.rows.load[0, :, 0]
-    return float(np.where(axial > 0.0, axial, 0.0).sum()) if solved.converged[0] else nan
+def between_rows(solved: Solved) -> FloatArray:
+    """Axial force that the rows put on each other: what those that carry toward +x carry; N.
+
+    (cases,), of cases without external load; NaN without a result.
+    """
+    axial = solved.rows.load[:, :, 0]
+    found = np.where(axial > 0.0, axial, 0.0).sum(axis=1)
+    return np.where(solved.converged, found, np.nan)
 
 
 def _loss(case: Case, ball: Ball) -> tuple[float, int | None]:
