@@ -35,7 +35,8 @@ def solve(
     Rows that share a bearing share one rigid inner ring. Never raises for a duty that has no
     solution: the status of the case says so, with advice, and its numbers are NaN. A case with a
     mounting is solved with the clearance in operation of each case, that of its temperatures,
-    speeds and whatever else varies: `Solved.case` is the case that it comes to.
+    speeds and whatever else varies: `Solved.case` is the case that it comes to. Of many cases of a
+    mounted set it is the case itself, for each of its rows runs with a geometry of its own.
 
     Parameters
     ----------
@@ -88,7 +89,7 @@ def solve(
         from rolamento.assembly.mounted import mounted_cases
 
         solved = solve_cases(mounted_cases(case, bounded(given), threads=threads))
-        return replace(solved, varied=_spread_over(len(solved), given))
+        return replace(solved, case=case, varied=_spread_over(len(solved), given))
     from rolamento.clearance import operating_batch
 
     running, of_running = operating_batch(case, bounded(given))

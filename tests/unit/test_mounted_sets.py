@@ -15,6 +15,7 @@ from typer.testing import CliRunner
 
 from rolamento import Case, InputError, parse_case
 from rolamento.assembly.mounted import LIMITS, preload_stages, running_set
+from rolamento.assembly.preload import first_lift_off, preload_at
 from rolamento.cli.clearance import clearance
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.document.terminal import terminal
@@ -199,8 +200,8 @@ def test_the_vertex() -> None:
     """A warm inner ring and shaft that grow about one point move tangentially at the contacts.
 
     That point is where the tangents of both rows' inner contacts meet the axis: back to back, and
-    at this one spacing only, the balls' loads do not change (p³ goes with them; the angle does change,
-    and with it the axial force by a per cent). Closer rows tighten, wider ones loosen.
+    at this one spacing only, the balls' loads do not change (p³ goes with them; the angle does
+    change, and with it the axial force by a per cent). Closer rows tighten, wider ones loosen.
     """
     case = pair()
     found = solve(case).inner.contact_angle[0, 0]
@@ -487,3 +488,20 @@ def test_the_command_answers_for_a_set(tmp_path: Path) -> None:
     assert mapping["preload"][1]["preload"][1] == pytest.approx(250.0, rel=1e-9)
     assert len(mapping["rows"]) == 1
     assert sqrt(mapping["mean"]) > 0.0
+
+
+def test_the_preload_of_a_batch_is_that_of_each_mounted_case() -> None:
+    case = pair(**HOT)
+    batch = solve(case, {"mounting.shaft_interference": [0.0, 4e-6], "duty.inner_speed": 800.0})
+    at_speed, at_rest = (preload_at(batch, running=which) for which in (True, False))
+    factor = first_lift_off(batch).factor
+    for index, interference in enumerate((0.0, 4e-6)):
+        alone = case.with_(
+            {"mounting.shaft_interference": interference, "duty.inner_speed": 800.0}
+        )
+        stages = {one.name: one.preload[1] for one in preload_stages(alone)}
+        assert at_speed[index] == pytest.approx(stages["at_speed"], rel=1e-6)
+        assert at_rest[index] == pytest.approx(stages["warm"], rel=1e-6)
+        found = solve(alone).preload
+        assert found is not None
+        assert factor[index] == pytest.approx(found.lift_factor, rel=1e-5, nan_ok=True)

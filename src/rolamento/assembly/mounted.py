@@ -15,7 +15,6 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 
 from rolamento.assembly.cases import Cases, RowState, spread
-from rolamento.assembly.preload import between_rows
 from rolamento.assembly.ring import pressed_in
 from rolamento.assembly.solve import solve_cases
 from rolamento.case import Case
@@ -28,12 +27,13 @@ from rolamento.clearance.sets import RunningRow, Stage, running_rows, width_of
 from rolamento.clearance.standards import Limit
 from rolamento.errors import InputError
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.solved import PreloadStage
+from rolamento.solved import PreloadStage, Solved
 from rolamento.units import from_si
 from rolamento.words import Note, said
 
 __all__ = [
     "LIMITS",
+    "between_rows",
     "clearances_of_set",
     "mounted_cases",
     "notes_on_set",
@@ -66,6 +66,16 @@ class _Placed(NamedTuple):
     def offset(self) -> FloatArray:
         """How far it is pressed in from first contact."""
         return np.asarray(self.axial - self.row.touch)
+
+
+def between_rows(solved: Solved) -> FloatArray:
+    """Axial force that the rows put on each other: what those that carry toward +x carry; N.
+
+    (cases,), of cases without external load; NaN without a result.
+    """
+    axial = solved.rows.load[:, :, 0]
+    force = np.where(axial > 0.0, axial, 0.0).sum(axis=1)
+    return np.where(solved.converged, force, np.nan)
 
 
 def mounted_cases(
@@ -275,6 +285,7 @@ def _placed(
     ]
     left_out = {f"bearing.{name}" for name in _OWN}
     fields = {name: array for name, array in given.items() if name not in left_out}
+    fields = {name: np.broadcast_to(array, cases) for name, array in fields.items()}
     fields = fields or {"duty.inner_speed": np.zeros(cases)}
     held = spread(plain, fields, states=start)
     press = pressed_in(held)

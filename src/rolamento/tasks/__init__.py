@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from rolamento.tasks.life_spectrum import DutyLife, SpectrumLife, life_under, read_spectrum
     from rolamento.tasks.noise import FullScale, NoiseResult, anderons
     from rolamento.tasks.report import CaseReport, Report, report_on
+    from rolamento.tasks.severity import SeverityResult, severity
     from rolamento.tasks.studies import Sweep, sweep, tolerance
     from rolamento.tasks.synthesis import SynthesisResult, Unsolved, synthesise
     from rolamento.tasks.weibull import (
@@ -41,6 +42,7 @@ _NAMES_OF_MODULES: Final = {
     "life_spectrum": ("DutyLife", "SpectrumLife", "life_under", "read_spectrum"),
     "noise": ("FullScale", "NoiseResult", "anderons"),
     "report": ("CaseReport", "Report", "report_on"),
+    "severity": ("SeverityResult", "severity"),
     "studies": ("Sweep", "sweep", "tolerance"),
     "synthesis": ("SynthesisResult", "Unsolved", "synthesise"),
     "weibull": (
@@ -71,6 +73,7 @@ __all__ = [
     "NoiseResult",
     "PrecisionStudy",
     "Report",
+    "SeverityResult",
     "ShaftLife",
     "SpectrumLife",
     "Sweep",
@@ -92,6 +95,7 @@ __all__ = [
     "precision_study",
     "read_spectrum",
     "report_on",
+    "severity",
     "sweep",
     "synthesise",
     "tolerance",
