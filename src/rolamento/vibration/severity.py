@@ -25,8 +25,8 @@ steady, leave uncertain is seen from the mean squares of its segments: their mea
 It says nothing of early damage of a bearing, whose impacts are short and lie above 1 kHz: they
 hardly change the velocity. That is what `rolamento.vibration.diagnosis` looks for.
 
-Sources: ISO 20816-3:2022; ISO 10816-3:2009, 5.4; ISO 10816-1:1995; Welch, IEEE Transactions on Audio
-and Electroacoustics 15 (1967), for segments that overlap.
+Sources: ISO 20816-3:2022; ISO 10816-3:2009, 5.4; ISO 10816-1:1995; Welch, IEEE Transactions on
+Audio and Electroacoustics 15 (1967), for segments that overlap.
 """
 
 from __future__ import annotations
