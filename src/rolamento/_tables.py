@@ -44,6 +44,9 @@ _EXPONENT: Final = r"(?:[eE][+-]?\d{1,3})?"
 _PLAIN: Final = re.compile(rf"[+-]?(?:\d+(?:\.\d*)?|\.\d+){_EXPONENT}")
 _IN_THOUSANDS: Final = re.compile(rf"[+-]?[1-9]\d{{0,2}}(?:\.\d{{3}})+(?:,\d*)?{_EXPONENT}")
 """A number whose points may part thousands; one with a leading zero never does."""
+_DECIMAL_COMMA: Final = re.compile(
+    r"[+-]?(?:\d{1,3}(?:\.\d{3})+,\d*|\d*,(?:\d{1,2}|\d{4,}))(?:[eE][+-]?\d{1,3})?"
+)
 _MARKED: Final = re.compile(r"[+-]?[\d.,]*[.,][\d.,]*(?:[eE][+-]?\d{1,3})?")
 _LEAD: Final = re.compile(r"[+-]?(?=[.,]?\d)[\d.,]+(?:[eE][+-]?\d{1,3})?(?=\s|%|[A-Za-zµμ°]|$)")
 _POINTS_AND_COMMAS: Final = str.maketrans(".,", ",.")
@@ -60,7 +63,8 @@ class Numerals:
     mark
         the decimal mark, if it is known; then the other one parts thousands
     doubt
-        a cell that is one number with a point and another with a comma; empty if there is none
+        a cell that is one number with a decimal point and another with a decimal comma; empty if
+        there is none
     """
 
     commas: bool
@@ -90,7 +94,10 @@ class Numerals:
 
     def readings(self) -> tuple[float, float]:
         """Return what the cell in doubt is with a decimal point, and with a decimal comma."""
-        return float(self.doubt), float(self.doubt.replace(".", ""))
+        point, comma = (Numerals(True, mark).number(self.doubt) for mark in get_args(DecimalMark))
+        assert point is not None
+        assert comma is not None
+        return point, comma
 
     def check(self, field: str, *, argument: bool = True) -> None:
         """Refuse numbers that may be read in two ways.
@@ -104,27 +111,40 @@ class Numerals:
         """
         if not self.doubt:
             return
-        point, comma = (f"{value:.9g}" for value in self.readings())
-        example = f'"# {_MARK}: point" above the table for {point}, "# {_MARK}: comma" for {comma}'
-        if argument:
-            example = (
-                f'decimal_mark="point" for {point}, decimal_mark="comma" for {comma}; or a line '
-                f'"# {_MARK}: comma" above the table'
-            )
-        raise InputError(
-            said(
-                "is {point} if the point is the decimal mark and {comma} if it "
-                "separates thousands; the table does not tell which",
-                point=point,
-                comma=comma,
-            ),
-            field=field,
-            value=self.doubt,
-            example=example,
+        point, comma = self.readings()
+        readings = {"point": point, "comma": comma}
+        rule = said(
+            "is {point:.9g} if the point is the decimal mark and {comma:.9g} if it "
+            "separates thousands; the table does not tell which",
+            **readings,
         )
+        if "," in self.doubt:
+            rule = said(
+                "is {point:.9g} if the comma separates thousands and {comma:.9g} if it is the"
+                " decimal mark; the table does not tell which",
+                **readings,
+            )
+        example = said(
+            '"# decimal mark: point" above the table for {point:.9g}, "# decimal mark: comma" for'
+            " {comma:.9g}",
+            **readings,
+        )
+        if argument:
+            example = said(
+                'decimal_mark="point" for {point:.9g}, decimal_mark="comma" for {comma:.9g}; or a'
+                ' line "# decimal mark: comma" above the table',
+                **readings,
+            )
+        raise InputError(rule, field=field, value=self.doubt, example=example)
 
 
-def numerals_of(cells: Iterable[str], *, commas: bool, mark: DecimalMark | None = None) -> Numerals:
+def numerals_of(
+    cells: Iterable[str],
+    *,
+    commas: bool,
+    mark: DecimalMark | None = None,
+    ask_of_commas: bool = False,
+) -> Numerals:
     """Tell how the numbers of a table are written, by all of them together.
 
     Parameters
@@ -135,20 +155,32 @@ def numerals_of(cells: Iterable[str], *, commas: bool, mark: DecimalMark | None 
         Whether a comma can be part of a number: none parts the cells.
     mark
         What the user says, which holds.
+    ask_of_commas
+        Whether 12,500 may be 12500 as well: nothing else shows that decimal commas are written.
     """
     if not commas or mark is not None:
         return Numerals(commas, mark)
-    doubt = ""
+    doubt = in_commas = ""
+    point = False
     for cell in cells:
-        if "." not in cell or len(cell) > _LONGEST_NUMBER or not _MARKED.fullmatch(cell):
+        if len(cell) > _LONGEST_NUMBER or not _MARKED.fullmatch(cell):
             continue
-        if not _IN_THOUSANDS.fullmatch(cell):
-            return Numerals(commas)  # 0.25, 12.5, 1,234.5: a decimal point
-        if "," in cell or cell.count(".") > 1:
+        if "." not in cell:
+            if _IN_THOUSANDS.fullmatch(cell.replace(",", ".")):
+                in_commas = in_commas or cell
+            else:
+                ask_of_commas = False  # 0,25, 12,5: a decimal comma
+        elif not _IN_THOUSANDS.fullmatch(cell):
+            point = True  # 0.25, 12.5, 1,234.5: a decimal point
+            if in_commas:
+                break
+        elif not point and ("," in cell or cell.count(".") > 1):
             return Numerals(commas, "comma")
-        if "e" not in cell.lower():
+        elif "e" not in cell.lower():
             doubt = doubt or cell
-    return Numerals(commas, None, doubt)
+    if point:  # 12,500 beside 8.2 is 12500
+        return Numerals(commas, "point" if in_commas else None)
+    return Numerals(commas, None, doubt or (in_commas if ask_of_commas else ""))
 
 
 @dataclass(frozen=True, slots=True)
@@ -205,8 +237,12 @@ class Table:
         """
         given = self.said.get(_MARK) if mark is None else mark
         chosen = None if given is None else checked_mark(given, self.source)
-        leads = (_lead(row[column]) for row in self.rows for column in columns)
-        found = numerals_of(leads, commas=self.separator != ",", mark=chosen)
+        leads = [_lead(row[column]) for row in self.rows for column in columns]
+        apart = self.separator != ","
+        asked = apart or chosen is not None or self._has_decimal_commas()
+        found = numerals_of(leads, commas=asked, mark=chosen, ask_of_commas=self.separator == "\t")
+        if not apart and chosen is None and not found.doubt:
+            found = Numerals(commas=False)
         if found.doubt:
             place, column = next(
                 (number, column)
@@ -220,6 +256,15 @@ class Table:
                 raise self.placed(error, place) from None
         return found
 
+    def _has_decimal_commas(self) -> bool:
+        """Whether a number of any column has one, between quotation marks."""
+        return any(
+            _DECIMAL_COMMA.fullmatch(_lead(cell))
+            for row in self.rows
+            for cell in row
+            if "," in cell
+        )
+
     def plain(self, mark: object = None) -> Table:
         """Return the table with decimal points, and no marks in thousands, in all its numbers.
 
@@ -228,9 +273,9 @@ class Table:
         InputError
             As `numerals`, of all columns.
         """
-        if self.separator == ",":
-            return self
         numerals = self.numerals(range(len(self.header)), mark)
+        if not numerals.commas:
+            return self
         rows = tuple(tuple(_rewritten(cell, numerals) for cell in row) for row in self.rows)
         header = tuple(_rewritten(cell, numerals) for cell in self.header)
         return replace(self, header=header, rows=rows)
@@ -372,10 +417,13 @@ def _cells(line: str, separator: str, source: str, number: int) -> tuple[str, ..
     return tuple(cell.strip() for cell in cells)
 
 
-def _check_row(found: Sequence[tuple[int, tuple[str, ...]]], separator: str, source: str) -> None:
-    """Refuse a row that is too large, or not as long as the header."""
+def _check_row(found: list[tuple[int, tuple[str, ...]]], separator: str, source: str) -> None:
+    """Refuse a row that is too large, or not as long as the header but for blank cells."""
     line, cells = found[-1]
     header = found[0][1]
+    while len(cells) > len(header) and not cells[-1]:  # separators behind the last cell
+        cells = cells[:-1]
+        found[-1] = line, cells
     if len(cells) > _MOST_COLUMNS:
         raise FileError(
             said("has more than {most} columns", most=_MOST_COLUMNS), source=source, line=line

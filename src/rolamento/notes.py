@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 
 from rolamento.case import Case
 from rolamento.case.duty import AXES, LOADS
-from rolamento.catalogue import built_in_geometry
 from rolamento.geometry import Race, edge_cosine, ring_geometry
 from rolamento.kinematics import (
     RacewayControl,
@@ -289,10 +288,10 @@ def _rolling(solved: Solved) -> Iterator[Note]:
 def _estimated_geometry(solved: Solved) -> Iterator[Note]:
     """An internal geometry that stands in for one that the catalogue does not have."""
     bearing = solved.case.bearing
-    if bearing.designation is None or "inferred" not in bearing.origins.values():
+    name, told = bearing.designation, bearing.told
+    if told is None or "inferred" not in bearing.origins.values():
         return
-    name = bearing.designation
-    alike = sum(one.reproduces for one in built_in_geometry(name).candidates)
+    alike = sum(one.reproduces for one in told.candidates)
     if alike > 1:
         yield Note("geometry_estimated", {"designation": name, "count": alike})
     else:

@@ -4,18 +4,21 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from datetime import date
 from pathlib import Path
 
 import pytest
 from typer.testing import CliRunner
 
+from rolamento._columns import DateOrder, Dates, dates_of
 from rolamento._tables import Numerals, numerals_of, parse_table
 from rolamento.catalogue.records import records_of_csv
 from rolamento.cli.app import app
 from rolamento.errors import InputError
 from rolamento.life.l_able import read_factor_table
 from rolamento.tasks.life_spectrum import read_spectrum
-from rolamento.weibull import parse_life_test, parse_trend
+from rolamento.vibration.reading import open_signal
+from rolamento.weibull import parse_life_test, parse_trend, read_life_test
 
 Run = Callable[..., tuple[int, str, str]]
 THOUSANDS = "vida (h);situação\n12.500;falha\n8.200;falha\n15.000;suspenso\n"
@@ -145,6 +148,133 @@ def test_one_reader_for_all_separators() -> None:
     assert said.said == {"title": "x: y"}
 
 
+@pytest.mark.parametrize(
+    ("cells", "order", "doubt"),
+    [
+        (["03/04/2024", "05/04/2024"], None, "03/04/2024"),
+        (["03/04/2024", "25/04/2024"], "day_first", ""),
+        (["03-04-2024", "04-25-2024"], "month_first", ""),
+        (["03.04.2024", "2024-04-03", "4 mar 2024", "04/04/2024"], None, ""),
+        (["", "x"], None, ""),
+    ],
+)
+def test_what_dates_tell_of_their_order(cells: list[str], order: str | None, doubt: str) -> None:
+    found = dates_of(cells)
+    assert (found.order, found.doubt) == (order, doubt)
+    assert dates_of(cells, "mdy").order == "month_first"
+
+
+@pytest.mark.parametrize(
+    ("cell", "order", "day"),
+    [
+        ("2024-02-29", None, date(2024, 2, 29)),
+        ("2024-02-29T14:30:00", None, date(2024, 2, 29)),
+        ("29/02/2024 14:30", None, date(2024, 2, 29)),
+        ("03/04/2024", "month_first", date(2024, 3, 4)),
+        ("03.04.24", "month_first", date(2024, 4, 3)),
+        ("3 de março de 2024", None, date(2024, 3, 3)),
+        ("03-Mar-2024", None, date(2024, 3, 3)),
+        ("30/02/2024", None, None),
+        ("25/13/2024", None, None),
+        ("2024", None, None),
+        ("1" * 99, None, None),
+    ],
+)
+def test_dates(cell: str, order: DateOrder | None, day: date | None) -> None:
+    assert Dates(order).day(cell) == day
+
+
+def test_dates_of_two_readings_are_asked_about(run: Run) -> None:
+    Path("t.csv").write_text("Data;Vibração (mm/s)\n03/04/2024;2,1\n05/04/2024;2,4\n", "utf-8")
+    code, _, error = run("trend", "t.csv")
+    assert code == 2
+    assert 'line 2: Data = "03/04/2024": is 2024-04-03 if the day comes first' in error
+    assert "--date-order day_first for 2024-04-03, --date-order month_first for 2024-03-04" in error
+    for order, days in (("day_first", 2.0), ("month_first", 61.0)):
+        code, out, _ = run("trend", "t.csv", "--date-order", order, "--json")
+        record = json.loads(out)
+        assert (code, record["time_unit"], record["rows"][1]["time"]) == (0, "d", days)
+    said = "# dates: day first\n" + Path("t.csv").read_text("utf-8")
+    assert parse_trend(said).start == "2024-04-03"
+    assert '--date-order = "dd": must be one of' in run("trend", "t.csv", "--date-order", "dd")[2]
+
+
+def test_a_record_of_one_machine_needs_no_column_of_it() -> None:
+    """Dates with the day above 12; quantities by a usual name, a unit behind it or as chosen."""
+    record = parse_trend("data;velocidade mm/s\n13/02/2024;2,1\n14/02/2024;2,4\n")
+    assert (record.names, record.quantities, record.units) == (("",), ("velocidade",), ("mm/s",))
+    assert (record.start, list(record.times)) == ("2024-02-13", [0.0, 1.0])
+    assert parse_trend("horas,valor\n1,2\n").quantities == ("valor",)
+    table = "horas,id,largura,valor\n1,A,2,3\n"
+    record = parse_trend(table, values=["largura"])
+    assert (record.values[0, 0], record.passed_over) == (2.0, ("valor",))
+    assert [note.key for note in record.notes] == ["passed_over_columns"]
+    with pytest.raises(InputError, match=r'may name what was measured.*bearing="Sala"'):
+        parse_trend("horas,Sala,valor\n1,A,2\n1,B,3\n")
+
+
+def test_a_fleet_as_maintenance_has_it() -> None:
+    """Free text beside the status, machines that had several bearings, separators at the end."""
+    text = (
+        "Máquina;Falha;Horas (h);Situação;Qtde;Custo\n"
+        "B-1;pista externa;12500;quebra;1;1.234,50;;\nB-1;;8200;falha;1;;\n"
+        "B-3;;15000;em operação;2;\nB-4;;9400;troca preventiva;1;\n"
+    )
+    test = parse_life_test(text)
+    assert list(test.failed) == [True, True, False, False]
+    assert (test.size, test.passed_over, test.machines) == (5, ("Falha", "Custo"), "Máquina")
+    assert [note.key for note in test.notes] == ["passed_over_columns", "machines_not_rigs"]
+    assert test.select([0]).notes == test.notes
+    # machines that end as one are rigs
+    alike = parse_life_test("Mrev,máquina,status\n10,A,f\n10,A,s\n12,B,s\n12,B,s\n")
+    assert (list(alike.rig), alike.notes) == (["A", "A", "B", "B"], ())
+
+
+def test_a_column_of_counts_by_another_name(run: Run) -> None:
+    Path("t.csv").write_text("horas;situação;unidades\n100;falha;2\n200;falha;1\n", "utf-8")
+    assert read_life_test("t.csv", count="unidades").size == 3
+    code, out, _ = run("weibull", "t.csv", "--count-column", "unidades", "--json")
+    assert (code, json.loads(out)["size"]) == (0, 3)
+    notes = json.loads(run("weibull", "t.csv", "--json")[1])["notes"]
+    assert notes[0]["values"] == {"columns": ["unidades"]}
+
+
+def test_a_table_without_names_is_told_so() -> None:
+    for text in ("12500;falha\n8200;falha\n", "12.500;falha\n8.200;falha\n"):
+        with pytest.raises(InputError, match=r"header = .*names of the columns must be"):
+            parse_life_test(text)
+        with pytest.raises(InputError, match="names of the columns must be"):
+            parse_trend(text)
+
+
+def test_decimal_commas_elsewhere_in_a_table_of_commas() -> None:
+    """Quotation marks hold them; then the points of 12.500 may part thousands."""
+    text = 'horas,status,custo\n12.500,falha,"1.234,50"\n8.200,falha,"0,5"\n'
+    with pytest.raises(InputError, match=r"is 12.5 if .* and 12500 if"):
+        parse_life_test(text)
+    assert list(parse_life_test(text, decimal_mark="comma").times) == [12_500.0, 8200.0]
+    assert list(parse_life_test(text, decimal_mark="point").times) == [12.5, 8.2]
+    english = text.replace("1.234,50", "1,234").replace("0,5", "12,345")
+    assert list(parse_life_test(english).times) == [12.5, 8.2]
+
+
+def test_commas_in_thousands_of_a_table_of_tabs() -> None:
+    text = "hours\tstatus\n12,500\tfailed\n8,200\tfailed\n"
+    with pytest.raises(InputError, match=r"is 12500 if the comma separates .* and 12.5 if"):
+        parse_life_test(text)
+    assert list(parse_life_test(text, decimal_mark="point").times) == [12_500.0, 8200.0]
+    assert list(parse_life_test(text.replace("8,200", "8,2")).times) == [12.5, 8.2]
+    assert list(parse_life_test(text.replace("8,200", "8.2")).times) == [12_500.0, 8.2]
+    assert list(parse_life_test(text.replace("\t", ";")).times) == [12.5, 8.2]
+
+
+def test_signals_are_asked_about_as_well(tmp_path: Path) -> None:
+    path = tmp_path / "s.csv"
+    path.write_text("acc (mg)\n" + "1.250\n-2.500\n" * 50, "utf-8")
+    with pytest.raises(InputError, match=r"is 1.25 if .* and 1250 if"):
+        open_signal(path)
+
+
 def flat(text: str) -> str:
     """The text without line breaks and margins."""
     return " ".join(text.split())
@@ -198,17 +328,18 @@ def test_columns_by_choice() -> None:
 
 def test_trends_as_people_have_them(run: Run) -> None:
     text = (
-        "Data;Horas;Mancal;Operador;folga radial (µm)\n"
+        "Data;Horas;Alojamento;Operador;folga radial (µm)\n"
         "01/02/2024;0;A;J;27,5\n02/02/2024;60;A;J;36\n03/02/2024;120;A;M;x\n04/02/2024;240;A;M;45\n"
     )
     Path("t.csv").write_text(text, "utf-8")
     code, _, error = run("trend", "t.csv")
     assert code == 2
-    assert "--time-column 'name of the column', --bearing-column 'name of the column'" in error
-    code, out, _ = run("trend", "t.csv", "--bearing-column", "mancal")
+    assert "may name what was measured" in error
+    assert "--bearing-column Alojamento" in error
+    code, out, _ = run("trend", "t.csv", "--bearing-column", "alojamento")
     assert code == 0
-    assert "not read, as they have no unit: Data, Operador" in flat(out)
-    record = parse_trend(text, time="horas", bearing="Mancal")
+    assert "Columns of the table that were not read: Data, Operador." in flat(out)
+    record = parse_trend(text, time="horas", bearing="Alojamento")
     assert (record.time_unit, record.units, record.names) == ("h", ("µm",), ("A",))
     assert list(record.values[:2, 0]) == [27.5, 36.0]
     assert record.rejected[2, 0]

@@ -88,9 +88,10 @@ def test_published_records_name_their_source(name: str) -> None:
 @pytest.mark.parametrize(
     "text",
     [
-        "", "\n", CLEARANCE, "time (h),clearance (µm)\n1,2\n", "bearing,clearance (µm)\n1,2\n",
-        "time,bearing,clearance (µm)\n1,9,2\n", "time (h),bearing,clearance\n1,9,2\n",
-        "time (h),bearing\n1,9\n", CLEARANCE + "1,9\n", CLEARANCE + "1,9,2,3\n",
+        "", "\n", CLEARANCE, "time (h),point of mine,clearance (µm)\n1,A,2\n",
+        "bearing,clearance (µm)\n1,2\n", "time,bearing,clearance (µm)\n1,9,2\n",
+        "time (h),bearing,width\n1,9,2\n", "time (h),bearing\n1,9\n", CLEARANCE + "1,9\n",
+        CLEARANCE + "1,9,2,3\n",
         CLEARANCE + "-1,9,2\n", CLEARANCE + "nan,9,2\n", CLEARANCE + "1,9,inf\n",
         CLEARANCE + "1,9,1e999\n", CLEARANCE + "1,,2\n", CLEARANCE + "1," + "9" * 99 + ",2\n",
         CLEARANCE + '1,"9,2\n', CLEARANCE + "1,9," + "2" * 3000 + "\n",

@@ -11,14 +11,23 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.case import Case
-from rolamento.case.bearing import Bearing, RowPlace, balls_fit, clearance_fits
+from rolamento.case.bearing import (
+    LEAST_THRUST_ANGLE,
+    Bearing,
+    RowPlace,
+    balls_fit,
+    clearance_fits,
+)
 from rolamento.case.duty import AXES, LOADS
 from rolamento.case.varied import bounded, varied_arrays
 from rolamento.clearance.batch import MOUNTED_FIELDS
 from rolamento.errors import InputError
+from rolamento.geometry import sphere_conformity
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.rows.ball.row import BallRow, Traction, ball_row
+from rolamento.rows.grooves import four_point_row, thrust_row
 from rolamento.rows.row import Row
+from rolamento.rows.sphere import SphereRow
 from rolamento.words import said
 
 __all__ = ["Cases", "PlacedRow", "spread"]
@@ -30,11 +39,14 @@ _GEOMETRY: Final = (
     "diametral_clearance",
     "inner_conformity",
     "outer_conformity",
+    "shim_angle",
 )
 _PRELOADS: Final = ("force", "offset", "spring")
 
 ROWS: Final = {"ball": ball_row}
 """How a row is made, by its kind of element."""
+OTHER_GROOVES: Final = {"four_point": four_point_row, "thrust": thrust_row}
+"""How a row on other grooves is made, by the bearing's kind."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,6 +56,11 @@ class PlacedRow:
     row: Row
     sign: float
     position: FloatArray
+
+    @property
+    def lever(self) -> FloatArray:
+        """How far from the row's own centre of tilting the bearing's is; (cases,), m."""
+        return 0.0 * self.position if isinstance(self.row, SphereRow) else self.position
 
 
 @dataclass(frozen=True, slots=True)
@@ -141,15 +158,24 @@ def spread(
     held = {axis: displacement[:, i] for i, axis in enumerate(AXES)}
     # what the rows have in common has to be sound by itself, as the case has it
     common = _varied(case.bearing, case.bearing, set(), arrays)
-    valid &= _consistent(common, held, case.bearing.ball_count)
+    _check_own_fields(case.bearing, arrays)
+    valid &= _consistent(common, held, case.bearing.ball_count, case.bearing.kind)
     placed = []
-    for place in case.bearing.places:
+    for place in _row_places(case.bearing):
+        if case.bearing.kind == "self_aligning":
+            placed.append(_on_sphere(case, place, common, arrays, cases, threads, fast))
+            continue
+        position = _position(case.bearing, place, arrays, cases)
+        if case.bearing.kind is not None:
+            grooved = OTHER_GROOVES[case.bearing.kind](case, place, common, arrays, cases)
+            placed.append(PlacedRow(grooved, place.sign, position))
+            continue
         bearing = _varied(case.bearing, place.bearing, _own_fields(case.bearing, place), arrays)
         valid &= _consistent(bearing, {}, place.bearing.ball_count)
         row = ROWS[place.bearing.element](
             case, place, bearing, arrays, cases, threads=threads, fast=fast
         )
-        placed.append(PlacedRow(row, place.sign, _position(case.bearing, place, arrays, cases)))
+        placed.append(PlacedRow(row, place.sign, position))
     for part in placed:
         part.row.refuse(~valid)
     friction, drag = _friction(case, arrays)
@@ -168,6 +194,45 @@ def spread(
     if found.alone is not None:
         found.alone.asked(free, load, displacement)
     return found
+
+
+def _row_places(bearing: Bearing) -> tuple[RowPlace, ...]:
+    """The rows of balls: the two rows of contacts of a four-point bearing are one."""
+    return bearing.places[:1] if bearing.kind == "four_point" else bearing.places
+
+
+def _on_sphere(
+    case: Case,
+    place: RowPlace,
+    common: Any,
+    arrays: Mapping[str, FloatArray],
+    cases: int,
+    threads: int | None,
+    fast: bool,
+) -> PlacedRow:
+    """A row of a self-aligning bearing, whose outer race and place follow from the row's angle."""
+    spacing = arrays.get("bearing.spacing", case.bearing.spacing)
+    if common.contact_angle is not None:
+        tangent = np.tan(common.contact_angle)
+    elif spacing is not None:
+        tangent = spacing / common.pitch_diameter
+    else:
+        raise InputError(
+            said("is missing; a self-aligning bearing given by its clearance needs it"),
+            field="bearing.spacing",
+            example='spacing = "9 mm"',
+        )
+    sphere = sphere_conformity(common.ball_diameter, common.pitch_diameter, tangent)
+    play = 0.0 if common.diametral_clearance is None else common.diametral_clearance
+    own = {
+        "contact_angle": np.arctan(tangent),
+        "diametral_clearance": None,
+        "outer_conformity": sphere,
+    }
+    bearing = SimpleNamespace(**{**vars(common), **own})
+    row = ball_row(case, place, bearing, arrays, cases, threads=threads, fast=fast)
+    aside = place.sign * 0.5 * common.pitch_diameter * tangent + np.zeros(cases)
+    return PlacedRow(SphereRow(row.with_play(play + np.zeros(cases))), place.sign, aside)
 
 
 def _duty(
@@ -270,7 +335,40 @@ def _position(
     return place.position / bearing.spacing * arrays["bearing.spacing"] + 0.0 * position
 
 
-def _consistent(bearing: Any, displacement: dict[str, FloatArray], ball_count: int) -> BoolArray:
+def _check_own_fields(bearing: Bearing, arrays: Mapping[str, FloatArray]) -> None:
+    """Refuse to vary what the kind of bearing does not have.
+
+    Raises
+    ------
+    InputError
+        Naming the field.
+    """
+    if "bearing.shim_angle" in arrays and bearing.kind != "four_point":
+        raise InputError(
+            said("is of four-point bearings only"),
+            field="bearing.shim_angle",
+            example='kind = "four_point"',
+        )
+    if "bearing.diametral_clearance" in arrays and bearing.kind == "thrust":
+        raise InputError(
+            said("is not a quantity of a thrust bearing"),
+            field="bearing.diametral_clearance",
+            example="bearing.contact_angle",
+        )
+    if "bearing.outer_conformity" in arrays and bearing.kind == "self_aligning":
+        raise InputError(
+            said("is not given of a self-aligning bearing: its outer race is a sphere"),
+            field="bearing.outer_conformity",
+            example="bearing.inner_conformity",
+        )
+
+
+def _consistent(
+    bearing: Any,
+    displacement: dict[str, FloatArray],
+    ball_count: int,
+    kind: str | None = None,
+) -> BoolArray:
     """Tell in which cases the fields do not contradict each other, as `Bearing` and `Case` have it.
 
     bearing: attributes as arrays; displacement: what is imposed, by axis.
@@ -279,7 +377,13 @@ def _consistent(bearing: Any, displacement: dict[str, FloatArray], ball_count: i
     sound = (pitch > diameter) & balls_fit(ball_count, diameter, pitch)
     if bearing.diametral_clearance is not None:
         reach = diameter * (bearing.inner_conformity + bearing.outer_conformity - 1.0)
-        sound = sound & clearance_fits(bearing.diametral_clearance, reach)
+        closed = 1.0 if bearing.shim_angle is None else np.cos(bearing.shim_angle)
+        sound = sound & clearance_fits(bearing.diametral_clearance, reach, closed)
+    elif kind == "thrust":
+        sound = sound & (bearing.contact_angle > LEAST_THRUST_ANGLE)
+    else:
+        least = 0.0 if kind == "self_aligning" else -1.0
+        sound = sound & (bearing.contact_angle < 0.5 * np.pi) & (bearing.contact_angle > least)
     for height in (bearing.inner_shoulder_height, bearing.outer_shoulder_height):
         if height is not None:
             sound = sound & (height < diameter / 2)

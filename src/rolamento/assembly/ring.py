@@ -7,7 +7,8 @@ facing σ = ±1, has in its own frame
 
     x_r = σ x + e,   y_r = y + a rz,   z_r = z - a ry,   ry_r = σ ry,   rz_r = σ rz
 
-where e is how far the clamped rings press it in. Springs add a sixth unknown: how far they have
+where e is how far the clamped rings press it in. (In a self-aligning bearing a = 0: its rows know
+of no tilt, see `rolamento.rows.sphere`.) Springs add a sixth unknown: how far they have
 pushed the outer rings of the rows that face -x. This is v = T u + e, the ring's force is the sum of
 T' f, and its stiffness the sum of T' k T. Tilts times the first row's arm make one unit of all.
 
@@ -264,8 +265,8 @@ def transform(placed: PlacedRow, sprung: bool) -> FloatArray:
     t[:, 0, 0] = placed.sign
     t[:, 0, SLIDE] = 1.0 if sprung and placed.sign < 0.0 else 0.0
     t[:, 1, 1] = t[:, 2, 2] = 1.0
-    t[:, 1, 4] = placed.position
-    t[:, 2, 3] = -placed.position
+    t[:, 1, 4] = placed.lever
+    t[:, 2, 3] = -placed.lever
     t[:, 3, 3] = t[:, 4, 4] = placed.sign
     return t
 

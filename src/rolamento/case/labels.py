@@ -16,6 +16,8 @@ LABELS: Final = {
     "report.date": marked("date"),
     "report.checked_by": marked("checked by"),
     "bearing.element": marked("rolling element"),
+    "bearing.kind": marked("type of the grooves"),
+    "bearing.shim_angle": marked("shim angle"),
     "bearing.designation": marked("designation"),
     "bearing.ball_count": marked("number of balls"),
     "bearing.ball_diameter": marked("ball diameter"),

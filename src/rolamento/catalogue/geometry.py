@@ -13,7 +13,12 @@ from rolamento._data import toml_of
 from rolamento.catalogue.designation import ClearanceClass, Designation
 from rolamento.catalogue.inference import Candidate, inferred_geometry
 from rolamento.catalogue.records import CatalogueBearing
-from rolamento.catalogue.search import Catalogue, catalogue
+from rolamento.catalogue.search import (
+    Catalogue,
+    catalogue,
+    catalogue_with,
+    is_built_in,
+)
 from rolamento.errors import InputError
 from rolamento.units import MILLIMETRE, from_si
 from rolamento.words import said
@@ -47,6 +52,8 @@ class InternalGeometry:
         Of each field: ``"published"``, ``"inferred"`` from the ratings, or ``"assumed"``.
     candidates
         All insides that the ratings allow, the best first; empty if nothing was inferred.
+    records
+        What has to be known beside the built-in catalogue to find the same again.
     """
 
     bearing: CatalogueBearing
@@ -54,6 +61,7 @@ class InternalGeometry:
     fields: Mapping[str, Any]
     origins: Mapping[str, Origin]
     candidates: tuple[Candidate, ...] = ()
+    records: tuple[CatalogueBearing, ...] = ()
 
     @property
     def is_inferred(self) -> bool:
@@ -94,7 +102,7 @@ def geometry_of(
     designation
         Such as ``"6305/C3"`` or ``"EX 70 25deg"``.
     catalogue_of
-        Where to look; by default the built-in catalogue.
+        Where to look; by default in `rolamento.catalogue.catalogue`.
     rank
         Which of the candidates to take, if the balls are inferred.
     with_balls
@@ -106,7 +114,14 @@ def geometry_of(
         If the designation is not known, its balls are neither published nor to be inferred, or
         there is no such rank.
     """
-    found = (catalogue_of or catalogue()).find(designation)
+    return _geometry_in(catalogue_of or catalogue(), designation, rank, with_balls)
+
+
+@lru_cache(maxsize=512)
+def _geometry_in(
+    known: Catalogue, designation: str, rank: int, with_balls: bool
+) -> InternalGeometry:
+    found = known.find(designation)
     bearing = found.bearing
     fields: dict[str, Any] = {}
     origins: dict[str, Origin] = {}
@@ -124,13 +139,8 @@ def geometry_of(
         fields=fields,
         origins=origins,
         candidates=candidates,
+        records=() if known is catalogue_with(()) or is_built_in(bearing) else (bearing,),
     )
-
-
-@lru_cache(maxsize=512)
-def built_in_geometry(designation: str, with_balls: bool = True) -> InternalGeometry:
-    """Return `geometry_of` a designation in the built-in catalogue, found once."""
-    return geometry_of(designation, with_balls=with_balls)
 
 
 def ambiguity_axis(

@@ -11,6 +11,7 @@ import typer
 
 import rolamento
 from rolamento.cli.anderon import AnderonCommand, anderon
+from rolamento.cli.case_options import NOTHING_GIVEN, CaseOptions, with_case
 from rolamento.cli.catalogue import app as catalogue_app
 from rolamento.cli.clearance import clearance
 from rolamento.cli.common import (
@@ -30,7 +31,6 @@ from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import (
     CaseArgument,
     LanguageOption,
-    SettingsOption,
     json_option,
 )
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
@@ -117,21 +117,23 @@ def rolamento_command(
 
 @app.command(
     cls=JsonCommand,
-    epilog="Examples: solve case.toml --json; solve case.toml --set duty.load.fz='10 kN';"
-    " solve case.toml --report state.pdf --csv stiffness.csv --table stiffness.",
+    epilog="Examples: solve 6310/C3 --fr '5 kN' --speed '1480 rpm'; solve case.toml --json;"
+    " solve case.toml --set duty.load.fz='10 kN'; solve case.toml --report state.pdf"
+    " --csv stiffness.csv --table stiffness.",
 )
 @with_outputs
+@with_case
 def solve(
     case: CaseArgument,
+    given: CaseOptions = NOTHING_GIVEN,
     json: Annotated[str | None, json_option("Write the state as JSON, in SI units")] = None,
     outputs: Outputs = NOWHERE,
-    settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
     """Show the internal state of a bearing under its duty."""
-    with plain_endings(lang):
+    with plain_endings(lang), given.in_force():
         outputs.check({"--json": json}, case)
-        analysis = _analysed(rolamento.load_case(case, settings or ()), lang)
+        analysis = _analysed(given.case(case, needs_load=True), lang)
         _show(analysis, json, outputs, lang)
     raise typer.Exit(SOLVED if analysis.solved.converged[0] else NO_RESULT)
 
@@ -192,18 +194,20 @@ app.command(
 )(plot)
 app.command(
     cls=JsonCommand,
-    epilog="Examples: friction case.toml --coefficient 0.1;"
-    " friction case.toml --over duty.load.fx=10..200N --plot friction.png.",
+    epilog="Examples: friction 6310 --fr '5 kN' --speed '1480 rpm' --lubricant 'ISO VG 68'"
+    " --temperature '70 degC' --coefficient 0.1; friction case.toml --over duty.load.fx=10..200N"
+    " --plot friction.png.",
 )(friction)
 app.command(
     cls=JsonCommand,
-    epilog="Examples: life case.toml --reliability 0.95; life left.toml right.toml;"
+    epilog="Examples: life 6310/C3 --fr '5 kN' --speed '1480 rpm'; life case.toml"
+    " --reliability 0.95; life left.toml right.toml;"
     " life case.toml --spectrum steps.csv; life case.toml --over duty.load.fz=1..8kN.",
 )(life)
 app.command(
     cls=JsonCommand,
     epilog="Examples: report case.toml -o report.pdf --author 'A. Souza';"
-    " report old.toml new.toml -o comparison.html; report 6305 --set duty.load.fz='2 kN'.",
+    " report old.toml new.toml -o comparison.html; report 6305 --fr '2 kN'.",
 )(report)
 app.command(cls=JsonCommand, epilog="Example: clearance case.toml --samples 10000.")(clearance)
 app.command(

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Annotated, Final
 import typer
 
 import rolamento
+from rolamento.cli.case_options import NOTHING_GIVEN, CaseOptions, with_case
 from rolamento.cli.common import SOLVED, plain_endings
-from rolamento.cli.options import JsonOption, LanguageOption, SeedOption, SettingsOption
+from rolamento.cli.options import JsonOption, LanguageOption, SeedOption
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.streams import put_json
 
@@ -19,11 +20,17 @@ _SCHEMA: Final = 2
 
 
 @with_outputs
+@with_case
 def clearance(
     case: Annotated[
         str,
-        typer.Argument(metavar="CASE", help="Case file with a [mounting]; - for standard input."),
+        typer.Argument(
+            metavar="CASE",
+            help="Case file with a [mounting], or a designation and its fits by --set; - for"
+            " standard input.",
+        ),
     ],
+    given: CaseOptions = NOTHING_GIVEN,
     samples: Annotated[
         int | None,
         typer.Option(
@@ -35,16 +42,15 @@ def clearance(
     seed: SeedOption = 0,
     json: JsonOption = None,
     outputs: Outputs = NOWHERE,
-    settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
     """Show the clearance that is left in operation.
 
     After fits, temperatures, speed and wear, step by step.
     """
-    with plain_endings(lang):
+    with plain_endings(lang), given.in_force():
         outputs.check({"--json": json}, case)
-        loaded = rolamento.load_case(case, settings or ())
+        loaded = given.case(case)
         from rolamento.clearance import clearance_of_case
 
         found = clearance_of_case(loaded)

@@ -43,7 +43,11 @@ def plot_option(what: str) -> Any:
 # --- of most commands ------------------------------------------------------------------------
 
 CaseArgument = Annotated[
-    str, typer.Argument(metavar="CASE", help="Case file (TOML or JSON); - for standard input.")
+    str,
+    typer.Argument(
+        metavar="CASE",
+        help="Case file (TOML or JSON), or a designation such as 6310/C3; - for standard input.",
+    ),
 ]
 SettingsOption = Annotated[
     list[str] | None,

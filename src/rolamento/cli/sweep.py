@@ -7,13 +7,14 @@ from typing import Annotated, NoReturn
 
 import typer
 
+from rolamento.cli.case_options import NOTHING_GIVEN, CaseOptions, with_case
 from rolamento.cli.common import (
     INTERRUPTED,
     NO_RESULT,
     SOLVED,
     plain_endings,
 )
-from rolamento.cli.options import LanguageOption, SettingsOption
+from rolamento.cli.options import LanguageOption
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.streams import complain, print_text
 from rolamento.errors import InputError
@@ -28,6 +29,7 @@ class Listed(StrEnum):
 
 
 @with_outputs
+@with_case
 def sweep(
     study: Annotated[
         str | None,
@@ -42,7 +44,7 @@ def sweep(
             help="Result: a .nc (NetCDF), .csv or .parquet file; by default named after the study.",
         ),
     ] = None,
-    settings: SettingsOption = None,
+    given: CaseOptions = NOTHING_GIVEN,
     threads: Annotated[
         int | None,
         typer.Option(
@@ -75,7 +77,7 @@ def sweep(
 
     A study file says what varies: all values of some fields, or values drawn at random.
     """
-    with plain_endings(lang):
+    with plain_endings(lang), given.in_force():
         if listed is not None:
             print_text(fields_text() if listed is Listed.fields else outputs_text())
             return
@@ -97,7 +99,7 @@ def sweep(
                 swept = studies.sweep(
                     study,
                     output,
-                    settings=settings or (),
+                    settings=given.settings,
                     threads=threads,
                     scheduler=scheduler,
                     restart=restart,

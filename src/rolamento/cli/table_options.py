@@ -11,16 +11,28 @@ import typer
 
 from rolamento.errors import InputError
 
-__all__ = ["DecimalMarkOption", "StatusColumnOption", "TimeColumnOption", "told_in_options"]
+__all__ = [
+    "BearingColumnOption",
+    "CountColumnOption",
+    "DateOrderOption",
+    "DecimalMarkOption",
+    "StatusColumnOption",
+    "TimeColumnOption",
+    "ValueColumnOption",
+    "told_in_options",
+]
 
 _OPTIONS: Final = {
     "decimal_mark": "--decimal-mark",
+    "date_order": "--date-order",
     "time": "--time-column",
     "status": "--status-column",
     "bearing": "--bearing-column",
     "group": "--group",
+    "count": "--count-column",
+    "values": "--value-column",
 }
-_ARGUMENT: Final = re.compile(rf'\b({"|".join(_OPTIONS)})="([^"]*)"')
+_ARGUMENT: Final = re.compile(rf'\b({"|".join(_OPTIONS)})=\[?"([^"]*)"\]?')
 
 DecimalMarkOption = Annotated[
     str | None,
@@ -46,6 +58,39 @@ StatusColumnOption = Annotated[
 ]
 
 
+CountColumnOption = Annotated[
+    str | None,
+    typer.Option(
+        "--count-column",
+        metavar="COLUMN",
+        help="Column of how many bearings a row stands for, if named otherwise.",
+    ),
+]
+BearingColumnOption = Annotated[
+    str | None,
+    typer.Option(
+        "--bearing-column", metavar="COLUMN", help="Column of the bearings, if named otherwise."
+    ),
+]
+ValueColumnOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--value-column",
+        metavar="COLUMN",
+        help="Column of a quantity. Repeatable; by default all with a unit in brackets.",
+    ),
+]
+DateOrderOption = Annotated[
+    str | None,
+    typer.Option(
+        "--date-order",
+        metavar="ORDER",
+        help="Order of dates, day_first or month_first, for a table in which 03/04/2024 may be"
+        " either.",
+    ),
+]
+
+
 @contextmanager
 def told_in_options(**options: str) -> Iterator[None]:
     """Tell what is wrong with a table, or with an argument, in the words of the command.
@@ -65,10 +110,10 @@ def _told(error: InputError) -> InputError:
         value = f"'{match[2]}'" if " " in match[2] else match[2]
         return f"{_OPTIONS[match[1]]} {value}"
 
-    of_mark = error.field == "decimal_mark"
+    own = error.field in ("decimal_mark", "date_order")
     return type(error)(
         _ARGUMENT.sub(option, error.rule),
-        field="--decimal-mark" if of_mark else error.field,
+        field=_OPTIONS[error.field] if own else error.field,
         value=error.value,
         example=_ARGUMENT.sub(option, error.example),
         source=error.source,

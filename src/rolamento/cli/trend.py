@@ -11,7 +11,14 @@ from rolamento.cli.options import LanguageOption, PlotOption, json_option
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.shipped_data import check_one_given, data_and_json, known_example
 from rolamento.cli.streams import put_json
-from rolamento.cli.table_options import DecimalMarkOption, TimeColumnOption, told_in_options
+from rolamento.cli.table_options import (
+    BearingColumnOption,
+    DateOrderOption,
+    DecimalMarkOption,
+    TimeColumnOption,
+    ValueColumnOption,
+    told_in_options,
+)
 from rolamento.errors import InputError
 from rolamento.words import marked, said
 
@@ -34,7 +41,7 @@ def trend(
         str | None,
         typer.Argument(
             metavar="DATA.csv",
-            help="Columns of time, bearing and quantities, units in brackets; - for "
+            help="Columns of time or date, bearing and quantities, units in brackets; - for "
             "standard input.",
         ),
     ] = None,
@@ -52,13 +59,10 @@ def trend(
         ),
     ] = None,
     time_column: TimeColumnOption = None,
-    bearing_column: Annotated[
-        str | None,
-        typer.Option(
-            "--bearing-column", metavar="COLUMN", help="Column of the bearings, if named otherwise."
-        ),
-    ] = None,
+    bearing_column: BearingColumnOption = None,
+    value_column: ValueColumnOption = None,
     decimal_mark: DecimalMarkOption = None,
+    date_order: DateOrderOption = None,
     plot: PlotOption = None,
     json: Annotated[str | None, json_option("Write everything as JSON")] = None,
     outputs: Outputs = NOWHERE,
@@ -79,7 +83,10 @@ def trend(
         if law is not None and law not in LAWS:
             rule = said("must be one of {known}", known=", ".join(LAWS))
             raise InputError(rule, source="--law", value=law, example="running-in")
-        columns = {"time": time_column, "bearing": bearing_column, "decimal_mark": decimal_mark}
+        columns: dict[str, Any] = {
+            "time": time_column, "bearing": bearing_column, "values": value_column or (),
+            "decimal_mark": decimal_mark, "date_order": date_order,
+        }  # fmt: skip
         from rolamento.pages.trend import trend_page
         from rolamento.tasks.weibull import trend_study
         from rolamento.weibull import published_trend

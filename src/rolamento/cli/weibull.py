@@ -20,6 +20,7 @@ from rolamento.cli.outputs import NOWHERE, OUTPUT_OPTIONS, Outputs, with_outputs
 from rolamento.cli.shipped_data import check_one_given, data_and_json, known_example
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put_json
 from rolamento.cli.table_options import (
+    CountColumnOption,
     DecimalMarkOption,
     StatusColumnOption,
     TimeColumnOption,
@@ -52,7 +53,8 @@ class WeibullCommand(JsonCommand):
 
     groups: ClassVar[Groups] = {
         "Data": (
-            *("example", "write", "unit", "time_column", "status_column", "decimal_mark"),
+            *("example", "write", "unit", "time_column", "status_column", "count_column"),
+            "decimal_mark",
             *("group", "by_group", "only"),
         ),
         "Fit": ("method", "three_parameter", "shape", "bayes"),
@@ -173,6 +175,7 @@ def weibull(
     ] = None,
     time_column: TimeColumnOption = None,
     status_column: StatusColumnOption = None,
+    count_column: CountColumnOption = None,
     decimal_mark: DecimalMarkOption = None,
     samples: Annotated[
         int | None,
@@ -219,7 +222,7 @@ def weibull(
         check_one_given(data, example, "weibull", EXAMPLES)
         columns = {
             "group": group, "unit": unit, "time": time_column, "status": status_column,
-            "decimal_mark": decimal_mark,
+            "count": count_column, "decimal_mark": decimal_mark,
         }  # fmt: skip
         wanted: dict[str, Any] = {
             "methods": _fit_methods(method or (), three_parameter),

@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.case import Case
-from rolamento.catalogue import built_in_geometry
 from rolamento.friction.palmgren import BearingKind, Lubrication
 from rolamento.friction.skf import (
     SkfConstants,
@@ -80,15 +79,15 @@ def machine_of(
         None without a designation or a static rating; SKF's constants for the deep-groove series
         that are on file, and for angular-contact bearings.
     """
-    published = case.bearing.published
+    told = case.bearing.told
     rating, load = np.broadcast_arrays(
         np.asarray(static_load_rating, np.float64),
         np.asarray(static_load, np.float64),
         film.temperature,
     )[:2]
-    if published is None or case.bearing.is_set or not np.all((rating > 0.0) & (load >= 0.0)):
+    if told is None or case.bearing.is_set or not np.all((rating > 0.0) & (load >= 0.0)):
         return None
-    designation = built_in_geometry(case.bearing.designation or "", False).designation
+    published, designation = told.bearing, told.designation
     deep = published.kind == "deep_groove"
     grease = case.lubricant is not None and case.lubricant.kind == "grease"
     return MachineBearing(

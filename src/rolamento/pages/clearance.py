@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import isnan
 from typing import TYPE_CHECKING, Final
 
 from rolamento.clearance.operating import PERCENTILES
@@ -126,8 +127,9 @@ def _sources(found: OperatingClearance) -> Section:
 
 def _scatter(samples: ClearanceSamples) -> Section:
     percentiles = ", ".join(
-        said("{percent:.5} %: {clearance:.1f µm}", percent=p, clearance=samples.percentile(p))
+        said("{percent:.5} %: {clearance:.1f µm}", percent=p, clearance=clearance)
         for p in PERCENTILES
+        if not isnan(clearance := samples.percentile(p))  # beyond so few samples
     )
     texts = (
         said(

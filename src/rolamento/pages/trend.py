@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from datetime import date, timedelta
 from typing import TYPE_CHECKING, Final
 
 from rolamento.document import (
@@ -54,18 +55,17 @@ def trend_page(found: TrendStudy) -> Document:
     """
     trend = found.trend
     title = one_line(trend.title) or said("Measurements")
-    source = KeyValues((Entry(said("source"), one_line(trend.source)),))
+    entries = [Entry(said("source"), one_line(trend.source))]
+    if trend.start:
+        entries.append(Entry(said("days from"), trend.start))
+    source = KeyValues(tuple(entries))
     sections = [
         Section(blocks=(Title(title), source), key="head"),
         Section(blocks=(_measurements(trend),), key="measurements"),
     ]
-    if trend.passed_over:
-        columns = ", ".join(shortened(one_line(name), 30) for name in trend.passed_over)
-        text = said(
-            "Columns of the table that were not read, as they have no unit: {columns}.",
-            columns=columns,
-        )
-        sections.append(Section(blocks=(Statement(text, "faint", indent=2),)))
+    notes = tuple(Statement(note.text, "faint", indent=2) for note in trend.notes)
+    if notes:
+        sections.append(Section(blocks=notes))
     if found.fits:
         sections.append(_laws_of_wear(trend, found.fits))
 
@@ -91,10 +91,11 @@ def _measurements(trend: Trend) -> Table:
     groups = tuple(
         (place, said("bearing {name}", name=shortened(one_line(name))))
         for place, name in enumerate(bearings)
-        if not place or name != bearings[place - 1]
+        if name and (not place or name != bearings[place - 1])
     )
     columns = [
         Column(head=said("bearing"), key="bearing", values=bearings, only_in_files=True),
+        *_days(trend, shown),
         Column(
             head=trend.time_unit,
             key="time",
@@ -105,7 +106,7 @@ def _measurements(trend: Trend) -> Table:
         known = said(QUANTITIES[name]) if name in QUANTITIES else name
         columns.append(
             Column(
-                head=f"{shortened(known)} {unit}",
+                head=f"{shortened(known)} {unit}".rstrip(),
                 key=name,
                 values=_cells(trend, shown, place),
                 align="right",
@@ -121,6 +122,15 @@ def _measurements(trend: Trend) -> Table:
             )
         )
     return Table(columns=tuple(columns), key="measurements", groups=groups, legends=tuple(legends))
+
+
+def _days(trend: Trend, rows: Sequence[int]) -> list[Column]:
+    """The dates of measurements, if the record has them."""
+    if not trend.start:
+        return []
+    first = date.fromisoformat(trend.start)
+    days = [(first + timedelta(days=float(trend.times[row]))).isoformat() for row in rows]
+    return [Column(head=said("date"), key="date", values=days)]
 
 
 def _cells(trend: Trend, rows: Sequence[int], quantity: int) -> list[CellContent]:

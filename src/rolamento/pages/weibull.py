@@ -568,10 +568,7 @@ def _sentence_of_ratio(ratio: LifeRatio) -> str:
 
 def _notes(found: LifeTestSummary) -> dict[Note, None]:
     """Return what limits the results, each once."""
-    notes: dict[Note, None] = {}
-    if found.test.passed_over:
-        columns = [shortened(one_line(name), 30) for name in found.test.passed_over]
-        notes[Note("passed_over_columns", {"columns": columns})] = None
+    notes: dict[Note, None] = dict.fromkeys(found.test.notes)
     for group in found.groups:
         for one in (*group.fits, *group.bounds):
             notes |= dict.fromkeys(one.notes)

@@ -14,6 +14,7 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from rolamento.errors import InputError
+from rolamento.numerics.percentiles import percentile
 from rolamento.plots.axes_units import NONE, PERCENT, ReadableUnit
 from rolamento.plots.curves import MOST_MARKERS
 from rolamento.plots.frame import (
@@ -278,9 +279,8 @@ def _spread(axes: Axes, x: PlottedVariable, values: Floats) -> None:
 
 
 def _percentile(values: Floats, percent: float) -> Floats:
-    """Return a percentile of each row's numbers; NaN for a row without any."""
-    rows = (row[np.isfinite(row)] for row in values)
-    return np.array([np.percentile(row, percent) if row.size else np.nan for row in rows])
+    """Return a percentile of each row's numbers; NaN for a row with too few."""
+    return np.array([percentile(row, percent) for row in values])
 
 
 def _mark_missing(axes: Axes, x: PlottedVariable, values: Floats) -> None:
@@ -479,10 +479,12 @@ def _first_input(study: StudyData) -> str:
 
 def _draw_percentiles(axes: Axes, values: Floats, unit: ReadableUnit, *, upright: bool) -> None:
     for percent, style in _PERCENTS:
-        value = float(np.percentile(values, percent))
+        value = percentile(values, percent)
+        if np.isnan(value):  # beyond so few samples
+            continue
         name = said("median") if percent == 50.0 else f"{percent:.0f} %"
         draw = axes.axvline if upright else axes.axhline
-        label = f"{name}: {number(value)} {unit.symbol}".removesuffix(f" {NONE.symbol}")
+        label = f"{name}: {number(value, 5)} {unit.symbol}".removesuffix(f" {NONE.symbol}")
         draw(value, color="black", linewidth=1.1, linestyle=style, label=label)
 
 

@@ -108,7 +108,7 @@ def _bearing(
 ) -> None:
     look, (times, values) = series(index), trend.of_bearing(name, quantity)
     keywords: dict[str, Any] = {"color": look.color, "marker": look.marker, "zorder": 3.0}
-    label = said("bearing {name}", name=shown_text(name, 24))
+    label = said("bearing {name}", name=shown_text(name, 24)) if name else said("measured")
     line = "" if fit is not None else look.linestyle
     axes.plot(times, values, linestyle=line, label=label, **keywords)
     if fit is None or not times.size:
@@ -120,7 +120,8 @@ def _bearing(
     scale = to_si(f"1 {trend.units[quantity]}", "length")
     axes.plot(
         grid, fit.clearance(second * grid) / scale, color=look.color, linestyle=look.linestyle,
-        label=said("bearing {name}, fitted", name=shown_text(name, 24)), zorder=2.0,
+        label=said("bearing {name}, fitted", name=shown_text(name, 24)) if name else said("fitted"),
+        zorder=2.0,
     )  # fmt: skip
 
 
@@ -141,8 +142,10 @@ def _rejected(axes: Axes, trend: Trend, quantity: int) -> None:
 def _label(axes: Axes, trend: Trend, quantity: int) -> None:
     name = trend.quantities[quantity]
     known = capitalised(said(QUANTITIES[name]) if name in QUANTITIES else name)
-    label_x(axes, said("Running time ({unit})", unit=trend.time_unit))
-    label_y(axes, f"{known} ({trend.units[quantity]})")
+    running = said("Running time ({unit})", unit=trend.time_unit)
+    label_x(axes, said("Days from {date}", date=trend.start) if trend.start else running)
+    unit = trend.units[quantity]
+    label_y(axes, f"{known} ({unit})" if unit else known)
     top = float(np.nanmax(trend.values[:, quantity]))
     least = float(np.nanmin(trend.values[:, quantity]))
     axes.set_xlim(min(0.0, float(trend.times.min())), 1.03 * float(trend.times.max()))

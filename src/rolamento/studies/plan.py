@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from typing import Any, Final
@@ -22,6 +23,7 @@ from numpy.typing import NDArray
 import rolamento
 from rolamento.case import Case, case_to_toml
 from rolamento.case.arrangement import ARRANGEMENTS
+from rolamento.catalogue import CatalogueBearing, geometry_of, listed
 from rolamento.errors import InputError
 from rolamento.status import INVALID_INPUT, STATUS_NAMES
 from rolamento.studies.axes import Axis
@@ -58,12 +60,14 @@ _MOST_GROUPS: Final = 64
 class Task:
     """One chunk of a study, to be solved anywhere: `solve_task` needs nothing else.
 
-    study: JSON text; chunk: cases in each; index: of this one.
+    study: JSON text; chunk: cases in each; index: of this one; listed: bearings by which its
+    designations are found, beside the built-in catalogue.
     """
 
     study: str
     chunk: int
     index: int
+    listed: tuple[CatalogueBearing, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,6 +115,7 @@ class Plan:
         self.sampler = Sampler(study.scatter, study.seed) if study.scatter is not None else None
         self._groups_shape = tuple(axis.size for axis in study.axes if study.is_grouped(axis))
         self._in_a_group = study.cases // math.prod(self._groups_shape)
+        self._listed = tuple(dict.fromkeys(self._own_bearings()))
         self._base_case = lru_cache(maxsize=256)(self._made_case)
         self.balls = self._maximum_ball_count()
         self.chunk = chunk or self._bounded_chunk()
@@ -185,7 +190,7 @@ class Plan:
 
     def task(self, index: int) -> Task:
         """A chunk as a message to another process."""
-        return Task(self.text, self.chunk, index)
+        return Task(self.text, self.chunk, index, self._listed)
 
     @cached_property
     def text(self) -> str:
@@ -225,7 +230,19 @@ class Plan:
                 if name not in array_fields():
                     value = column[int(place)]
                     values[name] = float(value) if isinstance(value, np.floating) else value
-        return base_case(self.study.case, values) if values else self.study.case
+        if not values:
+            return self.study.case
+        with listed(self._listed):
+            return base_case(self.study.case, values)
+
+    def _own_bearings(self) -> Iterator[CatalogueBearing]:
+        """The records outside the built-in catalogue by which the designations are found."""
+        told = self.study.case.bearing.told
+        yield from () if told is None else told.records
+        for columns in self.columns:
+            for designation in dict.fromkeys(columns.get("bearing.designation", ())):
+                with suppress(InputError):  # its cases will say so
+                    yield from geometry_of(str(designation), with_balls=False).records
 
     def _drawn(self, first: int, last: int) -> dict[str, Floats]:
         """Draws of some cases: a run of samples, that begins anew for each point of the axes."""
@@ -270,12 +287,13 @@ class Plan:
 
 def solve_task(task: Task, threads: int | None = 1) -> Part:
     """Solve one chunk; the study is read once for all its chunks."""
-    return _plan(task.study, task.chunk).solve(task.index, threads)
+    return _plan(task.study, task.chunk, task.listed).solve(task.index, threads)
 
 
 @lru_cache(maxsize=4)
-def _plan(study: str, chunk: int) -> Plan:
-    return Plan(parse_study(study, format="json"), chunk)
+def _plan(study: str, chunk: int, bearings: tuple[CatalogueBearing, ...]) -> Plan:
+    with listed(bearings):
+        return Plan(parse_study(study, format="json"), chunk)
 
 
 BALL: Final = "ball"

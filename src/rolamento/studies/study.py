@@ -30,7 +30,7 @@ from rolamento._reading import (
     parse_mapping,
     read_text,
 )
-from rolamento.case import Case, load_case
+from rolamento.case import Case, is_designation, load_case
 from rolamento.case.fields import OVERRIDE_SOURCE, overridden
 from rolamento.case.quantity import Count, Line, at_the_border
 from rolamento.case.record import Record
@@ -243,7 +243,9 @@ def case_file_of(path: str | os.PathLike[str]) -> Path | None:
     """
     text, source = read_text(path)
     case = parse_mapping(text, format_of_path(path) or format_of_text(text), source).get("case")
-    return Path(path).parent / case if isinstance(case, str) and case else None
+    if not isinstance(case, str) or not case or is_designation(case, Path(path).parent):
+        return None
+    return Path(path).parent / case
 
 
 def load_study(path: str | os.PathLike[str], overrides: Iterable[str] = ()) -> Study:
@@ -253,7 +255,7 @@ def load_study(path: str | os.PathLike[str], overrides: Iterable[str] = ()) -> S
     ----------
     path
         A TOML or JSON file; ``"-"`` for standard input. A case that it names is looked for beside
-        it.
+        it; what is no file is a designation.
     overrides
         Settings ``KEY=VALUE`` that go over the case, such as ``"duty.load.fz=10 kN"``.
 
@@ -328,7 +330,8 @@ def _case_of(mapping: Mapping[str, Any], folder: Path, settings: tuple[str, ...]
         return None
     if isinstance(given, str):
         try:
-            return load_case(folder / given, settings)
+            named = is_designation(given, folder)
+            return load_case(given if named else folder / given, settings)
         except InputError as error:
             raise error.with_details(source=error.source or given) from None
     if not isinstance(given, dict):

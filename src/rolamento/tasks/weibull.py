@@ -363,7 +363,7 @@ def trend_study(
     data: Trend | str | os.PathLike[str],
     *,
     law: WearLaw | None = None,
-    columns: Mapping[str, str | None] | None = None,
+    columns: Mapping[str, Any] | None = None,
 ) -> TrendStudy:
     """Read what grew while bearings ran, and fit a law of wear where it is a clearance.
 

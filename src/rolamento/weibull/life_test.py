@@ -20,7 +20,8 @@ from numpy.typing import ArrayLike, NDArray
 from rolamento.errors import InputError
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.weibull._checks import numbers
-from rolamento.words import marked, said
+from rolamento.words import Note, marked, said
+from rolamento.words.naming import one_line, shortened
 
 Scheme = Literal["complete", "type_ii", "sudden_death", "type_i", "multiple", "interval"]
 TextArray = NDArray[np.str_]
@@ -30,6 +31,7 @@ MAXIMUM_ROWS: Final = 100_000
 MAXIMUM_UNITS: Final = 1_000_000
 MAXIMUM_GROUPS: Final = 1000
 LONGEST_LABEL: Final = 60
+_LONGEST_TITLE: Final = 30
 _EXAMPLE: Final = "[120.5, 88.0, 300.0]"
 _FLAGS: Final = "[True, False, True]"
 MINIMUM_TIME: Final = 1e-30
@@ -61,6 +63,8 @@ class LifeTest:
         what the data are, and where they come from
     passed_over
         columns of their file that were not read, as their meaning is unknown
+    machines
+        the column of machines in their file, if it was not read as rigs; empty without
 
     Raises
     ------
@@ -78,6 +82,7 @@ class LifeTest:
     title: str
     source: str
     passed_over: tuple[str, ...]
+    machines: str
 
     def __init__(
         self,
@@ -92,6 +97,7 @@ class LifeTest:
         title: str = "",
         source: str = "",
         passed_over: Sequence[str] = (),
+        machines: str = "",
     ) -> None:
         t = _times_of(times)
         rows = len(t)
@@ -108,6 +114,7 @@ class LifeTest:
             "title": str(title),
             "source": str(source),
             "passed_over": tuple(passed_over),
+            "machines": machines,
         }
         _check_times(t, put["failed"], put["lower"])
         _check_rigs(t, put["failed"], put["lower"], put["counts"], put["rig"])
@@ -195,6 +202,14 @@ class LifeTest:
         return float(np.sum(self.counts * self.times))
 
     @property
+    def notes(self) -> tuple[Note, ...]:
+        """What of their file was not read."""
+        found = passed_over_notes(self.passed_over)
+        if self.machines:
+            found += (Note("machines_not_rigs", {"column": _shown(self.machines)}),)
+        return found
+
+    @property
     def scheme(self) -> Scheme:
         """How the test ended.
 
@@ -238,6 +253,7 @@ class LifeTest:
             title=self.title,
             source=self.source,
             passed_over=self.passed_over,
+            machines=self.machines,
         )
 
     def by_group(self) -> dict[str, LifeTest]:
@@ -253,6 +269,16 @@ class LifeTest:
         """Tell whether every suspended bearing was suspended by a failure in its rig."""
         stopped = set(self.rig[self.failed])
         return all(name != "" and name in stopped for name in self.rig[~self.failed])
+
+
+def passed_over_notes(titles: Sequence[str]) -> tuple[Note, ...]:
+    """Return the note that names columns of a file that were not read; none if there are none."""
+    columns = [_shown(title) for title in titles if title.strip()]
+    return (Note("passed_over_columns", {"columns": columns}),) if columns else ()
+
+
+def _shown(title: str) -> str:
+    return shortened(one_line(title), _LONGEST_TITLE)
 
 
 # --- what a caller gives ---------------------------------------------------------------------

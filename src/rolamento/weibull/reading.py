@@ -11,32 +11,41 @@ status     status, state, estado; failed, falha; censored, suspenso, ...   faile
 lower      lower, last_inspection, from, inferior, ultima_inspecao, ...    last inspection passed
 count      count, quantity, freq, quantidade, ...                          bearings in this row
 group      group, lot, condition, grupo, lote, condicao, ...               label
-rig        rig, position, machine, test, bancada, posicao, ensaio, ...     label: ended together
+rig        rig, test, bancada, ensaio, ...                                 label: ended together
+machine    machine, position, equipment, maquina, posicao, ...             as rig, where it fits
 size       size, rig_size, bearings_per_rig, tamanho, ...                  bearings in the rig
 =========  ==============================================================  =======================
 
 Only a time is needed; without a status all failed. Status words: failed, f, 1, true, yes, falha,
 sim; suspended, censored, s, c, 0, false, no, suspenso, nao. In a column named failed or falha "s"
-means sim; in one named censored or suspenso 1 means suspended. With `size`, a row is a rig of so
+means sim; in one named censored or suspenso 1 means suspended. Of two such columns the one that
+holds status words is read. Machines whose bearings ended at several times are no rigs: a note says
+that they were not read. With `size`, a row is a rig of so
 many bearings that stopped at its first failure (sudden death): the others are suspended.
 
 Tables are read as `rolamento._tables` tells: any separator, either decimal mark. Of the comments
-``# unit: Mrev``, ``# title:`` and ``# source:`` are read. Columns named bearing, id, note, comment,
-procedure and their like are passed over, and all others that are not known, which are told.
+``# unit: Mrev``, ``# title:`` and ``# source:`` are read. Columns named bearing, id, date, note,
+comment, procedure and their like are passed over, and all others that are not known, which a note
+names.
 """
 
 from __future__ import annotations
 
 import difflib
 import os
-import re
-import unicodedata
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
 from importlib import resources
-from typing import Final
+from typing import Any, Final
 
+from rolamento._columns import (
+    COLUMN_OF,
+    check_names,
+    column_by_name,
+    folded_name,
+    place_of,
+    word_and_unit,
+)
 from rolamento._tables import Numerals, Table, parse_table, table_text
 from rolamento.errors import InputError, UnknownKeyError
 from rolamento.weibull._checks import one_of
@@ -62,65 +71,18 @@ PUBLISHED: Final = ("lieblein_zelen_1956", "campanha_2008")
 "lieblein_zelen_1956": 23 deep-groove ball bearings, all failed, in millions of revolutions.
 "campanha_2008": 24 bearings 6305 in two conditions (the groups), most of them in pairs, in hours.
 """
-_NAMES: Final = {
-    "time": (
-        "time times t life lives lifetime duration end time_to_failure age tempo tempos vida vidas"
-        " duracao idade fim to ate ttf tbf run_time running_time runtime operating_time"
-        " service_life"
-        " hours_run run_hours running_hours operating_hours hours_to_failure time_on_test"
-        " tempo_de_operacao tempo_operacao tempo_ate_falha tempo_ate_a_falha tempo_de_vida"
-        " tempo_de_funcionamento tempo_de_teste tempo_de_ensaio vida_util horimetro"
-        " horas_de_operacao horas_operacao horas_de_trabalho horas_trabalhadas horas_ate_falha"
-        " horas_ate_a_falha horas_de_funcionamento horas_rodadas"
-    ),
-    "status": "status state event outcome estado situacao evento resultado",
-    "failed": "failed failure fail is_failed broken falhou falha falhado avaria avariado quebrou",
-    "suspended": (
-        "suspended suspension censored censoring right_censored runout survived unfailed suspenso"
-        " suspensao censurado censura sobreviveu"
-    ),
-    "lower": (
-        "lower lower_bound last_inspection inspection from start previous inferior"
-        " limite_inferior ultima_inspecao inspecao inspecao_anterior de"
-    ),
-    "count": "count counts quantity qty number n freq frequency quantidade contagem qtd numero",
-    "group": (
-        "group groups lot batch condition series population grupo lote condicao serie populacao"
-    ),
-    "rig": (
-        "rig position machine test stand test_rig station bancada posicao maquina ensaio"
-        " dispositivo"
-    ),
-    "size": (
-        "size rig_size group_size bearings_per_rig m tamanho tamanho_do_grupo"
-        " rolamentos_por_bancada"
-    ),
-    "": (
-        "bearing bearings id name item specimen sample serial note notes remark remarks comment"
-        " comments procedure mode date rolamento rolamentos identificacao nome peca amostra nota"
-        " observacao observacoes comentario procedimento modo data"
-    ),
-}
-_UNITS: Final = {
-    "h": "h hr hrs hour hours hora horas",
-    "Mrev": (
-        "mrev mrevs million_revolutions millions_of_revolutions 10_6_rev 10_6_revolutions 1e6_rev"
-        " milhoes_de_rotacoes milhoes_de_revolucoes milhoes_de_voltas 10_6_rot"
-    ),
-    "rev": "rev revs revolutions rotacoes revolucoes voltas",
-    "cycles": "cycles ciclos",
-    "d": "d day days dia dias",
-}
-_COLUMN_OF: Final = {word: column for column, words in _NAMES.items() for word in words.split()}
-_UNIT_OF: Final = {word: unit for unit, words in _UNITS.items() for word in words.split()}
 _FAILED: Final = _words(
     "failed failure fail f x 1 true yes y broken dead falha falhou falhado sim quebrou quebrado"
-    " avaria avariado avariou"
+    " avaria avariado avariou broke breakdown defect spalled corrective defeito defeituoso"
+    " quebra quebrada falhada com_falha corretiva corretivo manutencao_corretiva troca_corretiva"
 )
 _SUSPENDED: Final = _words(
     "suspended suspension censored s c 0 false no n nao suspenso suspensao censurado runout running"
     " survived unfailed removed in_service in_operation ok sem_falha nao_falhou em_operacao"
     " operando rodando em_servico em_funcionamento sobreviveu retirado suspensa censurada"
+    " no_failure not_failed good working operational active preventive right_censored censoring"
+    " sem_defeito sem_avaria em_uso em_trabalho funcionando bom boa ativo ativa preventiva"
+    " preventivo manutencao_preventiva troca_preventiva retirada suspensoes"
 )
 _YES: Final = _words("1 true yes y x sim s v verdadeiro")
 _NO: Final = _words("0 false no n nao f falso") | {""}
@@ -131,7 +93,13 @@ _SAYINGS: Final = {
 }
 """Words for failed and for suspended in a column of each kind, and examples."""
 _KINDS_OF_STATUS: Final = ("status", "failed", "suspended")
-_CHOICES: Final = ("time", "group", *_KINDS_OF_STATUS)
+_CHOICES: Final = ("time", "group", "count", *_KINDS_OF_STATUS)
+_SILENT: Final = ("bearing", "remark", "date")
+"""Columns that a life test has no use for, and everybody knows."""
+_UNREAD: Final = ("value", "tag")
+_READ: Final = [
+    word for word, column in COLUMN_OF.items() if column not in (*_SILENT, *_UNREAD, "machine")
+]
 _NEAR: Final = 0.8
 """Likeness of a name to a known one from which on it is a slip of the pen, not another column."""
 
@@ -143,6 +111,7 @@ def read_life_test(
     unit: str | None = None,
     time: str | None = None,
     status: str | None = None,
+    count: str | None = None,
     decimal_mark: str | None = None,
 ) -> LifeTest:
     """Read a life test from a CSV file.
@@ -151,9 +120,9 @@ def read_life_test(
     ----------
     path
         Of the file, of 5 MB and 100 000 rows at most; ``"-"`` for standard input.
-    group, time, status
-        Names of the columns that hold the groups, the times, and whether a bearing failed, in place
-        of the usual ones.
+    group, time, status, count
+        Names of the columns that hold the groups, the times, whether a bearing failed, and how many
+        bearings a row stands for, in place of the usual ones.
     unit
         Label of the times, in place of what the file says; "h" where it says nothing.
     decimal_mark
@@ -170,6 +139,7 @@ def read_life_test(
         unit=unit,
         time=time,
         status=status,
+        count=count,
         decimal_mark=decimal_mark,
     )
 
@@ -182,6 +152,7 @@ def parse_life_test(
     unit: str | None = None,
     time: str | None = None,
     status: str | None = None,
+    count: str | None = None,
     decimal_mark: str | None = None,
 ) -> LifeTest:
     """Read a life test from the text of a CSV file.
@@ -192,7 +163,7 @@ def parse_life_test(
         As described in the module.
     source
         What to call the text in messages.
-    group, unit, time, status, decimal_mark
+    group, unit, time, status, count, decimal_mark
         As of `read_life_test`.
 
     Raises
@@ -201,9 +172,11 @@ def parse_life_test(
         If it is no life test.
     """
     table = parse_table(text, source, most_rows=MAXIMUM_ROWS, example=_EXAMPLE)
-    wanted = {"group": group, "time": time, "status": status}
+    wanted = {"group": group, "time": time, "status": status, "count": count}
+    chosen = {name: title for name, title in wanted.items() if title is not None}
     try:
-        header = header_of(table.header, {name: t for name, t in wanted.items() if t is not None})
+        check_names(table.header, _EXAMPLE)
+        header = header_of(table.header, chosen, table.rows)
         check_status(header, table.rows)
     except InputError as error:
         raise table.placed(error) from None
@@ -233,18 +206,22 @@ def _life_test_of(
     """Put the rows together; a row of a rig with a size becomes two."""
     if header.has_size:
         rows = [part for i, row in enumerate(rows) for part in row.parted(f"rig {i + 1}")]
-    return LifeTest(
-        [row.time for row in rows],
-        [row.failed for row in rows],
-        lower=[row.lower for row in rows],
-        counts=[row.count for row in rows],
-        group=[row.group for row in rows],
-        rig=[row.rig for row in rows],
-        unit=unit,
-        title=said.get("title", ""),
-        source=said.get("source", source),
-        passed_over=header.passed_over,
-    )
+    columns: dict[str, Any] = {
+        "lower": [row.lower for row in rows],
+        "counts": [row.count for row in rows],
+        "group": [row.group for row in rows],
+        "unit": unit,
+        "title": said.get("title", ""),
+        "source": said.get("source", source),
+        "passed_over": header.passed_over,
+    }
+    times, failed = [row.time for row in rows], [row.failed for row in rows]
+    try:
+        return LifeTest(times, failed, rig=[row.rig for row in rows], **columns)
+    except InputError as error:
+        if error.field != "rig" or not header.machines:
+            raise
+    return LifeTest(times, failed, machines=header.machines, **columns)
 
 
 def published_life_test(name: str, **columns: str | None) -> LifeTest:
@@ -275,7 +252,8 @@ class Header:
     """Which cell holds what, by column.
 
     titles: of all cells. names: titles by column. unit: that the header tells, or an empty text.
-    passed_over: titles of what is not known.
+    passed_over: titles of what is not known. machines: title of the rigs if they are machines,
+    which need not end as one.
     """
 
     places: dict[str, int]
@@ -283,6 +261,7 @@ class Header:
     names: dict[str, str]
     unit: str
     passed_over: tuple[str, ...] = ()
+    machines: str = ""
 
     @property
     def has_size(self) -> bool:
@@ -311,38 +290,71 @@ class Row:
         return [failed] * self.failed + [suspended] * (others > 0)
 
 
-def header_of(cells: Sequence[str], wanted: Mapping[str, str]) -> Header:
+def header_of(
+    cells: Sequence[str], wanted: Mapping[str, str], rows: Sequence[Sequence[str]] = ()
+) -> Header:
     """Find the columns by the cells of the header.
 
-    wanted: titles of the columns ``time``, ``status`` and ``group``, over the usual names.
+    wanted: titles of the columns ``time``, ``status``, ``group`` and ``count``, over the usual
+    names. rows: of the table; of two columns that may be the status they tell which one is.
     """
     chosen = _chosen_columns(cells, wanted)
     places: dict[str, int] = {}
     unit = ""
     unknown: list[int] = []
-    for place, title in enumerate(cells):
-        word, its_unit = word_and_unit(title)
-        column = _column_by_name(word)
+    for place, column in enumerate(_columns_told(cells, wanted, rows)):
         if place in chosen:
             kind = chosen[place]
             column = column if kind == "status" and column in _KINDS_OF_STATUS else kind
-        elif column is None or (column and _kind_of(column) in wanted):
+        elif column in _SILENT:
+            continue
+        elif column is None or _kind_of(column) in wanted:
             unknown.append(place)
             continue
         if column == "time":
-            unit = its_unit
-        if not column:
-            continue
+            unit = word_and_unit(cells[place])[1]
         if column in places:
+            title = cells[place]
             example = f'{_kind_of(column)}="{title}"' if column in _CHOICES else ""
             raise InputError(
                 said("occurs twice, perhaps under another name"), field=title, example=example
             )
         places[column] = place
+    machine = places.pop("machine", None)
+    if machine is not None and "rig" in places:
+        unknown.append(machine)
+        machine = None
+    elif machine is not None:
+        places["rig"] = machine
     _refuse_slips(cells, unknown, places)
     _check_columns(places)
-    names = {column: cells[place] for column, place in places.items()}
-    return Header(places, tuple(cells), names, unit, tuple(cells[place] for place in unknown))
+    return Header(
+        places,
+        tuple(cells),
+        {column: cells[place] for column, place in places.items()},
+        unit,
+        tuple(cells[place] for place in unknown),
+        "" if machine is None else cells[machine],
+    )
+
+
+def _columns_told(
+    cells: Sequence[str], wanted: Mapping[str, str], rows: Sequence[Sequence[str]]
+) -> list[str | None]:
+    """What each cell of the header names that a life test has; None for what is not known."""
+    columns = [column_by_name(word_and_unit(title)[0]) for title in cells]
+    found = [None if column in _UNREAD else column for column in columns]
+    statuses = [place for place, column in enumerate(found) if column in _KINDS_OF_STATUS]
+    readable = [place for place in statuses if _holds_status(found[place], place, rows)]
+    if "status" in wanted or len(readable) != 1:
+        return found
+    others = set(statuses) - set(readable)
+    return [None if place in others else column for place, column in enumerate(found)]
+
+
+def _holds_status(column: str | None, place: int, rows: Sequence[Sequence[str]]) -> bool:
+    failed, not_failed, _ = _SAYINGS[column or ""]
+    return {folded_name(row[place]) for row in rows} <= failed | not_failed
 
 
 def check_status(header: Header, rows: Sequence[Sequence[str]]) -> None:
@@ -405,44 +417,13 @@ def _chosen_columns(cells: Sequence[str], wanted: Mapping[str, str]) -> dict[int
     return chosen
 
 
-def place_of(cells: Sequence[str], title: str) -> int:
-    """Place of a column by its name as written, or else without accents, case and unit.
-
-    Raises
-    ------
-    InputError
-        If there is none.
-    """
-    wanted = folded_name(title)
-    for names in (
-        [cell.casefold() == title.strip().casefold() for cell in cells],
-        [wanted == folded_name(cell) for cell in cells],
-        [wanted == word_and_unit(cell)[0] for cell in cells],
-    ):
-        if True in names:
-            return names.index(True)
-    rule = said(
-        "is not a column of the file; the columns are {known}", known=", ".join(filter(None, cells))
-    )
-    raise InputError(rule, field=title)
-
-
-def _column_by_name(word: str) -> str | None:
-    """What a column holds by its name; empty for remarks and blanks, None if unknown."""
-    if word in _COLUMN_OF:
-        return _COLUMN_OF[word]
-    if word in _UNIT_OF or word.rpartition("_")[0] in _NAMES["time"].split():
-        return "time"
-    return None if word else ""
-
-
 def _refuse_slips(cells: Sequence[str], unknown: Sequence[int], places: Mapping[str, int]) -> None:
     """Refuse names that are nearly those of a column that is not there: they are misspelt."""
     there = {_kind_of(column) for column in places}
     for place in unknown:
         word, _ = word_and_unit(cells[place])
-        near = difflib.get_close_matches(word[:60], _COLUMN_OF, n=1, cutoff=_NEAR)
-        column = _COLUMN_OF[near[0]] if near else ""
+        near = difflib.get_close_matches(word[:60], _READ, n=1, cutoff=_NEAR)
+        column = COLUMN_OF[near[0]] if near else ""
         if column and _kind_of(column) not in there:
             raise UnknownKeyError(
                 said("is an unknown column; did you mean {near}?", near=near[0]),
@@ -465,21 +446,6 @@ def _check_columns(places: Mapping[str, int]) -> None:
         )
     if "size" in places and ("count" in places or "lower" in places):
         raise InputError(said("has rig sizes besides counts or inspections"), field="header")
-
-
-def word_and_unit(title: str) -> tuple[str, str]:
-    """Return the folded name of a column, and its unit."""
-    match = re.fullmatch(r"(.*?)[\[(]([^\[\]()]{1,40})[\])]\s*", title)
-    name, said = (match[1], match[2].strip()) if match else (title, "")
-    word = folded_name(name)
-    if said:
-        return word, _UNIT_OF.get(folded_name(said), said)
-    if word in _UNIT_OF:
-        return word, _UNIT_OF[word]
-    head, _, tail = word.rpartition("_")
-    if head in _COLUMN_OF and tail in _UNIT_OF:
-        return word, _UNIT_OF[tail]
-    return word, "h" if set(word.split("_")) & {"hours", "horas", "horimetro"} else ""
 
 
 def _says_failed(given: dict[str, str], titles: dict[str, str]) -> bool:
@@ -528,8 +494,8 @@ def _number_in(cell: str, title: str, numerals: Numerals) -> float:
 
 def _whole_number_in(given: dict[str, str], titles: dict[str, str], column: str) -> int:
     cell = given.get(column, "1")
-    number = _number_in(cell, titles.get(column, column), Numerals(commas=True))
-    if not 1.0 <= number <= MAXIMUM_UNITS or number != int(number):
+    number = Numerals(commas=True).number(cell)
+    if number is None or not 1.0 <= number <= MAXIMUM_UNITS or number != int(number):
         raise InputError(
             said("must be an integer from 1 to {most}", most=MAXIMUM_UNITS),
             field=titles[column],
@@ -548,11 +514,3 @@ def _label_in(given: dict[str, str], titles: dict[str, str], column: str) -> str
             value=cell,
         )
     return cell
-
-
-@lru_cache(maxsize=4096)
-def folded_name(word: str) -> str:
-    """Return a name without accents and case, its words joined by underscores."""
-    plain = unicodedata.normalize("NFKD", word[:200])
-    plain = "".join(c for c in plain if not unicodedata.combining(c)).casefold()
-    return re.sub(r"[^a-z0-9]+", "_", plain).strip("_")

@@ -281,6 +281,7 @@ class LifeTestSummary:
             "title": test.title,
             "source": test.source,
             "passed_over": list(test.passed_over),
+            "notes": [note.to_mapping() for note in test.notes],
             "unit": test.unit,
             "size": test.size,
             "failures": test.failures,

@@ -1,9 +1,11 @@
 """What was measured again and again while bearings ran: clearance, noise and the like.
 
-A record comes from a CSV file: a column of running times, one that names the bearing, and one for
-each quantity, with their units in brackets; other columns are passed over. ``x`` stands for a
-measurement that was off the scale or rejected, an empty cell for none. Tables are read as
-`rolamento._tables` tells: any separator, either decimal mark.
+A record comes from a CSV file: a column of running times or of dates, one that names the bearing or
+the machine, which a record of a single one can do without, and one for each quantity: with its unit
+in brackets, or under a usual name. A note names the columns that were passed over. ``x`` stands for
+a measurement that was off the scale or rejected, an empty cell for none. Tables are read as
+`rolamento._tables` tells: any separator, either decimal mark; names and dates as
+`rolamento._columns` tells. Of the comments ``# title:``, ``# source:``, ``# dates: day first``.
 
     # title: Radial clearance of two bearings
     time (h),bearing,radial clearance (µm)
@@ -14,37 +16,46 @@ measurement that was off the scale or rejected, an empty cell for none. Tables a
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from datetime import date
 from importlib import resources
 from math import isfinite
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Any, Final, get_args
 
 import numpy as np
 
-from rolamento._tables import Numerals, parse_table, table_text
+from rolamento._columns import (
+    DateOrder,
+    Dates,
+    check_names,
+    column_by_name,
+    dates_of,
+    place_of,
+    title_parts,
+    word_and_unit,
+)
+from rolamento._tables import Numerals, Table, parse_table, table_text
 from rolamento.errors import InputError
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.weibull._checks import one_of
-from rolamento.weibull.life_test import LONGEST_LABEL, TextArray
-from rolamento.weibull.reading import header_of, place_of, word_and_unit
-from rolamento.words import said
+from rolamento.weibull.life_test import LONGEST_LABEL, TextArray, passed_over_notes
+from rolamento.words import Note, said
 
 if TYPE_CHECKING:
     from rolamento.clearance.wear import WearFit, WearLaw
 
 PUBLISHED_TRENDS: Final = ("campanha_2008_clearance", "campanha_2008_anderon")
-_HEAD: Final = re.compile(r"(.*?)\s*[\[(]([^\[\]()]{1,20})[\])]")
-_BEARINGS: Final = (
-    *("bearing", "bearings", "id", "specimen", "item", "serial", "machine", "position"),
-    *("rolamento", "rolamentos", "identificacao", "peca", "amostra", "maquina", "posicao", "tag"),
-)
 _EXAMPLE: Final = "time (h),bearing,radial clearance (µm)"
 _REJECTED: Final = ("x", "×")
 _MAXIMUM_ROWS: Final = 10_000
 _MAXIMUM_QUANTITIES: Final = 8
 _MAXIMUM_BEARINGS: Final = 50
+_BEARINGS: Final = ("bearing", "tag", "rig", "machine")
+"""Columns that name what was measured, the nearest to a bearing first."""
+_ORDER: Final = "dates"
+_UNITS: Final = ("mm/s", "m/s²", "m/s2", "g", "µm", "μm", "um", "mm", "°C", "dB", "A", "gE")
+"""Of a quantity, where they stand behind its name without brackets."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -66,7 +77,9 @@ class Trend:
     title, source
         what the record is, and where it comes from
     passed_over
-        columns of its file that were not read: they have no unit
+        columns of its file that were not read: they have neither a unit nor a usual name
+    start
+        day from which the times count, as 2024-02-29, if the file has dates; empty without
     """
 
     times: FloatArray
@@ -79,6 +92,12 @@ class Trend:
     title: str
     source: str
     passed_over: tuple[str, ...] = ()
+    start: str = ""
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """What of their file was not read."""
+        return passed_over_notes(self.passed_over)
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -97,7 +116,9 @@ class Trend:
             "title": self.title,
             "source": self.source,
             "time_unit": self.time_unit,
+            "start": self.start or None,
             "passed_over": list(self.passed_over),
+            "notes": [note.to_mapping() for note in self.notes],
             "quantities": [
                 {"name": name, "unit": unit}
                 for name, unit in zip(self.quantities, self.units, strict=True)
@@ -121,7 +142,9 @@ def read_trend(
     *,
     time: str | None = None,
     bearing: str | None = None,
+    values: Sequence[str] = (),
     decimal_mark: str | None = None,
+    date_order: str | None = None,
 ) -> Trend:
     """Read a record from a CSV file of 5 MB at most; ``"-"`` for standard input.
 
@@ -130,20 +153,32 @@ def read_trend(
     path
         Of the file.
     time, bearing
-        Names of the columns that hold the running times and name the bearing, in place of the usual
-        ones.
+        Names of the columns that hold the running times or dates and name the bearing, in place of
+        the usual ones.
+    values
+        Names of the columns of the quantities; if none is named, those with a unit in brackets, or
+        else under a usual name.
     decimal_mark
         ``"point"`` or ``"comma"``, where nothing in the file shows whether 12.500 is 12.5.
+    date_order
+        ``"day_first"`` or ``"month_first"``, where nothing shows what 03/04/2024 is.
 
     Raises
     ------
     FileError, InputError
         With the line, if the file cannot be read or is no such record.
     """
-    return parse_trend(*table_text(path), time=time, bearing=bearing, decimal_mark=decimal_mark)
+    return parse_trend(
+        *table_text(path),
+        time=time,
+        bearing=bearing,
+        values=values,
+        decimal_mark=decimal_mark,
+        date_order=date_order,
+    )
 
 
-def published_trend(name: str, **columns: str | None) -> Trend:
+def published_trend(name: str, **columns: Any) -> Trend:
     """Return a published record, one of `PUBLISHED_TRENDS`; columns as of `read_trend`."""
     return parse_trend(published_trend_text(name), f"{name}.csv", **columns)
 
@@ -161,7 +196,9 @@ def parse_trend(
     *,
     time: str | None = None,
     bearing: str | None = None,
+    values: Sequence[str] = (),
     decimal_mark: str | None = None,
+    date_order: str | None = None,
 ) -> Trend:
     """Read a record from the text of a CSV file.
 
@@ -171,7 +208,7 @@ def parse_trend(
         As described in the module.
     source
         What to call the text in messages.
-    time, bearing, decimal_mark
+    time, bearing, values, decimal_mark, date_order
         As of `read_trend`.
 
     Raises
@@ -181,33 +218,50 @@ def parse_trend(
     """
     table = parse_table(text, source, most_rows=_MAXIMUM_ROWS, example=_EXAMPLE)
     try:
-        columns = _Columns.of(table.header, time, bearing)
+        check_names(table.header, _EXAMPLE)
+        columns = _Columns.of(table, time, bearing, values)
     except InputError as error:
         raise table.placed(error) from None
-    numerals = table.numerals((columns.time, *columns.places), decimal_mark)
+    numerals = table.numerals(columns.of_numbers, decimal_mark)
+    dates = _dates_of(table, columns, date_order)
     parsed = []
     for number, cells in enumerate(table.rows):
         try:
-            parsed.append(columns.row(cells, numerals))
+            parsed.append(columns.row(cells, numerals, dates))
         except InputError as error:
             raise table.placed(error, number) from None
-    times, bearings, values, rejected = zip(*parsed, strict=True)
+    times, bearings, measured, rejected = zip(*parsed, strict=True)
     if len(set(bearings)) > _MAXIMUM_BEARINGS:
         raise InputError(
             said("has more than {most} bearings", most=_MAXIMUM_BEARINGS), source=source
         )
+    first = min(times) if columns.dated else 0.0
     return Trend(
-        np.array(times),
+        np.array(times) - first,
         np.array(bearings, dtype=np.str_),
         columns.quantities,
         columns.units,
-        np.array(values),
+        np.array(measured),
         np.array(rejected, dtype=np.bool_),
         columns.time_unit,
         table.said.get("title", ""),
         table.said.get("source", source),
         columns.passed_over,
+        date.fromordinal(int(first)).isoformat() if columns.dated else "",
     )
+
+
+def _dates_of(table: Table, columns: _Columns, order: str | None) -> Dates:
+    """How the dates are written; those that may be read in two ways are refused."""
+    if not columns.dated:
+        return Dates()
+    cells = [row[columns.time] for row in table.rows]
+    found = dates_of(cells, table.said.get(_ORDER) if order is None else order)
+    try:
+        found.check(table.header[columns.time])
+    except InputError as error:
+        raise table.placed(error, cells.index(found.doubt)) from None
+    return found
 
 
 def wear_of_each(trend: Trend, law: WearLaw = "running_in") -> dict[str, WearFit]:
@@ -235,69 +289,77 @@ def wear_of_each(trend: Trend, law: WearLaw = "running_in") -> dict[str, WearFit
 
 @dataclass(frozen=True, slots=True)
 class _Columns:
-    """Which cell holds what."""
+    """Which cell holds what; no bearing where all rows are of one."""
 
     time: int
-    bearing: int
+    bearing: int | None
     places: tuple[int, ...]
     quantities: tuple[str, ...]
     units: tuple[str, ...]
     time_unit: str
+    dated: bool
     passed_over: tuple[str, ...]
 
+    @property
+    def of_numbers(self) -> tuple[int, ...]:
+        """Places of the columns of numbers."""
+        return self.places if self.dated else (self.time, *self.places)
+
     @classmethod
-    def of(cls, header: Sequence[str], time: str | None, bearing: str | None) -> _Columns:
-        """Find the columns by the cells of the header."""
+    def of(
+        cls, table: Table, time: str | None, bearing: str | None, values: Sequence[str]
+    ) -> _Columns:
+        """Find the columns by the cells of the header, and dates by those of the first rows."""
+        header = table.header
         heads = [_name_and_unit(cell) for cell in header]
-        by_name = {"time": _place_of_time(header), "bearing": _place_of_bearing(header)}
-        for column, title in (("time", time), ("bearing", bearing)):
-            if title is not None:
-                by_name[column] = place_of(header, title)
-        first, name = by_name["time"], by_name["bearing"]
-        if first is None or name is None or first == name:
+        kinds = [column_by_name(word_and_unit(title)[0]) for title in header]
+        first = _place_of_time(kinds) if time is None else place_of(header, time)
+        name = next((kinds.index(kind) for kind in _BEARINGS if kind in kinds), None)
+        name = name if bearing is None else place_of(header, bearing)
+        if first is None or first == name:
             raise InputError(
-                said("must have a column of times and one of bearings"),
+                said("must have a column of running times or dates"),
                 field="header",
-                example=f'{_EXAMPLE}; or time="name of the column", bearing="name of the column"',
+                example=said('{header}; or time="name of the column"', header=_EXAMPLE),
             )
-        time_unit = heads[first][1] or word_and_unit(header[first])[1]
+        dated = _holds_dates(table, first)
+        time_unit = "d" if dated else heads[first][1] or word_and_unit(header[first])[1]
         others = [i for i in range(len(header)) if i not in (first, name)]
-        places = tuple(i for i in others if heads[i][1])
-        if not time_unit or not places:
-            missing = header[first] if not time_unit else header[others[0]] if others else "header"
-            rule = (
-                said("needs its unit in brackets")
-                if others
-                else said("has no column of a quantity")
-            )
-            raise InputError(rule, field=missing, example=_EXAMPLE)
-        if len(places) > _MAXIMUM_QUANTITIES:
-            rule = said("must have 1 to {most} columns of quantities", most=_MAXIMUM_QUANTITIES)
-            raise InputError(rule, field="header")
+        places = [place_of(header, value) for value in dict.fromkeys(values)]
+        if not values:
+            places = [i for i in others if heads[i][1]] or [
+                i for i in others if kinds[i] == "value"
+            ]
+        _check_quantities(header, first, time_unit, places, others)
+        if name is None:
+            _check_names_of_bearings(table, [i for i in others if i not in places], kinds)
         return cls(
             first,
             name,
-            places,
+            tuple(places),
             tuple(heads[i][0] for i in places),
             tuple(heads[i][1] for i in places),
             time_unit,
+            dated,
             tuple(header[i] for i in others if i not in places and header[i]),
         )
 
     def row(
-        self, cells: Sequence[str], numerals: Numerals
+        self, cells: Sequence[str], numerals: Numerals, dates: Dates
     ) -> tuple[float, str, list[float], list[bool]]:
         """Read one row: time, bearing, values, which of them were rejected."""
-        name = cells[self.bearing]
-        if not name or len(name) > LONGEST_LABEL or not name.isprintable():
+        name = "" if self.bearing is None else cells[self.bearing]
+        if (
+            len(name) > LONGEST_LABEL
+            or not name.isprintable()
+            or (not name) != (self.bearing is None)
+        ):
             raise InputError(
                 said("must be a name of at most {most} characters", most=LONGEST_LABEL),
                 field="bearing",
                 value=name,
             )
-        time = _measured(cells[self.time], "time", numerals)
-        if time < 0.0:
-            raise InputError(said("must not be negative"), field="time", value=cells[self.time])
+        time = self._time(cells[self.time], numerals, dates)
         rejected = [cells[place].casefold() in _REJECTED for place in self.places]
         values = [
             np.nan if bad or not cells[place] else _measured(cells[place], quantity, numerals)
@@ -305,32 +367,79 @@ class _Columns:
         ]
         return time, name, values, rejected
 
+    def _time(self, cell: str, numerals: Numerals, dates: Dates) -> float:
+        """A time in its unit, or the number of a day."""
+        if self.dated:
+            day = dates.day(cell)
+            if day is None:
+                raise InputError(
+                    said("must be a date"), field="time", value=cell, example="2024-02-29"
+                )
+            return float(day.toordinal())
+        time = _measured(cell, "time", numerals)
+        if time < 0.0:
+            raise InputError(said("must not be negative"), field="time", value=cell)
+        return time
 
-def _place_of_time(header: Sequence[str]) -> int | None:
-    """The first column that a life test would take for times."""
-    for place, title in enumerate(header):
-        try:
-            if header_of([title], {}).places:
-                return place
-        except InputError:  # it is another column
-            continue
-    return None
+
+def _place_of_time(kinds: Sequence[str | None]) -> int | None:
+    """The first column of running times; of dates where there is none."""
+    return next((kinds.index(kind) for kind in ("time", "date") if kind in kinds), None)
 
 
-def _place_of_bearing(header: Sequence[str]) -> int | None:
-    names = [word_and_unit(title)[0] for title in header]
-    return next((place for place, name in enumerate(names) if name in _BEARINGS), None)
+def _holds_dates(table: Table, place: int) -> bool:
+    """Whether the first cell of a column that has one is a date."""
+    filled = next((row[place] for row in table.rows if row[place]), "")
+    return any(Dates(order).day(filled) is not None for order in get_args(DateOrder))
+
+
+def _check_quantities(
+    header: Sequence[str], time: int, time_unit: str, places: Sequence[int], others: Sequence[int]
+) -> None:
+    """Refuse a table without quantities, or whose times have no unit."""
+    if not time_unit:
+        raise InputError(said("needs its unit in brackets"), field=header[time], example=_EXAMPLE)
+    if not places and others:
+        raise InputError(
+            said("needs its unit in brackets"),
+            field=header[others[0]],
+            example=said('{header}; or values=["{name}"]', header=_EXAMPLE, name=header[others[0]]),
+        )
+    if not places:
+        raise InputError(said("has no column of a quantity"), field="header", example=_EXAMPLE)
+    if len(places) > _MAXIMUM_QUANTITIES:
+        rule = said("must have 1 to {most} columns of quantities", most=_MAXIMUM_QUANTITIES)
+        raise InputError(rule, field="header")
+
+
+def _check_names_of_bearings(
+    table: Table, unread: Sequence[int], kinds: Sequence[str | None]
+) -> None:
+    """Refuse a record of a single bearing in which an unread column may name several."""
+    for place in unread:
+        cells = [row[place] for row in table.rows]
+        words = [cell for cell in cells if cell and Numerals(commas=True).number(cell) is None]
+        if words and kinds[place] not in ("remark", "date"):
+            raise InputError(
+                said("may name what was measured; choose it as the bearing, or leave it out"),
+                field=table.header[place],
+                value=words[0],
+                example=f'bearing="{table.header[place]}"',
+            )
 
 
 def _name_and_unit(cell: str) -> tuple[str, str]:
-    match = _HEAD.fullmatch(cell)
-    name, unit = (match[1], match[2].strip()) if match else (cell, "")
+    """Name of a column and its unit, in brackets or behind the name: "velocidade mm/s"."""
+    name, unit = title_parts(cell)
     if len(name) > LONGEST_LABEL or not cell.isprintable():
         raise InputError(
             said("must be a name of at most {most} characters", most=LONGEST_LABEL),
             field="header",
             value=cell,
         )
+    head, _, tail = name.rpartition(" ")
+    if not unit and tail in _UNITS:
+        return head, tail
     return name, unit
 
 

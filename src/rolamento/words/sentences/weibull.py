@@ -48,6 +48,10 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "A group has no failures: it has no shape, and is left out where only shapes are compared."
     ),
     "passed_over_columns": marked("Columns of the table that were not read: {columns}."),
+    "machines_not_rigs": marked(
+        "Column {column} is not read: its machines are no test rigs, as their bearings ended at"
+        " several times."
+    ),
     "inspected_without_ranks": marked(
         "Failures were found at inspections: no rank regression, no plotted points."
     ),
