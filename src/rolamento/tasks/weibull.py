@@ -105,7 +105,7 @@ def life_test_study(
         test = read_life_test(data, **(columns or {}))
     else:
         test = LifeTest.of(data)
-    test = _only_groups(test, only)
+    test = only_groups(test, only)
     asked = Wanted(
         times=tuple(life_in(time, test.unit, "times") for time in times),
         calculated={
@@ -118,7 +118,7 @@ def life_test_study(
     return summarise(test, asked, by_group=by_group, progress=progress)
 
 
-def _only_groups(test: LifeTest, names: Sequence[str]) -> LifeTest:
+def only_groups(test: LifeTest, names: Sequence[str]) -> LifeTest:
     if not names:
         return test
     known = list(dict.fromkeys(str(name) for name in test.group))

@@ -79,6 +79,8 @@ class LifeDistribution(Outcome):
         (draws,) that could have given the data; empty where nothing is known of that
     samples, seed
         draws asked for, and what they were drawn with
+    longest
+        time in the data; NaN of a given one
     notes
         what limits it, each once
     """
@@ -94,6 +96,7 @@ class LifeDistribution(Outcome):
     scales: FloatArray
     samples: int = 0
     seed: int = 0
+    longest: float = np.nan
     notes: tuple[Note, ...] = ()
 
     @classmethod
@@ -177,7 +180,8 @@ class LifeDistribution(Outcome):
             notes = (*notes, Note("decision_without_draws"))
         return cls(
             fit.code, fit.shape, fit.scale, test.unit, fit.method, fit.failures, fit.size,
-            shapes, scales, count, int(seed), tuple(dict.fromkeys(notes)),
+            shapes, scales, count, int(seed), float(np.max(test.times)),
+            tuple(dict.fromkeys(notes)),
         )  # fmt: skip
 
     @property
@@ -216,6 +220,7 @@ class LifeDistribution(Outcome):
             "size": self.size,
             "samples": self.samples,
             "seed": self.seed,
+            "longest_time": finite_or_none(self.longest),
             "notes": [note.to_mapping() for note in self.notes],
         }
 

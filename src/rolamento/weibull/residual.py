@@ -71,9 +71,7 @@ def mean_residual_life(
     """Mean of the time that is left at an age; array, infinite where it is beyond any number."""
     from scipy.special import gamma, gammaincc
 
-    beta, eta = np.broadcast_arrays(
-        np.asarray(shape, dtype=float), np.asarray(scale, dtype=float)
-    )
+    beta, eta = np.broadcast_arrays(np.asarray(shape, dtype=float), np.asarray(scale, dtype=float))
     a = 1.0 / beta
     with np.errstate(over="ignore", invalid="ignore"):
         z = (age / eta) ** beta
