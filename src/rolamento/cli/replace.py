@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final
 
 import typer
 
 from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings
 from rolamento.cli.grouped_help import GroupedCommands, Groups
+from rolamento.cli.option_names import in_options
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import LanguageOption, PlotOption, SeedOption, json_option
 from rolamento.cli.outputs import NOWHERE, OUTPUT_OPTIONS, Outputs, with_outputs
@@ -171,7 +173,7 @@ def remaining(
         from rolamento.pages.replace import remaining_page
         from rolamento.tasks.replace import remaining_study
 
-        with _working(), _told():
+        with _working(), _told(remaining):
             found = remaining_study(data, age=age, mission=mission, confidence=confidence, **lives)
 
         def draw() -> Figure:
@@ -240,7 +242,7 @@ def age_command(
         from rolamento.pages.replace import replacement_page
         from rolamento.tasks.replace import replacement_study
 
-        with _working(), _told():
+        with _working(), _told(age_command):
             found = replacement_study(
                 data,
                 planned=planned_cost,
@@ -338,7 +340,7 @@ def fleet_command(
         from rolamento.pages.replace import fleet_page
         from rolamento.tasks.replace import fleet_study
 
-        with _working(), _told():
+        with _working(), _told(fleet_command):
             found = fleet_study(
                 data,
                 fleet=fleet,
@@ -401,13 +403,14 @@ def _working() -> Any:
     return progress_of(said("Simulating tests and fitting them …"))
 
 
-def _told() -> Any:
-    return told_in_options(
-        age="--age", mission="--mission", planned="--planned-cost", failure="--failure-cost",
-        currency="--currency", within="--within", until="--until", begin="--from",
-        usage="--usage", fleet="--fleet", shape="--shape", scale="--scale", l10="--l10",
-        only="--only", samples="--samples", confidence="--confidence", seed="--seed",
-    )  # fmt: skip
+@contextmanager
+def _told(command: Callable[..., Any]) -> Iterator[None]:
+    """Tell what is wrong in the options of a command."""
+    with (
+        told_in_options(),
+        in_options(command, planned="--planned-cost", failure="--failure-cost", begin="--from"),
+    ):
+        yield
 
 
 def _show(

@@ -1,4 +1,4 @@
-"""The pages of `replace`: what is left of a life, when to replace, how many of a fleet will fail."""
+"""The pages of `replace`: what is left of a life, when to replace, failures of a fleet."""
 
 from __future__ import annotations
 

@@ -115,9 +115,9 @@ def cost_of_ages(found: AgeReplacement, axes: Axes | None = None, *, currency: s
         if found.worthwhile:
             axes.axvspan(found.near[0], min(found.near[1], longest), color=INNER.color, alpha=0.12,
                          linewidth=0.0, label=said("at most 5 % above the least"))  # fmt: skip
+            label = said("{age} {unit}", age=number(found.age.value), unit=unit)
             axes.plot([found.age.value], [1000.0 * found.cost], marker="o", color="black",
-                      linestyle="", zorder=4.0,
-                      label=said("{age} {unit}", age=number(found.age.value), unit=unit))  # fmt: skip
+                      linestyle="", zorder=4.0, label=label)  # fmt: skip
         label_x(axes, said("Age of replacement ({unit})", unit=unit))
         money = shown_text(currency, _LONGEST_UNIT)
         label_y(

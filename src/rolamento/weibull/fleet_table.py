@@ -38,9 +38,11 @@ __all__ = ["FleetTable", "parse_fleet", "read_fleet"]
 _EXAMPLE: Final = "time (h),count"
 _MAXIMUM_ROWS: Final = 10_000
 _USE: Final = frozenset(
-    "usage use daily_use use_per_day usage_per_day hours_per_day h_per_day h_d utilisation"
-    " utilization uso uso_diario uso_por_dia horas_por_dia horas_dia h_dia h_por_dia utilizacao"
-    " regime".split()
+    (
+        *("usage", "use", "daily_use", "use_per_day", "usage_per_day", "hours_per_day", "h_d"),
+        *("h_per_day", "utilisation", "utilization", "uso", "uso_diario", "uso_por_dia", "regime"),
+        *("horas_por_dia", "horas_dia", "h_dia", "h_por_dia", "utilizacao"),
+    )
 )
 _NAMING: Final = ("bearing", "tag", "machine", "rig", "group")
 _STATUS: Final = ("status", "failed", "suspended")

@@ -449,6 +449,7 @@ def _check_columns(places: Mapping[str, int]) -> None:
 
 
 def says_failed(given: dict[str, str], titles: dict[str, str]) -> bool:
+    """Return whether a row says that its bearing failed; all did where nothing says it."""
     for column, (failed, not_failed, examples) in _SAYINGS.items():
         if column not in given:
             continue
@@ -483,6 +484,7 @@ def _last_inspection(
 
 
 def number_in(cell: str, title: str, numerals: Numerals) -> float:
+    """Return the number of a cell; refuse what is none, by the title of its column."""
     value = numerals.number(cell)
     if value is None:
         rule = said("must be a number without unit")
@@ -493,6 +495,7 @@ def number_in(cell: str, title: str, numerals: Numerals) -> float:
 
 
 def whole_number_in(given: dict[str, str], titles: dict[str, str], column: str) -> int:
+    """Return how many a row says in a column; 1 where there is no such column."""
     cell = given.get(column, "1")
     number = Numerals(commas=True).number(cell)
     if number is None or not 1.0 <= number <= MAXIMUM_UNITS or number != int(number):

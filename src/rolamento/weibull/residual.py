@@ -73,7 +73,7 @@ def mean_residual_life(
 
     beta, eta = np.broadcast_arrays(np.asarray(shape, dtype=float), np.asarray(scale, dtype=float))
     a = 1.0 / beta
-    with np.errstate(over="ignore", invalid="ignore"):
+    with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
         z = (age / eta) ** beta
         near = np.minimum(z, _FAR)
         value = np.exp(near) * gamma(a) * gammaincc(a, near)
