@@ -603,9 +603,12 @@ def _polynomial(coefficients: FloatArray, cosine: FloatArray) -> FloatArray:
 
 
 def _with_slope(race: _Race, cosine: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """K and dK/d cos α, both of the same Chebyshev polynomials T_k = cos(k α)."""
-    angle = np.arccos(np.clip(cosine, -1.0, 1.0))
-    basis = np.cos(np.arange(TERMS)[:, np.newaxis] * angle)
+    """K and dK/d cos α, both of the same Chebyshev polynomials T_k = 2 cos α T_k-1 - T_k-2."""
+    basis = np.empty((TERMS, len(cosine)))
+    basis[0], basis[1] = 1.0, cosine
+    twice = 2.0 * cosine
+    for k in range(2, TERMS):
+        basis[k] = twice * basis[k - 1] - basis[k - 2]
     slope = np.einsum("kn,kn->n", race.slope, basis[:-1])
     return np.einsum("kn,kn->n", race.stiffness, basis), slope
 
