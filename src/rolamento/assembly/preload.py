@@ -201,9 +201,7 @@ def _at(given: _Given, *, running: bool) -> FloatArray:
     """The force between the rows without external load; (cases,), N."""
     duty = Duty(first_ball_azimuth=given.case.duty.first_ball_azimuth)
     outside = ("duty.load.", "duty.displacement.", *(() if running else _SPEEDS))
-    values = {
-        name: array for name, array in given.values.items() if not name.startswith(outside)
-    }
+    values = {name: array for name, array in given.values.items() if not name.startswith(outside)}
     if running:
         own = given.case.duty
         duty = duty.replace(inner_speed=own.inner_speed, outer_speed=own.outer_speed)
