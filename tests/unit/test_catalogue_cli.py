@@ -58,12 +58,12 @@ def test_show_of_a_published_inside() -> None:
 
 
 def test_show_without_ratings_and_with_given_ones() -> None:
-    without = run("show", "7205B")
+    without = run("show", "7230B")
     assert without.exit_code == 1
     assert "--dynamic and --static" in without.stdout
-    given = run("show", "7205B", "--dynamic", "14.8 kN", "--static", "9.4 kN")
+    given = run("show", "7230B", "--dynamic", "250 kN", "--static", "280 kN")
     assert given.exit_code == 0
-    assert re.search("14 800 +N", given.stdout)
+    assert re.search("250 000 +N", given.stdout)
     assert "Candidates that fit the ratings" in given.stdout
 
 
@@ -130,8 +130,8 @@ def test_pages_in_every_language_and_encoding(language: str, encoding: str) -> N
     inside = geometry_of("6815")
     with speaking(language):
         documents = (
-            bearing_page(inside, inside.bearing),
-            bearing_page(None, catalogue().find("7205B").bearing),
+            bearing_page(inside),
+            bearing_page(geometry_of("7014 ACE/HCP4ADBA", with_balls=False)),
             search_page(catalogue().search("EX"), is_all=False),
         )
     page = "".join(terminal(document, Medium(encoding=encoding)) for document in documents)
@@ -147,5 +147,5 @@ def test_every_meaning_is_translated() -> None:
     inside = geometry_of("6305ZZ/C3")
     with speaking("pt"):
         assert [meaning for meaning in meanings - {"flange"} if said(meaning) == meaning] == []
-        page = terminal(bearing_page(inside, inside.bearing))
+        page = terminal(bearing_page(inside))
     assert "ZZ: placas de proteção dos dois lados; classe de folga C3" in page
