@@ -204,7 +204,7 @@ class Bearing(Record):
         Replaces("contact_angle"),
     ] = Field(None, examples=["0.015 mm"])
     shim_angle: (
-        Annotated[float, Quantity("angle", at_least="0 deg", below="90 deg", varies=True)] | None
+        Annotated[float, Quantity("angle", above="0 deg", below="90 deg", varies=True)] | None
     ) = Field(None, examples=["20 deg"])
     spacing: (
         Annotated[float, Quantity("length", above="0 mm", at_most="10 m", varies=True)] | None
@@ -328,6 +328,11 @@ class Bearing(Record):
         from rolamento.catalogue import listed
 
         return listed(self._listed)
+
+    @property
+    def ball_rows(self) -> tuple[RowPlace, ...]:
+        """Those of the `places` that have balls of their own: one of a four-point bearing."""
+        return self.places[:1] if self.kind == "four_point" else self.places
 
     @model_validator(mode="wrap")
     @classmethod
@@ -470,6 +475,13 @@ class Bearing(Record):
                 said("is not given of a self-aligning bearing: its outer race is a sphere"),
                 field="outer_conformity",
                 value=self.outer_conformity,
+                example=said("leave it out"),
+            )
+        if self.outer_shoulder_height is not None:
+            raise InputError(
+                said("is not given of a self-aligning bearing: its outer race is a sphere"),
+                field="outer_shoulder_height",
+                value=from_si(self.outer_shoulder_height, "length"),
                 example=said("leave it out"),
             )
         if self.contact_angle == 0.0:
@@ -685,10 +697,16 @@ def _places(bearing: Bearing) -> tuple[RowPlace, ...]:
     if rows is None:
         return (RowPlace(bearing, 1.0, 0.0, 0.0),)
     plain: dict[str, Any] = dict.fromkeys(_SET_FIELDS)
-    told = _CATALOGUE_FIELDS.keys() - bearing.model_fields_set - plain.keys()
-    if bearing.told is None or "arrangement" in bearing.told.fields:
-        # what the first row tells, or a designation of several rows, is not that of each
-        plain.update({"designation": None, **{name: getattr(bearing, name) for name in told}})
+    told = bearing.told
+    if told is not None and "arrangement" in told.fields and bearing.rows is None:
+        # a row alone is no such bearing, and the designation would fill the arrangement in again
+        one = bearing.model_copy(update=plain)
+        signs = ((row, 1.0 if row.orientation == "+" else -1.0) for row in rows)
+        return tuple(RowPlace(one, sign, row.position, row.phase) for row, sign in signs)
+    if told is None or "arrangement" in told.fields:
+        names = _CATALOGUE_FIELDS.keys() - bearing.model_fields_set - plain.keys()
+        values = {name: getattr(bearing, name) for name in names}
+        plain.update({"designation": None, **values})  # of the first row
     places = []
     for index, row in enumerate(rows):
         try:

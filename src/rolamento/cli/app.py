@@ -27,6 +27,7 @@ from rolamento.cli.frequencies import frequencies
 from rolamento.cli.friction import friction
 from rolamento.cli.grouped_help import GroupedCommands, Groups
 from rolamento.cli.life import life
+from rolamento.cli.new import examples, new
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import (
     CaseArgument,
@@ -55,6 +56,7 @@ if TYPE_CHECKING:
 
 _PROGRAM: Final = "rolamento"
 COMMANDS: Final[Groups] = {
+    "To start with": ("new", "examples"),
     "Inside the bearing": ("demo", "solve", "turn", "friction", "report"),
     "Life and life tests": ("life", "weibull", "weibull-plan", "trend"),
     "Vibration": ("frequencies", "diagnose", "severity", "synthesise", "anderon"),
@@ -184,6 +186,14 @@ def _show(
         complain_of(analysis.solved, lang)
 
 
+app.command(
+    cls=JsonCommand,
+    epilog="Examples: new 6310/C3; new 'S 6012 C' --lang pt -o spindle.toml.",
+)(new)
+app.command(
+    cls=JsonCommand,
+    epilog="Examples: examples; examples 6310_motor; examples all -o gallery.",
+)(examples)
 app.command(
     cls=JsonCommand, epilog="Examples: sweep study.toml -o result.nc; sweep --list fields."
 )(sweep)
