@@ -474,8 +474,9 @@ def test_axis_of_a_study() -> None:
 DOCUMENT = Path(__file__).resolve().parents[2] / "docs" / "catalogue.md"
 
 
-def test_examples_of_the_guide_run() -> None:
+def test_examples_of_the_guide_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The ambiguity as an axis of a study is among them."""
+    monkeypatch.chdir(tmp_path)
     names: dict[str, object] = {}
     for block in re.findall(r"```python\n(.*?)```", DOCUMENT.read_text("utf-8"), re.DOTALL):
         exec(compile(block, "example", "exec"), names)
