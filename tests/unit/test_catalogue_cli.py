@@ -150,3 +150,23 @@ def test_every_meaning_is_translated() -> None:
         page = terminal(bearing_page(inside))
     text = " ".join(page.split())
     assert "ZZ: placas de proteção dos dois lados; classe de folga C3" in text
+
+
+def test_a_designation_alone_is_shown() -> None:
+    short, long = run("7014C", "--lang", "en"), run("show", "7014C", "--lang", "en")
+    assert (short.exit_code, short.stdout) == (0, long.stdout)
+    assert "S 6014 C" in short.stdout  # one of the same size with published balls
+    assert "No such command: serch" in run("serch", "62").stderr
+
+
+def test_a_bearing_without_balls_shows_those_of_its_size() -> None:
+    shown = run("7014 ACE/HCP4ADB", "--lang", "en")
+    assert shown.exit_code == 1
+    text = " ".join(shown.stdout.split())
+    assert "Neither balls nor load ratings are published" in text
+    assert "VEX 70 25deg" in text
+    assert "HC: ceramic balls" in text
+    found = json.loads(run("7014 ACE/HCP4ADB", "--json").stdout)
+    assert found["inside"] is None
+    assert found["same_size"][0]["designation"] == "VEX 70 25deg"
+    assert found["without_effect"] == ["P4A"]

@@ -12,7 +12,7 @@ from typing import Any, Final, Literal
 from rolamento._data import toml_of
 from rolamento.catalogue.designation import Designation, folded
 from rolamento.catalogue.inference import Candidate, inferred_geometry
-from rolamento.catalogue.letters import ClearanceClass, Part
+from rolamento.catalogue.letters import ClearanceClass, Letters, Part
 from rolamento.catalogue.records import CatalogueBearing
 from rolamento.catalogue.search import (
     Catalogue,
@@ -229,7 +229,7 @@ def _without_balls(
             count=sister.ball_count,
             ball=sister.ball_diameter,
         )
-        example = f'designation = "{sister.designation}"'
+        example = f'designation = "{_with_letters(sister, found.designation.letters)}"'
     else:
         rule = said(
             "has no load rating to estimate the balls from: give life.dynamic_rating and"
@@ -237,6 +237,14 @@ def _without_balls(
         )
         example = 'life.dynamic_rating = "14 kN"'
     return InputError(rule, field="designation", value=text, example=example)
+
+
+def _with_letters(bearing: CatalogueBearing, letters: Letters) -> str:
+    """A bearing's designation with what else was asked for: ceramic balls, arrangement, preload."""
+    preload = letters.preload.text if letters.preload and letters.preload_level else ""
+    in_set = f"{letters.arrangement or 'U'}{preload}" if letters.arrangement or preload else ""
+    ceramic = "HC" if letters.ball_material else ""
+    return " ".join(part for part in (bearing.designation, ceramic, in_set) if part)
 
 
 def with_ratings(

@@ -28,8 +28,21 @@ __all__ = ["app"]
 _MOST: Final = 40
 _MOST_OF_ALL: Final = 1000
 
+
+class _Commands(GroupedCommands):
+    """A designation where a command is expected is shown."""
+
+    def resolve_command(self, ctx: Any, args: list[str]) -> Any:
+        """Take the first word for a designation if it is no command and has a figure."""
+        first = args[0] if args else ""
+        is_designation = first not in self.commands and not first.startswith("-")
+        if is_designation and any(sign.isdigit() for sign in first):
+            args = ["show", *args]
+        return super().resolve_command(ctx, args)
+
+
 app = typer.Typer(
-    cls=GroupedCommands,
+    cls=_Commands,
     no_args_is_help=True,
     rich_markup_mode=None,
 )
