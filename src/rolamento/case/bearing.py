@@ -34,7 +34,7 @@ from rolamento.case.quantity import Line, Quantity, Ratio, Replaces, at_the_bord
 from rolamento.case.record import Record
 from rolamento.errors import InputError
 from rolamento.geometry import free_contact_angle, sphere_conformity
-from rolamento.units import Dimension, from_si
+from rolamento.units import Dimension, from_si, readable
 from rolamento.words import said
 
 if TYPE_CHECKING:
@@ -365,10 +365,10 @@ class Bearing(Record):
             raise InputError(
                 said(
                     "must be greater than the ball diameter, {ball_diameter}",
-                    ball_diameter=from_si(self.ball_diameter, "length"),
+                    ball_diameter=readable(self.ball_diameter, "length"),
                 ),
                 field="pitch_diameter",
-                value=from_si(self.pitch_diameter, "length"),
+                value=readable(self.pitch_diameter, "length"),
                 example='pitch_diameter = "125.26 mm"',
             )
         if not balls_fit(self.ball_count, self.ball_diameter, self.pitch_diameter):
@@ -378,8 +378,8 @@ class Bearing(Record):
                 said(
                     "balls of {ball_diameter} do not fit on a pitch circle of "
                     "{pitch_diameter}: there is room for {room}",
-                    ball_diameter=from_si(self.ball_diameter, "length"),
-                    pitch_diameter=from_si(self.pitch_diameter, "length"),
+                    ball_diameter=readable(self.ball_diameter, "length"),
+                    pitch_diameter=readable(self.pitch_diameter, "length"),
                     room=room,
                 ),
                 field="ball_count",
@@ -407,7 +407,7 @@ class Bearing(Record):
             raise InputError(
                 said("is of four-point bearings only"),
                 field="shim_angle",
-                value=from_si(self.shim_angle, "angle"),
+                value=readable(self.shim_angle, "angle"),
                 example='kind = "four_point"',
             )
         if self.kind == "self_aligning":
@@ -422,7 +422,7 @@ class Bearing(Record):
             raise InputError(
                 said('must be less than 90 deg, unless kind = "thrust"'),
                 field="contact_angle",
-                value=from_si(self.contact_angle, "angle"),
+                value=readable(self.contact_angle, "angle"),
                 example='contact_angle = "40 deg"',
             )
 
@@ -431,7 +431,7 @@ class Bearing(Record):
             raise InputError(
                 said("is not a quantity of a thrust bearing"),
                 field="diametral_clearance",
-                value=from_si(self.diametral_clearance, "length"),
+                value=readable(self.diametral_clearance, "length"),
                 example='contact_angle = "90 deg"',
             )
         assert self.contact_angle is not None  # filled in
@@ -439,7 +439,7 @@ class Bearing(Record):
             raise InputError(
                 said("of a thrust bearing must be greater than 45 deg"),
                 field="contact_angle",
-                value=from_si(self.contact_angle, "angle"),
+                value=readable(self.contact_angle, "angle"),
                 example='contact_angle = "90 deg"',
             )
 
@@ -455,7 +455,7 @@ class Bearing(Record):
             raise InputError(
                 said("of a self-aligning bearing must be greater than 0 deg"),
                 field="contact_angle",
-                value=from_si(self.contact_angle, "angle"),
+                value=readable(self.contact_angle, "angle"),
                 example='contact_angle = "10 deg"',
             )
         if self.diametral_clearance is not None and self.spacing is None:
@@ -468,7 +468,7 @@ class Bearing(Record):
             raise InputError(
                 said("cannot be combined with the contact angle: each follows from the other"),
                 field="spacing",
-                value=from_si(self.spacing, "length"),
+                value=readable(self.spacing, "length"),
                 example='contact_angle = "10 deg" without spacing',
             )
 
@@ -498,7 +498,7 @@ class Bearing(Record):
             raise InputError(
                 said("cannot be combined with the contact angle: each follows from the other"),
                 field="diametral_clearance",
-                value=from_si(self.diametral_clearance, "length"),
+                value=readable(self.diametral_clearance, "length"),
                 example='diametral_clearance = "0.015 mm" without contact_angle',
             )
 
@@ -518,7 +518,7 @@ class Bearing(Record):
                     most=most,
                 ),
                 field="diametral_clearance",
-                value=from_si(self.diametral_clearance, "length"),
+                value=readable(self.diametral_clearance, "length"),
                 example='diametral_clearance = "0.015 mm"',
             )
 
@@ -532,7 +532,7 @@ class Bearing(Record):
                         ball_diameter=_rounded_length(self.ball_diameter / 2),
                     ),
                     field=name,
-                    value=from_si(height, "length"),
+                    value=readable(height, "length"),
                     example=f'{name} = "{_rounded_length(0.2 * self.ball_diameter)}"',
                 )
 
@@ -688,4 +688,4 @@ def _rows(bearing: Bearing) -> tuple[RowOfElements, ...] | None:
 
 
 def _rounded_length(value: float) -> str:
-    return from_si(float(f"{value:.4g}"), "length")
+    return readable(float(f"{value:.4g}"), "length")
