@@ -24,7 +24,16 @@ from rolamento.errors import FileError, InputError, UnknownKeyError
 from rolamento.units import SI_UNIT, Dimension, from_si
 from rolamento.words import said, speaking
 
-__all__ = ["OVERRIDE_SOURCE", "Field", "Value", "changed", "fields_of", "overridden"]
+__all__ = [
+    "OVERRIDE_SOURCE",
+    "Field",
+    "Value",
+    "changed",
+    "fields_of",
+    "in_file_form",
+    "overridden",
+    "values_of",
+]
 
 OVERRIDE_SOURCE: Final = "--set"
 
@@ -264,18 +273,27 @@ def overridden(
     InputError
         If a setting is not of that form, or its key names no field.
     """
-    values: dict[str, object] = {}
     try:
-        for setting in settings:
-            key, equals, text = setting.partition("=")
-            if not equals or not key.strip() or len(setting) > _LONGEST_SETTING:
-                raise InputError(said("must be KEY=VALUE"), value=setting, example=_EXAMPLE)
-            name = ".".join(part.strip() for part in key.split("."))
-            values.pop(name, None)  # the last one counts
-            values[name] = _given(name, text.strip(), record)
+        values = values_of(settings, record)
         return changed(mapping, values, record, in_file=True), frozenset(values)
     except InputError as error:
         raise error.with_details(source=OVERRIDE_SOURCE) from None
+
+
+def values_of(settings: Iterable[str], record: type[Record]) -> dict[str, object]:
+    """Return what settings set: values as a file holds them, by dotted name.
+
+    Parameters and errors as of `overridden`.
+    """
+    values: dict[str, object] = {}
+    for setting in settings:
+        key, equals, text = setting.partition("=")
+        if not equals or not key.strip() or len(setting) > _LONGEST_SETTING:
+            raise InputError(said("must be KEY=VALUE"), value=setting, example=_EXAMPLE)
+        name = ".".join(part.strip() for part in key.split("."))
+        values.pop(name, None)  # the last one counts
+        values[name] = _given(name, text.strip(), record)
+    return values
 
 
 def changed(
@@ -309,7 +327,7 @@ def changed(
     """
     result = dict(mapping)
     for name, value in values.items():
-        _put(result, name, value if in_file else _as_in_a_file(name, value, record), record)
+        _put(result, name, value if in_file else in_file_form(name, value, record), record)
         for rival in _rivals(name, value, record):
             if rival not in values:
                 _put(result, rival, None, record)
@@ -325,7 +343,14 @@ def _rivals(name: str, value: object, record: type[Record]) -> Iterator[str]:
         yield from _rivals(f"{name}.{leaf}", inner, record)
 
 
-def _as_in_a_file(name: str, value: Any, record: type[Record]) -> object:
+def in_file_form(name: str, value: Any, record: type[Record]) -> object:
+    """Return a value of a field or a table, SI or a record, as a file holds it.
+
+    Raises
+    ------
+    InputError
+        If there is no such field, or it takes no such value.
+    """
     table, field = _table(name, record), fields_of(record).get(name)
     if table is not None and (value is None or isinstance(value, Mapping | Record)):
         return value if value is None else _mapping_of(value, table)

@@ -36,6 +36,7 @@ from rolamento.cli.options import (
 )
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.plot import plot
+from rolamento.cli.replace import app as replace_app
 from rolamento.cli.report import report
 from rolamento.cli.reproduce import reproduce
 from rolamento.cli.severity import SeverityCommand, severity
@@ -58,7 +59,7 @@ _PROGRAM: Final = "rolamento"
 COMMANDS: Final[Groups] = {
     "To start with": ("new", "examples"),
     "Inside the bearing": ("demo", "solve", "turn", "friction", "report"),
-    "Life and life tests": ("life", "weibull", "weibull-plan", "trend"),
+    "Life and life tests": ("life", "weibull", "weibull-plan", "replace", "trend"),
     "Vibration": ("frequencies", "diagnose", "severity", "synthesise", "anderon"),
     "Catalogue and clearance": ("catalogue", "clearance"),
     "Studies and figures": ("sweep", "tolerance", "plot"),
@@ -250,6 +251,7 @@ app.command(
     " weibull --example campanha-2008 --calculated-life 'ISO 281=58 h'.",
 )(weibull)
 app.add_typer(weibull_plan_app, name="weibull-plan")
+app.add_typer(replace_app, name="replace")
 app.command(
     cls=JsonCommand,
     epilog="Example: trend --example campanha-2008-clearance --plot clearance.png.",

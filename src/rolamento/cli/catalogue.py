@@ -160,7 +160,7 @@ def _geometry(
 ) -> InternalGeometry | None:
     from rolamento.catalogue import geometry_of
 
-    rated = bearing.dynamic_rating is not None or bearing.static_rating is not None
+    rated = bearing.rated != (None, None)
     if not rated and (bearing.ball_count is None or bearing.ball_diameter is None):
         return None
     return geometry_of(designation, catalogue_of=known)

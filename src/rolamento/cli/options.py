@@ -25,6 +25,7 @@ __all__ = [
     "SettingsOption",
     "SpeedOption",
     "StartOption",
+    "VariantsOption",
     "json_option",
     "plot_option",
 ]
@@ -60,6 +61,15 @@ CataloguesOption = Annotated[
         "--catalogue",
         metavar="FILE",
         help="A catalogue of your own, CSV or TOML, for designations. Repeatable.",
+    ),
+]
+VariantsOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--variant",
+        metavar="NAME:FIELD=VALUE",
+        help="Also the case with this changed, under this name; further FIELD=VALUE after commas, "
+        "such as 'spring:bearing.preload={ spring = \"500 N\" }'. Repeatable.",
     ),
 ]
 JsonOption = Annotated[str | None, json_option("Write everything as JSON, in SI units")]
