@@ -10,7 +10,7 @@ from rolamento.case.named import NamedRecord
 from rolamento.case.quantity import Line, Quantity, Ratio, Replaces
 from rolamento.case.record import Record, refuse_rivals
 from rolamento.errors import InputError
-from rolamento.units import from_si
+from rolamento.units import readable
 from rolamento.words import marked, said
 
 __all__ = ["Mounting", "SeatMaterial"]
@@ -193,7 +193,7 @@ class Mounting(Record):
             raise InputError(
                 said("needs the clearance that was measured"),
                 field="measuring_load",
-                value=from_si(self.measuring_load, "force"),
+                value=readable(self.measuring_load, "force"),
                 example='measured_clearance = "0.026 mm"',
             )
         self._check_diameters()
@@ -216,8 +216,8 @@ class Mounting(Record):
                     said(
                         "must be less than {limit}, {outer}",
                         limit=limit,
-                        outer=from_si(outer, "length"),
+                        outer=readable(outer, "length"),
                     ),
                     field=field,
-                    value=from_si(inner, "length"),
+                    value=readable(inner, "length"),
                 )

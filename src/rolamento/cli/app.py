@@ -57,8 +57,8 @@ if TYPE_CHECKING:
 
 _PROGRAM: Final = "rolamento"
 COMMANDS: Final[Groups] = {
-    "To start with": ("new", "examples"),
-    "Inside the bearing": ("demo", "solve", "turn", "friction", "report"),
+    "To start with": ("demo", "new", "examples"),
+    "Inside the bearing": ("solve", "turn", "friction", "report"),
     "Life and life tests": ("life", "weibull", "weibull-plan", "replace", "trend"),
     "Vibration": ("frequencies", "diagnose", "severity", "synthesise", "anderon"),
     "Catalogue and clearance": ("catalogue", "clearance"),

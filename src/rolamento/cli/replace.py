@@ -62,7 +62,7 @@ class ReplaceCommand(JsonCommand):
 
     def headings(self) -> Groups:
         """Return its groups, without what other commands of the kind have."""
-        names = {str(parameter.name) for parameter in self.params}
+        names = {*(str(parameter.name) for parameter in self.params), "help"}
         return {
             heading: tuple(name for name in group if name in names)
             for heading, group in self.groups.items()

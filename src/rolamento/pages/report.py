@@ -40,6 +40,7 @@ from rolamento.pages.given import untitled
 from rolamento.pages.preload import STAGE_NAMES
 from rolamento.pages.state import balls_table, rosette_section, stiffness_section
 from rolamento.studies.names import torque_model_name
+from rolamento.vibration.frequencies import ABBREVIATIONS, LineName
 from rolamento.words import Note, counted, in_unit, manner, marked, said
 from rolamento.words.reasons import reason
 from rolamento.words.theories import theory_name
@@ -1325,7 +1326,7 @@ def _readable(report: Report, paths: Sequence[str], units: Sequence[str]) -> str
 _READABLE: Final = 0.1
 
 
-_LINES: Final = {
+_LINES: Final[dict[LineName, str]] = {
     "cage": marked("cage"),
     "ball_pass_outer": marked("outer race (ball pass)"),
     "ball_pass_inner": marked("inner race (ball pass)"),
@@ -1359,6 +1360,7 @@ def _frequency_table(case: CaseReport) -> tuple[Table, ...]:
     names = list(_LINES)
     columns = (
         Column(head="", values=[said(_LINES[name]) for name in names], key="line"),
+        Column(head="", values=[ABBREVIATIONS[name] for name in names], key="abbreviation"),
         Column(
             head=said("frequency"),
             values=[_number(case, f"{path}.{name}.frequency", ".5 Hz") for name in names],
