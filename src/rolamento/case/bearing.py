@@ -56,6 +56,7 @@ _CATALOGUE_FIELDS: Final[Mapping[str, Dimension | None]] = {
     "diametral_clearance": "length",
     "kind": None,
     "shim_angle": "angle",
+    "arrangement": None,
     "spacing": "length",
 }
 """What a designation fills in, by the dimension."""
@@ -195,7 +196,7 @@ class Bearing(Record):
         Replaces("contact_angle"),
     ] = Field(None, examples=["0.015 mm"])
     shim_angle: (
-        Annotated[float, Quantity("angle", at_least="0 deg", below="90 deg", varies=True)] | None
+        Annotated[float, Quantity("angle", above="0 deg", below="90 deg", varies=True)] | None
     ) = Field(None, examples=["20 deg"])
     spacing: (
         Annotated[float, Quantity("length", above="0 mm", at_most="10 m", varies=True)] | None
@@ -309,6 +310,11 @@ class Bearing(Record):
         from rolamento.catalogue import listed
 
         return listed(self._listed)
+
+    @property
+    def ball_rows(self) -> tuple[RowPlace, ...]:
+        """Those of the `places` that have balls of their own: one of a four-point bearing."""
+        return self.places[:1] if self.kind == "four_point" else self.places
 
     @model_validator(mode="wrap")
     @classmethod
@@ -451,6 +457,13 @@ class Bearing(Record):
                 value=self.outer_conformity,
                 example=said("leave it out"),
             )
+        if self.outer_shoulder_height is not None:
+            raise InputError(
+                said("is not given of a self-aligning bearing: its outer race is a sphere"),
+                field="outer_shoulder_height",
+                value=from_si(self.outer_shoulder_height, "length"),
+                example=said("leave it out"),
+            )
         if self.contact_angle == 0.0:
             raise InputError(
                 said("of a self-aligning bearing must be greater than 0 deg"),
@@ -562,6 +575,14 @@ class Bearing(Record):
                 field="preload",
                 example='arrangement = "DB"',
             )
+        own = [index for index, place in enumerate(self.places) if place.offset is not None]
+        clamped = self.preload is not None and self.preload.offset is None
+        if own and clamped and self.preload is not None and self.preload.spring is None:
+            raise InputError(
+                said("cannot be combined with a preload given by its force: the row has its own"),
+                field=f"rows.{own[0]}.offset",
+                example='preload = { offset = "5 um" }',
+            )
         if self.preload is not None:
             try:
                 self.preload.pair_force(self.contact_angle)
@@ -587,6 +608,10 @@ def _of_catalogue(
     missing = _CATALOGUE_FIELDS.keys() - own
     if own.intersection(_PLAY):
         missing -= set(_PLAY)
+    if "rows" in own:
+        missing -= {"arrangement", "spacing"}
+    if "contact_angle" in own and geometry.fields.get("kind") == "self_aligning":
+        missing -= {"spacing"}
     if missing.issuperset(_PLAY) and not geometry.fields.keys() & set(_PLAY):
         raise InputError(
             geometry.lack_of_play, field="designation", value=geometry.designation.text
@@ -623,12 +648,16 @@ def clearance_fits(clearance: Any, groove_distance: Any, closed: Any = 1.0) -> A
 
 
 class RowPlace(NamedTuple):
-    """One row of a bearing: its geometry, +1 or -1 for the way it faces, its place."""
+    """One row of a bearing: its geometry, +1 or -1 for the way it faces, its place.
+
+    offset: how far it alone is pressed in; None where the preload says.
+    """
 
     bearing: Bearing
     sign: float
     position: float
     phase: float
+    offset: float | None = None
 
 
 @lru_cache(maxsize=1024)
@@ -640,8 +669,13 @@ def _places(bearing: Bearing) -> tuple[RowPlace, ...]:
         return (RowPlace(bearing, 1.0, 0.0, 0.0),)
     plain: dict[str, Any] = dict.fromkeys(_SET_FIELDS)
     if bearing.designation is None:  # of the first row
-        told = _CATALOGUE_FIELDS.keys() - bearing.model_fields_set
+        told = _CATALOGUE_FIELDS.keys() - bearing.model_fields_set - plain.keys()
         plain.update({name: getattr(bearing, name) for name in told})
+    elif "arrangement" not in bearing.model_fields_set and bearing.rows is None:
+        # a double row by its designation, which would fill the arrangement in again
+        one = bearing.model_copy(update=plain)
+        signs = ((row, 1.0 if row.orientation == "+" else -1.0) for row in rows)
+        return tuple(RowPlace(one, sign, row.position, row.phase) for row, sign in signs)
     places = []
     for index, row in enumerate(rows):
         try:
@@ -649,7 +683,7 @@ def _places(bearing: Bearing) -> tuple[RowPlace, ...]:
         except InputError as error:
             raise error.with_details(field=f"rows.{index}.{error.field}") from None
         sign = 1.0 if row.orientation == "+" else -1.0
-        places.append(RowPlace(alone, sign, row.position, row.phase))
+        places.append(RowPlace(alone, sign, row.position, row.phase, row.offset))
     return tuple(places)
 
 

@@ -114,6 +114,11 @@ class Field:
         return found if found is not None and issubclass(found, Record) else None
 
     @property
+    def choices(self) -> tuple[str, ...]:
+        """The words that it may be; empty if it takes others."""
+        return tuple(dict.fromkeys(_choices_in(self._info.annotation)))
+
+    @property
     def limits(self) -> str:
         """The bounds in words; empty if there are none."""
         return self.bounds.limits if self.bounds is not None else ""
@@ -225,6 +230,14 @@ def _types_in(annotation: object) -> Iterator[object]:
         yield get_origin(annotation) or annotation
         for part in get_args(annotation):
             yield from _types_in(part)
+
+
+def _choices_in(annotation: object) -> Iterator[str]:
+    for part in get_args(annotation):
+        if get_origin(annotation) is Literal:
+            yield str(part)
+        else:
+            yield from _choices_in(part)
 
 
 def _bounds_in(info: FieldInfo) -> Quantity | Ratio | None:

@@ -11,6 +11,7 @@ from rolamento.cli.common import Language
 __all__ = [
     "BearingArgument",
     "CaseArgument",
+    "CataloguesOption",
     "ChannelOption",
     "DurationOption",
     "JsonOption",
@@ -53,6 +54,14 @@ CaseArgument = Annotated[
 SettingsOption = Annotated[
     list[str] | None,
     typer.Option("--set", metavar="KEY=VALUE", help="Override a field of the case. Repeatable."),
+]
+CataloguesOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--catalogue",
+        metavar="FILE",
+        help="A catalogue of your own, CSV or TOML, for designations. Repeatable.",
+    ),
 ]
 VariantsOption = Annotated[
     list[str] | None,
