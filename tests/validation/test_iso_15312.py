@@ -1,9 +1,9 @@
 """Thermal reference and permissible speeds against what a maker prints.
 
-Reference speeds of 6000, 6206, 6210, 6310, NU205-E and 7210-B, and the permissible speed of an NJ220
-(K_L 0.52, K_P 0.565, f 0.939), from a maker's catalogue, by its symbols Schaeffler's HR 1. Sizes and
-C_0r (N) stand beside them; those of the series 60, 62 and 63 are NSK's too (catalogue E1102). f_0r
-and f_1r: ISO 15312:2003, annex A.
+Reference speeds of 6000, 6206, 6210, 6310, NU205-E and 7210-B, and the permissible speed of an
+NJ220 (K_L 0.52, K_P 0.565, f 0.939), from a maker's catalogue, by its symbols Schaeffler's HR 1.
+Sizes and C_0r (N) stand beside them; those of the series 60, 62 and 63 are NSK's too (E1102).
+f_0r and f_1r: ISO 15312:2003, annex A.
 """
 
 from __future__ import annotations
