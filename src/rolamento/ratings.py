@@ -317,9 +317,7 @@ def _sphere(g: FloatArray) -> FloatArray:
     return np.asarray(0.5 * (1.0 + 1.0 / g))
 
 
-def _load_at_pressure(
-    curvature: FloatArray, conformity: FloatArray, pressure: float
-) -> FloatArray:
+def _load_at_pressure(curvature: FloatArray, conformity: FloatArray, pressure: float) -> FloatArray:
     """Return the load on a ball of 1 mm at a pressure in MPa; `curvature` is D/(2 Rx).
 
     p_0 = 3kQ/(2πa²) with a³ = 6k²E Q/(πS E′) gives Q = (2πp_0/3k)³ (6k²E/(πS E′))².

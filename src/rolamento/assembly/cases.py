@@ -25,7 +25,7 @@ from rolamento.errors import InputError
 from rolamento.geometry import sphere_conformity
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.rows.ball.row import BallRow, Traction, ball_row
-from rolamento.rows.grooves import four_point_row, thrust_row
+from rolamento.rows.grooves import GrooveRow, four_point_row, thrust_row
 from rolamento.rows.row import Row
 from rolamento.rows.sphere import SphereRow
 from rolamento.words import said
@@ -108,6 +108,8 @@ class Cases:
         how much; (cases,), SI
     valid
         which cases the records would take; (cases,)
+    unheld
+        which cases nothing can hold along x: a thrust bearing without axial load; (cases,)
     traction
         what friction control takes
     """
@@ -121,6 +123,7 @@ class Cases:
     preload: str
     preload_value: FloatArray
     valid: BoolArray
+    unheld: BoolArray
     traction: Traction
 
     def __len__(self) -> int:
@@ -187,7 +190,7 @@ def spread(
     _check_own_fields(case.bearing, arrays)
     valid &= _consistent(common, held, case.bearing.ball_count, case.bearing.kind)
     placed = []
-    for index, place in enumerate(_row_places(case.bearing)):
+    for index, place in enumerate(case.bearing.ball_rows):
         if case.bearing.kind == "self_aligning":
             placed.append(_on_sphere(case, place, common, arrays, cases, threads, fast))
             continue
@@ -221,11 +224,25 @@ def spread(
         preload=kind,
         preload_value=amount,
         valid=valid,
+        unheld=_unheld(case.bearing, placed[0].row, free, load),
         traction=Traction(np.full(cases, friction), np.full(cases, drag), case.model.mesh),
     )
     if found.alone is not None:
         found.alone.asked(free, load, displacement)
     return found
+
+
+def _unheld(bearing: Bearing, row: Row, free: BoolArray, load: FloatArray) -> BoolArray:
+    """Cases whose washers are pushed apart, or pushed together by nothing; (cases,).
+
+    Every contact of a thrust bearing pushes toward -x. Only where nothing else acts, at rest, may
+    the axial load be zero.
+    """
+    unheld = np.zeros(len(free), np.bool_)
+    if bearing.kind == "thrust" and isinstance(row, GrooveRow):
+        acts = (load[:, 1:] != 0.0).any(axis=1) | row.driven
+        unheld = free[:, 0] & ((load[:, 0] < 0.0) | ((load[:, 0] == 0.0) & acts))
+    return unheld
 
 
 def _own_press(case: Case, place: RowPlace, row: Row, cases: int) -> FloatArray | None:
@@ -234,11 +251,6 @@ def _own_press(case: Case, place: RowPlace, row: Row, cases: int) -> FloatArray 
         return None
     from_touch = case.bearing.preload is not None
     return place.offset + (row.first_contact() if from_touch else np.zeros(cases))
-
-
-def _row_places(bearing: Bearing) -> tuple[RowPlace, ...]:
-    """The rows of balls: the two rows of contacts of a four-point bearing are one."""
-    return bearing.places[:1] if bearing.kind == "four_point" else bearing.places
 
 
 def _on_sphere(

@@ -28,7 +28,10 @@ from rolamento.solved import Preloading, Solved
 
 __all__ = ["Lost", "first_lift_off", "preload_at", "preload_loss", "preload_of"]
 
-STEPS_OUT: Final = 6
+STEPS_OUT: Final = 24
+SECANTS: Final = 6
+"""Of the steps outward; where the grip flattens out as the load grows, they never arrive."""
+STRIDE: Final = 1.5
 STEPS_IN: Final = 40
 PRECISION: Final = 1e-6
 
@@ -265,15 +268,18 @@ class _Search:
 
     def enclose(self) -> None:
         """Go outward until contact is lost; half way back where there is no equilibrium."""
-        for _ in range(STEPS_OUT):
+        for step in range(STEPS_OUT + 1):
             least = self.above.min(axis=1)
             self.enclosed |= least <= 0.0
-            open_ = np.flatnonzero(~self.enclosed)
+            open_ = np.flatnonzero(~self.enclosed & (self.high - self.low > PRECISION * self.high))
+            if step == STEPS_OUT:
+                return
             if not len(open_):
                 return
             nowhere = ~np.isfinite(least[open_])
             low, high = self.low[open_], self.high[open_]
-            ahead = np.fmin(1.02 * self._zero(open_), 8.0 * high)
+            secant = np.fmin(1.02 * self._zero(open_), 8.0 * high)
+            ahead = secant if step < SECANTS else STRIDE * high
             further = np.where(nowhere, 0.5 * (low + high), ahead)
             onward = open_[~nowhere]
             self.low[onward], self.below[onward] = self.high[onward], self.above[onward]

@@ -170,7 +170,8 @@ class _Problem:
         finite = self.system.cases.valid[self.chosen] & np.isfinite(self.target).all(axis=1)
         finite &= np.isfinite(self.start).all(axis=1) & np.isfinite(np.sum(self.press, axis=0))
         finite &= np.all([row.valid[self.chosen] for row in rows], axis=0)
-        which = np.flatnonzero(finite)
+        unheld = finite & self.system.cases.unheld[self.chosen]
+        which = np.flatnonzero(finite & ~unheld)
         sizes = rows[0].sizes
         of_ring = self.chosen[which]
         found = balance(
@@ -183,7 +184,9 @@ class _Problem:
             limit=sizes.diameter[of_ring],
             reference=1.5e-6 * sizes.stiffness[of_ring],
         )
-        return self._solution(which, found)
+        solution = self._solution(which, found)
+        solution.number[unheld], solution.unsupported[unheld] = NO_EQUILIBRIUM, 0
+        return solution
 
     def _view(self, which: Indices, u: FloatArray) -> _View:
         """Hold every row where the ring holds it, and sum up what they answer."""

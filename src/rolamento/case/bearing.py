@@ -56,6 +56,7 @@ _CATALOGUE_FIELDS: Final[Mapping[str, Dimension | None]] = {
     "diametral_clearance": "length",
     "kind": None,
     "shim_angle": "angle",
+    "arrangement": None,
     "spacing": "length",
 }
 """What a designation fills in, by the dimension."""
@@ -195,7 +196,7 @@ class Bearing(Record):
         Replaces("contact_angle"),
     ] = Field(None, examples=["0.015 mm"])
     shim_angle: (
-        Annotated[float, Quantity("angle", at_least="0 deg", below="90 deg", varies=True)] | None
+        Annotated[float, Quantity("angle", above="0 deg", below="90 deg", varies=True)] | None
     ) = Field(None, examples=["20 deg"])
     spacing: (
         Annotated[float, Quantity("length", above="0 mm", at_most="10 m", varies=True)] | None
@@ -309,6 +310,11 @@ class Bearing(Record):
         from rolamento.catalogue import listed
 
         return listed(self._listed)
+
+    @property
+    def ball_rows(self) -> tuple[RowPlace, ...]:
+        """Those of the `places` that have balls of their own: one of a four-point bearing."""
+        return self.places[:1] if self.kind == "four_point" else self.places
 
     @model_validator(mode="wrap")
     @classmethod
@@ -449,6 +455,13 @@ class Bearing(Record):
                 said("is not given of a self-aligning bearing: its outer race is a sphere"),
                 field="outer_conformity",
                 value=self.outer_conformity,
+                example=said("leave it out"),
+            )
+        if self.outer_shoulder_height is not None:
+            raise InputError(
+                said("is not given of a self-aligning bearing: its outer race is a sphere"),
+                field="outer_shoulder_height",
+                value=from_si(self.outer_shoulder_height, "length"),
                 example=said("leave it out"),
             )
         if self.contact_angle == 0.0:
@@ -595,6 +608,10 @@ def _of_catalogue(
     missing = _CATALOGUE_FIELDS.keys() - own
     if own.intersection(_PLAY):
         missing -= set(_PLAY)
+    if "rows" in own:
+        missing -= {"arrangement", "spacing"}
+    if "contact_angle" in own and geometry.fields.get("kind") == "self_aligning":
+        missing -= {"spacing"}
     if missing.issuperset(_PLAY) and not geometry.fields.keys() & set(_PLAY):
         raise InputError(
             geometry.lack_of_play, field="designation", value=geometry.designation.text
@@ -652,8 +669,13 @@ def _places(bearing: Bearing) -> tuple[RowPlace, ...]:
         return (RowPlace(bearing, 1.0, 0.0, 0.0),)
     plain: dict[str, Any] = dict.fromkeys(_SET_FIELDS)
     if bearing.designation is None:  # of the first row
-        told = _CATALOGUE_FIELDS.keys() - bearing.model_fields_set
+        told = _CATALOGUE_FIELDS.keys() - bearing.model_fields_set - plain.keys()
         plain.update({name: getattr(bearing, name) for name in told})
+    elif "arrangement" not in bearing.model_fields_set and bearing.rows is None:
+        # a double row by its designation, which would fill the arrangement in again
+        one = bearing.model_copy(update=plain)
+        signs = ((row, 1.0 if row.orientation == "+" else -1.0) for row in rows)
+        return tuple(RowPlace(one, sign, row.position, row.phase) for row, sign in signs)
     places = []
     for index, row in enumerate(rows):
         try:

@@ -47,6 +47,7 @@ __all__ = [
     "override",
     "parse_case",
     "save_case",
+    "with_changes",
 ]
 
 
@@ -192,6 +193,38 @@ class Case(Record):
                         value=from_si(warm, "temperature"),
                         example='[mounting] with bore = "25 mm" and outside_diameter = "62 mm"',
                     )
+        return self
+
+    @model_validator(mode="after")
+    def _model_fits_the_grooves(self) -> Self:
+        """On other grooves some choices of the model have no meaning."""
+        kind, model = self.bearing.kind, self.model
+        if kind is None:
+            return self
+        many = kind in ("four_point", "thrust")
+        allowed = ("outer", "inner") if many else ("outer", "inner", "jones", "none")
+        if model.raceway_control not in allowed:
+            raise InputError(
+                said(
+                    'must be one of {allowed} with bearing.kind = "{kind}"',
+                    allowed=", ".join(allowed),
+                    kind=kind,
+                ),
+                field="model.raceway_control",
+                value=model.raceway_control,
+                example='raceway_control = "outer"',
+            )
+        if many and model.cage == "none":
+            raise InputError(
+                said(
+                    'must be loose or rigid with bearing.kind = "{kind}": the balls orbit with the'
+                    " cage",
+                    kind=kind,
+                ),
+                field="model.cage",
+                value=model.cage,
+                example='cage = "loose"',
+            )
         return self
 
     @model_validator(mode="after")
@@ -424,6 +457,17 @@ def override(case: Case, settings: Iterable[str]) -> Case:
     settings = tuple(settings)
     with case.bearing.looked_up():
         return _case_from(case._own_mapping(settings), settings)
+
+
+def with_changes(case: Case, changes: Mapping[str, Any]) -> Case:
+    """Return a case with values changed as `Case.with_` does, given as a file holds them.
+
+    Raises
+    ------
+    InputError
+        If there is no such field, or the result is not valid.
+    """
+    return Case.from_mapping(changed(case._own_mapping(changes), changes, Case, in_file=True))
 
 
 def save_case(case: Case, path: str | os.PathLike[str]) -> None:

@@ -24,7 +24,16 @@ from rolamento.errors import FileError, InputError, UnknownKeyError
 from rolamento.units import SI_UNIT, Dimension, from_si
 from rolamento.words import said, speaking
 
-__all__ = ["OVERRIDE_SOURCE", "Field", "Value", "changed", "fields_of", "overridden"]
+__all__ = [
+    "OVERRIDE_SOURCE",
+    "Field",
+    "Value",
+    "changed",
+    "fields_of",
+    "in_file_form",
+    "overridden",
+    "values_of",
+]
 
 OVERRIDE_SOURCE: Final = "--set"
 
@@ -103,6 +112,11 @@ class Field:
         """The record that a list holds."""
         found = record_of(self._info.annotation) if self.kind == "list" else None
         return found if found is not None and issubclass(found, Record) else None
+
+    @property
+    def choices(self) -> tuple[str, ...]:
+        """The words that it may be; empty if it takes others."""
+        return tuple(dict.fromkeys(_choices_in(self._info.annotation)))
 
     @property
     def limits(self) -> str:
@@ -218,6 +232,14 @@ def _types_in(annotation: object) -> Iterator[object]:
             yield from _types_in(part)
 
 
+def _choices_in(annotation: object) -> Iterator[str]:
+    for part in get_args(annotation):
+        if get_origin(annotation) is Literal:
+            yield str(part)
+        else:
+            yield from _choices_in(part)
+
+
 def _bounds_in(info: FieldInfo) -> Quantity | Ratio | None:
     """The annotation that bounds a number."""
     return next(_numbers_in((*info.metadata, info.annotation)), None)
@@ -251,18 +273,27 @@ def overridden(
     InputError
         If a setting is not of that form, or its key names no field.
     """
-    values: dict[str, object] = {}
     try:
-        for setting in settings:
-            key, equals, text = setting.partition("=")
-            if not equals or not key.strip() or len(setting) > _LONGEST_SETTING:
-                raise InputError(said("must be KEY=VALUE"), value=setting, example=_EXAMPLE)
-            name = ".".join(part.strip() for part in key.split("."))
-            values.pop(name, None)  # the last one counts
-            values[name] = _given(name, text.strip(), record)
+        values = values_of(settings, record)
         return changed(mapping, values, record, in_file=True), frozenset(values)
     except InputError as error:
         raise error.with_details(source=OVERRIDE_SOURCE) from None
+
+
+def values_of(settings: Iterable[str], record: type[Record]) -> dict[str, object]:
+    """Return what settings set: values as a file holds them, by dotted name.
+
+    Parameters and errors as of `overridden`.
+    """
+    values: dict[str, object] = {}
+    for setting in settings:
+        key, equals, text = setting.partition("=")
+        if not equals or not key.strip() or len(setting) > _LONGEST_SETTING:
+            raise InputError(said("must be KEY=VALUE"), value=setting, example=_EXAMPLE)
+        name = ".".join(part.strip() for part in key.split("."))
+        values.pop(name, None)  # the last one counts
+        values[name] = _given(name, text.strip(), record)
+    return values
 
 
 def changed(
@@ -296,7 +327,7 @@ def changed(
     """
     result = dict(mapping)
     for name, value in values.items():
-        _put(result, name, value if in_file else _as_in_a_file(name, value, record), record)
+        _put(result, name, value if in_file else in_file_form(name, value, record), record)
         for rival in _rivals(name, value, record):
             if rival not in values:
                 _put(result, rival, None, record)
@@ -312,7 +343,14 @@ def _rivals(name: str, value: object, record: type[Record]) -> Iterator[str]:
         yield from _rivals(f"{name}.{leaf}", inner, record)
 
 
-def _as_in_a_file(name: str, value: Any, record: type[Record]) -> object:
+def in_file_form(name: str, value: Any, record: type[Record]) -> object:
+    """Return a value of a field or a table, SI or a record, as a file holds it.
+
+    Raises
+    ------
+    InputError
+        If there is no such field, or it takes no such value.
+    """
     table, field = _table(name, record), fields_of(record).get(name)
     if table is not None and (value is None or isinstance(value, Mapping | Record)):
         return value if value is None else _mapping_of(value, table)

@@ -147,6 +147,12 @@ class Catalogue:
         plain = self._by_key.get(folded(designation.number))
         if plain is not None and _same_angle(plain, designation):
             return Found(plain, designation)
+        for number in designation.equivalents:
+            like = self._by_key.get(folded(number))
+            if like is not None and (
+                designation.contact_angle is None or _same_angle(like, designation)
+            ):
+                return Found(like, designation)
         by_sizes = self._of_dimension_series(designation)
         if by_sizes is not None:
             return Found(by_sizes, designation)
@@ -187,7 +193,7 @@ class Catalogue:
         )
 
     def _of_dimension_series(self, designation: Designation) -> CatalogueBearing | None:
-        if not designation.number:
+        if not designation.number or designation.kind:
             return None
         number = designation.dimension_series + designation.number[-2:]
         like = self._by_key.get(folded(number))

@@ -27,6 +27,7 @@ from rolamento.cli.frequencies import frequencies
 from rolamento.cli.friction import friction
 from rolamento.cli.grouped_help import GroupedCommands, Groups
 from rolamento.cli.life import life
+from rolamento.cli.new import examples, new
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import (
     CaseArgument,
@@ -35,6 +36,7 @@ from rolamento.cli.options import (
 )
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.plot import plot
+from rolamento.cli.replace import app as replace_app
 from rolamento.cli.report import report
 from rolamento.cli.reproduce import reproduce
 from rolamento.cli.severity import SeverityCommand, severity
@@ -56,8 +58,9 @@ if TYPE_CHECKING:
 
 _PROGRAM: Final = "rolamento"
 COMMANDS: Final[Groups] = {
+    "To start with": ("new", "examples"),
     "Inside the bearing": ("demo", "solve", "turn", "friction", "report"),
-    "Life and life tests": ("life", "weibull", "weibull-plan", "trend"),
+    "Life and life tests": ("life", "weibull", "weibull-plan", "replace", "trend"),
     "Vibration": ("frequencies", "diagnose", "severity", "synthesise", "anderon"),
     "Catalogue and clearance": ("catalogue", "clearance", "speed"),
     "Studies and figures": ("sweep", "tolerance", "plot"),
@@ -186,6 +189,14 @@ def _show(
 
 
 app.command(
+    cls=JsonCommand,
+    epilog="Examples: new 6310/C3; new 'S 6012 C' --lang pt -o spindle.toml.",
+)(new)
+app.command(
+    cls=JsonCommand,
+    epilog="Examples: examples; examples 6310_motor; examples all -o gallery.",
+)(examples)
+app.command(
     cls=JsonCommand, epilog="Examples: sweep study.toml -o result.nc; sweep --list fields."
 )(sweep)
 app.command(
@@ -247,6 +258,7 @@ app.command(
     " weibull --example campanha-2008 --calculated-life 'ISO 281=58 h'.",
 )(weibull)
 app.add_typer(weibull_plan_app, name="weibull-plan")
+app.add_typer(replace_app, name="replace")
 app.command(
     cls=JsonCommand,
     epilog="Example: trend --example campanha-2008-clearance --plot clearance.png.",

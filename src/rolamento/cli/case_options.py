@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Final
 import typer
 
 from rolamento.cli.option_records import with_record
-from rolamento.cli.options import OuterSpeedOption, SettingsOption, SpeedOption
+from rolamento.cli.options import CataloguesOption, OuterSpeedOption, SettingsOption, SpeedOption
 from rolamento.errors import InputError
 from rolamento.words import said
 
@@ -61,14 +61,7 @@ class CaseOptions:
             "--lubricant", metavar="NAME", help="Oil or grease by its name, such as 'ISO VG 68'."
         ),
     ] = None
-    catalogue: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--catalogue",
-            metavar="FILE",
-            help="A catalogue of your own, CSV or TOML, for designations. Repeatable.",
-        ),
-    ] = None
+    catalogue: CataloguesOption = None
     set: SettingsOption = None
 
     @property

@@ -19,6 +19,7 @@ from rolamento.cli.options import (
     CaseArgument,
     JsonOption,
     LanguageOption,
+    VariantsOption,
 )
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.over_field import (
@@ -26,7 +27,7 @@ from rolamento.cli.over_field import (
     CurvesPlotOption,
     LogOption,
     PointsOption,
-    VariantsOption,
+    cases_over,
     check_variants,
     show_curves,
 )
@@ -174,7 +175,7 @@ def _curves(
     from rolamento.studies.friction_curves import friction_curve, read_range
 
     chosen = read_range(over, points, log=log)
-    cases = [("", case), *((text, rolamento.override(case, [text])) for text in variants)]
+    cases = cases_over(case, variants)
 
     with waiting(lang):
         return [

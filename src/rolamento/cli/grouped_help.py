@@ -12,6 +12,7 @@ from typer.core import TyperCommand, TyperGroup
 
 from rolamento.cli.case_options import CASE_OPTIONS, SPEED_OPTIONS
 from rolamento.cli.complaints import UsageError, complaining
+from rolamento.cli.waiting import working
 from rolamento.errors import nearest
 from rolamento.words import language_asked, marked, said, said_in, speaking
 
@@ -74,6 +75,11 @@ class SpokenCommand(TyperCommand):
         if extra:
             ctx.fail(said("Got unexpected extra arguments: {arguments}", arguments=" ".join(extra)))
         return extra
+
+    def invoke(self, ctx: Any) -> Any:
+        """Run the command, and show that it is at work where it takes long."""
+        with working():
+            return super().invoke(ctx)
 
     def format_usage(self, ctx: Any, formatter: Any) -> None:
         """Write how the command is called."""

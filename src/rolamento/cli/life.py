@@ -16,14 +16,14 @@ from rolamento.cli.common import (
     complain_of_points,
     plain_endings,
 )
-from rolamento.cli.options import LanguageOption, json_option
+from rolamento.cli.options import LanguageOption, VariantsOption, json_option
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.over_field import (
     POINTS,
     CurvesPlotOption,
     LogOption,
     PointsOption,
-    VariantsOption,
+    cases_over,
     check_variants,
     show_curves,
 )
@@ -261,7 +261,7 @@ def _curves(
     from rolamento.tasks.life_over import life_curve
 
     chosen = read_range(over, points, log=log)
-    cases = [("", case), *((text, rolamento.override(case, [text])) for text in variants)]
+    cases = cases_over(case, variants)
     with told_in_options(), waiting(lang):
         return [life_curve(one, chosen, label=label, **tables) for label, one in cases]
 

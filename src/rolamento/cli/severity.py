@@ -174,7 +174,7 @@ def severity(
         from rolamento.cli.quantities import number_given
         from rolamento.cli.waiting import progress_of
 
-        found = tasks.severity(
+        found = tasks.severity_of(
             signals,
             speed=speed,
             power=power,

@@ -14,7 +14,7 @@ from rolamento.cli.common import (
     SOLVED,
     plain_endings,
 )
-from rolamento.cli.options import LanguageOption
+from rolamento.cli.options import LanguageOption, VariantsOption
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.streams import complain, print_text
 from rolamento.errors import InputError
@@ -45,6 +45,7 @@ def sweep(
         ),
     ] = None,
     given: CaseOptions = NOTHING_GIVEN,
+    variants: VariantsOption = None,
     threads: Annotated[
         int | None,
         typer.Option(
@@ -90,6 +91,7 @@ def sweep(
             study,
             rule=marked("is the study file itself; choose another name"),
         )
+        from rolamento.case.variant import read_variants
         from rolamento.cli.sweep_progress import told
         from rolamento.pages.study import study_page
         from rolamento.tasks import studies
@@ -100,6 +102,7 @@ def sweep(
                     study,
                     output,
                     settings=given.settings,
+                    variants=read_variants(variants or ()),
                     threads=threads,
                     scheduler=scheduler,
                     restart=restart,
@@ -148,14 +151,14 @@ def fields_text() -> str:
 
 
 def outputs_text() -> str:
-    """Return the outputs, one a line: name, SI unit, whether it is per ball, meaning."""
+    """Return the outputs, one a line: name, SI unit, whether it is per ball or row, meaning."""
     from rolamento.studies.outputs import DEFAULT_OUTPUTS, catalogue
 
     rows = [
         (
             f"{name}{'*' if name in DEFAULT_OUTPUTS else ''}",
             output.unit,
-            said("per ball") if output.per_ball else "",
+            {"": "", "ball": said("per ball"), "row": said("per row")}[output.along],
             output.label,
         )
         for name, output in catalogue().items()

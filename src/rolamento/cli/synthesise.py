@@ -273,11 +273,11 @@ def synthesise(
         check_outputs({"--output": output, "--truth": truth}, bearing)
         from rolamento import tasks
         from rolamento.cli.quantities import number_of
-        from rolamento.cli.waiting import PATIENCE_AT_WORK, waiting
+        from rolamento.cli.waiting import waiting
         from rolamento.vibration.writing import check_signal_name
 
         check_signal_name(output, 0, 1.0)
-        with waiting(lang, said("making the signal"), PATIENCE_AT_WORK):
+        with waiting(lang, said("making the signal")):
             planted = [_fault(text, jitter) for text in faults or ()]
             waves = [_waviness(text) for text in waviness or ()]
             harmonics = _harmonics(shaft_harmonics)

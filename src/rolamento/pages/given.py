@@ -54,12 +54,20 @@ def _bearing(bearing: Bearing) -> str:
         ball=quantity(bearing.ball_diameter, "length"),
         pitch=quantity(bearing.pitch_diameter, "length"),
     )
-    conformities = said(
-        "{play}, conformity {inner:.5} inner, {outer:.5} outer",
-        play=_play(bearing),
-        inner=bearing.inner_conformity,
-        outer=bearing.outer_conformity,
-    )
+    if bearing.kind == "self_aligning":
+        conformities = said(
+            "{play}, conformity {inner:.5} inner, outer race a sphere of radius {radius}",
+            play=_play(bearing),
+            inner=bearing.inner_conformity,
+            radius=quantity(bearing.outer_conformity * bearing.ball_diameter, "length"),
+        )
+    else:
+        conformities = said(
+            "{play}, conformity {inner:.5} inner, {outer:.5} outer",
+            play=_play(bearing),
+            inner=bearing.inner_conformity,
+            outer=bearing.outer_conformity,
+        )
     rings, balls = bearing.ring_material, bearing.ball_material
     materials = (
         said("rings and balls of {rings}", rings=rings.name)
@@ -86,6 +94,16 @@ def facing(bearing: Bearing, place: RowPlace) -> str:
 
 def _arrangement_lines(bearing: Bearing) -> list[str]:
     """Say how the rows of a set are arranged and preloaded; nothing of a plain bearing."""
+    if bearing.kind == "thrust":
+        return [said("thrust bearing: carries axial load toward +x")]
+    if bearing.kind == "four_point":
+        return [
+            said(
+                "four-point contact, shim angle {angle}; rows 0 and 1 are the contacts of the same"
+                " balls that carry axial load toward +x and toward −x",
+                angle=quantity(bearing.shim_angle or 0.0, "angle"),
+            )
+        ]
     if not bearing.is_set:
         return []
     preload = [] if _own_offsets(bearing) else _preload(bearing.preload, bearing.contact_angle)

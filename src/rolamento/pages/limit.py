@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from datetime import date, timedelta
 from math import expm1, isfinite
 from typing import TYPE_CHECKING
 
@@ -15,7 +16,9 @@ if TYPE_CHECKING:
 __all__ = ["limit_section", "limit_statement"]
 
 
-def limit_statement(found: Forecast, name: str, unit: str, time_unit: str) -> Statement:
+def limit_statement(
+    found: Forecast, name: str, unit: str, time_unit: str, start: str = ""
+) -> Statement:
     """Return when the limit is reached, in a sentence.
 
     Parameters
@@ -26,6 +29,8 @@ def limit_statement(found: Forecast, name: str, unit: str, time_unit: str) -> St
         Of what is measured, or of whom; empty for the only one.
     unit, time_unit
         Of values and times.
+    start
+        Date from which the times count as days, if they do.
     """
     crossing, growth = found.crossing, found.growth
     values = {
@@ -38,14 +43,28 @@ def limit_statement(found: Forecast, name: str, unit: str, time_unit: str) -> St
     tone: Tone = "warning-strong"
     if crossing.code == "reached":
         last = growth.last_time
-        text = said(
-            "The limit of {limit:.4} {unit} is reached in {left:.3} {time_unit}"
-            " ({confidence:.3 [%]} % interval: {lower:.3} to {upper:.3} {time_unit}), if the growth"
-            " continues as measured.",
-            left=crossing.time - last,
-            lower=crossing.lower - last,
-            upper=crossing.upper - last,
-            **values,
+        if start:
+            values |= {
+                "at": _time(crossing.time, start),
+                "first": _time(crossing.lower, start),
+                "end": _time(crossing.upper, start),
+            }
+        text = (
+            said(
+                "The limit of {limit:.4} {unit} is reached on {at} ({confidence:.3 [%]} % interval:"
+                " {first} to {end}), if the growth continues as measured.",
+                **values,
+            )
+            if start
+            else said(
+                "The limit of {limit:.4} {unit} is reached in {left:.3} {time_unit}"
+                " ({confidence:.3 [%]} % interval: {lower:.3} to {upper:.3} {time_unit}), if the"
+                " growth continues as measured.",
+                left=crossing.time - last,
+                lower=crossing.lower - last,
+                upper=crossing.upper - last,
+                **values,
+            )
         )
     elif crossing.code == "exceeded":
         tone = "bad-strong"
@@ -74,15 +93,17 @@ def limit_statement(found: Forecast, name: str, unit: str, time_unit: str) -> St
     return Statement(text, tone)
 
 
-def limit_section(found: Sequence[tuple[str, Forecast]], unit: str, time_unit: str) -> Section:
+def limit_section(
+    found: Sequence[tuple[str, Forecast]], unit: str, time_unit: str, start: str = ""
+) -> Section:
     """Return the section on the time to a limit: a sentence and two laws of each.
 
     Parameters
     ----------
     found
         Names, and what `rolamento.numerics.growth.forecast` found.
-    unit, time_unit
-        Of values and times.
+    unit, time_unit, start
+        Of values and times, as of `limit_statement`.
     """
     rows: list[tuple[str, Growth, Crossing, bool]] = []
     for name, one in found:
@@ -98,8 +119,8 @@ def limit_section(found: Sequence[tuple[str, Forecast]], unit: str, time_unit: s
             key="law",
         ),
         Column(
-            head=said("growth per 1000 {unit}", unit=time_unit),
-            values=[_growth(growth, unit) for _, growth, *_ in rows],
+            head=said("growth per {time} {unit}", time=_span(time_unit), unit=time_unit),
+            values=[_growth(growth, unit, _span(time_unit)) for _, growth, *_ in rows],
             key="growth",
             align="right",
         ),
@@ -109,20 +130,20 @@ def limit_section(found: Sequence[tuple[str, Forecast]], unit: str, time_unit: s
             key="p_value",
         ),
         Column(
-            head=said("reached at {unit}", unit=time_unit),
-            values=[_time(crossing.time) for _, _, crossing, _ in rows],
+            head=said("reached on") if start else said("reached at {unit}", unit=time_unit),
+            values=[_time(crossing.time, start) for _, _, crossing, _ in rows],
             key="time",
             align="right",
         ),
         Column(
             head=said("from"),
-            values=[_time(crossing.lower) for _, _, crossing, _ in rows],
+            values=[_time(crossing.lower, start) for _, _, crossing, _ in rows],
             key="lower",
             align="right",
         ),
         Column(
             head=said("to"),
-            values=[_time(crossing.upper) for _, _, crossing, _ in rows],
+            values=[_time(crossing.upper, start) for _, _, crossing, _ in rows],
             key="upper",
             align="right",
         ),
@@ -134,19 +155,32 @@ def limit_section(found: Sequence[tuple[str, Forecast]], unit: str, time_unit: s
         " was measured; damage may grow faster."
     )
     table = Table(columns=tuple(columns), key="limit", legends=(legend,))
-    statements = tuple(limit_statement(one, name, unit, time_unit) for name, one in found)
+    statements = tuple(limit_statement(one, name, unit, time_unit, start) for name, one in found)
     return Section(said("Time to the limit"), (*statements, table), key="limit")
 
 
-def _growth(growth: Growth, unit: str) -> str:
+def _span(time_unit: str) -> int:
+    """Time over which growth is told: a month of days, a thousand of hours and of all else."""
+    return 30 if time_unit.casefold() in ("d", "day", "days", "dia", "dias") else 1000
+
+
+def _growth(growth: Growth, unit: str, span: int) -> str:
     if not isfinite(growth.slope):
         return ABSENT
     if growth.law == "exponential":
-        return said("{part:.3 [%]} %", part=expm1(min(1000.0 * growth.slope, 50.0)))
-    return said("{value:.3} {unit}", value=1000.0 * growth.slope, unit=unit)
+        return said("{part:.3 [%]} %", part=expm1(min(span * growth.slope, 50.0)))
+    return said("{value:.3} {unit}", value=span * growth.slope, unit=unit)
 
 
-def _time(value: float) -> str:
+def _time(value: float, start: str = "") -> str:
+    """Write a time; as a date, if the times count as days from one."""
     if value == float("inf"):
         return ENDLESS
-    return manner().number(value, ".4") if isfinite(value) else ABSENT
+    if not isfinite(value):
+        return ABSENT
+    if not start:
+        return manner().number(value, ".4")
+    try:
+        return (date.fromisoformat(start) + timedelta(days=round(value))).isoformat()
+    except OverflowError:
+        return ENDLESS

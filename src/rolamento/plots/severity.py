@@ -1,4 +1,4 @@
-"""Severity of vibration: measured velocities on the zones of the classes that a machine may be of."""
+"""Severity of vibration: measured velocities on the zones that a machine may have."""
 
 from __future__ import annotations
 

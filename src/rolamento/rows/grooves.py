@@ -37,7 +37,6 @@ from rolamento.kinematics import (
     ball_mass,
     ball_motion,
     centrifugal_force,
-    gyroscopic_moment,
     nominal_orbit,
 )
 from rolamento.numerics import BoolArray, FloatArray
@@ -63,6 +62,10 @@ to 2e-10 up to 0.5."""
 PRECISION: Final = 1e-11
 NEGLIGIBLE: Final = 1e-7
 """Of the ball's diameter: an approach whose load is none, beside which balls are in balance."""
+ROUNDING: Final = 1e-13
+"""Of an arc's length L: a lesser approach is no contact."""
+EDGE: Final = 1e-9
+"""Cosine: a contact at the very end of a half circle is past it."""
 GREATEST_APPROACH: Final = 0.02
 """Of the ball's diameter: beyond is no elastic contact."""
 
@@ -175,15 +178,18 @@ class GrooveRow:
     def sizes(self) -> RowSizes:
         """For the assembly."""
         n = self.numbers
-        cosine = np.cos(n.angle)
-        inner, outer = (_polynomial(race.stiffness, cosine) for race in (n.inner, n.outer))
         return RowSizes(
             arm=n.arm,
             diameter=n.diameter,
             reach=n.inner.length + n.outer.length,
-            stiffness=series_stiffness(inner, outer),
+            stiffness=_both(n),
             sine=np.sin(n.angle),
         )
+
+    @property
+    def driven(self) -> BoolArray:
+        """Whether a centrifugal force acts on the balls; (cases,)."""
+        return np.asarray(self.numbers.force > 0.0)
 
     def refuse(self, cases: BoolArray) -> None:
         """Take some cases for invalid: they are left alone."""
@@ -193,6 +199,8 @@ class GrooveRow:
 
     def held(self, place: FloatArray, which: Indices, control: FloatArray) -> HeldOnGrooves:
         """Hold some of the cases at a place; (len(which), 5)."""
+        if not len(which):
+            return self.nothing(0)
         n = _taken(self.numbers, which)
         cases, balls = len(which), self.element_count
         cosine, sine = self._azimuth(n)
@@ -208,8 +216,8 @@ class GrooveRow:
         found = _balanced(ball, self.flanks, centres, start)
         at_rest = found.displacement
         parts = [_flank(ball, flank, centres, at_rest) for flank in self.flanks]
-        by_ring = sum(inner.tangent for inner, _ in parts)
-        by_ball = by_ring + sum(outer.tangent for _, outer in parts)
+        by_ring = np.sum([inner.tangent for inner, _ in parts], axis=0)
+        by_ball = by_ring + np.sum([outer.tangent for _, outer in parts], axis=0)
         tangent = by_ring - by_ring @ _solved_2x2(by_ball, by_ring)
         lever = _levers(n, cosine, sine)
         forces = np.stack([inner.force.reshape(cases, balls, 2) for inner, _ in parts], axis=1)
@@ -224,7 +232,7 @@ class GrooveRow:
             position=at_rest.reshape(cases, balls, 2),
             face_forces=face_forces,
             stiffness=np.einsum("nbij,nbik,nbkl->njl", lever, tangents, lever, optimize=True),
-            scale=np.maximum(load, np.abs(total / arms).max(axis=1)),
+            scale=np.maximum(np.maximum(load, np.abs(total / arms).max(axis=1)), _floor(n)),
             number=self._judged(ball, parts, residual, cases),
             residual=residual,
             safe_path=np.zeros(cases, np.bool_),
@@ -244,7 +252,8 @@ class GrooveRow:
             bottom = ball.bottom * [flank, 1.0]
             for contact, race in zip(contacts, (ball.inner, ball.outer), strict=True):
                 pressed = contact.load > 0.0
-                over = pressed & ((contact.direction * bottom).sum(axis=-1) < race.edge)
+                end = race.edge + EDGE
+                over = pressed & ((contact.direction * bottom).sum(axis=-1) < end)
                 past |= over.reshape(cases, -1).any(axis=1)
                 sunk = pressed & (contact.approach > GREATEST_APPROACH * ball.diameter)
                 deep |= sunk.reshape(cases, -1).any(axis=1)
@@ -332,20 +341,26 @@ class GrooveAnswer:
             )
             for inner, outer in angles
         ]
-        # the flank with the greater load guides the ball: its rotation is that of both
+        # a ball has one rotation: that of its flanks, each as raceway control would have it,
+        # weighted by their loads
         loads = np.stack([inner.load + outer.load for inner, outer in parts])
-        leading = np.argmax(loads, axis=0)
-        speed = np.choose(leading, [motion.ball_speed for motion in motions])
-        attitude = np.choose(
-            leading, [k * m.attitude for k, m in zip(self.flanks, motions, strict=True)]
-        )
+        share = np.where(loads.sum(axis=0) > 0.0, loads, 1.0)
+        share = share / share.sum(axis=0)
+        axis_x, axis_r = np.zeros_like(ball.orbit), np.zeros_like(ball.orbit)
+        for flank, part, motion in zip(self.flanks, share, motions, strict=True):
+            axis_x = axis_x + part * motion.ball_speed * np.cos(motion.attitude)
+            axis_r = axis_r + part * motion.ball_speed * np.sin(motion.attitude) * flank
+        way = np.where(motions[0].ball_speed < 0.0, -1.0, 1.0)
+        speed = way * np.hypot(axis_x, axis_r)
+        attitude = np.arctan2(way * axis_r, way * axis_x)
         columns = []
         for index, flank in enumerate(self.flanks):
             inner, outer = angles[index]
             own = flank * attitude
             ball_x, ball_r = ball.orbit + speed * np.cos(own), -speed * np.sin(own)
-            moment = gyroscopic_moment(ball.mass, ball.diameter, motions[index])
-            moment = np.where(leading == index, ball.shown_moment * moment, 0.0 * moment)
+            # the moment of a ball counts once
+            inertia = ball.shown_moment * ball.mass * ball.diameter**2 / 10.0
+            moment = inertia * speed * ball.orbit * np.sin(own) * (1.0 if index == 0 else 0.0)
             behind, ahead = ball_x - ball.inner_speed, ball_x - ball.outer_speed
             columns.append(
                 (
@@ -383,11 +398,11 @@ class GrooveAnswer:
             yaw=np.zeros((cases, faces * balls)),
             raceway_control=np.tile(self.shown, (1, faces)),
         )
-        races = [
+        inner_race, outer_race = (
             Pressed(*(wide([getattr(c[i], one.name) for c in columns]) for one in fields(Pressed)))
             for i in (2, 3)
-        ]
-        return Tables(elements, *races)
+        )
+        return Tables(elements, inner_race, outer_race)
 
 
 # --- from a case to its numbers -------------------------------------------------------------------
@@ -563,7 +578,8 @@ def _contact(race: _Race, stretch: FloatArray, own_side: FloatArray) -> _Contact
     normal = stretch / distance[:, np.newaxis]
     approach = distance - race.length
     on_it = (normal * own_side).sum(axis=-1) > 0.0
-    pressed = np.where(on_it, np.maximum(approach, 0.0), 0.0 * approach)
+    on_it &= approach > ROUNDING * race.length
+    pressed = np.where(on_it, approach, 0.0 * approach)
     root = np.sqrt(pressed)
     cosine = normal[:, 1]
     stiffness, slope = _with_slope(race, cosine)
@@ -614,18 +630,27 @@ def _on_balls(
         force += outer.force - inner.force
         stiffness += outer.tangent + inner.tangent
         scale = np.maximum(scale, np.maximum(inner.load, outer.load))
-    return _OnBalls(force, stiffness, scale, np.isfinite(force).all(axis=1))
+    return _OnBalls(force, stiffness, scale, np.asarray(np.isfinite(force).all(axis=1)))
+
+
+def _both(n: _Numbers) -> FloatArray:
+    """K of both contacts in line at the free contact angle."""
+    middle = np.cos(n.angle)
+    return series_stiffness(
+        _polynomial(n.inner.stiffness, middle), _polynomial(n.outer.stiffness, middle)
+    )
+
+
+def _floor(n: _Numbers) -> FloatArray:
+    """A load that counts as none (N)."""
+    return np.asarray(_both(n) * (NEGLIGIBLE * n.diameter) ** 1.5)
 
 
 def _balanced(
     n: _Numbers, flanks: tuple[float, ...], centre: FloatArray, start: FloatArray
 ) -> Balance:
     """Where the balls are in balance, from a start; n, centre, start by ball."""
-    middle = np.cos(n.angle)
-    stiffness = series_stiffness(
-        _polynomial(n.inner.stiffness, middle), _polynomial(n.outer.stiffness, middle)
-    )
-    floor = stiffness * (NEGLIGIBLE * n.diameter) ** 1.5
+    floor, stiffness = _floor(n), _both(n)
     target = np.zeros(start.shape)
     target[:, 1] = n.force
     reach = n.inner.length + n.outer.length

@@ -369,10 +369,11 @@ def _check_study(study: Study) -> None:
 
     if study.scatter is None:
         raise InputError(said("is missing: Sobol's indices need scattered fields"), field="scatter")
-    if study.axes:
-        raise InputError(
-            said("must be left out for Sobol's indices, which are of one point"), field="axes"
-        )
+    for name in ("axes", "variants"):
+        if getattr(study, name):
+            raise InputError(
+                said("must be left out for Sobol's indices, which are of one point"), field=name
+            )
     correlated = next((one for one in study.scatter.correlations if one.coefficient != 0.0), None)
     if correlated is not None:
         raise InputError(
@@ -384,15 +385,20 @@ def _check_study(study: Study) -> None:
             value=" and ".join(correlated.fields),
         )
     for output in outputs_of(study.outputs):
-        if output.per_ball:
+        if output.along:
             raise InputError(
                 said(
                     "is one value for each ball; Sobol's indices are for outputs of the "
                     "whole bearing"
+                )
+                if output.along == "ball"
+                else said(
+                    "is one value for each row; Sobol's indices are for outputs of the whole "
+                    "bearing"
                 ),
                 field="outputs",
                 value=output.name,
-                example=f"max_{output.name}",
+                example=f"max_{output.name}" if output.along == "ball" else "max_inner_load",
             )
 
 

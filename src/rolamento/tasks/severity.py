@@ -35,7 +35,7 @@ from rolamento.vibration.severity import (
 )
 from rolamento.words import Note, said
 
-__all__ = ["MeasuredSeverity", "SeverityResult", "severity"]
+__all__ = ["MeasuredSeverity", "SeverityResult", "severity_of"]
 
 SCHEMA: Final = 1
 _MOST_SIGNALS: Final = 500
@@ -222,7 +222,7 @@ class SeverityResult:
         return text.getvalue()
 
 
-def severity(
+def severity_of(
     paths: str | os.PathLike[str] | Sequence[str | os.PathLike[str]],
     *,
     speed: str | float | None = None,

@@ -181,7 +181,7 @@ def banded_frequencies(
     banded = partial(_with_bands, slip=(slip, min(slip + allowed.slip, 1.0)), speed=allowed.speed)
     rows = [
         banded(row, _places(place.bearing, contact_angle, allowed))
-        for row, place in zip(found.rows or (found,), bearing.places, strict=True)
+        for row, place in zip(found.rows or (found,), bearing.ball_rows, strict=True)
     ]
     return rows[0] if not found.rows else replace(rows[0], rows=tuple(rows))
 

@@ -25,8 +25,8 @@ steady, leave uncertain is seen from the mean squares of its segments: their mea
 It says nothing of early damage of a bearing, whose impacts are short and lie above 1 kHz: they
 hardly change the velocity. That is what `rolamento.vibration.diagnosis` looks for.
 
-Sources: ISO 20816-3:2022; ISO 10816-3:2009, 5.4; ISO 10816-1:1995; Welch, IEEE Transactions on Audio
-and Electroacoustics 15 (1967), for segments that overlap.
+Sources: ISO 20816-3:2022; ISO 10816-3:2009, 5.4; ISO 10816-1:1995; Welch, IEEE Transactions on
+Audio and Electroacoustics 15 (1967), for segments that overlap.
 """
 
 from __future__ import annotations
@@ -456,7 +456,7 @@ def measure_severity(
     rms = low = high = moved = nan
     if band[1] <= 0.5 * velocity.rate:
         rms = rms_in(velocity.density, wide)
-        low, high = _limits(velocity.mean_squares, confidence)
+        low, high = _limits(rms**2, velocity.mean_squares, confidence)
         moved = rms_in(_displaced(velocity.density), wide)
     return Severity(
         band, rms, low, high, moved, confidence, speed, velocity.rate, velocity.duration,
@@ -487,11 +487,11 @@ def _displaced(density: Spectrum) -> Spectrum:
     return Spectrum(density.axis, values, "Hz", "m^2/Hz", density.resolution, density.averages)
 
 
-def _limits(squares: FloatArray, confidence: float) -> tuple[float, float]:
-    """Limits of an RMS by the mean squares of its segments."""
+def _limits(mean: float, squares: FloatArray, confidence: float) -> tuple[float, float]:
+    """Limits of an RMS by its mean square and those of its segments."""
     from scipy.special import stdtrit
 
-    count, mean = len(squares), float(np.mean(squares))
+    count = len(squares)
     quantile = float(stdtrit(count - 1, 0.5 + 0.5 * confidence))
     half = quantile * float(np.std(squares, ddof=1)) * sqrt(_OVERLAP / count)
     return sqrt(max(mean - half, 0.0)), sqrt(mean + half)
