@@ -115,7 +115,7 @@ def _limits(found: SpeedLimits) -> Section:
     legend = said("n·d_m in million mm·rpm; share: the speed of the case over the limit")
     origins: dict[str, str] = {}
     for one in limits:
-        thermal = one.name in ("reference", "permissible")
+        thermal = one.name in ("catalogue", "reference", "permissible")
         name = said(LIMIT_NAMES[one.name]) if thermal else said("limiting speeds")
         origins.setdefault(name, one.source.text)
     table = Table(columns=tuple(columns), key="limits", legends=(legend,), rule=True, fixed=1)

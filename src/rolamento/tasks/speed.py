@@ -12,6 +12,7 @@ from rolamento.case import Case
 from rolamento.errors import InputError
 from rolamento.friction.palmgren import friction_load
 from rolamento.life.equivalent_load import equivalent_load
+from rolamento.life.equivalent_load import minimum_axial_load as minimum_thrust_load
 from rolamento.lubrication.oil_state import oil_state
 from rolamento.ratings import dynamic_rating, static_rating
 from rolamento.speeds import (
@@ -33,7 +34,7 @@ from rolamento.words import Note, said
 
 __all__ = ["Boundary", "MinimumLoad", "SpeedLimit", "SpeedLimits", "speed_limits"]
 
-LimitName = Literal["reference", "permissible", "grease", "oil_bath", "high_speed"]
+LimitName = Literal["catalogue", "reference", "permissible", "grease", "oil_bath", "high_speed"]
 _RPM: Final = 30.0 / pi
 _ISO_SERIES: Final = {"60": "70", "62": "72", "63": "73", "69": "719", "68": "718"}
 """Angular-contact series of the same boundary dimensions as a deep-groove series (ISO 15)."""
@@ -87,8 +88,8 @@ class SpeedLimit:
     Attributes
     ----------
     name
-        "reference" (ISO 15312), "permissible" (DIN 732-2), or of the maker's class "grease",
-        "oil_bath", "high_speed"
+        "catalogue" (of this bearing, with oil), "reference" (ISO 15312), "permissible" (DIN 732-2),
+        or of the maker's class "grease", "oil_bath", "high_speed"
     speed
         rad/s
     share
@@ -273,7 +274,9 @@ def _boundary(case: Case) -> Boundary:
         own = None if case.life is None else getattr(case.life, name)
         listed = None if published is None else getattr(published, name)
         known = own if own is not None else listed
-        ratings.append(float(rule(*geometry)) if known is None else known)
+        if known is None:
+            known = float(rule(*geometry)) if bearing.kind is None else nan
+        ratings.append(known)
     return Boundary(
         bearing.designation or "",
         series,
@@ -335,6 +338,11 @@ class _Asked:
     def answer(self, title: str) -> SpeedLimits:
         limits: list[SpeedLimit] = []
         notes: list[Note] = []
+        published = self.case.bearing.published
+        listed = None if published is None else published.limiting_speed
+        if published is not None and listed is not None:
+            where = {"source": published.sources.get("limiting_speed", published.maker)}
+            limits.append(self._limit("catalogue", listed, Note("source_listed_speed", where)))
         shares = self._thermal(limits, notes)
         self._of_maker(limits, notes)
         loads = tuple(self._minimum_loads(notes))
@@ -404,6 +412,8 @@ class _Asked:
         given = self.boundary
         found = speed_class(given.series, given.contact_angle, matched=given.rows > 1)
         if found is None:
+            if limits and limits[0].name == "catalogue":
+                return
             angle = None if given.contact_angle is None else degrees(given.contact_angle)
             notes.append(Note("no_speed_class", {"series": given.series, "angle": angle}))
             return
@@ -439,6 +449,11 @@ class _Asked:
             needed = share * given.dynamic_rating * given.rows**0.7
             source = Note("source_minimum_share", {"share": share})
             found.append(MinimumLoad("share", needed, self._equivalent_load(), source))
+        if self.case.bearing.kind == "thrust" and isfinite(given.static_rating):
+            published = self.case.bearing.published
+            listed = None if published is None else published.limiting_speed
+            needed = float(minimum_thrust_load(given.static_rating, self.speed, listed))
+            found.append(MinimumLoad("thrust", needed, axial, Note("source_minimum_of_maker")))
         if self.thrust_factor is not None:
             source = Note("source_minimum_thrust", {"factor": self.thrust_factor})
             needed = minimum_axial_load_of_thrust(self.thrust_factor, self.speed)

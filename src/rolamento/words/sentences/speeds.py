@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 __all__ = ["LIMIT_NAMES", "SENTENCES"]
 
 LIMIT_NAMES: Final = {
+    "catalogue": marked("limiting speed of the catalogue, oil"),
     "reference": marked("thermal reference speed"),
     "permissible": marked("thermally permissible speed"),
     "grease": marked("limiting speed, grease"),
@@ -54,6 +55,10 @@ def _no_coefficients(values: Mapping[str, Any]) -> str:
 
 
 SENTENCES: Final[dict[str, Sentence]] = {
+    "source_listed_speed": lambda values: str(values["source"]),
+    "source_minimum_of_maker": marked(
+        "the greater of (C_0/100) (n/n_max)² and C_0/1000; NSK catalogue E1102"
+    ),
     "source_reference_speed": marked("ISO 15312:2003, f_0r {f_0r:.3}, f_1r {f_1r:.3}"),
     "source_permissible_speed": marked(
         "DIN 732-2, ν {viscosity:.3 mm²/s}, P_1 {load:.4 N}, reference heat flow"
