@@ -350,7 +350,7 @@ def test_the_running_set_is_what_is_solved(arrangement: str) -> None:
     assert again.preload is not None
     assert again.preload.at_speed == pytest.approx(state.preload.stages[-1].preload[1], rel=1e-6)
     assert state.preload.at_speed == again.preload.at_speed
-    assert state.preload.at_rest == state.preload.stages[1].preload[1]
+    assert state.preload.at_rest == state.preload.stages[2].preload[1]  # mounted and warm
 
 
 @pytest.mark.parametrize("limit", LIMITS)
