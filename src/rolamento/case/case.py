@@ -260,7 +260,7 @@ class Case(Record):
             return self
         for table, names in (
             ("temperature", ("inner_spacer", "outer_spacer")),
-            ("mounting", ("width", "inner_spacer_material", "outer_spacer_material")),
+            ("mounting", ("inner_spacer_material", "outer_spacer_material")),
         ):
             for name in names:
                 if getattr(getattr(self, table), name, None) is not None:

@@ -41,6 +41,7 @@ from rolamento.cli.replace import app as replace_app
 from rolamento.cli.report import report
 from rolamento.cli.reproduce import reproduce
 from rolamento.cli.severity import SeverityCommand, severity
+from rolamento.cli.speed import speed_command
 from rolamento.cli.streams import STANDARD_STREAM, complain, end_of_output, print_text, put
 from rolamento.cli.sweep import sweep
 from rolamento.cli.synthesise import SynthesiseCommand, synthesise
@@ -63,7 +64,7 @@ COMMANDS: Final[Groups] = {
     "Inside the bearing": ("solve", "turn", "friction", "report"),
     "Life and life tests": ("life", "weibull", "weibull-plan", "replace", "trend"),
     "Vibration": ("frequencies", "diagnose", "severity", "synthesise", "anderon"),
-    "Catalogue and clearance": ("catalogue", "clearance"),
+    "Catalogue and clearance": ("catalogue", "clearance", "speed"),
     "Studies and figures": ("sweep", "tolerance", "plot"),
     "Verification": ("verify", "reproduce"),
 }
@@ -251,6 +252,12 @@ app.command(
     " report old.toml new.toml -o comparison.html; report 6305 --fr '2 kN'.",
 )(report)
 app.command(cls=JsonCommand, epilog="Example: clearance case.toml --samples 10000.")(clearance)
+app.command(
+    "speed",
+    cls=JsonCommand,
+    epilog="Examples: speed 6210 --fr '2 kN' --speed '6000 rpm' --lubricant 'ISO VG 32'"
+    " --temperature '70 degC'; speed case.toml --json.",
+)(speed_command)
 app.command(
     cls=JsonCommand,
     epilog="Examples: frequencies 6205 --speed '1797 rpm'; frequencies case.toml --json.",
