@@ -203,10 +203,7 @@ def _internal(geometry: InternalGeometry) -> Section:
     told = {name: value for name, value in geometry.fields.items() if name != "kind"}
     origins = [geometry.origins[name] for name in told]
     tones: list[Tone] = ["" if origin == "published" else "warning" for origin in origins]
-    sizes = [
-        ball_name(value) if name == "ball_diameter" else ""
-        for name, value in told.items()
-    ]
+    sizes = [ball_name(value) if name == "ball_diameter" else "" for name, value in told.items()]
     columns = (
         *_named_figures(told),
         Column(head="", key="origin", values=[said(_ORIGINS[one]) for one in origins], tones=tones),

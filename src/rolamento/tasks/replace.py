@@ -74,7 +74,9 @@ class RemainingStudy(_Study):
 
     def to_mapping(self) -> dict[str, Any]:
         """Give it as plain values, in the unit that it names."""
-        return self._plain("remaining_life", self.found and self.found.to_mapping())
+        return self._plain(
+            "remaining_life", None if self.found is None else self.found.to_mapping()
+        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,7 +91,9 @@ class ReplacementStudy(_Study):
 
     def to_mapping(self) -> dict[str, Any]:
         """Give it as plain values, in the units that it names."""
-        plain = self._plain("age_replacement", self.found and self.found.to_mapping())
+        plain = self._plain(
+            "age_replacement", None if self.found is None else self.found.to_mapping()
+        )
         return {**plain, "currency": self.currency}
 
 
@@ -116,7 +120,9 @@ class FleetStudy(_Study):
     def to_mapping(self) -> dict[str, Any]:
         """Give it as plain values, in the unit that it names."""
         return {
-            **self._plain("fleet_forecast", self.found and self.found.to_mapping()),
+            **self._plain(
+                "fleet_forecast", None if self.found is None else self.found.to_mapping()
+            ),
             "names": list(self.names),
             "from": None if self.begin is None else self.begin.isoformat(),
             "until": None if self.end is None else self.end.isoformat(),
@@ -319,7 +325,7 @@ def lives_of(
             )
         field = "l10" if scale is None else "scale"
         life, unit = _life_with_unit(l10 if scale is None else scale, field)
-        law = LifeDistribution.given(shape, **{field: life}, unit=unit)  # type: ignore[arg-type]
+        law = LifeDistribution.given(shape, **{field: life}, unit=unit)
         return law, "", None, ()
     for field, value in (("scale", scale), ("l10", l10)):
         if value is not None:

@@ -432,12 +432,9 @@ def _counted(
     if renewed:
         rows = np.repeat(np.arange(len(fleet.ages)), fleet.counts)
         ages, ahead = fleet.ages[rows], fleet.ahead[rows]
-        return np.array(
-            [
-                _renewed(float(shape), float(scale), ages, ahead, parts, random)
-                for shape, scale in zip(shapes, scales, strict=True)
-            ]
-        )
+        lives = zip(shapes.tolist(), scales.tolist(), strict=True)
+        each = [_renewed(shape, scale, ages, ahead, parts, random) for shape, scale in lives]
+        return np.asarray(np.stack(each))
     found = np.empty((count, len(parts)))
     block = max(_MOST_DRAWN // (20 * len(fleet.ages)), 1)
     for first in range(0, count, block):
