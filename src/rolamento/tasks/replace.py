@@ -55,13 +55,16 @@ class _Study:
     title: str
     notes: tuple[Note, ...]
 
-    def _plain(self, kind: str, found: Mapping[str, Any] | None) -> dict[str, Any]:
+    def _plain(
+        self, kind: str, found: RemainingLife | AgeReplacement | FleetForecast | None
+    ) -> dict[str, Any]:
+        lives = {"distribution": self.distribution.to_mapping()}
         return {
             "schema": SCHEMA,
             "kind": kind,
             "unit": self.distribution.unit,
             "title": self.title,
-            **({"distribution": self.distribution.to_mapping()} if found is None else found),
+            **(lives if found is None else found.to_mapping()),
             "study_notes": [note.to_mapping() for note in self.notes],
         }
 
@@ -75,7 +78,7 @@ class RemainingStudy(_Study):
     def to_mapping(self) -> dict[str, Any]:
         """Give it as plain values, in the unit that it names."""
         return self._plain(
-            "remaining_life", None if self.found is None else self.found.to_mapping()
+            "remaining_life", self.found
         )
 
 
@@ -92,7 +95,7 @@ class ReplacementStudy(_Study):
     def to_mapping(self) -> dict[str, Any]:
         """Give it as plain values, in the units that it names."""
         plain = self._plain(
-            "age_replacement", None if self.found is None else self.found.to_mapping()
+            "age_replacement", self.found
         )
         return {**plain, "currency": self.currency}
 
@@ -121,7 +124,7 @@ class FleetStudy(_Study):
         """Give it as plain values, in the unit that it names."""
         return {
             **self._plain(
-                "fleet_forecast", None if self.found is None else self.found.to_mapping()
+                "fleet_forecast", self.found
             ),
             "names": list(self.names),
             "from": None if self.begin is None else self.begin.isoformat(),

@@ -370,7 +370,8 @@ def fleet_forecast(
 
 def _failing(shape: float, scale: float, fleet: Fleet) -> FloatArray:
     """Probability that each bearing fails on the way ahead; (rows,)."""
-    return _chances(np.array([shape]), np.array([scale]), fleet.ages, fleet.ahead)[0]
+    chances = _chances(np.array([shape]), np.array([scale]), fleet.ages, fleet.ahead)
+    return np.asarray(chances[0])
 
 
 def _chances(
