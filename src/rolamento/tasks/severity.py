@@ -14,6 +14,7 @@ from typing import Any, Final, Unpack
 
 import numpy as np
 
+from rolamento._columns import folded_name
 from rolamento._json import csv_number
 from rolamento.errors import InputError
 from rolamento.numerics.growth import Forecast, Law, forecast
@@ -42,6 +43,8 @@ SCHEMA: Final = 1
 _MOST_SIGNALS: Final = 500
 _MOST_HOURS: Final = 1e9
 _MILLI: Final = 1e-3
+_SUPPORTS: Final = {"rigido": "rigid", "rigida": "rigid", "flexivel": "flexible"}
+"""As a Brazilian calls them."""
 _DAY: Final = 24.0
 """h."""
 
@@ -309,6 +312,8 @@ def severity_of(
     if not 0.0 < confidence < 1.0:
         rule = said("must be between 0 and 1, exclusive")
         raise InputError(rule, field="confidence", value=confidence, example="confidence=0.9")
+    if support is not None:
+        support = _SUPPORTS.get(folded_name(support), support)
     classes = classes_of(
         group=group, support=support, power=_power(power), machine_class=machine_class
     )
