@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from types import SimpleNamespace
 from typing import Any, Final
@@ -30,7 +30,7 @@ from rolamento.rows.row import Row
 from rolamento.rows.sphere import SphereRow
 from rolamento.words import said
 
-__all__ = ["Cases", "PlacedRow", "spread"]
+__all__ = ["Cases", "PlacedRow", "RowState", "spread"]
 
 _GEOMETRY: Final = (
     "ball_diameter",
@@ -50,12 +50,34 @@ OTHER_GROOVES: Final = {"four_point": four_point_row, "thrust": thrust_row}
 
 
 @dataclass(frozen=True, slots=True)
+class RowState:
+    """What one row of a set has of its own in many cases, as it runs.
+
+    Attributes
+    ----------
+    geometry
+        by field of `Bearing`; (cases,), SI, None for the rival of one that is given
+    press
+        how far the clamped rings press it in, e of `rolamento.assembly.ring`; (cases,), m; None
+        where the preload of the cases tells
+    """
+
+    geometry: Mapping[str, FloatArray | None]
+    press: FloatArray | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class PlacedRow:
-    """A row, the way it faces (+1 or -1), and where it is along x; (cases,), m."""
+    """A row, the way it faces (+1 or -1), and where it is along x; (cases,), m.
+
+    press: how far the clamped rings press it in, (cases,), m; None where the preload of the cases
+    tells.
+    """
 
     row: Row
     sign: float
     position: FloatArray
+    press: FloatArray | None = None
 
     @property
     def lever(self) -> FloatArray:
@@ -112,7 +134,8 @@ class Cases:
     def alone(self) -> BallRow | None:
         """The row of a plain ball bearing, whose ring is the bearing's; None of any other."""
         placed = self.rows[0]
-        plain = len(self.rows) == 1 and placed.sign > 0.0 and not np.any(placed.position != 0.0)
+        plain = len(self.rows) == 1 and placed.sign > 0.0 and placed.press is None
+        plain = plain and not np.any(placed.position != 0.0)
         return placed.row if plain and isinstance(placed.row, BallRow) else None
 
 
@@ -122,8 +145,11 @@ def spread(
     *,
     threads: int | None = None,
     fast: bool = True,
+    states: Sequence[RowState] | None = None,
 ) -> Cases:
     """Repeat a case over a batch, and put the fields in; threads, fast: how to solve them.
+
+    states: of the rows of a mounted set, one each.
 
     values: as `varied_arrays` takes them. A load frees its degree of freedom, a displacement holds
     it; an angle takes the place of a clearance, and the other way round. Cases whose values the
@@ -164,7 +190,7 @@ def spread(
     _check_own_fields(case.bearing, arrays)
     valid &= _consistent(common, held, case.bearing.ball_count, case.bearing.kind)
     placed = []
-    for place in case.bearing.ball_rows:
+    for index, place in enumerate(case.bearing.ball_rows):
         if case.bearing.kind == "self_aligning":
             placed.append(_on_sphere(case, place, common, arrays, cases, threads, fast))
             continue
@@ -174,11 +200,17 @@ def spread(
             placed.append(PlacedRow(grooved, place.sign, position))
             continue
         bearing = _varied(case.bearing, place.bearing, _own_fields(case.bearing, place), arrays)
+        varied = arrays
+        if states is not None:
+            own = states[index].geometry
+            bearing = SimpleNamespace(**{**vars(bearing), **own})
+            varied = {**arrays, **{f"bearing.{k}": v for k, v in own.items() if v is not None}}
         valid &= _consistent(bearing, {}, place.bearing.ball_count)
         row = ROWS[place.bearing.element](
-            case, place, bearing, arrays, cases, threads=threads, fast=fast
+            case, place, bearing, varied, cases, threads=threads, fast=fast
         )
-        placed.append(PlacedRow(row, place.sign, position))
+        press = _own_press(case, place, row, cases) if states is None else states[index].press
+        placed.append(PlacedRow(row, place.sign, position, press))
     for part in placed:
         part.row.refuse(~valid)
     friction, drag = _friction(case, arrays)
@@ -211,6 +243,14 @@ def _unheld(bearing: Bearing, row: Row, free: BoolArray, load: FloatArray) -> Bo
         acts = (load[:, 1:] != 0.0).any(axis=1) | row.driven
         unheld = free[:, 0] & ((load[:, 0] < 0.0) | ((load[:, 0] == 0.0) & acts))
     return unheld
+
+
+def _own_press(case: Case, place: RowPlace, row: Row, cases: int) -> FloatArray | None:
+    """How far the clamping presses in a row that has an offset of its own."""
+    if place.offset is None:
+        return None
+    from_touch = case.bearing.preload is not None
+    return place.offset + (row.first_contact() if from_touch else np.zeros(cases))
 
 
 def _on_sphere(

@@ -16,10 +16,11 @@ from typing import Any, Final
 import numpy as np
 
 from rolamento.assembly.cases import spread
+from rolamento.assembly.mounted import between_rows, mounted_cases
 from rolamento.assembly.solve import solve_cases
 from rolamento.case import Case
-from rolamento.case.arrangement import PRELOAD_KINDS
 from rolamento.case.duty import AXES, LOADS, Duty
+from rolamento.case.varied import varied_arrays
 from rolamento.clearance.batch import MOUNTED_FIELDS
 from rolamento.numerics import BoolArray, FloatArray, IntArray
 from rolamento.rows.ball.row import compiled_but_not_loaded
@@ -59,14 +60,13 @@ def preload_of(case: Case) -> Preloading | None:
     preload = case.bearing.preload
     if preload is None:
         return None
-    kind = next(name for name in PRELOAD_KINDS if getattr(preload, name) is not None)
     given = _Given(case, {}, 1)
     at_rest = float(_at(given, running=False)[0])
     at_speed = float(_at(given, running=True)[0]) if given.moving else at_rest
     given.load_kernels()
     first = _lost(given, np.minimum)
     whole = first if given.axial[0] else _lost(given, np.maximum)
-    return Preloading(kind, at_rest, at_speed, *_of_one(first), *_of_one(whole))
+    return Preloading(preload.kind, at_rest, at_speed, *_of_one(first), *_of_one(whole))
 
 
 def preload_at(solved: Solved, *, running: bool) -> FloatArray:
@@ -164,7 +164,7 @@ class _Given:
         """
         if self.moving and any(self.loads.values()) and compiled_but_not_loaded():
             twice = {"inner_speed": [self.case.duty.inner_speed] * 2}
-            solve_cases(spread(self.case, twice, threads=1))
+            _solved(self.case, varied_arrays(twice))
 
     def grips(self, factor: FloatArray, some: IntArray, shallowest: np.ufunc) -> FloatArray:
         """How far the rows' balls are pressed into the inner ring; a gap is negative.
@@ -192,11 +192,16 @@ class _Given:
 
 
 def _given_by(solved: Solved) -> _Given:
-    values = {name: array for name, array in solved.varied.items() if name not in MOUNTED_FIELDS}
+    values = dict(solved.varied)
+    if solved.case.mounting is None:
+        values = {name: array for name, array in values.items() if name not in MOUNTED_FIELDS}
     return _Given(solved.case, values, len(solved))
 
 
 def _solved(case: Case, values: Mapping[str, FloatArray]) -> Solved:
+    """Solve cases; those of a mounted set with the geometry that each of them runs with."""
+    if case.mounting is not None:
+        return solve_cases(mounted_cases(case, values, threads=1))
     return solve_cases(spread(case, values, threads=1))
 
 
@@ -210,10 +215,7 @@ def _at(given: _Given, *, running: bool) -> FloatArray:
         duty = duty.replace(inner_speed=own.inner_speed, outer_speed=own.outer_speed)
     if not values and given.cases > 1:  # the length has to come from somewhere
         values = {"duty.inner_speed": np.full(given.cases, duty.inner_speed)}
-    solved = _solved(given.case.replace(duty=duty), values)
-    axial = solved.rows.load[:, :, 0]
-    force = np.where(axial > 0.0, axial, 0.0).sum(axis=1)
-    return np.where(solved.converged, force, np.nan)
+    return between_rows(_solved(given.case.replace(duty=duty), values))
 
 
 def _of_one(found: Lost) -> tuple[float, int | None]:

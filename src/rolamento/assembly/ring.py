@@ -299,6 +299,9 @@ def pressed_in(cases: Cases) -> tuple[FloatArray, ...]:
     shares = {sign: sum(placed.sign == sign for placed in cases.rows) for sign in (1.0, -1.0)}
     press = []
     for placed in cases.rows:
+        if placed.press is not None:
+            press.append(placed.press)
+            continue
         touch = placed.row.first_contact()
         if cases.preload == "offset":
             press.append(touch + cases.preload_value)

@@ -575,6 +575,14 @@ class Bearing(Record):
                 field="preload",
                 example='arrangement = "DB"',
             )
+        own = [index for index, place in enumerate(self.places) if place.offset is not None]
+        clamped = self.preload is not None and self.preload.offset is None
+        if own and clamped and self.preload is not None and self.preload.spring is None:
+            raise InputError(
+                said("cannot be combined with a preload given by its force: the row has its own"),
+                field=f"rows.{own[0]}.offset",
+                example='preload = { offset = "5 um" }',
+            )
         if self.preload is not None:
             try:
                 self.preload.pair_force(self.contact_angle)
@@ -640,12 +648,16 @@ def clearance_fits(clearance: Any, groove_distance: Any, closed: Any = 1.0) -> A
 
 
 class RowPlace(NamedTuple):
-    """One row of a bearing: its geometry, +1 or -1 for the way it faces, its place."""
+    """One row of a bearing: its geometry, +1 or -1 for the way it faces, its place.
+
+    offset: how far it alone is pressed in; None where the preload says.
+    """
 
     bearing: Bearing
     sign: float
     position: float
     phase: float
+    offset: float | None = None
 
 
 @lru_cache(maxsize=1024)
@@ -671,7 +683,7 @@ def _places(bearing: Bearing) -> tuple[RowPlace, ...]:
         except InputError as error:
             raise error.with_details(field=f"rows.{index}.{error.field}") from None
         sign = 1.0 if row.orientation == "+" else -1.0
-        places.append(RowPlace(alone, sign, row.position, row.phase))
+        places.append(RowPlace(alone, sign, row.position, row.phase, row.offset))
     return tuple(places)
 
 

@@ -184,7 +184,7 @@ class Case(Record):
     def _warm_parts_are_mounted(self) -> Self:
         """Temperatures of the seats act on the clearance by way of the mounting alone."""
         if self.mounting is None and self.temperature is not None:
-            for part in ("shaft", "housing"):
+            for part in ("shaft", "housing", "inner_spacer", "outer_spacer"):
                 warm = getattr(self.temperature, part)
                 if warm is not None:
                     raise InputError(
@@ -225,6 +225,35 @@ class Case(Record):
                 value=model.cage,
                 example='cage = "loose"',
             )
+        return self
+
+    @model_validator(mode="after")
+    def _mounting_is_of_plain_rows(self) -> Self:
+        """What fits do to the play of other grooves is not modelled."""
+        if self.mounting is not None and self.bearing.kind is not None:
+            raise InputError(
+                said("is not available for bearings of kind {kind}", kind=self.bearing.kind),
+                field="mounting",
+                example="[bearing] with diametral_clearance or contact_angle as it runs",
+            )
+        return self
+
+    @model_validator(mode="after")
+    def _spacers_are_of_sets(self) -> Self:
+        """What lies between rows has no effect on a bearing of one."""
+        if self.bearing.is_set:
+            return self
+        for table, names in (
+            ("temperature", ("inner_spacer", "outer_spacer")),
+            ("mounting", ("width", "inner_spacer_material", "outer_spacer_material")),
+        ):
+            for name in names:
+                if getattr(getattr(self, table), name, None) is not None:
+                    raise InputError(
+                        said("is for sets of rows only: it acts along their spacing"),
+                        field=f"{table}.{name}",
+                        example='bearing.arrangement = "DB"',
+                    )
         return self
 
     @model_validator(mode="after")

@@ -152,12 +152,15 @@ class CaseReport:
 
     @cached_property
     def clearance(self) -> Any:
-        """The chain of clearances (`OperatingClearance`) of a mounted bearing; else None."""
+        """The chain of clearances (`OperatingClearance`) of a mounted bearing; else None.
+
+        Of a set that of its first row.
+        """
         if self.case.mounting is None:
             return None
-        from rolamento.clearance import clearance_of_case
+        from rolamento.tasks.clearance import mounted_clearance
 
-        return clearance_of_case(self.case)
+        return mounted_clearance(self.case).rows[0]
 
     @cached_property
     def checksum(self) -> str:
