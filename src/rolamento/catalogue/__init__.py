@@ -25,6 +25,7 @@ from rolamento.catalogue.inference import (
     practice_of,
 )
 from rolamento.catalogue.records import CatalogueBearing
+from rolamento.catalogue.rolling import RollingBearing, rolling_bearings
 from rolamento.catalogue.search import Catalogue, Found, catalogue
 
 __all__ = [
@@ -38,6 +39,7 @@ __all__ = [
     "InternalGeometry",
     "Origin",
     "Practice",
+    "RollingBearing",
     "ambiguity_axis",
     "ball_name",
     "ball_sizes",
@@ -47,4 +49,5 @@ __all__ = [
     "inferred_geometry",
     "parse_designation",
     "practice_of",
+    "rolling_bearings",
 ]
