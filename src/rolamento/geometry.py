@@ -130,13 +130,16 @@ def groove_centre_distance(
     return np.asarray(ball_diameter) * total_curvature(inner_conformity, outer_conformity)
 
 
-def free_contact_angle(diametral_clearance: ArrayLike, centre_distance: ArrayLike) -> FloatArray:
-    """Contact angle of an axially taken-up, unloaded ring: cos α = 1 - P_d / (2 BD).
+def free_contact_angle(
+    diametral_clearance: ArrayLike, centre_distance: ArrayLike, shim_angle: ArrayLike = 0.0
+) -> FloatArray:
+    """Contact angle of an axially taken-up, unloaded ring: cos α = cos α_s - P_d / (2 BD).
 
     Parameters
     ----------
     diametral_clearance : array, P_d; m. Negative for interference, whose angle is 0.
     centre_distance : array that broadcasts with it, BD; m.
+    shim_angle : array, α_s of a four-point bearing, 0 of one groove a ring; rad.
 
     Returns
     -------
@@ -145,7 +148,8 @@ def free_contact_angle(diametral_clearance: ArrayLike, centre_distance: ArrayLik
     Harris (1991), chapter 2, as a half-angle so that small clearances keep their precision.
     """
     clearance = np.asarray(diametral_clearance, dtype=np.float64)
-    half_sine_squared = np.maximum(clearance / (4.0 * np.asarray(centre_distance)), 0.0)
+    closed = np.sin(0.5 * np.asarray(shim_angle, dtype=np.float64)) ** 2
+    half_sine_squared = np.maximum(closed + clearance / (4.0 * np.asarray(centre_distance)), 0.0)
     half_sine_squared = np.where(half_sine_squared <= 0.5, half_sine_squared, np.nan)
     return 2.0 * np.arcsin(np.sqrt(half_sine_squared))
 
@@ -160,6 +164,19 @@ def clearance_of_angle(contact_angle: ArrayLike, centre_distance: ArrayLike) -> 
     return np.asarray(4.0 * np.asarray(centre_distance) * half_sine**2)
 
 
+def sphere_conformity(
+    ball_diameter: ArrayLike, pitch_diameter: ArrayLike, tangent: ArrayLike
+) -> FloatArray:
+    """Radius of a self-aligning bearing's outer race over the ball diameter, d_m/(2 D cos α) + ½.
+
+    Parameters: arrays that broadcast; m, m, and tan α = distance of the rows over d_m. Returns the
+    broadcast shape. The sphere's centre, the bearing's, is where the outer groove centre of every
+    ball of both rows lies: L_o = (f_o - ½) D = d_m / (2 cos α).
+    """
+    slope = np.sqrt(1.0 + np.asarray(tangent, dtype=np.float64) ** 2)
+    return np.asarray(0.5 * np.asarray(pitch_diameter) / np.asarray(ball_diameter) * slope + 0.5)
+
+
 def race_curvature(
     ball_diameter: ArrayLike,
     pitch_diameter: ArrayLike,
@@ -170,7 +187,8 @@ def race_curvature(
     """Curvatures of the contact of a ball with one race, at any (loaded) contact angle.
 
     With γ = D cos α / d_m: in the rolling direction 2/D · 1/(1 - γ) at the inner race and
-    2/D · 1/(1 + γ) at the outer; across it 2/D - 1/(f D) at both.
+    2/D · 1/(1 + γ) at the outer; across it 2/D - 1/(f D) at both. An outer race of a conformity
+    above 1 is no groove: it is the sphere of a self-aligning bearing, of one radius both ways.
 
     Parameters
     ----------
@@ -190,6 +208,8 @@ def race_curvature(
     sign = -1.0 if race == "inner" else 1.0
     rolling = 2.0 / d / (1.0 + sign * gamma)
     across = (2.0 - 1.0 / np.asarray(conformity)) / d
+    if race == "outer":
+        rolling = np.where(np.greater(conformity, 1.0), across, rolling)
     rolling, across = np.broadcast_arrays(rolling, across)
     return RaceCurvature(rolling, across)
 
@@ -247,12 +267,14 @@ def groove_places(
     *,
     contact_angle: ArrayLike | None = None,
     diametral_clearance: ArrayLike | None = None,
+    shim_angle: ArrayLike | None = None,
 ) -> GroovePlaces:
     """Groove lengths, offsets of the groove centres, and the circle of the inner ones; m.
 
     Parameters: arrays that broadcast; m, rad. Without a contact angle the bearing is given by
-    its clearance, and centred. Returns arrays of the broadcast shape; NaN where no contact angle
-    takes up the clearance. Harris (1991), chapter 2; Radaelli (2013) eqs. 22, 65, 66, 81.
+    its clearance, and centred; so is a four-point bearing, which has a shim angle and either.
+    Returns arrays of the broadcast shape; NaN where no contact angle takes up the clearance.
+    Harris (1991), chapter 2; Radaelli (2013) eqs. 22, 65, 66, 81.
     """
     diameter = np.asarray(ball_diameter, dtype=np.float64)
     inner = (np.asarray(inner_conformity) - 0.5) * diameter
@@ -261,11 +283,13 @@ def groove_places(
     if contact_angle is not None:
         angle = np.asarray(contact_angle, dtype=np.float64)
         axial, radial = distance * np.sin(angle), distance * np.cos(angle)
+        axial = axial if shim_angle is None else 0.0 * axial
     else:
         assert diametral_clearance is not None
+        closed = 0.0 if shim_angle is None else shim_angle
         clearance = np.asarray(diametral_clearance, dtype=np.float64)
-        angle = free_contact_angle(clearance, distance)
-        axial, radial = 0.0 * distance, distance - 0.5 * clearance
+        angle = free_contact_angle(clearance, distance, closed)
+        axial, radial = 0.0 * distance, distance * np.cos(closed) - 0.5 * clearance
     radius = 0.5 * np.asarray(pitch_diameter) + inner * np.cos(angle)
     return GroovePlaces(*np.broadcast_arrays(inner, outer, axial, radial, radius))
 
@@ -274,7 +298,8 @@ def edge_cosine(bearing: Any, race: Race) -> FloatArray:
     """Cosine of the angle at which a groove ends: that of its shoulder, or 0.
 
     cos α = 1 - h / (f D) of a shoulder of height h. A groove without a given height is taken as
-    a half circle, so that a contact may lie anywhere below 90°.
+    a half circle, so that a contact may lie anywhere below 90°. The angle counts from the deepest
+    point: of a thrust bearing from the free contact angle, else from the radial plane.
     """
     radius = getattr(bearing, f"{race}_conformity") * bearing.ball_diameter
     height = getattr(bearing, f"{race}_shoulder_height")
@@ -286,8 +311,8 @@ def _angle_and_clearance(bearing: BearingGeometry, distance: float) -> tuple[flo
     if (angle is None) == (clearance is None):
         raise ValueError("give either contact_angle or diametral_clearance of the bearing")
     if angle is not None:
-        if not 0.0 <= angle < 0.5 * pi:
-            raise ValueError(f"contact_angle must lie in [0, 90°), got {angle!r} rad")
+        if not 0.0 <= angle <= 0.5 * pi:
+            raise ValueError(f"contact_angle must lie in [0, 90°], got {angle!r} rad")
         return angle, float(clearance_of_angle(angle, distance))
     assert clearance is not None
     if not clearance < 2.0 * distance:

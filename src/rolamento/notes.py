@@ -15,12 +15,14 @@ from numpy.typing import NDArray
 
 from rolamento.case import Case
 from rolamento.case.duty import AXES, LOADS
-from rolamento.catalogue import built_in_geometry
 from rolamento.geometry import Race, edge_cosine, ring_geometry
 from rolamento.kinematics import (
     RacewayControl,
+    ball_mass,
+    centrifugal_force,
     friction_demand,
     jones_control,
+    nominal_orbit,
     spin_resistance,
 )
 from rolamento.numerics import BoolArray
@@ -52,6 +54,9 @@ SPEED_LIMIT: Final = 3.0 * _MILLION
 """n d_m of the fastest hybrid spindle bearings."""
 TILT_LIMIT: Final = radians(1.0)
 """rad: the equations take tilts as small; at 1 degree that costs up to 2 % of BD."""
+SPHERE_TILT_LIMIT: Final = radians(2.5)
+"""rad: what makers permit of most self-aligning ball bearings, 1.5° to 3° by series (general
+knowledge, no page at hand)."""
 FRICTION_LIMIT: Final = 0.1
 """Coefficient of friction above which a lubricated contact will hardly hold the ball."""
 SPINNING_ANGLE: Final = radians(0.1)
@@ -74,7 +79,8 @@ def notes_on(solved: Solved) -> tuple[Note, ...]:
         return ()
     checks = (
         _lost_rows, _lost_contacts, _pressures, _past_edge, _shoulders, _speeds, _tilts,
-        _free_directions, _control, _gyroscopic_slip, _rolling, _estimated_geometry, _nearly_lost,
+        _free_directions, _free_tilt, _control, _gyroscopic_slip, _gyroscopic_left_out, _arches,
+        _rolling, _estimated_geometry, _nearly_lost,
     )  # fmt: skip
     return tuple(note for check in checks for note in check(solved))
 
@@ -92,6 +98,8 @@ def jones_verdict(solved: Solved) -> NDArray[np.int64]:
 
 def _lost_rows(solved: Solved) -> Iterator[Note]:
     """Rows of a set that the inner ring does not touch at all."""
+    if solved.case.bearing.kind == "four_point":
+        return  # one pair of arcs is all that an axial load needs
     loaded = solved.loaded_elements[0]
     lost = np.flatnonzero(loaded == 0).tolist()
     if lost and len(lost) < len(loaded):
@@ -105,8 +113,11 @@ def _lost_contacts(solved: Solved) -> Iterator[Note]:
     if free.all():
         yield Note("no_ball_loaded")
         return
-    # rows that the ring does not touch at all have a note of their own
-    free &= solved.loaded_elements[0, solved.elements.row] > 0
+    if solved.case.bearing.kind == "four_point":  # both rows of contacts are of the same balls
+        free = np.tile(free.reshape(2, -1).all(axis=0), 2)
+        free[len(free) // 2 :] = False
+    else:  # rows that the ring does not touch at all have a note of their own
+        free &= solved.loaded_elements[0, solved.elements.row] > 0
     if free.any():
         pressed = bool((solved.outer.load[0, free] > 0.0).any())
         model = solved.case.model
@@ -150,7 +161,10 @@ def _shoulders(solved: Solved) -> Iterator[Note]:
     row = solved.elements.row
     for race, contacts in solved.contacts.items():
         ends = np.array([acos(float(edge_cosine(bearing, race))) for bearing in bearings])[row]
-        reach = np.abs(contacts.contact_angle) + contacts.semi_major / (
+        if race == "outer" and solved.case.bearing.kind == "self_aligning":
+            continue  # a sphere has no shoulder
+        bottom = _bottom(solved)
+        reach = np.abs(contacts.contact_angle - bottom) + contacts.semi_major / (
             contacts.conformity * contacts.ball_diameter
         )
         reach = np.where(contacts.load == 0.0, 0.0, reach)[0]
@@ -170,6 +184,30 @@ def _shoulders(solved: Solved) -> Iterator[Note]:
             )
 
 
+def _bottom(solved: Solved) -> float:
+    """The contact angle (rad) of the grooves' deepest point, from which their shoulders count."""
+    bearing = solved.case.bearing
+    return bearing.row_angle if bearing.kind == "thrust" else 0.0
+
+
+def _arches(solved: Solved) -> Iterator[Note]:
+    """Contact ellipses of a four-point bearing that run over the middle of their arch."""
+    bearing = solved.case.bearing
+    if bearing.kind != "four_point":
+        return
+    shim = solved.field("bearing.shim_angle")[0]
+    for race, contacts in solved.contacts.items():
+        radius = contacts.conformity * contacts.ball_diameter
+        middle = np.arcsin((1.0 - 0.5 / contacts.conformity) * np.sin(shim))
+        reach = (contacts.contact_angle - contacts.semi_major / radius)[0]
+        over = (contacts.load[0] > 0.0) & (reach < middle[0])
+        if over.any():
+            yield Note(
+                "ellipse_over_arch",
+                {"race": race, "reach": float(reach[over].min()), **_balls(solved, over)},
+            )
+
+
 def _speeds(solved: Solved) -> Iterator[Note]:
     product = _speed_factor(solved)
     if product > SPEED_LIMIT:
@@ -184,6 +222,10 @@ def _speed_factor(solved: Solved) -> float:
 
 def _tilts(solved: Solved) -> Iterator[Note]:
     worst = max(abs(float(solved.displacement.ry[0])), abs(float(solved.displacement.rz[0])))
+    if solved.case.bearing.kind == "self_aligning":
+        if worst > SPHERE_TILT_LIMIT:
+            yield Note("tilt_beyond_self_aligning", {"tilt": worst, "limit": SPHERE_TILT_LIMIT})
+        return
     if worst > TILT_LIMIT:
         yield Note("tilt_large", {"tilt": worst, "limit": TILT_LIMIT})
 
@@ -193,6 +235,8 @@ def _free_directions(solved: Solved) -> Iterator[Note]:
     if not solved.load.array.any():
         return  # nothing is held, and _lost_contacts says so
     free = _free(solved)
+    if solved.case.bearing.kind == "self_aligning":
+        free[3:] = False  # see _free_tilt
     arm = 0.5 * float(solved.rows.pitch_diameter[0, 0])
     arms = np.array([1.0, 1.0, 1.0, arm, arm])
     scaled = solved.stiffness.array[0] / np.outer(arms, arms)
@@ -201,6 +245,12 @@ def _free_directions(solved: Solved) -> Iterator[Note]:
     for value, vector in zip(values, vectors.T, strict=True):
         if value <= FREE_STIFFNESS * np.abs(scaled).max():
             yield Note("direction_unsupported", {"axis": names[int(np.abs(vector).argmax())]})
+
+
+def _free_tilt(solved: Solved) -> Iterator[Note]:
+    """The tilt of a self-aligning bearing that is not given: nothing determines it."""
+    if solved.case.bearing.kind == "self_aligning" and _free(solved)[3:].any():
+        yield Note("tilt_undetermined")
 
 
 def _free(solved: Solved) -> BoolArray:
@@ -215,7 +265,7 @@ def _free(solved: Solved) -> BoolArray:
 def _control(solved: Solved) -> Iterator[Note]:
     """Where Jones's criterion does not confirm the assumed raceway control."""
     assumed = solved.case.model.raceway_control
-    if assumed in ("none", "friction") or not _turns(solved):
+    if assumed in ("none", "friction") or not _turns(solved) or _with_the_cage(solved):
         return
     if assumed == "jones":
         undecided = solved.elements.raceway_control[0] == RacewayControl.INDETERMINATE
@@ -232,7 +282,7 @@ def _control(solved: Solved) -> Iterator[Note]:
 def _gyroscopic_slip(solved: Solved) -> Iterator[Note]:
     """Balls whose gyroscopic moment needs more friction than a lubricated contact gives."""
     mode = solved.case.model.raceway_control
-    if mode == "friction":
+    if mode == "friction" or _with_the_cage(solved):
         return
     inner, outer, moment = solved.inner, solved.outer, solved.elements.gyroscopic_moment
     if mode == "none":  # both races share it
@@ -253,6 +303,36 @@ def _gyroscopic_slip(solved: Solved) -> Iterator[Note]:
                 **_balls(solved, slipping),
             },
         )
+
+
+def _with_the_cage(solved: Solved) -> bool:
+    """Whether the balls are balanced without their gyroscopic moment: see `rows.grooves`."""
+    return solved.case.bearing.kind in ("four_point", "thrust")
+
+
+def _gyroscopic_left_out(solved: Solved) -> Iterator[Note]:
+    """The size of the moment that no balance of these balls holds, and the friction it takes."""
+    if not _with_the_cage(solved) or not _turns(solved):
+        return
+    moment = np.abs(solved.elements.gyroscopic_moment[0])
+    if not moment.any():
+        return
+    inner, outer = solved.inner, solved.outer
+    load = (inner.load + outer.load)[0]
+    faces = len(solved.rows)
+    load, moment = (part.reshape(faces, -1).sum(axis=0) for part in (load, moment))
+    diameter = inner.ball_diameter[0, : len(load)]
+    # all contacts of the ball together hold it
+    needed = friction_demand(moment, diameter, load, 2.0)
+    greatest = float(needed.max())
+    yield Note(
+        "gyroscopic_moment_left_out",
+        {
+            "moment": float(moment.max()),
+            "friction_coefficient": greatest if isfinite(greatest) else None,
+            "limit": FRICTION_LIMIT,
+        },
+    )
 
 
 def _rolling(solved: Solved) -> Iterator[Note]:
@@ -289,10 +369,10 @@ def _rolling(solved: Solved) -> Iterator[Note]:
 def _estimated_geometry(solved: Solved) -> Iterator[Note]:
     """An internal geometry that stands in for one that the catalogue does not have."""
     bearing = solved.case.bearing
-    if bearing.designation is None or "inferred" not in bearing.origins.values():
+    name, told = bearing.designation, bearing.told
+    if told is None or "inferred" not in bearing.origins.values():
         return
-    name = bearing.designation
-    alike = sum(one.reproduces for one in built_in_geometry(name).candidates)
+    alike = sum(one.reproduces for one in told.candidates)
     if alike > 1:
         yield Note("geometry_estimated", {"designation": name, "count": alike})
     else:
@@ -344,6 +424,8 @@ def advice_on(solved: Solved, case: int = 0) -> Note | None:
         return Note("overloaded", {"limit": _GREATEST_APPROACH})
     if code == INVALID_INPUT:
         return Note("invalid_input")
+    if code == OVER_SHOULDER and given.bearing.kind == "thrust":
+        return _out_of_the_washers(solved[case])
     if code == OVER_SHOULDER:
         return Note(
             "over_shoulder",
@@ -369,9 +451,47 @@ def _edge(case: Case, race: Race) -> float:
     return min(acos(float(edge_cosine(place.bearing, race))) for place in case.bearing.places)
 
 
+def _out_of_the_washers(solved: Solved) -> Note:
+    """Advice where balls climb out of a thrust bearing's grooves, and the load that keeps them.
+
+    With α_i = π - α_o, F_c = 2 Q cos α_o and F_a = Z Q sin α_o: at the edge of the outer groove
+    F_a = ½ Z F_c tan α_o.
+    """
+    rows = solved.rows
+    bearing = solved.case.bearing
+    deepest = bearing.row_angle
+    lowest = max(deepest - _edge(solved.case, "outer"), radians(0.1))
+    orbit = nominal_orbit(
+        float(rows.ball_diameter[0, 0] / rows.pitch_diameter[0, 0]) * np.cos(deepest),
+        *(float(solved.field(f"duty.{race}_speed")[0]) for race in ("inner", "outer")),
+    )
+    mass = ball_mass(rows.ball_diameter[0, 0], bearing.ball_material.density)
+    force = float(centrifugal_force(mass, rows.pitch_diameter[0, 0], orbit))
+    if not solved.case.model.centrifugal_force:
+        force = 0.0
+    least = 0.5 * bearing.ball_count * force * float(np.tan(lowest))
+    return Note(
+        "thrust_over_shoulder",
+        {
+            "inner_edge": _edge(solved.case, "inner"),
+            "outer_edge": _edge(solved.case, "outer"),
+            "centrifugal_force": force,
+            "least_load": least if force > 0.0 else None,
+        },
+    )
+
+
 def _no_equilibrium(case: Case, axis: int, axial_load: float) -> Note:
     """Name the direction that nothing supports, and what would."""
     bearing = case.bearing
+    if bearing.kind == "thrust":
+        return Note(
+            "thrust_unsupported" if axis == 0 else "thrust_pushed_aside", {"axis": AXES[axis]}
+        )
+    if bearing.kind == "self_aligning" and axis > 2:
+        return Note("sphere_holds_no_moment", {"axis": AXES[axis]})
+    if bearing.kind is not None:
+        return Note("unsupported", {"axis": AXES[axis]})
     one_sided = [ring_geometry(place.bearing).one_sided for place in bearing.places]
     if bearing.is_set and all(one_sided) and axis == 0:
         return _set_without_equilibrium(case, axial_load)

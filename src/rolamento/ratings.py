@@ -1,8 +1,13 @@
 """Basic load ratings of ball bearings by their internal geometry: ISO 281 and ISO 76.
 
-The standards give factors in a table; both tables have a closed form behind them, which also
+The standards give factors in a table; all tables have a closed form behind them, which also
 tells what other grooves would be worth. All functions take numbers or arrays that broadcast,
 in SI, and give NaN where the standard gives no number.
+
+Radial bearings with grooved rings, one row or several, are rated by the printed tables; four-point
+contact and double-row angular-contact bearings among them. Self-aligning bearings, whose outer race
+is a sphere about the bearing's centre, and thrust bearings, which are rated for axial load, have
+factors by the closed form: it gives the numbers of their tables to half of the last digit.
 
 Sources: ISO 281:2007; ISO 76:2006; Lundberg and Palmgren (1947). The tables are in
 data/iso_ratings.toml.
@@ -11,7 +16,7 @@ data/iso_ratings.toml.
 from __future__ import annotations
 
 from functools import lru_cache
-from typing import Final
+from typing import Final, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -23,13 +28,22 @@ from rolamento.numerics.elliptic import complete
 
 __all__ = [
     "MAXIMUM_GAMMA",
+    "SELF_ALIGNING_CONFORMITY",
+    "THRUST_CONFORMITY",
+    "RatedType",
     "dynamic_factor",
     "dynamic_factor_of_grooves",
     "dynamic_rating",
     "static_factor",
     "static_factor_of_grooves",
     "static_rating",
+    "thrust_dynamic_factor",
+    "thrust_static_factor",
 ]
+
+RatedType = Literal["radial", "self_aligning", "thrust"]
+"""What the standards rate by one formula: radial bearings with grooves in both rings, self-aligning
+ones, and thrust bearings (their C and C_0 are axial)."""
 
 MAXIMUM_GAMMA: Final = 0.40
 """The maximum D cos α / d_m of the standards' tables."""
@@ -37,36 +51,115 @@ MAXIMUM_GAMMA: Final = 0.40
 _LARGE_BALL: Final = 25.4
 """Ball diameter in mm above which the dynamic rating grows with D^1.4 (ISO 281)."""
 _LARGE_BALL_FACTOR: Final = 3.647
-_DYNAMIC: Final = 98.0665 * 0.41 * 0.95
-"""Leading constant of f_c in N and mm: Lundberg and Palmgren's 10 kgf, their inner race's 0.41, and
-the reduction factor of radial ball bearings."""
+_LUNDBERG_PALMGREN: Final = 98.0665
+"""10 kgf, in N and mm: ball load of a million revolutions."""
+_DYNAMIC: Final = _LUNDBERG_PALMGREN * 0.41 * 0.95
+"""Leading constant of f_c in N and mm: Lundberg and Palmgren's, 0.41 of the load's share over the
+balls, and the reduction factor of radial ball bearings."""
+_DYNAMIC_SELF_ALIGNING: Final = _LUNDBERG_PALMGREN * 0.41
+"""The reduction factor of self-aligning bearings is 1."""
+_DYNAMIC_THRUST: Final = _LUNDBERG_PALMGREN * 0.9
+"""All balls share an axial load; reduction factor 0.9."""
+_UNEVEN: Final = 1.0 / 3.0
+"""1 - sin α/3: what thrust bearings lose by their balls' not sharing the load evenly."""
+SELF_ALIGNING_CONFORMITY: Final = 0.53
+"""f_i behind the tables of self-aligning bearings."""
+THRUST_CONFORMITY: Final = 0.535
+"""Of both grooves, behind the table of ISO 281 for thrust bearings."""
+_THRUST_STATIC_CONFORMITY: Final = 0.54
+"""Likewise of ISO 76."""
 _PRESSURE: Final = 4200.0
-"""MPa at the heaviest ball under the static rating (ISO 76, radial ball bearings)."""
+"""MPa at the heaviest ball under the static rating (ISO 76, ball bearings but self-aligning)."""
+_PRESSURE_SELF_ALIGNING: Final = 4600.0
+_RIGHT: Final = np.pi / 2
 _YOUNGS_MODULUS: Final = 207e3
 _POISSON_RATIO: Final = 0.3
 _HALVINGS: Final = 60
+_TINY: Final = 1e-9
 
 
-def dynamic_factor(gamma: ArrayLike) -> FloatArray:
+def dynamic_factor(gamma: ArrayLike, kind: RatedType = "radial") -> FloatArray:
     """Return f_c of ISO 281, interpolated in its table (N and mm, without b_m).
 
     Parameters
     ----------
     gamma
         D cos α / d_m, 0.01 to 0.40; NaN outside.
+    kind
+        ``"radial"``, or ``"self_aligning"`` by the closed form; for thrust bearings, whose f_c
+        depends on the angle too, see `thrust_dynamic_factor`.
     """
-    return _interpolated("dynamic", gamma)
+    if kind == "radial":
+        return _interpolated("dynamic", gamma)
+    g = _within(gamma, 0.01, MAXIMUM_GAMMA)
+    inner = SELF_ALIGNING_CONFORMITY
+    return _dynamic_by_grooves(_DYNAMIC_SELF_ALIGNING, g, inner, _sphere(g), 1.04)
 
 
-def static_factor(gamma: ArrayLike) -> FloatArray:
+def static_factor(gamma: ArrayLike, kind: RatedType = "radial") -> FloatArray:
     """Return f_0 of ISO 76, interpolated in its table, in N/mm².
 
     Parameters
     ----------
     gamma
         D cos α / d_m, 0 to 0.40; NaN outside.
+    kind
+        ``"radial"``; ``"self_aligning"`` or ``"thrust"`` by the closed form.
     """
-    return _interpolated("static", gamma)
+    if kind == "radial":
+        return _interpolated("static", gamma)
+    if kind == "thrust":
+        return thrust_static_factor(gamma)
+    g = _within(gamma, 0.0, MAXIMUM_GAMMA)
+    inner = _load_at_pressure(
+        1.0 + g / (1.0 - g), np.full(np.shape(g), SELF_ALIGNING_CONFORMITY), _PRESSURE_SELF_ALIGNING
+    )
+    sphere = _sphere(np.maximum(g, _TINY))
+    outer = _load_at_pressure(1.0 - g / (1.0 + g), sphere, _PRESSURE_SELF_ALIGNING)
+    return np.asarray(np.minimum(inner, outer) / 5.0)
+
+
+def thrust_dynamic_factor(
+    ratio: ArrayLike, contact_angle: ArrayLike, conformity: ArrayLike = THRUST_CONFORMITY
+) -> FloatArray:
+    """Return f_c (cos α)^0.7 tan α of a thrust bearing, at 90° its f_c (N and mm, without b_m).
+
+    The product is what stands in C_a, and goes over into f_c of 90° without a step.
+
+    Parameters
+    ----------
+    ratio
+        D / d_m, 0.01 to 0.40; NaN outside.
+    contact_angle
+        α, in rad, up to 90°.
+    conformity
+        Of both grooves, above 0.5; 0.535 gives the numbers of the tables.
+
+    Lundberg and Palmgren (1947), as in ISO/TR 1281-1; ISO 281:2007, table 4: 90°, 75°, 60° and 45°.
+    """
+    size = _within(ratio, 0.01, MAXIMUM_GAMMA)
+    angle = numbers(contact_angle, "contact_angle")
+    g = size * np.where(angle >= _RIGHT, 0.0, np.cos(angle))
+    f = _open_groove(conformity, "conformity")
+    uneven = 1.0 - _UNEVEN * np.sin(angle)
+    races = _races(g, 1.0) * size**0.3 * np.sin(angle)
+    return np.asarray(_DYNAMIC_THRUST * uneven * races * (2.0 * f / (2.0 * f - 1.0)) ** 0.41)
+
+
+def thrust_static_factor(gamma: ArrayLike) -> FloatArray:
+    """Return f_0 of thrust bearings by Hertz, in N/mm².
+
+    Parameters
+    ----------
+    gamma
+        D cos α / d_m, 0 (90°) to 0.40; NaN outside.
+
+    ISO 76:2006, 5.2, with C_0a = f_0 Z D² sin α: the ball presses its inner groove of 0.54 with
+    4200 MPa.
+    """
+    g = _within(gamma, 0.0, MAXIMUM_GAMMA)
+    groove = np.full(np.shape(g), _THRUST_STATIC_CONFORMITY)
+    return _load_at_pressure(1.0 + g / (1.0 - g), groove, _PRESSURE)
 
 
 def dynamic_factor_of_grooves(
@@ -91,11 +184,7 @@ def dynamic_factor_of_grooves(
         _open_groove(inner_conformity, "inner_conformity"),
         _open_groove(outer_conformity, "outer_conformity"),
     )
-    grooves = (f_i / f_o * (2.0 * f_o - 1.0) / (2.0 * f_i - 1.0)) ** 0.41
-    ratio = 1.04 * ((1.0 - g) / (1.0 + g)) ** 1.72 * grooves
-    shared = (1.0 + ratio ** (10.0 / 3.0)) ** -0.3
-    size = g**0.3 * (1.0 - g) ** 1.39 / (1.0 + g) ** (1.0 / 3.0)
-    return np.asarray(_DYNAMIC * shared * size * (2.0 * f_i / (2.0 * f_i - 1.0)) ** 0.41)
+    return _dynamic_by_grooves(_DYNAMIC, g, f_i, f_o, 1.04)
 
 
 def static_factor_of_grooves(
@@ -117,10 +206,10 @@ def static_factor_of_grooves(
     """
     g = _nan_outside(gamma, "gamma", 0.0, 1.0)
     inner = _load_at_pressure(
-        1.0 + g / (1.0 - g), _open_groove(inner_conformity, "inner_conformity")
+        1.0 + g / (1.0 - g), _open_groove(inner_conformity, "inner_conformity"), _PRESSURE
     )
     outer = _load_at_pressure(
-        1.0 - g / (1.0 + g), _open_groove(outer_conformity, "outer_conformity")
+        1.0 - g / (1.0 + g), _open_groove(outer_conformity, "outer_conformity"), _PRESSURE
     )
     return np.asarray(np.minimum(inner, outer) / 5.0)
 
@@ -131,10 +220,11 @@ def dynamic_rating(
     pitch_diameter: ArrayLike,
     contact_angle: ArrayLike = 0.0,
     *,
+    kind: RatedType = "radial",
     rows: ArrayLike = 1,
     factor: ArrayLike | None = None,
 ) -> FloatArray:
-    """Return the basic dynamic radial load rating C_r, in N.
+    """Return the basic dynamic load rating in N: C_r, of thrust bearings the axial C_a.
 
     Parameters
     ----------
@@ -146,21 +236,31 @@ def dynamic_rating(
         d_m, in m.
     contact_angle
         α, nominal, in rad.
+    kind
+        What the bearing is rated as.
     rows
-        i.
+        i, of radial bearings.
     factor
-        f_c to take instead of the table's, such as that of `dynamic_factor_of_grooves`.
+        f_c to take instead of the table's, such as that of `dynamic_factor_of_grooves`; of thrust
+        bearings f_c (cos α)^0.7 tan α, as of `thrust_dynamic_factor`.
 
     ISO 281:2007, equations 1 and 2: b_m f_c (i cos α)^0.7 Z^(2/3) D^1.8, and above 25.4 mm
-    3.647 D^1.4 in the place of D^1.8.
+    3.647 D^1.4 in the place of D^1.8. Thrust bearings, equations 5 to 8: b_m f_c (cos α)^0.7 tan α
+    Z^(2/3) D^1.8, at 90° b_m f_c Z^(2/3) D^1.8, likewise.
     """
     d = 1e3 * numbers(ball_diameter, "ball_diameter")
-    cosine = np.cos(numbers(contact_angle, "contact_angle"))
-    gamma = d * cosine / (1e3 * numbers(pitch_diameter, "pitch_diameter"))
-    f_c = dynamic_factor(gamma) if factor is None else numbers(factor, "factor")
+    angle = numbers(contact_angle, "contact_angle")
+    ratio = d / (1e3 * numbers(pitch_diameter, "pitch_diameter"))
     size = np.where(d <= _LARGE_BALL, d**1.8, _LARGE_BALL_FACTOR * d**1.4)
     balls = numbers(ball_count, "ball_count") ** (2.0 / 3.0)
-    shared = (numbers(rows, "rows") * cosine) ** 0.7
+    if kind == "thrust":
+        shared = np.ones(())
+        computed = thrust_dynamic_factor(ratio, angle) if factor is None else factor
+    else:
+        cosine = np.cos(angle)
+        shared = (numbers(rows, "rows") * cosine) ** 0.7
+        computed = dynamic_factor(ratio * cosine, kind) if factor is None else factor
+    f_c = numbers(computed, "factor")
     return np.asarray(toml_of("iso_ratings")["dynamic"]["bm"] * f_c * shared * balls * size)
 
 
@@ -170,30 +270,55 @@ def static_rating(
     pitch_diameter: ArrayLike,
     contact_angle: ArrayLike = 0.0,
     *,
+    kind: RatedType = "radial",
     rows: ArrayLike = 1,
     factor: ArrayLike | None = None,
 ) -> FloatArray:
-    """Return the basic static radial load rating C_0r, in N.
+    """Return the basic static load rating in N: C_0r, of thrust bearings the axial C_0a.
 
     Parameters
     ----------
-    ball_count, ball_diameter, pitch_diameter, contact_angle, rows
+    ball_count, ball_diameter, pitch_diameter, contact_angle, kind, rows
         As in `dynamic_rating`.
     factor
         f_0 in N/mm² to take instead of the table's.
 
-    ISO 76:2006, equation 1: f_0 i Z D² cos α.
+    ISO 76:2006, equations 1 and 4: f_0 i Z D² cos α; of thrust bearings f_0 Z D² sin α.
     """
     d = 1e3 * numbers(ball_diameter, "ball_diameter")
-    cosine = np.cos(numbers(contact_angle, "contact_angle"))
+    angle = numbers(contact_angle, "contact_angle")
+    cosine = np.where(angle >= _RIGHT, 0.0, np.cos(angle))
     gamma = d * cosine / (1e3 * numbers(pitch_diameter, "pitch_diameter"))
-    f_0 = static_factor(gamma) if factor is None else numbers(factor, "factor")
+    f_0 = static_factor(gamma, kind) if factor is None else numbers(factor, "factor")
     balls = numbers(rows, "rows") * numbers(ball_count, "ball_count")
-    return np.asarray(f_0 * balls * d**2 * cosine)
+    along = np.sin(angle) if kind == "thrust" else cosine
+    return np.asarray(f_0 * balls * d**2 * along)
 
 
-def _load_at_pressure(curvature: FloatArray, conformity: FloatArray) -> FloatArray:
-    """Return the load on a ball of 1 mm at 4200 MPa; `curvature` is D/(2 Rx).
+def _dynamic_by_grooves(
+    leading: float, g: FloatArray, f_i: ArrayLike, f_o: ArrayLike, inner: float
+) -> FloatArray:
+    """Return f_c of a radial bearing; inner: what its inner race bears less by its turning."""
+    f_i, f_o = np.asarray(f_i), np.asarray(f_o)
+    grooves = inner * (f_i / f_o * (2.0 * f_o - 1.0) / (2.0 * f_i - 1.0)) ** 0.41
+    groove = (2.0 * f_i / (2.0 * f_i - 1.0)) ** 0.41
+    return np.asarray(leading * _races(g, grooves) * g**0.3 * groove)
+
+
+def _races(g: FloatArray, grooves: ArrayLike) -> FloatArray:
+    """Return what both races together bear, and how the inner one is curved; without γ^0.3."""
+    ratio = ((1.0 - g) / (1.0 + g)) ** 1.72 * np.asarray(grooves)
+    shared = (1.0 + ratio ** (10.0 / 3.0)) ** -0.3
+    return np.asarray(shared * (1.0 - g) ** 1.39 / (1.0 + g) ** (1.0 / 3.0))
+
+
+def _sphere(g: FloatArray) -> FloatArray:
+    """Return the outer race's radius over D: a sphere about the bearing's centre."""
+    return np.asarray(0.5 * (1.0 + 1.0 / g))
+
+
+def _load_at_pressure(curvature: FloatArray, conformity: FloatArray, pressure: float) -> FloatArray:
+    """Return the load on a ball of 1 mm at a pressure in MPa; `curvature` is D/(2 Rx).
 
     p_0 = 3kQ/(2πa²) with a³ = 6k²E Q/(πS E′) gives Q = (2πp_0/3k)³ (6k²E/(πS E′))².
     """
@@ -203,7 +328,7 @@ def _load_at_pressure(curvature: FloatArray, conformity: FloatArray) -> FloatArr
     modulus = _YOUNGS_MODULUS / (1.0 - _POISSON_RATIO**2)
     k_squared = 1.0 / complement
     size = 6.0 * k_squared * e / (np.pi * total * modulus)
-    load = (2.0 * np.pi * _PRESSURE / 3.0) ** 3 * complement**1.5 * size**2
+    load = (2.0 * np.pi * pressure / 3.0) ** 3 * complement**1.5 * size**2
     return np.asarray(load)
 
 
@@ -235,6 +360,12 @@ def _factor_table(name: str) -> tuple[FloatArray, FloatArray]:
     factors = np.array(table["factors"])
     steps = np.round(table["first_gamma"] + table["gamma_step"] * np.arange(factors.size), 9)
     return steps, factors
+
+
+def _within(gamma: ArrayLike, least: float, most: float) -> FloatArray:
+    g = numbers(gamma, "gamma")
+    margin = 1.0 + 1e-12
+    return np.where((g * margin >= least) & (g <= most * margin), g, np.nan)
 
 
 def _nan_outside(value: ArrayLike, field: str, minimum: float, maximum: float) -> FloatArray:

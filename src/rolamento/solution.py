@@ -35,7 +35,8 @@ def solve(
     Rows that share a bearing share one rigid inner ring. Never raises for a duty that has no
     solution: the status of the case says so, with advice, and its numbers are NaN. A case with a
     mounting is solved with the clearance in operation of each case, that of its temperatures,
-    speeds and whatever else varies: `Solved.case` is the case that it comes to.
+    speeds and whatever else varies: `Solved.case` is the case that it comes to. Of many cases of a
+    mounted set it is the case itself, for each of its rows runs with a geometry of its own.
 
     Parameters
     ----------
@@ -84,6 +85,11 @@ def solve(
         return _solve_one(case)
     if case.mounting is None:
         return _solve_many(case, given, threads)
+    if case.bearing.is_set:
+        from rolamento.assembly.mounted import mounted_cases
+
+        solved = solve_cases(mounted_cases(case, bounded(given), threads=threads))
+        return replace(solved, case=case, varied=_spread_over(len(solved), given))
     from rolamento.clearance import operating_batch
 
     running, of_running = operating_batch(case, bounded(given))
@@ -105,6 +111,8 @@ def _solve_many(case: Case, given: Mapping[str, ArrayLike], threads: int | None)
 
 
 def _solve_one(case: Case) -> Solved:
+    if case.mounting is not None and case.bearing.is_set:
+        return _solve_mounted_set(case)
     notes: tuple[Note, ...] = ()
     if case.mounting is not None:
         from rolamento.clearance import clearance_notes, clearance_of_case, operating_case
@@ -115,3 +123,21 @@ def _solve_one(case: Case) -> Solved:
     if case.bearing.preload is not None and solved.converged[0]:
         solved = replace(solved, preload=preload_of(case))
     return replace(solved, first_notes=notes) if notes else solved
+
+
+def _solve_mounted_set(case: Case) -> Solved:
+    from rolamento.assembly.mounted import LIMITS, notes_on_set, preload_stages, running_set
+
+    mounting = case.mounting
+    assert mounting is not None
+    running = running_set(case)
+    stages = preload_stages(case)
+    solved = replace(_solve_many(running, {}, threads=1), first_notes=notes_on_set(case, stages))
+    if running.bearing.preload is None or not solved.converged[0]:
+        return solved
+    preload = preload_of(running)
+    if preload is not None and stages:
+        at_rest = stages[1].preload[LIMITS.index(mounting.limit)]
+        kind = preload.kind if case.bearing.preload is None else case.bearing.preload.kind
+        preload = replace(preload, kind=kind, at_rest=at_rest, stages=stages)
+    return replace(solved, preload=preload)

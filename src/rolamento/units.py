@@ -71,6 +71,8 @@ Dimension = Literal[
     "thermal_conductivity",
     "thermal_expansion",
     "time",
+    "velocity",
+    "power",
 ]
 
 _NAMES: Final[dict[Dimension, str]] = {
@@ -88,6 +90,8 @@ _NAMES: Final[dict[Dimension, str]] = {
     "thermal_conductivity": marked("thermal conductivity"),
     "thermal_expansion": marked("thermal expansion"),
     "time": marked("time"),
+    "velocity": marked("velocity"),
+    "power": marked("power"),
 }
 
 SI_UNIT: Final[dict[Dimension, str]] = {
@@ -105,6 +109,8 @@ SI_UNIT: Final[dict[Dimension, str]] = {
     "thermal_conductivity": "W/m/K",
     "thermal_expansion": "1/K",
     "time": "s",
+    "velocity": "m/s",
+    "power": "W",
 }
 
 
@@ -167,6 +173,17 @@ _COMMON: Final[dict[Dimension, dict[str, _Unit]]] = {
     },
     "thermal_expansion": {"1/K": _Unit(Fraction(1))},
     "time": {"h": _Unit(Fraction(3600)), "s": _Unit(Fraction(1))},
+    "velocity": {
+        "mm/s": _Unit(Fraction(1, 10**3)),
+        "m/s": _Unit(Fraction(1)),
+        "in/s": _Unit(Fraction(254, 10**4)),
+    },
+    "power": {
+        "kW": _Unit(Fraction(10**3)),
+        "W": _Unit(Fraction(1)),
+        "hp": _Unit(Fraction("745.69987158227022")),
+        "cv": _Unit(Fraction("735.49875")),
+    },
 }
 
 _LONGEST_TEXT: Final = 100
@@ -444,4 +461,6 @@ _EXAMPLE_NUMBERS: Final[dict[Dimension, str]] = {
     "pressure_viscosity_coefficient": "20",
     "thermal_conductivity": "0.14",
     "thermal_expansion": "0.0007",
+    "velocity": "1.8",
+    "power": "45",
 }

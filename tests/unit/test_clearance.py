@@ -547,7 +547,7 @@ def test_sets_angles_and_speeds_that_do_not_go() -> None:
     pair = bearing_6305(
         diametral_clearance=None, contact_angle="15 deg", arrangement="DB", spacing="17 mm"
     )
-    with pytest.raises(InputError, match="single rows"):
+    with pytest.raises(InputError, match="is a set: the clearance is that of one of its rows"):
         operating_clearance(pair, mounting())
     angular = bearing_6305(diametral_clearance=None, contact_angle="15 deg")
     with pytest.raises(

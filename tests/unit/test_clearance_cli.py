@@ -18,6 +18,7 @@ from rolamento.cli.optional_value import JsonCommand
 from rolamento.document.medium import Medium
 from rolamento.document.terminal import terminal
 from rolamento.pages.clearance import clearance_page
+from rolamento.tasks.clearance import mounted_clearance
 from rolamento.words import speaking
 
 GUIDE = (Path(__file__).resolve().parents[2] / "docs" / "clearance.md").read_text("utf-8")
@@ -107,14 +108,14 @@ def test_no_line_is_wider_than_the_medium(mounted: str, code: str, width: int) -
     assert case.mounting is not None
     samples = sample_clearance(case.bearing, case.mounting, case.temperature, samples=100)
     with speaking(code):
-        page = clearance_page(clearance_of_case(case), samples)
+        page = clearance_page(mounted_clearance(case), samples)
     text = terminal(page, Medium(width=width))
     assert max(map(len, text.splitlines())) <= width
 
 
 def test_all_words_of_both_languages(mounted: str) -> None:
     case = load_case(mounted)
-    found = clearance_of_case(case)
+    found = mounted_clearance(case)
     english = terminal(clearance_page(found))
     with speaking("pt"):
         portuguese = terminal(clearance_page(found))

@@ -327,6 +327,72 @@ def test_who_waits_at_a_terminal_is_told(term: str, after: float, told: int, bod
     assert ("3/7" in shown) == (body == "progress_of" and term == "xterm" and bool(told))
 
 
+def seen(code: str, term: str = "xterm") -> str:
+    """What a terminal gets on standard output and standard error."""
+    ours, theirs = os.openpty()
+    environment = {**os.environ, **ENGLISH, "TERM": term}
+    subprocess.run(
+        [sys.executable, "-c", code], stdout=theirs, stderr=theirs, env=environment, check=True
+    )
+    os.write(theirs, b"end")
+    shown = os.read(ours, 100_000).decode()
+    os.close(ours)
+    os.close(theirs)
+    return shown
+
+
+def test_every_command_shows_that_it_is_at_work() -> None:
+    for command in ALL_COMMANDS.values():
+        assert isinstance(command, GroupedCommands) or type(command).invoke is SpokenCommand.invoke
+
+
+SLOW = """
+import time
+import typer
+from rolamento.cli.grouped_help import GroupedCommands, SpokenCommand
+from rolamento.cli.streams import complain, print_text
+from rolamento.cli.waiting import progress_of, told
+app = typer.Typer(cls=GroupedCommands)
+
+@app.callback()
+def whole() -> None: ...
+
+@app.command(cls=SpokenCommand)
+def slow() -> None:
+    {body}
+
+try:
+    app(["slow"])
+except SystemExit:
+    pass
+"""
+
+
+@needs_sh
+@pytest.mark.parametrize("term", ["xterm", "dumb"])
+def test_a_silent_command_says_a_word_after_a_second(term: str) -> None:
+    shown = seen(SLOW.format(body="time.sleep(1.5); print_text('the page')"), term)
+    assert shown.count("Working …") >= 1
+    assert "\x1b[?25h" in shown.partition("the page")[0] or term == "dumb"  # taken away before
+    assert "Working" not in seen(SLOW.format(body="time.sleep(0.2)"), term)
+
+
+@needs_sh
+def test_there_is_one_word_at_a_time() -> None:
+    body = """
+    with progress_of("counting", 0.0) as progress:
+        complain("half")
+        progress(1, 2)
+        time.sleep(1.5)
+    with told("more", 0.1):
+        time.sleep(0.4)
+"""
+    shown = seen(SLOW.format(body=body.strip()))
+    assert "1/2" in shown
+    assert "more" in shown
+    assert "Working" not in shown
+
+
 def test_nothing_is_told_where_there_is_no_terminal(capfd: pytest.CaptureFixture[str]) -> None:
     with waiting(Language.en, "Solving …", 0), progress_of("Drawing …", 0) as progress:
         progress(1, 2)

@@ -24,7 +24,7 @@ from rolamento.cli.app import app
 from rolamento.document.terminal import terminal
 from rolamento.pages.anderon import anderon_page, noise_statement
 from rolamento.plots.anderon import noise_bands, noise_figure
-from rolamento.tasks import noise as noise_task
+from rolamento.tasks import signals
 from rolamento.tasks.noise import FullScale, MeasuredNoise, NoiseResult
 from rolamento.vibration.anderon import BANDS, SPEED, BandNoise, measure_noise, noise_steps
 from rolamento.vibration.reading import read_signal
@@ -154,7 +154,7 @@ class TestLevels:
     def test_blocks_have_the_spectrum_of_the_whole(
         self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, rate: float, count: int
     ) -> None:
-        monkeypatch.setattr(noise_task, "PIECE", 100_000)
+        monkeypatch.setattr(signals, "PIECE", 100_000)
         path = tmp_path / "long.npy"
         np.save(path, np.random.default_rng(4).normal(size=count))
         told: list[tuple[int, int]] = []
@@ -195,7 +195,7 @@ class TestLevels:
     def test_speed_that_changes_counts_by_its_mean(
         self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
     ) -> None:
-        monkeypatch.setattr(noise_task, "PIECE", 50_000)
+        monkeypatch.setattr(signals, "PIECE", 50_000)
         time = np.arange(400_000) / RATE
         speed = SPEED * (1.0 + 0.01 * np.sin(2.0 * pi * time / time[-1]))
         path = tmp_path / "run.csv"

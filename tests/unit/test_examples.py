@@ -1,18 +1,26 @@
-"""The scripts in examples/ run, and what they show is there."""
+"""The examples are copied as they are shipped, run, and show what is said of them."""
 
 from __future__ import annotations
 
 import csv
 import importlib.util
+import shlex
 import sys
 from pathlib import Path
 from types import ModuleType
 
 import numpy as np
 import pytest
+from typer.testing import CliRunner
+
+import rolamento
+from rolamento.cli.app import app
+from rolamento.errors import FileError, InputError
+from rolamento.tasks.examples import EXAMPLES, copy_examples
 
 ROOT = Path(__file__).resolve().parents[2]
-SCRIPTS = sorted((ROOT / "examples").glob("*.py"))
+FOLDER = Path(rolamento.__file__).parent / "examples"
+SCRIPTS = sorted(FOLDER.glob("*.py"))
 GALLERY = ROOT / "docs" / "gallery" / "sets"
 
 
@@ -32,7 +40,7 @@ def test_every_script_is_tried() -> None:
 
 
 def test_rigid_and_spring_preload_differ_with_speed(tmp_path: Path) -> None:
-    script = loaded(ROOT / "examples" / "preload_over_speed.py")
+    script = loaded(FOLDER / "preload_over_speed.py")
     curves = script.main(tmp_path)
     rigid, spring = curves["force"], curves["spring"]
     # at rest: one force; the springs leave one row to resist axially
@@ -58,3 +66,64 @@ def test_rigid_and_spring_preload_differ_with_speed(tmp_path: Path) -> None:
     # what the gallery shows is what the script gives, but for the last digit
     for new, old in zip(written[1:], shown[1:], strict=True):
         assert np.array(new, float) == pytest.approx(np.array(old, float), abs=0.11)
+
+
+# --- the list of them -----------------------------------------------------------------------------
+
+SLOW = {"218_scatter": ("count = 20000", "count = 40")}
+"""What is made smaller for the test."""
+
+
+def test_every_file_is_of_an_example() -> None:
+    named = {file for example in EXAMPLES.values() for file in example.files}
+    there = {
+        path.relative_to(FOLDER).as_posix()
+        for path in FOLDER.rglob("*")
+        if path.is_file() and "__pycache__" not in path.parts
+    }
+    assert there <= named
+    assert all(ex.source(file).is_file() for ex in EXAMPLES.values() for file in ex.files)
+
+
+@pytest.mark.parametrize("name", [n for n, ex in EXAMPLES.items() if "python" not in ex.command])
+def test_what_is_to_be_tried_works(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    copied = run("examples", name, "-o", "there")
+    command = copied.splitlines()[-1].partition(": ")[2]
+    for file in EXAMPLES[name].files:
+        path = tmp_path / "there" / file
+        assert path.read_text("utf-8") == EXAMPLES[name].source(file).read_text("utf-8")
+        if name in SLOW:
+            path.write_text(path.read_text("utf-8").replace(*SLOW[name]), encoding="utf-8")
+    program, *arguments = shlex.split(command)
+    assert program == "rolamento"
+    assert len(run(*arguments)) > 200
+
+
+def run(*arguments: str, code: int = 0) -> str:
+    result = CliRunner().invoke(app, arguments, env={"LC_ALL": "C.UTF-8"})
+    if result.exception and not isinstance(result.exception, SystemExit):
+        raise result.exception
+    assert result.exit_code == code, result.stderr
+    return result.stdout
+
+
+def test_they_are_listed() -> None:
+    listed = run("examples")
+    for name, example in EXAMPLES.items():
+        assert f"{name}\n    {example.shows}\n    {example.command}\n" in listed
+
+
+def test_nothing_is_overwritten(tmp_path: Path) -> None:
+    copy_examples("218_hybrid", tmp_path)
+    (tmp_path / "218_hybrid.toml").unlink()
+    with pytest.raises(FileError, match="already exists; --force overwrites it"):
+        copy_examples("218_hybrid.toml", tmp_path)
+    assert not (tmp_path / "218_hybrid.toml").exists()
+    assert list(copy_examples("all", tmp_path, force=True)) == list(EXAMPLES)
+    with pytest.raises(InputError, match="did you mean 6310_motor"):
+        copy_examples("6310_moter", tmp_path)
+    with pytest.raises(FileError, match="cannot be made"):
+        copy_examples("218_hybrid", tmp_path / "218_hybrid.toml" / "below")

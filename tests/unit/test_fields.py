@@ -166,7 +166,7 @@ def test_balls_go_on_following_the_rings() -> None:
     ("values", "message"),
     [
         ({"duty.load.fq": 1.0}, "duty.load.fq: is an unknown key"),
-        ({"duty.load": 3.0}, "is a table; set one of its fields: fx"),
+        ({"duty.load": 3.0}, "is a table; set all of it, or one of its fields: fx"),
         ({"duty.load.fz": float("nan")}, "must be a finite number"),
         ({"duty.load.fz": [1.0, 2.0]}, "must be a single value, not a table or a list"),
         ({"duty.load.fz": "3 mm"}, "not a unit of force"),

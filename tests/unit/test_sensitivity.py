@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 from scipy import stats
 
 from rolamento import InputError
+from rolamento.studies import laws as laws_
 from rolamento.studies.sensitivity import rank_correlation, sobol, sobol_of_model
 
 PI = np.pi
@@ -206,6 +207,26 @@ def test_a_sum_of_normals_shares_its_variance_by_the_squares_of_the_weights() ->
         assert np.isnan(array[2]).all()
     assert (found.first_low[:2] <= found.first_order[:2] + 1e-9).all()
     assert (found.first_order[:2] <= found.first_high[:2] + 1e-9).all()
+
+
+def test_a_product_of_lognormals_shares_its_variance_as_the_formula_has_it() -> None:
+    """Y = A B of ln-deviations s: S_A = (exp s_A² − 1)/(exp(s_A² + s_B²) − 1)."""
+    deviations = {"a": 0.5, "b": 0.3}
+    laws = {name: laws_.Lognormal(0.0, 2.0, s) for name, s in deviations.items()}
+    found = sobol_of_model(lambda given: {"y": given["a"] * given["b"]}, laws, samples=4096)
+    whole = np.expm1(sum(s * s for s in deviations.values()))
+    first = np.array([np.expm1(s * s) for s in deviations.values()]) / whole
+    np.testing.assert_allclose(found.first_order[0], first, atol=0.01)
+    np.testing.assert_allclose(found.total[0], 1.0 - first[::-1], atol=0.01)
+
+
+def test_a_sum_of_weibull_and_triangle_shares_its_variance() -> None:
+    weibull, triangle = laws_.Weibull(0.0, 1.0, 1.5), laws_.Triangular(0.0, 1.0, 3.0)
+    found = sobol_of_model(
+        lambda given: {"y": given["w"] + given["t"]}, {"w": weibull, "t": triangle}, samples=4096
+    )
+    variances = np.array([stats.weibull_min(1.5).var(), stats.triang(1 / 3, scale=3.0).var()])
+    np.testing.assert_allclose(found.first_order[0], variances / variances.sum(), atol=0.01)
 
 
 def test_the_same_seed_gives_the_same_numbers() -> None:

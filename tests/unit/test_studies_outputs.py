@@ -41,12 +41,14 @@ def test_every_output_has_a_unit_a_name_and_its_shape(values: dict[str, np.ndarr
         assert output.name == name
         assert output.unit
         assert output.long_name
-        assert values[name].shape == ((3, 16) if output.per_ball else (3,)), name
+        assert values[name].shape == {"": (3,), "ball": (3, 16), "row": (3, 1)}[output.along], name
 
 
 def test_no_number_without_a_result(values: dict[str, np.ndarray]) -> None:
     for name, output in catalogue().items():
         if name in ("azimuth", "residual") or output.kind == "whole":
+            continue
+        if "bearing.preload" in output.needs:  # which a single row has not
             continue
         assert np.isnan(values[name][2]).all(), name
         under_friction_control = "friction control" in output.needs

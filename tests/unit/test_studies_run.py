@@ -276,7 +276,7 @@ class TestToFile:
             values = result[found.output.name].where(result.status == 0).values
             assert found.minimum == np.nanmin(values)
             assert found.maximum == np.nanmax(values)
-            if not found.output.per_ball:
+            if not found.output.along:
                 assert found.median == pytest.approx(np.nanmedian(values), rel=1e-6)
 
     def test_a_stopped_run_goes_on(self, study: Study, tmp_path: Path) -> None:

@@ -9,15 +9,11 @@ import numpy as np
 import pytest
 from scipy import stats
 
+from rolamento.errors import InputError
 from rolamento.studies import Correlation, Distribution, Scatter
-from rolamento.studies.scatter import (
-    Law,
-    Sampler,
-    difference_in_si,
-    factor_of,
-    truncated_normal,
-    uniform,
-)
+from rolamento.studies.fields import read_field
+from rolamento.studies.laws import Lognormal, Normal, Triangular, Weibull, truncated_normal
+from rolamento.studies.scatter import Sampler, difference_in_si, factor_of, uniform
 
 COUNT = 40_000
 INNER, OUTER = "bearing.inner_conformity", "bearing.outer_conformity"
@@ -84,9 +80,176 @@ def test_quantile_of_the_truncated_normal(low: float, high: float) -> None:
 
 
 def test_a_symmetric_truncation_is_symmetric() -> None:
-    law = Law(0.0, 1.0, -2.0, 2.0)
+    law = Normal(0.0, 1.0, -2.0, 2.0)
     shares = np.array([0.01, 0.3, 0.5])
     assert np.allclose(law.quantile(shares), -law.quantile(1.0 - shares), atol=1e-12)
+
+
+# --- lognormal, Weibull, triangular ---------------------------------------------------------
+
+LOAD = "duty.load.fx"
+SHARES = np.array([1e-9, 1e-4, 0.01, 0.1, 0.5, 0.632120558828558, 0.9, 0.99, 0.9999, 1.0 - 1e-9])
+
+
+def law_of(field: str = LOAD, **given: object) -> object:
+    return Distribution(**given).law(read_field(field), in_file=True)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize(
+    ("given", "known"),
+    [
+        (
+            {"distribution": "lognormal", "median": "2 kN", "factor": 1.5},
+            stats.lognorm(math.log(1.5), scale=2000.0),
+        ),
+        (
+            {"distribution": "lognormal", "median": "2 kN", "factor": 3, "minimum": "500 N"},
+            stats.lognorm(math.log(3.0), loc=500.0, scale=1500.0),
+        ),
+        (
+            {"distribution": "weibull", "shape": 1.5, "scale": "2 kN"},
+            stats.weibull_min(1.5, scale=2000.0),
+        ),
+        (
+            {"distribution": "weibull", "shape": 0.8, "scale": "2 kN", "minimum": "1 kN"},
+            stats.weibull_min(0.8, loc=1000.0, scale=2000.0),
+        ),
+        (
+            {"distribution": "triangular", "least": "1 kN", "mode": "2 kN", "greatest": "5 kN"},
+            stats.triang(0.25, loc=1000.0, scale=4000.0),
+        ),
+        (
+            {"distribution": "triangular", "least": "1 kN", "mode": "1 kN", "greatest": "5 kN"},
+            stats.triang(0.0, loc=1000.0, scale=4000.0),
+        ),
+        (
+            {"distribution": "triangular", "least": "1 kN", "mode": "5 kN", "greatest": "5 kN"},
+            stats.triang(1.0, loc=1000.0, scale=4000.0),
+        ),
+    ],
+)
+def test_laws_are_scipys(given: dict[str, object], known: object) -> None:
+    found = law_of(**given).quantile(SHARES)  # type: ignore[attr-defined]
+    np.testing.assert_allclose(found, known.ppf(SHARES), rtol=1e-9)  # type: ignore[attr-defined]
+
+
+def test_median_and_factor_enclose_two_thirds() -> None:
+    """68.27 % of the draws lie within a factor of the median: one standard deviation."""
+    law = law_of(distribution="lognormal", median="2 kN", factor=1.5)
+    one = stats.norm.cdf([-1.0, 1.0])
+    np.testing.assert_allclose(law.quantile(one), [2000.0 / 1.5, 3000.0])  # type: ignore[attr-defined]
+
+
+@pytest.mark.parametrize("minimum", [None, "1 kN", "-3 kN"])
+def test_lognormal_by_mean_and_standard_deviation(minimum: str | None) -> None:
+    given = {"distribution": "lognormal", "mean": "2 kN", "standard_deviation": "400 N"}
+    law = law_of(**given, **({} if minimum is None else {"minimum": minimum}))
+    assert isinstance(law, Lognormal)
+    known = stats.lognorm(law.deviation, loc=law.minimum, scale=law.median)
+    assert known.mean() == pytest.approx(2000.0)
+    assert known.std() == pytest.approx(400.0)
+
+
+def test_characteristic_value_of_weibull() -> None:
+    """A share of 1 − 1/e lies below minimum + scale, whatever the shape (IEC 61649)."""
+    for shape in (0.5, 1.1, 4.0):
+        law = law_of(distribution="weibull", shape=shape, scale="2 kN", minimum="1 kN")
+        found = law.quantile(np.array([1.0 - math.exp(-1.0)]))  # type: ignore[attr-defined]
+        assert found[0] == pytest.approx(3000.0)
+
+
+def test_moments_of_weibull_and_triangle() -> None:
+    """Mean η Γ(1 + 1/β) and (a + b + c)/3; variance of the triangle (Johnson, Kotz, 1995)."""
+    shares = (np.arange(400_000) + 0.5) / 400_000
+    weibull = Weibull(0.0, 2.0, 1.5).quantile(shares)
+    assert weibull.mean() == pytest.approx(2.0 * math.gamma(1.0 + 1.0 / 1.5), rel=1e-5)
+    a, c, b = 1.0, 2.0, 5.0
+    triangle = Triangular(a, c, b).quantile(shares)
+    assert triangle.mean() == pytest.approx((a + b + c) / 3.0, rel=1e-9)
+    variance = (a * a + b * b + c * c - a * b - a * c - b * c) / 18.0
+    assert triangle.var() == pytest.approx(variance, rel=1e-5)
+
+
+@pytest.mark.parametrize(("low", "high"), [(1.0, 2.5), (-math.inf, 1.0), (6.0, math.inf)])
+def test_laws_that_are_cut_off(low: float, high: float) -> None:
+    """What is left between the bounds, not draws moved onto them."""
+    for law, known in (
+        (Weibull(0.2, 2.0, 1.7, low, high), stats.weibull_min(1.7, loc=0.2, scale=2.0)),
+        (Lognormal(0.2, 1.4, 0.6, low, high), stats.lognorm(0.6, loc=0.2, scale=1.4)),
+    ):
+        below, above = known.cdf(low), known.cdf(high)
+        expected = known.ppf(below + SHARES * (above - below))
+        np.testing.assert_allclose(law.quantile(SHARES), expected, rtol=1e-6)
+
+
+def test_weibull_is_exact_far_out() -> None:
+    """Beyond 20 deviations nothing underflows: an exponential forgets what came before."""
+    law = Weibull(0.0, 1.0, 1.0, 400.0)
+    expected = 400.0 + stats.expon.ppf(SHARES)
+    np.testing.assert_allclose(law.quantile(SHARES), expected, rtol=1e-12)
+
+
+def test_draws_of_each_law_and_their_correlation() -> None:
+    weibull = Distribution(distribution="weibull", shape=2, scale=0.004, minimum=0.515)
+    lognormal = Distribution(distribution="lognormal", median=0.52, factor=1.002)
+    pair = Correlation(fields=(INNER, OUTER), coefficient=0.7)
+    scatter = Scatter(count=COUNT, fields={INNER: weibull, OUTER: lognormal}, correlations=[pair])
+    drawn = draws(scatter)
+    assert agrees(drawn[INNER], stats.weibull_min(2.0, loc=0.515, scale=0.004).cdf)
+    assert agrees(drawn[OUTER], stats.lognorm(math.log(1.002), scale=0.52).cdf)
+    rank = stats.spearmanr(drawn[INNER], drawn[OUTER]).statistic
+    assert rank == pytest.approx(6.0 / math.pi * math.asin(0.35), abs=0.015)
+
+
+@pytest.mark.parametrize(
+    ("field", "given", "place", "rule"),
+    [
+        (LOAD, {"distribution": "lognormal", "median": "2 kN"}, "factor", "missing"),
+        (LOAD, {"distribution": "lognormal", "median": "2 kN", "factor": 1}, "factor", "than 1"),
+        (LOAD, {"distribution": "lognormal", "median": "2 kN", "factor": 2, "mean": "1 N"},
+         "mean", "median, factor"),
+        (LOAD, {"distribution": "lognormal", "median": "2 kN", "factor": 2, "minimum": "3 kN"},
+         "median", "minimum"),
+        (LOAD, {"distribution": "lognormal", "median": "-2 kN", "factor": 2}, "median", "minimum"),
+        (LOAD, {"distribution": "lognormal", "median": "2 kN", "factor": 2, "greatest": "-1 N"},
+         "greatest", "minimum"),
+        (LOAD, {"distribution": "lognormal", "median": "2 kN", "factor": 1.01,
+                "least": "20 kN"}, "least", "nothing"),
+        (LOAD, {"distribution": "weibull", "shape": 0, "scale": "1 kN"}, "shape", "than 0"),
+        (LOAD, {"distribution": "weibull", "shape": 2}, "scale", "missing"),
+        (LOAD, {"distribution": "weibull", "shape": 2, "scale": 5}, "scale", "unit"),
+        (LOAD, {"distribution": "weibull", "shape": 2, "scale": "-1 N"}, "scale", "positive"),
+        (LOAD, {"distribution": "weibull", "shape": 9, "scale": "1 N", "least": "3 N"},
+         "least", "nothing"),
+        (LOAD, {"distribution": "weibull", "shape": 2, "scale": "1 N", "mode": "1 N"},
+         "mode", "shape, scale"),
+        (LOAD, {"distribution": "triangular", "least": "1 N", "mode": "3 N", "greatest": "2 N"},
+         "mode", "least to greatest"),
+        (LOAD, {"distribution": "triangular", "least": "1 N", "greatest": "2 N"},
+         "mode", "missing"),
+        (INNER, {"distribution": "weibull", "shape": 2, "scale": 0.1}, "scale", "median of"),
+        (INNER, {"distribution": "triangular", "least": -0.4, "mode": 0.52, "greatest": 0.53},
+         "least", "at least 0.501"),
+        ("temperature.lubricant", {"distribution": "weibull", "shape": 2, "scale": "30 K"},
+         "minimum", "natural zero"),
+        ("temperature.lubricant", {"distribution": "weibull", "shape": 2, "scale": "30 degC",
+                                   "minimum": "20 degC"}, "scale", "in K"),
+    ],
+)  # fmt: skip
+def test_what_no_law_is(field: str, given: dict[str, object], place: str, rule: str) -> None:
+    with pytest.raises(InputError, match=rule) as refused:
+        law_of(field, **given)
+    assert refused.value.field == place
+
+
+def test_laws_are_written_as_they_are_read() -> None:
+    warm = Distribution(
+        distribution="weibull", shape=2.5, scale=30.0, minimum=293.15, greatest=400.0
+    )
+    field = read_field("temperature.lubricant")
+    written = warm.written(field)
+    assert (written.scale, written.minimum) == ("30.0 K", "20 degC")
+    assert written.law(field, in_file=True) == warm.law(field, in_file=False)
 
 
 @pytest.mark.parametrize("coefficient", [-0.9, -0.3, 0.6, 0.99])

@@ -221,12 +221,6 @@ def test_the_example_can_be_copied(run: Run, tmp_path: Path) -> None:
     assert "already exists; choose another name" in again
 
 
-def test_the_example_in_the_repository_is_the_shipped_one() -> None:
-    root = Path(__file__).resolve().parents[2]
-    copy = root / "examples" / "life_test_campanha_2008.csv"
-    assert copy.read_text("utf-8") == published_text("campanha_2008")
-
-
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from types import SimpleNamespace
 from typing import Any, Final
@@ -11,17 +11,26 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.case import Case
-from rolamento.case.bearing import Bearing, RowPlace, balls_fit, clearance_fits
+from rolamento.case.bearing import (
+    LEAST_THRUST_ANGLE,
+    Bearing,
+    RowPlace,
+    balls_fit,
+    clearance_fits,
+)
 from rolamento.case.duty import AXES, LOADS
 from rolamento.case.varied import bounded, varied_arrays
 from rolamento.clearance.batch import MOUNTED_FIELDS
 from rolamento.errors import InputError
+from rolamento.geometry import sphere_conformity
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.rows.ball.row import BallRow, Traction, ball_row
+from rolamento.rows.grooves import GrooveRow, four_point_row, thrust_row
 from rolamento.rows.row import Row
+from rolamento.rows.sphere import SphereRow
 from rolamento.words import said
 
-__all__ = ["Cases", "PlacedRow", "spread"]
+__all__ = ["Cases", "PlacedRow", "RowState", "spread"]
 
 _GEOMETRY: Final = (
     "ball_diameter",
@@ -30,20 +39,50 @@ _GEOMETRY: Final = (
     "diametral_clearance",
     "inner_conformity",
     "outer_conformity",
+    "shim_angle",
 )
 _PRELOADS: Final = ("force", "offset", "spring")
 
 ROWS: Final = {"ball": ball_row}
 """How a row is made, by its kind of element."""
+OTHER_GROOVES: Final = {"four_point": four_point_row, "thrust": thrust_row}
+"""How a row on other grooves is made, by the bearing's kind."""
+
+
+@dataclass(frozen=True, slots=True)
+class RowState:
+    """What one row of a set has of its own in many cases, as it runs.
+
+    Attributes
+    ----------
+    geometry
+        by field of `Bearing`; (cases,), SI, None for the rival of one that is given
+    press
+        how far the clamped rings press it in, e of `rolamento.assembly.ring`; (cases,), m; None
+        where the preload of the cases tells
+    """
+
+    geometry: Mapping[str, FloatArray | None]
+    press: FloatArray | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class PlacedRow:
-    """A row, the way it faces (+1 or -1), and where it is along x; (cases,), m."""
+    """A row, the way it faces (+1 or -1), and where it is along x; (cases,), m.
+
+    press: how far the clamped rings press it in, (cases,), m; None where the preload of the cases
+    tells.
+    """
 
     row: Row
     sign: float
     position: FloatArray
+    press: FloatArray | None = None
+
+    @property
+    def lever(self) -> FloatArray:
+        """How far from the row's own centre of tilting the bearing's is; (cases,), m."""
+        return 0.0 * self.position if isinstance(self.row, SphereRow) else self.position
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,6 +108,8 @@ class Cases:
         how much; (cases,), SI
     valid
         which cases the records would take; (cases,)
+    unheld
+        which cases nothing can hold along x: a thrust bearing without axial load; (cases,)
     traction
         what friction control takes
     """
@@ -82,6 +123,7 @@ class Cases:
     preload: str
     preload_value: FloatArray
     valid: BoolArray
+    unheld: BoolArray
     traction: Traction
 
     def __len__(self) -> int:
@@ -92,7 +134,8 @@ class Cases:
     def alone(self) -> BallRow | None:
         """The row of a plain ball bearing, whose ring is the bearing's; None of any other."""
         placed = self.rows[0]
-        plain = len(self.rows) == 1 and placed.sign > 0.0 and not np.any(placed.position != 0.0)
+        plain = len(self.rows) == 1 and placed.sign > 0.0 and placed.press is None
+        plain = plain and not np.any(placed.position != 0.0)
         return placed.row if plain and isinstance(placed.row, BallRow) else None
 
 
@@ -102,8 +145,11 @@ def spread(
     *,
     threads: int | None = None,
     fast: bool = True,
+    states: Sequence[RowState] | None = None,
 ) -> Cases:
     """Repeat a case over a batch, and put the fields in; threads, fast: how to solve them.
+
+    states: of the rows of a mounted set, one each.
 
     values: as `varied_arrays` takes them. A load frees its degree of freedom, a displacement holds
     it; an angle takes the place of a clearance, and the other way round. Cases whose values the
@@ -141,15 +187,30 @@ def spread(
     held = {axis: displacement[:, i] for i, axis in enumerate(AXES)}
     # what the rows have in common has to be sound by itself, as the case has it
     common = _varied(case.bearing, case.bearing, set(), arrays)
-    valid &= _consistent(common, held, case.bearing.ball_count)
+    _check_own_fields(case.bearing, arrays)
+    valid &= _consistent(common, held, case.bearing.ball_count, case.bearing.kind)
     placed = []
-    for place in case.bearing.places:
+    for index, place in enumerate(case.bearing.ball_rows):
+        if case.bearing.kind == "self_aligning":
+            placed.append(_on_sphere(case, place, common, arrays, cases, threads, fast))
+            continue
+        position = _position(case.bearing, place, arrays, cases)
+        if case.bearing.kind is not None:
+            grooved = OTHER_GROOVES[case.bearing.kind](case, place, common, arrays, cases)
+            placed.append(PlacedRow(grooved, place.sign, position))
+            continue
         bearing = _varied(case.bearing, place.bearing, _own_fields(case.bearing, place), arrays)
+        varied = arrays
+        if states is not None:
+            own = states[index].geometry
+            bearing = SimpleNamespace(**{**vars(bearing), **own})
+            varied = {**arrays, **{f"bearing.{k}": v for k, v in own.items() if v is not None}}
         valid &= _consistent(bearing, {}, place.bearing.ball_count)
         row = ROWS[place.bearing.element](
-            case, place, bearing, arrays, cases, threads=threads, fast=fast
+            case, place, bearing, varied, cases, threads=threads, fast=fast
         )
-        placed.append(PlacedRow(row, place.sign, _position(case.bearing, place, arrays, cases)))
+        press = _own_press(case, place, row, cases) if states is None else states[index].press
+        placed.append(PlacedRow(row, place.sign, position, press))
     for part in placed:
         part.row.refuse(~valid)
     friction, drag = _friction(case, arrays)
@@ -163,11 +224,67 @@ def spread(
         preload=kind,
         preload_value=amount,
         valid=valid,
+        unheld=_unheld(case.bearing, placed[0].row, free, load),
         traction=Traction(np.full(cases, friction), np.full(cases, drag), case.model.mesh),
     )
     if found.alone is not None:
         found.alone.asked(free, load, displacement)
     return found
+
+
+def _unheld(bearing: Bearing, row: Row, free: BoolArray, load: FloatArray) -> BoolArray:
+    """Cases whose washers are pushed apart, or pushed together by nothing; (cases,).
+
+    Every contact of a thrust bearing pushes toward -x. Only where nothing else acts, at rest, may
+    the axial load be zero.
+    """
+    unheld = np.zeros(len(free), np.bool_)
+    if bearing.kind == "thrust" and isinstance(row, GrooveRow):
+        acts = (load[:, 1:] != 0.0).any(axis=1) | row.driven
+        unheld = free[:, 0] & ((load[:, 0] < 0.0) | ((load[:, 0] == 0.0) & acts))
+    return unheld
+
+
+def _own_press(case: Case, place: RowPlace, row: Row, cases: int) -> FloatArray | None:
+    """How far the clamping presses in a row that has an offset of its own."""
+    if place.offset is None:
+        return None
+    from_touch = case.bearing.preload is not None
+    return place.offset + (row.first_contact() if from_touch else np.zeros(cases))
+
+
+def _on_sphere(
+    case: Case,
+    place: RowPlace,
+    common: Any,
+    arrays: Mapping[str, FloatArray],
+    cases: int,
+    threads: int | None,
+    fast: bool,
+) -> PlacedRow:
+    """A row of a self-aligning bearing, whose outer race and place follow from the row's angle."""
+    spacing = arrays.get("bearing.spacing", case.bearing.spacing)
+    if common.contact_angle is not None:
+        tangent = np.tan(common.contact_angle)
+    elif spacing is not None:
+        tangent = spacing / common.pitch_diameter
+    else:
+        raise InputError(
+            said("is missing; a self-aligning bearing given by its clearance needs it"),
+            field="bearing.spacing",
+            example='spacing = "9 mm"',
+        )
+    sphere = sphere_conformity(common.ball_diameter, common.pitch_diameter, tangent)
+    play = 0.0 if common.diametral_clearance is None else common.diametral_clearance
+    own = {
+        "contact_angle": np.arctan(tangent),
+        "diametral_clearance": None,
+        "outer_conformity": sphere,
+    }
+    bearing = SimpleNamespace(**{**vars(common), **own})
+    row = ball_row(case, place, bearing, arrays, cases, threads=threads, fast=fast)
+    aside = place.sign * 0.5 * common.pitch_diameter * tangent + np.zeros(cases)
+    return PlacedRow(SphereRow(row.with_play(play + np.zeros(cases))), place.sign, aside)
 
 
 def _duty(
@@ -270,7 +387,40 @@ def _position(
     return place.position / bearing.spacing * arrays["bearing.spacing"] + 0.0 * position
 
 
-def _consistent(bearing: Any, displacement: dict[str, FloatArray], ball_count: int) -> BoolArray:
+def _check_own_fields(bearing: Bearing, arrays: Mapping[str, FloatArray]) -> None:
+    """Refuse to vary what the kind of bearing does not have.
+
+    Raises
+    ------
+    InputError
+        Naming the field.
+    """
+    if "bearing.shim_angle" in arrays and bearing.kind != "four_point":
+        raise InputError(
+            said("is of four-point bearings only"),
+            field="bearing.shim_angle",
+            example='kind = "four_point"',
+        )
+    if "bearing.diametral_clearance" in arrays and bearing.kind == "thrust":
+        raise InputError(
+            said("is not a quantity of a thrust bearing"),
+            field="bearing.diametral_clearance",
+            example="bearing.contact_angle",
+        )
+    if "bearing.outer_conformity" in arrays and bearing.kind == "self_aligning":
+        raise InputError(
+            said("is not given of a self-aligning bearing: its outer race is a sphere"),
+            field="bearing.outer_conformity",
+            example="bearing.inner_conformity",
+        )
+
+
+def _consistent(
+    bearing: Any,
+    displacement: dict[str, FloatArray],
+    ball_count: int,
+    kind: str | None = None,
+) -> BoolArray:
     """Tell in which cases the fields do not contradict each other, as `Bearing` and `Case` have it.
 
     bearing: attributes as arrays; displacement: what is imposed, by axis.
@@ -279,7 +429,13 @@ def _consistent(bearing: Any, displacement: dict[str, FloatArray], ball_count: i
     sound = (pitch > diameter) & balls_fit(ball_count, diameter, pitch)
     if bearing.diametral_clearance is not None:
         reach = diameter * (bearing.inner_conformity + bearing.outer_conformity - 1.0)
-        sound = sound & clearance_fits(bearing.diametral_clearance, reach)
+        closed = 1.0 if bearing.shim_angle is None else np.cos(bearing.shim_angle)
+        sound = sound & clearance_fits(bearing.diametral_clearance, reach, closed)
+    elif kind == "thrust":
+        sound = sound & (bearing.contact_angle > LEAST_THRUST_ANGLE)
+    else:
+        least = 0.0 if kind == "self_aligning" else -1.0
+        sound = sound & (bearing.contact_angle < 0.5 * np.pi) & (bearing.contact_angle > least)
     for height in (bearing.inner_shoulder_height, bearing.outer_shoulder_height):
         if height is not None:
             sound = sound & (height < diameter / 2)

@@ -8,26 +8,48 @@ force.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Mapping
 from dataclasses import dataclass
-from math import isfinite, nan
-from typing import Final, TypeAlias
+from math import isfinite
+from typing import Any, Final
 
 import numpy as np
 
 from rolamento.assembly.cases import spread
+from rolamento.assembly.mounted import between_rows, mounted_cases
 from rolamento.assembly.solve import solve_cases
 from rolamento.case import Case
-from rolamento.case.arrangement import PRELOAD_KINDS
-from rolamento.case.duty import AXES, LOADS, Duty, Load
+from rolamento.case.duty import AXES, LOADS, Duty
+from rolamento.case.varied import varied_arrays
+from rolamento.clearance.batch import MOUNTED_FIELDS
+from rolamento.numerics import BoolArray, FloatArray, IntArray
 from rolamento.rows.ball.row import compiled_but_not_loaded
 from rolamento.solved import Preloading, Solved
 
-STEPS_OUT: Final = 6
+__all__ = ["Lost", "first_lift_off", "preload_at", "preload_loss", "preload_of"]
+
+STEPS_OUT: Final = 24
+SECANTS: Final = 6
+"""Of the steps outward; where the grip flattens out as the load grows, they never arrive."""
+STRIDE: Final = 1.5
 STEPS_IN: Final = 40
 PRECISION: Final = 1e-6
 
-Ball: TypeAlias = Callable[[list[float]], float]
+_SPEEDS: Final = ("duty.inner_speed", "duty.outer_speed")
+_NONE: Final = -1
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Lost:
+    """Where contact is lost, case by case.
+
+    factor: multiple of the external load, (cases,); NaN where there is no such load, or no contact
+    is lost before the set has no equilibrium. row: which row loses it, (cases,); -1 where none
+    does.
+    """
+
+    factor: FloatArray
+    row: IntArray
 
 
 def preload_of(case: Case) -> Preloading | None:
@@ -38,111 +60,261 @@ def preload_of(case: Case) -> Preloading | None:
     preload = case.bearing.preload
     if preload is None:
         return None
-    kind = next(name for name in PRELOAD_KINDS if getattr(preload, name) is not None)
-    duty = Duty(first_ball_azimuth=case.duty.first_ball_azimuth)
-    running = duty.replace(inner_speed=case.duty.inner_speed, outer_speed=case.duty.outer_speed)
-    still = not (case.duty.inner_speed or case.duty.outer_speed)
-    at_rest = _between_rows(_solved(case.replace(duty=duty)))
-    at_speed = at_rest if still else _between_rows(_solved(case.replace(duty=running)))
-    first = _loss(case, min)
-    whole = first if _axial(case.duty) else _loss(case, max)
-    return Preloading(kind, at_rest, at_speed, *first, *whole)
+    given = _Given(case, {}, 1)
+    at_rest = float(_at(given, running=False)[0])
+    at_speed = float(_at(given, running=True)[0]) if given.moving else at_rest
+    given.load_kernels()
+    first = _lost(given, np.minimum)
+    whole = first if given.axial[0] else _lost(given, np.maximum)
+    return Preloading(preload.kind, at_rest, at_speed, *_of_one(first), *_of_one(whole))
 
 
-def _axial(duty: Duty) -> bool:
-    """Whether all balls of a row are alike: they then lift off together."""
-    across = [getattr(duty.load, name) for name in LOADS[1:]]
-    across += [getattr(duty.displacement, name) for name in AXES[1:]]
-    return not any(across)
+def preload_at(solved: Solved, *, running: bool) -> FloatArray:
+    """Return the axial force between the rows that face each other, without external load.
 
+    Parameters
+    ----------
+    solved
+        Cases of a set; each is solved once more.
+    running
+        At the duty's speeds, else at rest.
 
-def _solved(case: Case) -> Solved:
-    return solve_cases(spread(case, threads=1))
-
-
-def _between_rows(solved: Solved) -> float:
-    """Axial force that the rows put on each other: what those that carry toward +x carry."""
-    axial = solved.rows.load[0, :, 0]
-    return float(np.where(axial > 0.0, axial, 0.0).sum()) if solved.converged[0] else nan
-
-
-def _loss(case: Case, ball: Ball) -> tuple[float, int | None]:
-    """The multiple of the external load at which a ball of a row first loses contact, and which.
-
-    ball: max for the deepest ball of a row, with which the row loses all contact; min for the
-    shallowest, with which it begins.
+    Returns
+    -------
+    (cases,), N; NaN without an equilibrium.
     """
-    if not any(getattr(case.duty.load, name) for name in LOADS):
-        return nan, None
-    _load_kernels(case)
-    low, high = _grip(case, ball, 0.0), _grip(case, ball, 1.0)
-    if not low.least > 0.0:
-        return nan, None
-    for _ in range(STEPS_OUT):
-        if not isfinite(high.least):  # no equilibrium: come half way back
-            high = _grip(case, ball, 0.5 * (low.factor + high.factor))
-        elif high.least > 0.0:
-            ahead = min(1.02 * _zero(low, high), 8.0 * high.factor)
-            low, high = high, _grip(case, ball, ahead)
-        else:
-            return _between(case, ball, low, high)
-    return nan, None
+    return _at(_given_by(solved), running=running)
 
 
-def _load_kernels(case: Case) -> None:
-    """Have the compiled kernels loaded if they are on disk: the search solves hundreds of rows.
+def first_lift_off(solved: Solved) -> Lost:
+    """Find the multiple of the external load at which a ball first loses contact.
 
-    At rest plain Python is as fast as loading them. A single case takes them only where they are
-    loaded already, two cases always.
+    Parameters
+    ----------
+    solved
+        Cases of a set. Some 15 to 25 more solutions of each are needed: all cases take a step of
+        the search together.
     """
-    moving = case.duty.inner_speed != 0.0 or case.duty.outer_speed != 0.0
-    if moving and compiled_but_not_loaded():
-        solve_cases(spread(case, {"inner_speed": [case.duty.inner_speed] * 2}, threads=1))
+    return _lost(_given_by(solved), np.minimum)
 
 
-@dataclass(frozen=True, slots=True)
-class _Grip:
-    """How far a ball of every row is pressed into the inner ring; a gap is negative."""
+def preload_loss(solved: Solved) -> Lost:
+    """Find the preload-loss point: where a row loses all contact with the inner ring.
 
-    factor: float
-    rows: tuple[float, ...]
+    As `first_lift_off`, which it is where the load is purely axial: all balls of a row are alike.
+    """
+    given = _given_by(solved)
+    found = _lost(given, np.maximum, ~given.axial)
+    axial = _lost(given, np.minimum, given.axial)
+    return Lost(
+        np.where(given.axial, axial.factor, found.factor),
+        np.where(given.axial, axial.row, found.row),
+    )
+
+
+class _Given:
+    """Cases whose preload is asked for: the case, what varies from it, and the external loads."""
+
+    def __init__(self, case: Case, values: Mapping[str, FloatArray], cases: int) -> None:
+        self.case, self.cases = case, cases
+        self.values = {name: np.broadcast_to(array, cases) for name, array in values.items()}
+        self.loads = dict(self._loads())
+
+    def _loads(self) -> Any:
+        """The loads that are given, by name: (cases,), N and N·m."""
+        for axis, name in zip(AXES, LOADS, strict=True):
+            own = getattr(self.case.duty.load, name)
+            if (varied := self.values.get(f"duty.load.{name}")) is not None:
+                yield name, varied
+            elif own is not None and f"duty.displacement.{axis}" not in self.values:
+                yield name, np.full(self.cases, own)
 
     @property
-    def least(self) -> float:
-        """Of the row that is nearest to losing contact; m."""
-        return min(self.rows)
+    def loaded(self) -> BoolArray:
+        """Whether a case has an external load; (cases,)."""
+        there = np.zeros(self.cases, np.bool_)
+        for load in self.loads.values():
+            there |= load != 0.0
+        return there
+
+    @property
+    def axial(self) -> BoolArray:
+        """Whether all balls of a row are alike: they then lift off together; (cases,)."""
+        across = np.zeros(self.cases, np.bool_)
+        for name in LOADS[1:]:
+            across |= self.loads.get(name, np.zeros(1)) != 0.0
+        for axis in AXES[1:]:
+            own = getattr(self.case.duty.displacement, axis) or 0.0
+            held = self.values.get(f"duty.displacement.{axis}", np.full(1, own))
+            across |= held != 0.0
+        return ~across
+
+    @property
+    def moving(self) -> bool:
+        """Whether a ring turns in any case."""
+        duty = self.case.duty
+        own = bool(duty.inner_speed or duty.outer_speed)
+        return own or any(np.any(self.values.get(name, np.zeros(1)) != 0.0) for name in _SPEEDS)
+
+    def load_kernels(self) -> None:
+        """Have the compiled kernels loaded if they are on disk: hundreds of rows are solved.
+
+        At rest plain Python is as fast as loading them. A single case takes them only where they
+        are loaded already, two cases always.
+        """
+        if self.moving and any(self.loads.values()) and compiled_but_not_loaded():
+            twice = {"inner_speed": [self.case.duty.inner_speed] * 2}
+            _solved(self.case, varied_arrays(twice))
+
+    def grips(self, factor: FloatArray, some: IntArray, shallowest: np.ufunc) -> FloatArray:
+        """How far the rows' balls are pressed into the inner ring; a gap is negative.
+
+        Parameters
+        ----------
+        factor
+            Multiple of the external load; (some,).
+        some
+            Which cases.
+        shallowest
+            `np.minimum` for the shallowest ball of each row, `np.maximum` for the deepest.
+
+        Returns
+        -------
+        (some, rows), m; NaN without an equilibrium.
+        """
+        values = {name: array[some] for name, array in self.values.items()}
+        for name, load in self.loads.items():
+            values[f"duty.load.{name}"] = factor * load[some]
+        solved = _solved(self.case, values)
+        return np.asarray(
+            shallowest.reduceat(solved.inner.approach, solved.rows.starts, axis=1), np.float64
+        )
 
 
-def _grip(case: Case, ball: Ball, factor: float) -> _Grip:
-    """The rows' grips under a multiple of the external load; NaN without an equilibrium."""
-    given = {name: getattr(case.duty.load, name) for name in LOADS}
-    load = Load(**{name: factor * value for name, value in given.items() if value is not None})
-    solved = _solved(case.replace(duty=case.duty.replace(load=load)))
-    approach = np.split(solved.inner.approach[0], solved.rows.starts[1:])
-    return _Grip(factor, tuple(ball(row.tolist()) for row in approach))
+def _given_by(solved: Solved) -> _Given:
+    values = dict(solved.varied)
+    if solved.case.mounting is None:
+        values = {name: array for name, array in values.items() if name not in MOUNTED_FIELDS}
+    return _Given(solved.case, values, len(solved))
 
 
-def _between(case: Case, ball: Ball, low: _Grip, high: _Grip) -> tuple[float, int | None]:
-    """Close in on the zero between two factors: false position, the Illinois way."""
-    below, above = low.least, high.least
-    for _ in range(STEPS_IN):
-        if high.factor - low.factor <= PRECISION * high.factor:
-            break
-        guess = (low.factor * above - high.factor * below) / (above - below)
-        found = _grip(case, ball, guess)
-        if not isfinite(found.least):
-            return nan, None
-        if found.least > 0.0:
-            low, below, above = found, found.least, 0.5 * above
-        else:
-            high, above, below = found, found.least, 0.5 * below
-        if abs(found.least) <= PRECISION * max(map(abs, found.rows)):
-            low = high = found
-    return 0.5 * (low.factor + high.factor), int(np.argmin(high.rows))
+def _solved(case: Case, values: Mapping[str, FloatArray]) -> Solved:
+    """Solve cases; those of a mounted set with the geometry that each of them runs with."""
+    if case.mounting is not None:
+        return solve_cases(mounted_cases(case, values, threads=1))
+    return solve_cases(spread(case, values, threads=1))
 
 
-def _zero(low: _Grip, high: _Grip) -> float:
-    """Where the line through the grips comes to zero; infinite if it does not fall."""
-    fall = low.least - high.least
-    ahead = high.least * (high.factor - low.factor)
-    return high.factor + ahead / fall if fall > 0.0 else np.inf
+def _at(given: _Given, *, running: bool) -> FloatArray:
+    """The force between the rows without external load; (cases,), N."""
+    duty = Duty(first_ball_azimuth=given.case.duty.first_ball_azimuth)
+    outside = ("duty.load.", "duty.displacement.", *(() if running else _SPEEDS))
+    values = {name: array for name, array in given.values.items() if not name.startswith(outside)}
+    if running:
+        own = given.case.duty
+        duty = duty.replace(inner_speed=own.inner_speed, outer_speed=own.outer_speed)
+    if not values and given.cases > 1:  # the length has to come from somewhere
+        values = {"duty.inner_speed": np.full(given.cases, duty.inner_speed)}
+    return between_rows(_solved(given.case.replace(duty=duty), values))
+
+
+def _of_one(found: Lost) -> tuple[float, int | None]:
+    factor, row = float(found.factor[0]), int(found.row[0])
+    return factor, row if isfinite(factor) else None
+
+
+def _lost(given: _Given, shallowest: np.ufunc, where: BoolArray | None = None) -> Lost:
+    """The multiple of the external load at which a ball of a row first loses contact, and which.
+
+    shallowest: `np.maximum` for the deepest ball of a row, with which the row loses all contact;
+    `np.minimum` for the shallowest, with which it begins. where: which cases; all if not given.
+
+    All cases take each step together: outward from the load itself until it is enclosed, then
+    false position, the Illinois way.
+    """
+    found = Lost(np.full(given.cases, np.nan), np.full(given.cases, _NONE))
+    search = _Search(given, shallowest, given.loaded if where is None else given.loaded & where)
+    search.enclose()
+    search.close_in()
+    factor = np.where(search.enclosed, 0.5 * (search.low + search.high), np.nan)
+    row = np.where(search.enclosed, np.argmin(search.above, axis=1), _NONE)
+    found.factor[search.cases], found.row[search.cases] = factor, row
+    return found
+
+
+class _Search:
+    """Two multiples of the load for each case, and the rows' grips at both.
+
+    low, high: (cases,); below, above: the grips at them, (cases, rows); least_below, least_above:
+    of the row that is nearest to losing contact, as false position weights them.
+    """
+
+    def __init__(self, given: _Given, shallowest: np.ufunc, wanted: BoolArray) -> None:
+        self._given, self._shallowest = given, shallowest
+        cases = np.flatnonzero(wanted)
+        self.cases = cases
+        self.low, self.below = np.zeros(len(cases)), self._grips(np.zeros(len(cases)), cases)
+        gripped = self.below.min(axis=1) > 0.0
+        self.cases = cases[gripped]
+        self.low, self.below = self.low[gripped], self.below[gripped]
+        self.high = np.ones(len(self.cases))
+        self.above = self._grips(self.high, self.cases)
+        self.enclosed = np.zeros(len(self.cases), np.bool_)
+
+    def _grips(self, factor: FloatArray, cases: IntArray) -> FloatArray:
+        if not len(cases):
+            return np.zeros((0, 1))
+        return self._given.grips(factor, cases, self._shallowest)
+
+    def enclose(self) -> None:
+        """Go outward until contact is lost; half way back where there is no equilibrium."""
+        for step in range(STEPS_OUT + 1):
+            least = self.above.min(axis=1)
+            self.enclosed |= least <= 0.0
+            open_ = np.flatnonzero(~self.enclosed & (self.high - self.low > PRECISION * self.high))
+            if step == STEPS_OUT:
+                return
+            if not len(open_):
+                return
+            nowhere = ~np.isfinite(least[open_])
+            low, high = self.low[open_], self.high[open_]
+            secant = np.fmin(1.02 * self._zero(open_), 8.0 * high)
+            ahead = secant if step < SECANTS else STRIDE * high
+            further = np.where(nowhere, 0.5 * (low + high), ahead)
+            onward = open_[~nowhere]
+            self.low[onward], self.below[onward] = self.high[onward], self.above[onward]
+            self.high[open_] = further
+            self.above[open_] = self._grips(further, self.cases[open_])
+
+    def _zero(self, some: IntArray) -> FloatArray:
+        """Where the line through the grips comes to zero; infinite if it does not fall."""
+        least, greatest = self.above[some].min(axis=1), self.below[some].min(axis=1)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            fall = greatest - least
+            ahead = least * (self.high[some] - self.low[some]) / fall
+            return np.where(fall > 0.0, self.high[some] + ahead, np.inf)
+
+    def close_in(self) -> None:
+        """Bring the two together; where there is no equilibrium between them, nothing is found."""
+        near, far = self.below.min(axis=1), self.above.min(axis=1)
+        for _ in range(STEPS_IN):
+            wide = self.high - self.low > PRECISION * self.high
+            some = np.flatnonzero(self.enclosed & wide)
+            if not len(some):
+                return
+            guess = (self.low[some] * far[some] - self.high[some] * near[some]) / (
+                far[some] - near[some]
+            )
+            grips = self._grips(guess, self.cases[some])
+            least = grips.min(axis=1)
+            self.enclosed[some[~np.isfinite(least)]] = False
+            holds, lost = least > 0.0, least <= 0.0
+            exact = np.abs(least) <= PRECISION * np.abs(grips).max(axis=1)
+            for side, other, value, rest, taken in (
+                (self.low, self.below, near, far, holds), (self.high, self.above, far, near, lost),
+            ):  # fmt: skip
+                side[some[taken]], other[some[taken]] = guess[taken], grips[taken]
+                value[some[taken]] = least[taken]
+                rest[some[taken]] *= 0.5
+            for side, other in ((self.low, self.below), (self.high, self.above)):
+                side[some[exact]], other[some[exact]] = guess[exact], grips[exact]

@@ -7,7 +7,8 @@ facing σ = ±1, has in its own frame
 
     x_r = σ x + e,   y_r = y + a rz,   z_r = z - a ry,   ry_r = σ ry,   rz_r = σ rz
 
-where e is how far the clamped rings press it in. Springs add a sixth unknown: how far they have
+where e is how far the clamped rings press it in. (In a self-aligning bearing a = 0: its rows know
+of no tilt, see `rolamento.rows.sphere`.) Springs add a sixth unknown: how far they have
 pushed the outer rings of the rows that face -x. This is v = T u + e, the ring's force is the sum of
 T' f, and its stiffness the sum of T' k T. Tilts times the first row's arm make one unit of all.
 
@@ -169,7 +170,8 @@ class _Problem:
         finite = self.system.cases.valid[self.chosen] & np.isfinite(self.target).all(axis=1)
         finite &= np.isfinite(self.start).all(axis=1) & np.isfinite(np.sum(self.press, axis=0))
         finite &= np.all([row.valid[self.chosen] for row in rows], axis=0)
-        which = np.flatnonzero(finite)
+        unheld = finite & self.system.cases.unheld[self.chosen]
+        which = np.flatnonzero(finite & ~unheld)
         sizes = rows[0].sizes
         of_ring = self.chosen[which]
         found = balance(
@@ -182,7 +184,9 @@ class _Problem:
             limit=sizes.diameter[of_ring],
             reference=1.5e-6 * sizes.stiffness[of_ring],
         )
-        return self._solution(which, found)
+        solution = self._solution(which, found)
+        solution.number[unheld], solution.unsupported[unheld] = NO_EQUILIBRIUM, 0
+        return solution
 
     def _view(self, which: Indices, u: FloatArray) -> _View:
         """Hold every row where the ring holds it, and sum up what they answer."""
@@ -264,8 +268,8 @@ def transform(placed: PlacedRow, sprung: bool) -> FloatArray:
     t[:, 0, 0] = placed.sign
     t[:, 0, SLIDE] = 1.0 if sprung and placed.sign < 0.0 else 0.0
     t[:, 1, 1] = t[:, 2, 2] = 1.0
-    t[:, 1, 4] = placed.position
-    t[:, 2, 3] = -placed.position
+    t[:, 1, 4] = placed.lever
+    t[:, 2, 3] = -placed.lever
     t[:, 3, 3] = t[:, 4, 4] = placed.sign
     return t
 
@@ -295,6 +299,9 @@ def pressed_in(cases: Cases) -> tuple[FloatArray, ...]:
     shares = {sign: sum(placed.sign == sign for placed in cases.rows) for sign in (1.0, -1.0)}
     press = []
     for placed in cases.rows:
+        if placed.press is not None:
+            press.append(placed.press)
+            continue
         touch = placed.row.first_contact()
         if cases.preload == "offset":
             press.append(touch + cases.preload_value)

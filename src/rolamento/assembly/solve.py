@@ -121,8 +121,7 @@ def _guided(system: System[S], mode: str) -> tuple[S, FloatArray, IntArray]:
 def result(cases: Cases, balanced: Balanced) -> Solved:
     """Put the result together; a case without one carries NaN."""
     lost = ~balanced.status.converged
-    counts = [placed.row.element_count for placed in cases.rows]
-    ends = np.cumsum(counts)[:-1]
+    ends = np.cumsum([placed.row.element_count for placed in cases.rows])[:-1]
     parts = zip(
         cases.rows, balanced.rows, np.split(balanced.control, ends, axis=1),
         np.split(balanced.shown, ends, axis=1), strict=True,
@@ -130,7 +129,9 @@ def result(cases: Cases, balanced: Balanced) -> Solved:
     answers = tuple(
         placed.row.answer(held, control, shown, lost) for placed, held, control, shown in parts
     )
-    geometry = [placed.row.geometry for placed in cases.rows]
+    # a row is shown as often as it has faces
+    faces = [(placed, face) for placed in cases.rows for face in placed.row.faces]
+    geometry = [placed.row.geometry for placed, _ in faces]
     displacement = _forgotten(balanced.place, lost)
     load = _forgotten(np.where(cases.free, cases.load, balanced.force), lost)
     return Solved(
@@ -141,9 +142,9 @@ def result(cases: Cases, balanced: Balanced) -> Solved:
         load=RingLoad(*load.T),
         stiffness=Stiffness(_forgotten(balanced.stiffness, lost)),
         rows=Rows(
-            sign=np.array([placed.sign for placed in cases.rows]),
-            element_count=np.array(counts),
-            position=np.stack([placed.position for placed in cases.rows], axis=1),
+            sign=np.array([placed.sign * face for placed, face in faces]),
+            element_count=np.array([placed.row.element_count for placed, _ in faces]),
+            position=np.stack([placed.position for placed, _ in faces], axis=1),
             load=_forgotten(_carried(cases, balanced, load), lost),
             **{
                 name: np.stack([getattr(own, name) for own in geometry], axis=1)
@@ -159,10 +160,10 @@ def _carried(cases: Cases, balanced: Balanced, load: FloatArray) -> FloatArray:
     if cases.alone is not None:
         return load[:, np.newaxis]
     parts = [
-        np.einsum("nij,ni->nj", transform(placed, sprung=False)[:, :, :5], held.force)
+        np.einsum("nij,nfi->nfj", transform(placed, sprung=False)[:, :, :5], held.face_forces)
         for placed, held in zip(cases.rows, balanced.rows, strict=True)
     ]
-    return np.stack(parts, axis=1)
+    return np.concatenate(parts, axis=1)
 
 
 def _forgotten(array: FloatArray, lost: BoolArray) -> FloatArray:
@@ -182,10 +183,11 @@ class RowAnswers:
 
     def tables(self) -> Tables:
         """Evaluate every element of every case, row after row."""
-        parts = []
-        for number, row in enumerate(self.rows):
+        parts: list[Tables] = []
+        for row in self.rows:
             own = row.tables()
-            elements = replace(own.elements, row=np.full_like(own.elements.row, number))
+            before = 1 + int(parts[-1].elements.row.max()) if parts else 0
+            elements = replace(own.elements, row=own.elements.row + before)
             parts.append(replace(own, elements=elements))
         return reduce(_beside, parts)
 

@@ -74,6 +74,9 @@ class BallRow(Record):
         As in `Bearing`; what is not given is the bearing's.
     inner_conformity, outer_conformity
         Likewise.
+    offset
+        How far the clamped rings press this row in axially, in m, counted as the offset of a
+        `Preload`; in the place of that offset, or beside springs or no preload.
 
     Raises
     ------
@@ -100,6 +103,9 @@ class BallRow(Record):
     ] = Field(None, examples=["0.015 mm"])
     inner_conformity: _Conformity | None = Field(None, examples=[0.5232])
     outer_conformity: _Conformity | None = Field(None, examples=[0.5232])
+    offset: Annotated[float, Quantity("length", at_least="-10 mm", at_most="10 mm")] | None = Field(
+        None, examples=["5 um"]
+    )
 
     @property
     def own(self) -> dict[str, Any]:
@@ -107,7 +113,7 @@ class BallRow(Record):
 
         None for the bearing's angle or clearance where the row has the other.
         """
-        shared = {"element", "orientation", "position", "phase"}
+        shared = {"element", "orientation", "position", "phase", "offset"}
         own = {name: getattr(self, name) for name in type(self).model_fields if name not in shared}
         given = {name: value for name, value in own.items() if value is not None}
         ended = (other for name in given for other in replaced(BallRow, name))
@@ -204,6 +210,11 @@ class Preload(Record):
             value=text,
             example='"500 N", "5 um" or { spring = "500 N" }',
         )
+
+    @property
+    def kind(self) -> str:
+        """Which of `PRELOAD_KINDS` is given."""
+        return next(name for name in PRELOAD_KINDS if getattr(self, name) is not None)
 
     def pair_force(self, contact_angle: float | None) -> float | None:
         """The listed force of a pair, in N; None where the preload is not given by its level.

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from contextlib import AbstractContextManager, nullcontext
 from functools import lru_cache
-from typing import TYPE_CHECKING, Annotated, Any, Final, Literal, NamedTuple, Self
+from typing import TYPE_CHECKING, Annotated, Any, Final, Literal, NamedTuple, Self, cast
 
 from pydantic import (
     BeforeValidator,
     ConfigDict,
     Field,
     ModelWrapValidatorHandler,
+    PrivateAttr,
     SerializationInfo,
     SerializerFunctionWrapHandler,
     ValidationInfo,
@@ -31,11 +33,12 @@ from rolamento.case.material import DEFAULT_MATERIAL, Material, MaterialField
 from rolamento.case.quantity import Line, Quantity, Ratio, Replaces, at_the_border
 from rolamento.case.record import Record
 from rolamento.errors import InputError
+from rolamento.geometry import free_contact_angle, sphere_conformity
 from rolamento.units import Dimension, from_si
 from rolamento.words import said
 
 if TYPE_CHECKING:
-    from rolamento.catalogue import CatalogueBearing
+    from rolamento.catalogue import CatalogueBearing, InternalGeometry
 
 __all__ = ["Bearing", "RowPlace", "balls_fit", "clearance_fits"]
 
@@ -51,10 +54,17 @@ _CATALOGUE_FIELDS: Final[Mapping[str, Dimension | None]] = {
     "outer_conformity": None,
     "contact_angle": "angle",
     "diametral_clearance": "length",
+    "kind": None,
+    "shim_angle": "angle",
+    "arrangement": None,
+    "spacing": "length",
 }
 """What a designation fills in, by the dimension."""
 
 _Conformity = Annotated[float, Ratio(at_least=0.501, at_most=1.0, varies=True)]
+
+BearingKind = Literal["four_point", "self_aligning", "thrust"]
+LEAST_THRUST_ANGLE: Final = math.radians(45.0)
 
 
 def _as_text(value: object) -> object:
@@ -80,7 +90,22 @@ _ShoulderHeight = Annotated[float, Quantity("length", above="0 mm", at_most="1 m
 def _required_unless_told(schema: dict[str, Any]) -> None:
     """In the JSON schema, require the geometry only where no designation and no row tells it."""
     own = schema.pop("required", [])
-    schema["anyOf"] = [{"required": names} for names in (["designation"], ["rows"], own)]
+    sphere = [*own, "kind"]  # its outer race follows
+    schema["anyOf"] = [
+        {"required": names}
+        for names in (["designation"], ["rows"], [*own, "outer_conformity"], sphere)
+    ]
+
+
+def _sphere_if_any(told: dict[str, Any]) -> float:
+    """The outer conformity that nobody gives: of a self-aligning bearing, else NaN for missing."""
+    if told.get("kind") != "self_aligning":
+        return math.nan
+    angle, spacing = told.get("contact_angle"), told.get("spacing")
+    if angle is None and spacing is None:
+        return math.nan
+    tangent = math.tan(angle) if angle is not None else spacing / told["pitch_diameter"]
+    return float(sphere_conformity(told["ball_diameter"], told["pitch_diameter"], tangent))
 
 
 class Bearing(Record):
@@ -98,6 +123,11 @@ class Bearing(Record):
     ----------
     element
         What rolls in the rows: ``"ball"``.
+    kind
+        Of the grooves, where they are not those of a deep-groove or angular contact bearing:
+        ``"four_point"``, both rings with two arcs (see `shim_angle`); ``"self_aligning"``, two rows
+        in an outer ring that is a sphere about the bearing's centre; ``"thrust"``, one groove a
+        washer, face to face.
     designation
         Of the catalogue, such as ``"6305/C3"``: it fills in what is not given of the fields
         from `ball_count` to `outer_conformity`, published or inferred; see `origins`.
@@ -108,11 +138,16 @@ class Bearing(Record):
     pitch_diameter
         d_m, diameter of the circle of ball centres, in m.
     contact_angle
-        α, free contact angle, in rad, 0 ≤ α < π/2.
+        α, free contact angle, in rad, 0 ≤ α < π/2; of a thrust bearing 45° to 90°, and 90° if not
+        given.
     diametral_clearance
-        P_d, in m; negative for an interference.
+        P_d, in m; negative for an interference. A self-aligning bearing takes `spacing` with it.
+    shim_angle
+        α_s of a four-point bearing, in rad: the contact angle at which a ball without play would
+        touch both arcs of a ring. The arcs' centres are offset by s = (f - ½) D sin α_s.
     inner_conformity, outer_conformity
-        f_i, f_o, groove radius over ball diameter, 0.501 to 1.
+        f_i, f_o, groove radius over ball diameter, 0.501 to 1. The outer race of a self-aligning
+        bearing is not given: the sphere follows from the place of the rows.
     ring_material
         A `Material`, its name or its table; 100Cr6 if not given.
     ball_material
@@ -124,7 +159,8 @@ class Bearing(Record):
         Of a set of equal bearings that share the shaft: ``"DB"``, ``"DF"``, ``"DT"`` … (see
         `rolamento.case.arrangement.ARRANGEMENTS`); x = 0 is then in the middle of the set.
     spacing
-        Axial distance between neighbouring rows of an arrangement, in m.
+        Axial distance between neighbouring rows of an arrangement, or between the rows of a
+        self-aligning bearing that is given by its clearance, in m.
     rows
         Instead of an arrangement, the rows one by one.
     preload
@@ -140,6 +176,7 @@ class Bearing(Record):
     model_config = ConfigDict(json_schema_extra=_required_unless_told)
 
     element: Literal["ball"] = Field("ball", examples=["ball"])
+    kind: BearingKind | None = Field(None, examples=["four_point"])
     designation: Annotated[_Designation | None, Replaces(*_DISPLACED)] = Field(
         None, examples=["6305/C3"]
     )
@@ -151,23 +188,26 @@ class Bearing(Record):
         float, Quantity("length", at_least="0.01 mm", at_most="20 m", varies=True)
     ] = Field(examples=["125.26 mm"])
     contact_angle: Annotated[
-        Annotated[float, Quantity("angle", at_least="0 deg", below="90 deg", varies=True)] | None,
+        Annotated[float, Quantity("angle", at_least="0 deg", at_most="90 deg", varies=True)] | None,
         Replaces("diametral_clearance"),
     ] = Field(None, examples=["40 deg"])
     diametral_clearance: Annotated[
         Annotated[float, Quantity("length", at_least="-1 m", at_most="1 m", varies=True)] | None,
         Replaces("contact_angle"),
     ] = Field(None, examples=["0.015 mm"])
+    shim_angle: (
+        Annotated[float, Quantity("angle", above="0 deg", below="90 deg", varies=True)] | None
+    ) = Field(None, examples=["20 deg"])
+    spacing: (
+        Annotated[float, Quantity("length", above="0 mm", at_most="10 m", varies=True)] | None
+    ) = Field(None, examples=["24 mm"])
     inner_conformity: _Conformity = Field(examples=[0.5232])
-    outer_conformity: _Conformity = Field(examples=[0.5232])
+    outer_conformity: _Conformity = Field(default_factory=_sphere_if_any, examples=[0.5232])
     ring_material: MaterialField = Field(default_factory=lambda: Material.named(DEFAULT_MATERIAL))
     ball_material: MaterialField = Field(default_factory=lambda data: data["ring_material"])
     inner_shoulder_height: _ShoulderHeight | None = Field(None, examples=["4.5 mm"])
     outer_shoulder_height: _ShoulderHeight | None = Field(None, examples=["4.5 mm"])
     arrangement: Annotated[Arrangement | None, Replaces("rows")] = Field(None, examples=["DB"])
-    spacing: (
-        Annotated[float, Quantity("length", above="0 mm", at_most="10 m", varies=True)] | None
-    ) = Field(None, examples=["24 mm"])
     rows: Annotated[tuple[RowOfElements, ...] | None, Replaces("arrangement", "spacing")] = Field(
         None,
         min_length=1,
@@ -175,6 +215,8 @@ class Bearing(Record):
         examples=['[{ orientation = "+", position = "0 mm" }]'],
     )
     preload: PreloadField | None = Field(None, examples=["500 N"])
+    _listed: tuple[CatalogueBearing, ...] = PrivateAttr(default=())
+    """The records outside the built-in catalogue by which the designation was found."""
 
     @classmethod
     def named(cls, designation: str, **fields: Any) -> Self:
@@ -201,45 +243,78 @@ class Bearing(Record):
         ``"given"`` by the user, ``"published"`` by a maker, ``"inferred"`` from the ratings,
         or ``"assumed"``: an ordinary conformity, the middle of the clearance class.
         """
-        if self.designation is None:
+        if self.told is None:
             return {}
-        from rolamento.catalogue import built_in_geometry
-
-        own = self.model_fields_set
-        told = built_in_geometry(self.designation, not own.issuperset(_BALL_FIELDS)).origins
+        own, told = self.model_fields_set, self.told.origins
         return {
             name: "given" if name in own else told[name]
             for name in _CATALOGUE_FIELDS
-            if getattr(self, name) is not None
+            if getattr(self, name) is not None and (name in own or name in told)
         }
+
+    @property
+    def told(self) -> InternalGeometry | None:
+        """What the designation says, and the catalogue of it; None without one.
+
+        Without balls where the user gave them all.
+        """
+        if self.designation is None:
+            return None
+        from rolamento.catalogue import catalogue_with, geometry_of
+
+        return geometry_of(
+            self.designation,
+            catalogue_of=catalogue_with(self._listed),
+            with_balls=not self.model_fields_set.issuperset(_BALL_FIELDS),
+        )
 
     @property
     def published(self) -> CatalogueBearing | None:
         """What the catalogue holds of the designation; None without one."""
-        if self.designation is None:
-            return None
-        from rolamento.catalogue import built_in_geometry
-
-        return built_in_geometry(self.designation, False).bearing
+        return None if self.told is None else self.told.bearing
 
     @property
     def clearance_class(self) -> str | None:
         """Class of ISO 5753-1 that the clearance is the middle of; None of any other clearance."""
-        if self.origins.get("diametral_clearance") != "assumed" or self.designation is None:
+        if self.told is None or self.origins.get("diametral_clearance") != "assumed":
             return None
-        from rolamento.catalogue import built_in_geometry
-
-        return built_in_geometry(self.designation, False).clearance_class
+        return self.told.clearance_class
 
     @property
     def is_set(self) -> bool:
         """Whether the bearing is more than one plain row."""
-        return self.arrangement is not None or self.rows is not None
+        return (
+            self.arrangement is not None
+            or self.rows is not None
+            or self.kind in ("four_point", "self_aligning")
+        )
 
     @property
     def places(self) -> tuple[RowPlace, ...]:
-        """The rows of balls along +x, each as a bearing of one row; one if it is no set."""
+        """The rows of balls along +x, each as a bearing of one row; one if it is no set.
+
+        A four-point bearing has one row of balls, and is two rows of contacts at one place: that
+        of the arcs which carry toward +x, and its mirror image.
+        """
         return _places(self)
+
+    def replace(self, **changes: Any) -> Self:
+        """Return a new bearing with the given fields changed; see `Record.replace`."""
+        with self.looked_up():
+            return super().replace(**changes)
+
+    def looked_up(self) -> AbstractContextManager[object]:
+        """Return a block in which the designation is found where this bearing found it."""
+        if not self._listed:
+            return nullcontext()
+        from rolamento.catalogue import listed
+
+        return listed(self._listed)
+
+    @property
+    def ball_rows(self) -> tuple[RowPlace, ...]:
+        """Those of the `places` that have balls of their own: one of a four-point bearing."""
+        return self.places[:1] if self.kind == "four_point" else self.places
 
     @model_validator(mode="wrap")
     @classmethod
@@ -250,12 +325,21 @@ class Bearing(Record):
         if not isinstance(given, Mapping):
             return handler(given)
         designation = _as_text(given.get("designation"))
+        records: tuple[CatalogueBearing, ...] = ()
         if isinstance(designation, str):
-            found = _of_catalogue(designation, given, in_file=at_the_border(info.context))
+            geometry = _geometry(designation, given)
+            found = _of_catalogue(geometry, given, in_file=at_the_border(info.context))
+            records = geometry.records
         else:
             found = _of_first_row(given)
+        merged = {**given, **found}
+        if merged.get("kind") == "thrust" and merged.get("contact_angle") is None:
+            found["contact_angle"] = "90 deg" if at_the_border(info.context) else 0.5 * math.pi
+        if merged.get("kind") == "self_aligning":
+            found.pop("outer_conformity", None)
         bearing = handler({**given, **found})
         bearing.__pydantic_fields_set__.difference_update(found)
+        cast("dict[str, Any]", bearing.__pydantic_private__)["_listed"] = records
         return bearing
 
     @model_serializer(mode="wrap")
@@ -264,6 +348,8 @@ class Bearing(Record):
     ) -> dict[str, Any]:
         """Write to a file the user's own fields only, where others are filled in."""
         fields: dict[str, Any] = handler(self)
+        if self.kind == "self_aligning":
+            fields.pop("outer_conformity", None)
         if (self.designation or self.rows) is None or not at_the_border(info.context):
             return fields
         told = _CATALOGUE_FIELDS.keys() - self.model_fields_set
@@ -272,6 +358,7 @@ class Bearing(Record):
     @model_validator(mode="after")
     def _consistent(self) -> Self:
         self._check_that_balls_fit()
+        self._check_kind()
         self._check_angle_or_clearance()
         self._check_clearance()
         self._check_shoulders()
@@ -306,6 +393,113 @@ class Bearing(Record):
                 example=f"ball_count = {room}" if room >= 3 else "",
             )
 
+    def _check_kind(self) -> None:
+        """Keep each kind to the fields that it has."""
+        if self.kind is not None:
+            for name in ("arrangement", "rows", "preload"):
+                if getattr(self, name) is not None:
+                    raise InputError(
+                        said('does not go with kind = "{kind}"', kind=self.kind),
+                        field=name,
+                        example=said("leave it out, or leave out kind"),
+                    )
+        if (self.kind == "four_point") != (self.shim_angle is not None):
+            if self.shim_angle is None:
+                raise InputError(
+                    said("is missing; a four-point bearing needs it"),
+                    field="shim_angle",
+                    example='shim_angle = "20 deg"',
+                )
+            raise InputError(
+                said("is of four-point bearings only"),
+                field="shim_angle",
+                value=from_si(self.shim_angle, "angle"),
+                example='kind = "four_point"',
+            )
+        if self.kind == "self_aligning":
+            self._check_sphere()
+        elif math.isnan(self.outer_conformity):
+            raise InputError(
+                said("is missing"), field="outer_conformity", example="outer_conformity = 0.5232"
+            )
+        if self.kind == "thrust":
+            self._check_thrust()
+        elif self.contact_angle is not None and self.contact_angle >= 0.5 * math.pi:
+            raise InputError(
+                said('must be less than 90 deg, unless kind = "thrust"'),
+                field="contact_angle",
+                value=from_si(self.contact_angle, "angle"),
+                example='contact_angle = "40 deg"',
+            )
+
+    def _check_thrust(self) -> None:
+        if self.diametral_clearance is not None:
+            raise InputError(
+                said("is not a quantity of a thrust bearing"),
+                field="diametral_clearance",
+                value=from_si(self.diametral_clearance, "length"),
+                example='contact_angle = "90 deg"',
+            )
+        assert self.contact_angle is not None  # filled in
+        if not self.contact_angle > LEAST_THRUST_ANGLE:
+            raise InputError(
+                said("of a thrust bearing must be greater than 45 deg"),
+                field="contact_angle",
+                value=from_si(self.contact_angle, "angle"),
+                example='contact_angle = "90 deg"',
+            )
+
+    def _check_sphere(self) -> None:
+        if "outer_conformity" in self.model_fields_set:
+            raise InputError(
+                said("is not given of a self-aligning bearing: its outer race is a sphere"),
+                field="outer_conformity",
+                value=self.outer_conformity,
+                example=said("leave it out"),
+            )
+        if self.outer_shoulder_height is not None:
+            raise InputError(
+                said("is not given of a self-aligning bearing: its outer race is a sphere"),
+                field="outer_shoulder_height",
+                value=from_si(self.outer_shoulder_height, "length"),
+                example=said("leave it out"),
+            )
+        if self.contact_angle == 0.0:
+            raise InputError(
+                said("of a self-aligning bearing must be greater than 0 deg"),
+                field="contact_angle",
+                value=from_si(self.contact_angle, "angle"),
+                example='contact_angle = "10 deg"',
+            )
+        if self.diametral_clearance is not None and self.spacing is None:
+            raise InputError(
+                said("is missing; a self-aligning bearing given by its clearance needs it"),
+                field="spacing",
+                example='spacing = "9 mm"',
+            )
+        if self.contact_angle is not None and self.spacing is not None:
+            raise InputError(
+                said("cannot be combined with the contact angle: each follows from the other"),
+                field="spacing",
+                value=from_si(self.spacing, "length"),
+                example='contact_angle = "10 deg" without spacing',
+            )
+
+    @property
+    def row_angle(self) -> float:
+        """The free contact angle of each row as it is built; rad.
+
+        Of a self-aligning bearing that in which its rows stand about the centre, of a four-point
+        bearing that at which an axial load takes up the play; else the given or free one.
+        """
+        if self.contact_angle is not None:
+            return self.contact_angle
+        if self.kind == "self_aligning":
+            return math.atan(self.spacing / self.pitch_diameter) if self.spacing else math.nan
+        assert self.diametral_clearance is not None
+        reach = self.ball_diameter * (self.inner_conformity + self.outer_conformity - 1.0)
+        return float(free_contact_angle(self.diametral_clearance, reach, self.shim_angle or 0.0))
+
     def _check_angle_or_clearance(self) -> None:
         if self.contact_angle is None and self.diametral_clearance is None:
             raise InputError(
@@ -326,8 +520,9 @@ class Bearing(Record):
         if self.diametral_clearance is None:
             return
         groove_distance = self.ball_diameter * (self.inner_conformity + self.outer_conformity - 1.0)
-        if not clearance_fits(self.diametral_clearance, groove_distance):
-            least, most = (_rounded_length(f * groove_distance) for f in (-0.25, 2.0))
+        closed = math.cos(self.shim_angle or 0.0)
+        if not clearance_fits(self.diametral_clearance, groove_distance, closed):
+            least, most = (_rounded_length(f * groove_distance) for f in (-0.25, 2.0 * closed))
             raise InputError(
                 said(
                     "must be greater than {least} and less than {most} with these balls "
@@ -362,6 +557,8 @@ class Bearing(Record):
                 value=self.arrangement,
                 example='arrangement = "DB" without rows',
             )
+        if self.kind == "self_aligning":
+            return
         if (self.arrangement is None) != (self.spacing is None):
             missing, beside = (
                 ("spacing", "arrangement") if self.spacing is None else ("arrangement", "spacing")
@@ -378,6 +575,14 @@ class Bearing(Record):
                 field="preload",
                 example='arrangement = "DB"',
             )
+        own = [index for index, place in enumerate(self.places) if place.offset is not None]
+        clamped = self.preload is not None and self.preload.offset is None
+        if own and clamped and self.preload is not None and self.preload.spring is None:
+            raise InputError(
+                said("cannot be combined with a preload given by its force: the row has its own"),
+                field=f"rows.{own[0]}.offset",
+                example='preload = { offset = "5 um" }',
+            )
         if self.preload is not None:
             try:
                 self.preload.pair_force(self.contact_angle)
@@ -385,17 +590,32 @@ class Bearing(Record):
                 raise error.with_details(field=f"preload.{error.field}") from None
 
 
-def _of_catalogue(designation: str, given: Mapping[str, Any], *, in_file: bool) -> dict[str, Any]:
-    """Return the fields that a designation tells and the user does not."""
-    from rolamento.catalogue import built_in_geometry
+def _own_fields(given: Mapping[str, Any]) -> set[str]:
+    return {name for name, value in given.items() if value is not None}
 
-    own = {name for name, value in given.items() if value is not None}
+
+def _geometry(designation: str, given: Mapping[str, Any]) -> InternalGeometry:
+    from rolamento.catalogue import geometry_of
+
+    return geometry_of(designation, with_balls=not _own_fields(given).issuperset(_BALL_FIELDS))
+
+
+def _of_catalogue(
+    geometry: InternalGeometry, given: Mapping[str, Any], *, in_file: bool
+) -> dict[str, Any]:
+    """Return the fields that a designation tells and the user does not."""
+    own = _own_fields(given)
     missing = _CATALOGUE_FIELDS.keys() - own
     if own.intersection(_PLAY):
         missing -= set(_PLAY)
-    geometry = built_in_geometry(designation, not own.issuperset(_BALL_FIELDS))
+    if "rows" in own:
+        missing -= {"arrangement", "spacing"}
+    if "contact_angle" in own and geometry.fields.get("kind") == "self_aligning":
+        missing -= {"spacing"}
     if missing.issuperset(_PLAY) and not geometry.fields.keys() & set(_PLAY):
-        raise InputError(geometry.lack_of_play, field="designation", value=designation)
+        raise InputError(
+            geometry.lack_of_play, field="designation", value=geometry.designation.text
+        )
     found: dict[str, Any] = {}
     for name in missing & geometry.fields.keys():
         value, dimension = geometry.fields[name], _CATALOGUE_FIELDS[name]
@@ -419,29 +639,43 @@ def balls_fit(count: int, ball_diameter: Any, pitch_diameter: Any) -> Any:
     return ball_diameter / pitch_diameter <= math.sin(math.pi / count)
 
 
-def clearance_fits(clearance: Any, groove_distance: Any) -> Any:
-    """Whether a clearance can be taken up, or an interference stay elastic; numbers or arrays."""
-    return (-groove_distance / 4 < clearance) & (clearance < 2 * groove_distance)
+def clearance_fits(clearance: Any, groove_distance: Any, closed: Any = 1.0) -> Any:
+    """Whether a clearance can be taken up, or an interference stay elastic; numbers or arrays.
+
+    closed: cosine of the contact angle without clearance.
+    """
+    return (-groove_distance / 4 < clearance) & (clearance < 2 * groove_distance * closed)
 
 
 class RowPlace(NamedTuple):
-    """One row of a bearing: its geometry, +1 or -1 for the way it faces, its place."""
+    """One row of a bearing: its geometry, +1 or -1 for the way it faces, its place.
+
+    offset: how far it alone is pressed in; None where the preload says.
+    """
 
     bearing: Bearing
     sign: float
     position: float
     phase: float
+    offset: float | None = None
 
 
 @lru_cache(maxsize=1024)
 def _places(bearing: Bearing) -> tuple[RowPlace, ...]:
+    if bearing.kind in ("four_point", "self_aligning"):
+        return _faces(bearing)
     rows = _rows(bearing)
     if rows is None:
         return (RowPlace(bearing, 1.0, 0.0, 0.0),)
     plain: dict[str, Any] = dict.fromkeys(_SET_FIELDS)
     if bearing.designation is None:  # of the first row
-        told = _CATALOGUE_FIELDS.keys() - bearing.model_fields_set
+        told = _CATALOGUE_FIELDS.keys() - bearing.model_fields_set - plain.keys()
         plain.update({name: getattr(bearing, name) for name in told})
+    elif "arrangement" not in bearing.model_fields_set and bearing.rows is None:
+        # a double row by its designation, which would fill the arrangement in again
+        one = bearing.model_copy(update=plain)
+        signs = ((row, 1.0 if row.orientation == "+" else -1.0) for row in rows)
+        return tuple(RowPlace(one, sign, row.position, row.phase) for row, sign in signs)
     places = []
     for index, row in enumerate(rows):
         try:
@@ -449,8 +683,30 @@ def _places(bearing: Bearing) -> tuple[RowPlace, ...]:
         except InputError as error:
             raise error.with_details(field=f"rows.{index}.{error.field}") from None
         sign = 1.0 if row.orientation == "+" else -1.0
-        places.append(RowPlace(alone, sign, row.position, row.phase))
+        places.append(RowPlace(alone, sign, row.position, row.phase, row.offset))
     return tuple(places)
+
+
+def _faces(bearing: Bearing) -> tuple[RowPlace, ...]:
+    """The two rows of contacts of a four-point bearing, or the rows of a self-aligning one.
+
+    Each as it would be alone: one groove a ring, at its own angle.
+    """
+    alone = bearing.model_copy(
+        update={
+            "kind": None,
+            "shim_angle": None,
+            "spacing": None,
+            "contact_angle": bearing.row_angle,
+            "diametral_clearance": None,
+        }
+    )
+    if bearing.kind == "four_point":
+        return RowPlace(alone, 1.0, 0.0, 0.0), RowPlace(alone, -1.0, 0.0, 0.0)
+    # the rows look at the centre: face to face, the balls of one between those of the other
+    place = 0.5 * bearing.pitch_diameter * math.tan(bearing.row_angle)
+    half_pitch = math.pi / bearing.ball_count
+    return RowPlace(alone, -1.0, -place, 0.0), RowPlace(alone, 1.0, place, half_pitch)
 
 
 def _rows(bearing: Bearing) -> tuple[RowOfElements, ...] | None:

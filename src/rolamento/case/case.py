@@ -34,7 +34,7 @@ from rolamento.case.record import Record
 from rolamento.case.report import ReportHead
 from rolamento.case.surface import Surface
 from rolamento.case.temperature import Temperature
-from rolamento.errors import FileError, InputError
+from rolamento.errors import FileError, InputError, nearest
 from rolamento.units import from_si
 from rolamento.words import said
 
@@ -42,10 +42,12 @@ __all__ = [
     "Case",
     "case_to_json",
     "case_to_toml",
+    "is_designation",
     "load_case",
     "override",
     "parse_case",
     "save_case",
+    "with_changes",
 ]
 
 
@@ -145,7 +147,8 @@ class Case(Record):
             if name in given:
                 raise InputError(said("is given twice"), field=name)
             given[name] = value
-        return Case.from_mapping(changed(self._own_mapping(given), given, Case))
+        with self.bearing.looked_up():
+            return Case.from_mapping(changed(self._own_mapping(given), given, Case))
 
     def _own_mapping(self, changes: Iterable[str]) -> dict[str, Any]:
         """The tables of the case's file; balls of the rings' material go on following it."""
@@ -181,7 +184,7 @@ class Case(Record):
     def _warm_parts_are_mounted(self) -> Self:
         """Temperatures of the seats act on the clearance by way of the mounting alone."""
         if self.mounting is None and self.temperature is not None:
-            for part in ("shaft", "housing"):
+            for part in ("shaft", "housing", "inner_spacer", "outer_spacer"):
                 warm = getattr(self.temperature, part)
                 if warm is not None:
                     raise InputError(
@@ -189,6 +192,67 @@ class Case(Record):
                         field=f"temperature.{part}",
                         value=from_si(warm, "temperature"),
                         example='[mounting] with bore = "25 mm" and outside_diameter = "62 mm"',
+                    )
+        return self
+
+    @model_validator(mode="after")
+    def _model_fits_the_grooves(self) -> Self:
+        """On other grooves some choices of the model have no meaning."""
+        kind, model = self.bearing.kind, self.model
+        if kind is None:
+            return self
+        many = kind in ("four_point", "thrust")
+        allowed = ("outer", "inner") if many else ("outer", "inner", "jones", "none")
+        if model.raceway_control not in allowed:
+            raise InputError(
+                said(
+                    'must be one of {allowed} with bearing.kind = "{kind}"',
+                    allowed=", ".join(allowed),
+                    kind=kind,
+                ),
+                field="model.raceway_control",
+                value=model.raceway_control,
+                example='raceway_control = "outer"',
+            )
+        if many and model.cage == "none":
+            raise InputError(
+                said(
+                    'must be loose or rigid with bearing.kind = "{kind}": the balls orbit with the'
+                    " cage",
+                    kind=kind,
+                ),
+                field="model.cage",
+                value=model.cage,
+                example='cage = "loose"',
+            )
+        return self
+
+    @model_validator(mode="after")
+    def _mounting_is_of_plain_rows(self) -> Self:
+        """What fits do to the play of other grooves is not modelled."""
+        if self.mounting is not None and self.bearing.kind is not None:
+            raise InputError(
+                said("is not available for bearings of kind {kind}", kind=self.bearing.kind),
+                field="mounting",
+                example="[bearing] with diametral_clearance or contact_angle as it runs",
+            )
+        return self
+
+    @model_validator(mode="after")
+    def _spacers_are_of_sets(self) -> Self:
+        """What lies between rows has no effect on a bearing of one."""
+        if self.bearing.is_set:
+            return self
+        for table, names in (
+            ("temperature", ("inner_spacer", "outer_spacer")),
+            ("mounting", ("width", "inner_spacer_material", "outer_spacer_material")),
+        ):
+            for name in names:
+                if getattr(getattr(self, table), name, None) is not None:
+                    raise InputError(
+                        said("is for sets of rows only: it acts along their spacing"),
+                        field=f"{table}.{name}",
+                        example='bearing.arrangement = "DB"',
                     )
         return self
 
@@ -238,26 +302,109 @@ class Case(Record):
         return self
 
 
-def load_case(path: str | os.PathLike[str], overrides: Iterable[str] = ()) -> Case:
-    """Read a case file.
+def load_case(
+    path: str | os.PathLike[str],
+    overrides: Iterable[str] = (),
+    *,
+    otherwise: Iterable[str] = (),
+) -> Case:
+    """Read a case file, or make the case of a designation: that bearing without a load.
 
     Parameters
     ----------
     path
         A TOML or JSON file, told apart by the name's ending, else by the first
-        character; ``"-"`` for standard input.
+        character; ``"-"`` for standard input; or a designation such as ``"6310/C3"``.
     overrides
-        Settings ``KEY=VALUE`` that go over the file, such as ``"duty.load.fz=10 kN"``.
+        Settings ``KEY=VALUE`` that go over the case, such as ``"duty.load.fz=10 kN"``.
+    otherwise
+        Settings of tables that the file does not have, such as ``"lubricant.kind=dry"``; in a
+        table that it has they do not count.
 
     Raises
     ------
     FileError
         If the file cannot be read, or is neither TOML nor JSON.
     InputError
-        If it does not describe a valid case; with the line number.
+        If it does not describe a valid case, with the line number; or there is neither such a
+        file nor such a bearing.
     """
+    if is_designation(path):
+        return _case_of_designation(str(path), overrides, otherwise)
     text, source = read_text(path)
-    return parse_case(text, format=format_of_path(path), source=source, overrides=overrides)
+    return parse_case(
+        text,
+        format=format_of_path(path),
+        source=source,
+        overrides=overrides,
+        otherwise=otherwise,
+    )
+
+
+def is_designation(name: object, folder: str | os.PathLike[str] = "") -> bool:
+    """Tell a designation from a file: by its ending, or by its being there.
+
+    Parameters
+    ----------
+    name
+        What was given; a text that is no file may be a designation.
+    folder
+        Where the file would be; by default the current one.
+    """
+    if not isinstance(name, str) or name == "-" or "\0" in name:
+        return False
+    if format_of_path(name) is not None:
+        return False
+    path = os.path.join(folder, name)
+    if os.path.isdir(path):  # of results, perhaps, named after their bearing
+        return any(character.isdigit() for character in name)
+    return not os.path.exists(path)
+
+
+def _case_of_designation(
+    designation: str, settings: Iterable[str], otherwise: Iterable[str]
+) -> Case:
+    """Return the case of a bearing without a load, its title the designation."""
+    try:
+        named = {"bearing": {"designation": designation}, "duty": {}}
+        case = _case_from(named, settings, otherwise)
+    except InputError as error:
+        if error.source or error.field != "bearing.designation":
+            raise
+        raise _neither(designation, error) from None
+    return case if case.title else case.replace(title=designation)
+
+
+def _neither(name: str, error: InputError) -> InputError:
+    """Say of what names no bearing that it is no file either; with the file that may be meant."""
+    near = _file_like(name)
+    if near:
+        rule = said("is no file; did you mean {near}?", near=near)
+        return FileError(rule, source=name)
+    if not any(character.isdigit() for character in name):
+        return FileError(
+            said("is neither a file nor the designation of a bearing"),
+            source=name,
+            example="case.toml, 6310/C3",
+        )
+    return error
+
+
+def _file_like(name: str) -> str:
+    """Return the case file that a name without its ending, or a misspelt one, may mean."""
+    folder, base = os.path.split(name)
+    try:
+        files = [one for one in os.listdir(folder or ".") if format_of_path(one) is not None]
+    except (OSError, ValueError):
+        return ""
+    if f"{base}.toml" in files or f"{base}.json" in files:
+        ending = "toml" if f"{base}.toml" in files else "json"
+        return os.path.join(folder, f"{base}.{ending}")
+    if any(character.isdigit() for character in base):  # rather another bearing
+        return ""
+    near = nearest(base, (os.path.splitext(one)[0] for one in files))
+    found = next((one for one in sorted(files) if os.path.splitext(one)[0] == near), "")
+    return os.path.join(folder, found) if found else ""
 
 
 def parse_case(
@@ -266,6 +413,7 @@ def parse_case(
     format: TextFormat | None = None,
     source: str = "",
     overrides: Iterable[str] = (),
+    otherwise: Iterable[str] = (),
 ) -> Case:
     """Return the case that a TOML or JSON text describes.
 
@@ -277,7 +425,7 @@ def parse_case(
         ``"toml"``, ``"json"``, or ``None`` to go by the first character.
     source
         What to call the text in messages.
-    overrides
+    overrides, otherwise
         As in `load_case`.
 
     Raises
@@ -288,7 +436,7 @@ def parse_case(
     known_format = format or format_of_text(text)
     mapping = parse_mapping(text, known_format, source)
     try:
-        return _case_from(mapping, overrides)
+        return _case_from(mapping, overrides, otherwise)
     except InputError as error:
         if error.source:
             raise
@@ -307,7 +455,19 @@ def override(case: Case, settings: Iterable[str]) -> Case:
         If a setting names no field, or the result is not valid.
     """
     settings = tuple(settings)
-    return _case_from(case._own_mapping(settings), settings)
+    with case.bearing.looked_up():
+        return _case_from(case._own_mapping(settings), settings)
+
+
+def with_changes(case: Case, changes: Mapping[str, Any]) -> Case:
+    """Return a case with values changed as `Case.with_` does, given as a file holds them.
+
+    Raises
+    ------
+    InputError
+        If there is no such field, or the result is not valid.
+    """
+    return Case.from_mapping(changed(case._own_mapping(changes), changes, Case, in_file=True))
 
 
 def save_case(case: Case, path: str | os.PathLike[str]) -> None:
@@ -405,27 +565,30 @@ def _needs_sizes(name: str, table: Mapping[str, Any]) -> bool:
 def _sizes_of(bearing: Any) -> dict[str, float]:
     """What the catalogue tells; nothing of what is no designation, which others refuse."""
     if isinstance(bearing, Bearing):
-        designation: Any = bearing.designation
-    else:
-        designation = bearing.get("designation") if isinstance(bearing, Mapping) else None
+        known = bearing.published
+        return {} if known is None else {name: getattr(known, name) for name in _SIZES}
+    designation: Any = bearing.get("designation") if isinstance(bearing, Mapping) else None
     if isinstance(designation, int) and not isinstance(designation, bool):
         designation = str(designation)
     if not isinstance(designation, str):
         return {}
-    from rolamento.catalogue import built_in_geometry
+    from rolamento.catalogue import catalogue
 
     try:
-        found = built_in_geometry(designation, False).bearing
+        found = catalogue().find(designation).bearing
     except InputError:
         return {}
     return {name: getattr(found, name) for name in _SIZES}
 
 
-def _case_from(mapping: Mapping[str, Any], settings: Iterable[str]) -> Case:
-    tables, fields = overridden(mapping, settings, Case)
+def _case_from(
+    mapping: Mapping[str, Any], settings: Iterable[str], otherwise: Iterable[str] = ()
+) -> Case:
+    lacking = [one for one in otherwise if one.partition(".")[0] not in mapping]
+    tables, fields = overridden(mapping, (*lacking, *settings), Case)
     try:
         return Case.from_mapping(tables)
     except InputError as error:
-        if error.field in fields:
+        if any(error.field == one or error.field.startswith(f"{one}.") for one in fields):
             raise error.with_details(source=OVERRIDE_SOURCE) from None
         raise

@@ -15,14 +15,25 @@ from typing import Any, Final, Literal, get_args, get_origin
 from pydantic import BaseModel, create_model
 from pydantic.fields import FieldInfo
 
+from rolamento._reading import parse_mapping
+from rolamento.case.hints import hint
 from rolamento.case.labels import label_of
 from rolamento.case.quantity import Quantity, Ratio
 from rolamento.case.record import Record, example_of, meanings, record_of, replaced
-from rolamento.errors import InputError, UnknownKeyError, guess
+from rolamento.errors import FileError, InputError, UnknownKeyError
 from rolamento.units import SI_UNIT, Dimension, from_si
 from rolamento.words import said, speaking
 
-__all__ = ["OVERRIDE_SOURCE", "Field", "Value", "changed", "fields_of", "overridden"]
+__all__ = [
+    "OVERRIDE_SOURCE",
+    "Field",
+    "Value",
+    "changed",
+    "fields_of",
+    "in_file_form",
+    "overridden",
+    "values_of",
+]
 
 OVERRIDE_SOURCE: Final = "--set"
 
@@ -32,7 +43,8 @@ Value = float | int | bool | str
 Kind = Literal["number", "count", "switch", "text", "list"]
 
 _EXAMPLE: Final = 'duty.load.fz="10 kN"'
-_LONGEST_SETTING: Final = 300
+_INLINE_EXAMPLE: Final = """'bearing.preload={ force = "500 N" }'"""
+_LONGEST_SETTING: Final = 2000
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,6 +112,11 @@ class Field:
         """The record that a list holds."""
         found = record_of(self._info.annotation) if self.kind == "list" else None
         return found if found is not None and issubclass(found, Record) else None
+
+    @property
+    def choices(self) -> tuple[str, ...]:
+        """The words that it may be; empty if it takes others."""
+        return tuple(dict.fromkeys(_choices_in(self._info.annotation)))
 
     @property
     def limits(self) -> str:
@@ -215,6 +232,14 @@ def _types_in(annotation: object) -> Iterator[object]:
             yield from _types_in(part)
 
 
+def _choices_in(annotation: object) -> Iterator[str]:
+    for part in get_args(annotation):
+        if get_origin(annotation) is Literal:
+            yield str(part)
+        else:
+            yield from _choices_in(part)
+
+
 def _bounds_in(info: FieldInfo) -> Quantity | Ratio | None:
     """The annotation that bounds a number."""
     return next(_numbers_in((*info.metadata, info.annotation)), None)
@@ -240,26 +265,35 @@ def overridden(
     mapping, record
         As in `changed`.
     settings
-        Each ``KEY=VALUE``, with a dotted key and the value as in a case file; the quotes around
-        text may be left out.
+        Each ``KEY=VALUE``, with a dotted key and the value as in a case file, a table or a list
+        as TOML writes it in one line; the quotes around text may be left out.
 
     Raises
     ------
     InputError
         If a setting is not of that form, or its key names no field.
     """
-    values: dict[str, object] = {}
     try:
-        for setting in settings:
-            key, equals, text = setting.partition("=")
-            if not equals or not key.strip() or len(setting) > _LONGEST_SETTING:
-                raise InputError(said("must be KEY=VALUE"), value=setting, example=_EXAMPLE)
-            name = ".".join(part.strip() for part in key.split("."))
-            values.pop(name, None)  # the last one counts
-            values[name] = _value(text.strip(), _field(name, record))
+        values = values_of(settings, record)
         return changed(mapping, values, record, in_file=True), frozenset(values)
     except InputError as error:
         raise error.with_details(source=OVERRIDE_SOURCE) from None
+
+
+def values_of(settings: Iterable[str], record: type[Record]) -> dict[str, object]:
+    """Return what settings set: values as a file holds them, by dotted name.
+
+    Parameters and errors as of `overridden`.
+    """
+    values: dict[str, object] = {}
+    for setting in settings:
+        key, equals, text = setting.partition("=")
+        if not equals or not key.strip() or len(setting) > _LONGEST_SETTING:
+            raise InputError(said("must be KEY=VALUE"), value=setting, example=_EXAMPLE)
+        name = ".".join(part.strip() for part in key.split("."))
+        values.pop(name, None)  # the last one counts
+        values[name] = _given(name, text.strip(), record)
+    return values
 
 
 def changed(
@@ -293,15 +327,30 @@ def changed(
     """
     result = dict(mapping)
     for name, value in values.items():
-        _put(result, name, value if in_file else _as_in_a_file(name, value, record), record)
-        field = fields_of(record).get(name)
-        for rival in field.replaces if field is not None and value is not None else ():
+        _put(result, name, value if in_file else in_file_form(name, value, record), record)
+        for rival in _rivals(name, value, record):
             if rival not in values:
                 _put(result, rival, None, record)
     return result
 
 
-def _as_in_a_file(name: str, value: Any, record: type[Record]) -> object:
+def _rivals(name: str, value: object, record: type[Record]) -> Iterator[str]:
+    """The names of the fields that a value, or those of a table, take the place of."""
+    field = fields_of(record).get(name)
+    if field is not None and value is not None:
+        yield from field.replaces
+    for leaf, inner in value.items() if isinstance(value, Mapping) else ():
+        yield from _rivals(f"{name}.{leaf}", inner, record)
+
+
+def in_file_form(name: str, value: Any, record: type[Record]) -> object:
+    """Return a value of a field or a table, SI or a record, as a file holds it.
+
+    Raises
+    ------
+    InputError
+        If there is no such field, or it takes no such value.
+    """
     table, field = _table(name, record), fields_of(record).get(name)
     if table is not None and (value is None or isinstance(value, Mapping | Record)):
         return value if value is None else _mapping_of(value, table)
@@ -342,22 +391,44 @@ def _field(name: str, record: type[Record]) -> Field:
         here = tuple(dict.fromkeys(other.split(".")[0] for other in inside))
         if part not in here:
             rule = (
-                said("is an unknown key; {guess}", guess=guess(part, here))
+                said("is an unknown key; {guess}", guess=hint(table + part, known, here))
                 if here
                 else said("is an unknown key; {table} is not a table", table=table[:-1])
             )
             raise UnknownKeyError(rule, field=name, example=_EXAMPLE)
         if (leaf := known.get(f"{table}{part}")) is not None and leaf.kind == "list":
             raise InputError(
-                said("is a list; set it in the file"), field=leaf.name, example=_EXAMPLE
+                said("is a list; give all of it, or set it in the file"),
+                field=leaf.name,
+                example=f"{leaf.name}=[…]",
             )
     inside = [other[len(name) + 1 :] for other in known if other.startswith(f"{name}.")]
     here = tuple(dict.fromkeys(other.split(".")[0] for other in inside))
     raise InputError(
-        said("is a table; set one of its fields: {here}", here=", ".join(here)),
+        said("is a table; set all of it, or one of its fields: {here}", here=", ".join(here)),
         field=name,
-        example=_EXAMPLE,
+        example=_INLINE_EXAMPLE,
     )
+
+
+def _given(name: str, text: str, record: type[Record]) -> object:
+    """Return what a setting gives: a value, or the table or list that TOML has in one line."""
+    field = fields_of(record).get(name)
+    is_list = field is not None and field.kind == "list"
+    if text.startswith("[" if is_list else "{") and (is_list or _table(name, record) is not None):
+        return _inline(name, text)
+    return _value(text, _field(name, record))
+
+
+def _inline(name: str, text: str) -> object:
+    try:
+        mapping = parse_mapping(f"value = {text}", "toml", "")
+        if len(mapping) == 1:
+            return mapping["value"]
+        rule = said("must be a single value")
+    except FileError as error:
+        rule = error.rule
+    raise InputError(rule, field=name, value=text, example=_INLINE_EXAMPLE)
 
 
 def _value(text: str, field: Field) -> object:

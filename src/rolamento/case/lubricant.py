@@ -30,6 +30,10 @@ DEFAULT_CONDUCTIVITY: Final = 0.145
 """W/(m·K): usual of mineral oils, which are alike in this."""
 
 _EXAMPLE: Final = "ISO VG 68"
+_TWO_POINTS: Final = (
+    '[{ temperature = "20 degC", viscosity = "170 mm^2/s" }, '
+    '{ temperature = "60 degC", viscosity = "29 mm^2/s" }]'
+)
 _CENTIGRADE_40: Final = 313.15
 _CENTIGRADE_100: Final = 373.15
 _WAYS: Final = ("viscosity_40", "viscosities", "base_oil")
@@ -125,7 +129,7 @@ class Lubricant(NamedRecord):
         Annotated[float, Ratio(at_least=-60.0, at_most=400.0)] | None, Replaces("viscosity_100")
     ] = Field(None, examples=[95])
     viscosities: Annotated[tuple[ViscosityPoint, ...] | None, Replaces(*_WAYS)] = Field(
-        None, min_length=2, max_length=2, examples=["[{ temperature, viscosity }, …] as a list"]
+        None, min_length=2, max_length=2, examples=[_TWO_POINTS]
     )
     density: _Density | None = Field(None, examples=["880 kg/m^3"])
     density_temperature: _Temperature | None = Field(None, examples=["15 degC"])

@@ -102,6 +102,12 @@ class Mounting(Record):
         ground or turned: what smoothing takes from an interference, by NSK's rule; or
     shaft_roughness, housing_roughness
         Sum of Rz of seat and ring, in m, by DIN 7190-1. Nothing is lost if neither is given.
+    width
+        B of one bearing of a set, in m: its rings and the spacers between them then make the
+        distance of the rows; where it is not given (nor told by a designation), shaft and housing
+        do. For sets only, as the next.
+    inner_spacer_material, outer_spacer_material
+        A `SeatMaterial`, its name or its table; that of shaft and housing if not given.
     ring_expansion, ball_expansion
         Coefficients of expansion, in 1/K; those on file for the bearing's materials if not given.
     assembly_temperature
@@ -110,7 +116,8 @@ class Mounting(Record):
         What the clearance has grown by since, in m.
     limit
         Which of the clearances in operation `solve` takes: the mean one of mean dimensions, or the
-        minimum or maximum with all tolerances at their worst.
+        minimum or maximum with all tolerances at their worst. The minimum clearance is the
+        greatest preload of a clamped set.
 
     Raises
     ------
@@ -166,6 +173,9 @@ class Mounting(Record):
     housing_roughness: Annotated[_Roughness | None, Replaces("housing_finish")] = Field(
         None, examples=["6 um"]
     )
+    width: _Diameter | None = Field(None, examples=["20 mm"])
+    inner_spacer_material: _SeatMaterialField | None = Field(None, examples=["steel"])
+    outer_spacer_material: _SeatMaterialField | None = Field(None, examples=["steel"])
     ring_expansion: _Expansion | None = Field(None, examples=["12.5e-6 1/K"])
     ball_expansion: _Expansion | None = Field(None, examples=["2.8e-6 1/K"])
     assembly_temperature: Annotated[

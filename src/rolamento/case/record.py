@@ -22,8 +22,9 @@ from pydantic import (
 )
 from pydantic_core import CoreSchema, ErrorDetails, core_schema
 
+from rolamento.case.hints import hint
 from rolamento.case.quantity import AT_THE_BORDER, Replaces
-from rolamento.errors import ABSENT, InputError, UnknownKeyError, guess
+from rolamento.errors import ABSENT, InputError, UnknownKeyError
 from rolamento.words import marked, said
 
 __all__ = [
@@ -224,7 +225,7 @@ def _plain_error(error: ValidationError, model: type[BaseModel]) -> InputError:
     path = tuple(str(part) for part in found["loc"] if not str(part).startswith(_TAG))
     parent = _model_at(model, path[:-1])
     if found["type"] == "extra_forbidden":
-        return _unknown_key(path, parent)
+        return _unknown_key(path, parent, model)
     cause = found.get("ctx", {}).get("error")
     if isinstance(cause, InputError):
         return _completed(cause, path, parent, found["input"])
@@ -260,10 +261,29 @@ def _completed(
     return known
 
 
-def _unknown_key(path: tuple[str, ...], parent: type[BaseModel] | None) -> UnknownKeyError:
-    known = list(parent.model_fields) if parent is not None else []
-    rule = said("is an unknown key; {guess}", guess=guess(path[-1], known))
-    return UnknownKeyError(rule, field=".".join(path))
+def _unknown_key(
+    path: tuple[str, ...], parent: type[BaseModel] | None, model: type[BaseModel]
+) -> UnknownKeyError:
+    here = list(parent.model_fields) if parent is not None else []
+    name = ".".join(path)
+    rule = said("is an unknown key; {guess}", guess=hint(name, _dotted_names(model), here))
+    return UnknownKeyError(rule, field=name)
+
+
+@cache
+def _dotted_names(model: type[BaseModel]) -> tuple[str, ...]:
+    """The names of the fields of a record and of the records in it, not of those in lists."""
+    found = []
+    for leaf, field in model.model_fields.items():
+        found.append(leaf)
+        inner = record_of(field.annotation)
+        if inner is not None and not _is_list(field.annotation):
+            found += [f"{leaf}.{one}" for one in _dotted_names(inner)]
+    return tuple(found)
+
+
+def _is_list(annotation: object) -> bool:
+    return get_origin(annotation) is tuple or any(map(_is_list, get_args(annotation)))
 
 
 def _model_at(model: type[BaseModel], path: tuple[str, ...]) -> type[BaseModel] | None:

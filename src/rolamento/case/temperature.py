@@ -31,7 +31,10 @@ class Temperature(Record):
     balls
         Those of the inner ring if not given.
     shaft, housing
-        At their seats; those of their rings if not given.
+        At their seats, and along the distance of the rows of a set; those of their rings if not
+        given.
+    inner_spacer, outer_spacer
+        Of the spacers between the rows of a set; those of shaft and housing if not given.
 
     Raises
     ------
@@ -45,6 +48,8 @@ class Temperature(Record):
     balls: _Celsius | None = Field(None, examples=["75 degC"])
     shaft: _Celsius | None = Field(None, examples=["75 degC"])
     housing: _Celsius | None = Field(None, examples=["60 degC"])
+    inner_spacer: _Celsius | None = Field(None, examples=["75 degC"])
+    outer_spacer: _Celsius | None = Field(None, examples=["62 degC"])
 
     @property
     def of_bearing(self) -> Temperature:

@@ -12,7 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 from rolamento.case.case import Case
 from rolamento.case.duty import AXES, LOADS
 from rolamento.case.fields import Field
-from rolamento.errors import InputError, UnknownKeyError, guess
+from rolamento.case.hints import meant
+from rolamento.errors import InputError, UnknownKeyError, guess, nearest
 from rolamento.units import to_si
 from rolamento.words import said
 
@@ -93,8 +94,10 @@ def varied_arrays(values: Any = None, /, **short: Any) -> dict[str, Floats]:
         field = fields.get(name)
         if field is None or not field.varies:
             known = (*SHORT_NAMES, *batch_fields())
+            near = meant(name, batch_fields(), nearest(name, known))
+            advice = said("did you mean {near}?", near=near) if near else guess(name, known)
             raise UnknownKeyError(
-                said("is not a field that can vary; {guess}", guess=guess(name, known)),
+                said("is not a field that can vary; {guess}", guess=advice),
                 field=name,
                 example=_EXAMPLE,
             )

@@ -13,7 +13,6 @@ from rolamento.catalogue.geometry import (
     InternalGeometry,
     Origin,
     ambiguity_axis,
-    built_in_geometry,
     geometry_of,
 )
 from rolamento.catalogue.inference import (
@@ -26,7 +25,14 @@ from rolamento.catalogue.inference import (
 )
 from rolamento.catalogue.records import CatalogueBearing
 from rolamento.catalogue.rolling import RollingBearing, rolling_bearings
-from rolamento.catalogue.search import Catalogue, Found, catalogue
+from rolamento.catalogue.search import (
+    Catalogue,
+    Found,
+    catalogue,
+    catalogue_with,
+    catalogues,
+    listed,
+)
 
 __all__ = [
     "ASSUMED_CONFORMITY",
@@ -43,10 +49,12 @@ __all__ = [
     "ambiguity_axis",
     "ball_name",
     "ball_sizes",
-    "built_in_geometry",
     "catalogue",
+    "catalogue_with",
+    "catalogues",
     "geometry_of",
     "inferred_geometry",
+    "listed",
     "parse_designation",
     "practice_of",
     "rolling_bearings",

@@ -133,7 +133,9 @@ def _other_type_sentence(kind: dict[str, Any]) -> str:
     if "advice" in kind:
         return said("is {kind}; {advice}", kind=name, advice=said(kind["advice"]))
     return said(
-        "is {kind}; the catalogue covers single-row deep-groove and angular-contact ball bearings",
+        "is {kind}; the catalogue covers single-row deep-groove, single- and double-row"
+        " angular-contact, four-point contact, self-aligning and single-direction thrust ball"
+        " bearings",
         kind=name,
     )
 
@@ -143,9 +145,12 @@ ClearanceClass = Literal["C2", "CN", "C3", "C4", "C5"]
 _LONGEST: Final = 60
 _NUMBER: Final = re.compile(
     r"(?P<prefix>[A-Z0-9]*?[A-Z]|E2)?\|?"
-    r"(?P<series>6[02389]|61[89]|7[0239]|71[89])\|?"
+    r"(?P<series>6[02389]|61[89]|7[0239]|71[89]|[35][23]|[12][23]|51[1-4])\|?"
     r"(?P<bore>\d{2})"
     r"(?P<rest>(?:\|?2[RZ]|\D).*)?"
+)
+_FOUR_POINT: Final = re.compile(
+    r"(?P<series>QJF?\|?(?:2|3|10))(?P<bore>\d{2})(?P<rest>(?:\|?2[RZ]|\D).*)?"
 )
 """Of a text whose blanks, hyphens, strokes and points are one stroke each."""
 _ANGLE: Final = re.compile(r"(?<=[\s/-])(?P<angle>\d{1,2}(?:\.\d+)?)\s*(?:DEG|°)(?![A-Z])")
@@ -205,15 +210,28 @@ class Designation:
         return self.series.startswith("7")
 
     @property
+    def kind(self) -> str:
+        """What a series is that is neither deep-groove nor single-row angular contact; or empty."""
+        return str(designation_data()["kinds"].get(self.series, ""))
+
+    @property
+    def equivalents(self) -> tuple[str, ...]:
+        """Numbers by which makers list a bearing of the same type and size, the nearest first."""
+        own = [
+            self.number + letters
+            for letters in designation_data()["listed_as"].get(self.series, ())
+        ]
+        other = designation_data()["same_size"].get(self.series)
+        return (*own, other + self.number[-2:]) if other else tuple(own)
+
+    @property
     def keys(self) -> tuple[str, ...]:
         """What to look for in a catalogue, folded, the most telling first."""
         angle = self.contact_angle
         keys = [folded(self.text), folded(self.name)]
         if self.number:
             letters = [
-                key
-                for key, value in designation_data()["angles"].items()
-                if angle == radians(value)
+                key for key, value in _angles_of(self.kind).items() if angle == radians(value)
             ]
             keys += [folded(self.number + letter) for letter in letters] if angle else []
             keys += [folded(self.number)] if angle is None else []
@@ -251,8 +269,10 @@ def parse_designation(text: str) -> Designation:
     written = _ANGLE.search(given)
     plain = given if written is None else given[: written.start()] + given[written.end() :]
     angle = None if written is None else radians(float(written["angle"]))
-    parts = _NUMBER.fullmatch("|".join(suffix_groups(plain)))
-    prefix = "" if parts is None else parts["prefix"] or ""
+    grouped = "|".join(suffix_groups(plain))
+    arched = _FOUR_POINT.fullmatch(grouped)
+    parts = arched or _NUMBER.fullmatch(grouped)
+    prefix = "" if parts is None or arched else parts["prefix"] or ""
     if parts is None or (prefix and prefix not in designation_data()["prefixes"]):
         insert = insert_of(plain)
         if insert is None:
@@ -274,10 +294,11 @@ def parse_designation(text: str) -> Designation:
     if prefix:
         meanings.append((prefix, designation_data()["prefixes"][prefix]))
     groups = suffix_groups(parts["rest"] or "")
-    if angle is None and parts["series"].startswith("7") and groups:
-        angle, groups[0] = _angle(groups[0])
+    series = "QJ" + re.sub(r"\D", "", parts["series"]) if arched else parts["series"]
+    kind = designation_data()["kinds"].get(series, "")
+    if angle is None and (series.startswith("7") or kind == "double_row") and groups:
+        angle, groups[0] = _angle(groups[0], kind)
     suffixes = _suffixes(groups, text)
-    series = parts["series"]
     return Designation(
         text=text.strip(),
         name=name,
@@ -332,9 +353,13 @@ def _bore(code: str) -> float:
     return float(millimetres) * MILLIMETRE
 
 
-def _angle(rest: str) -> tuple[float | None, str]:
+def _angles_of(kind: str) -> dict[str, float]:
+    return dict(designation_data()["angles_of_double_rows" if kind == "double_row" else "angles"])
+
+
+def _angle(rest: str, kind: str) -> tuple[float | None, str]:
     """Return the contact angle that the letters behind the number tell, and what is left."""
-    for letters, angle in designation_data()["angles"].items():
+    for letters, angle in _angles_of(kind).items():
         if rest.startswith(letters) and not _CLASS.match(rest):
             return radians(angle), rest[len(letters) :]
     return None, rest

@@ -6,15 +6,21 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import pairwise
-from math import radians
+from math import asin, radians, sin, tan
 from typing import Any, Final, Literal
 
 from rolamento._data import toml_of
 from rolamento.catalogue.designation import ClearanceClass, Designation
 from rolamento.catalogue.inference import Candidate, inferred_geometry
 from rolamento.catalogue.records import CatalogueBearing
-from rolamento.catalogue.search import Catalogue, catalogue
+from rolamento.catalogue.search import (
+    Catalogue,
+    catalogue,
+    catalogue_with,
+    is_built_in,
+)
 from rolamento.errors import InputError
+from rolamento.ratings import SELF_ALIGNING_CONFORMITY, THRUST_CONFORMITY
 from rolamento.units import MILLIMETRE, from_si
 from rolamento.words import said
 
@@ -23,11 +29,24 @@ Origin = Literal["published", "inferred", "assumed"]
 ASSUMED_CONFORMITY: Final = 0.52
 """Of both races where nothing is published: what ISO 281 supposes of its ratings."""
 
+_ASSUMED_CONFORMITIES: Final = {
+    "self_aligning": SELF_ALIGNING_CONFORMITY,
+    "thrust": THRUST_CONFORMITY,
+}
+"""Likewise where the ratings suppose other ones."""
+_ROW_SPACING: Final = 0.42
+"""Between the rows of a double row, over its width: NSK's and Schaeffler's lists have 0.36 to 0.46,
+by where the contact lines meet the shaft."""
+_FOUR_POINT_ANGLE: Final = radians(35.0)
+"""Of four-point bearings whose maker gives none: NSK's and SKF's."""
+_CLEARED: Final = ("deep_groove", "self_aligning", "four_point")
+"""Kinds with a class of clearance."""
 _BALLS: Final = ("ball_count", "ball_diameter")
 _LEAST_ANGLE: Final = radians(1.0)
 _HALF_MICROMETRES: Final = 2e6
 """In a metre."""
 _ROUNDING: Final = 1e-9
+_TAPERED: Final = "tapered bore"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -41,12 +60,15 @@ class InternalGeometry:
     designation
         What was asked for.
     fields
-        Fields of a `rolamento.Bearing` in SI: balls, pitch diameter, conformities, and the
-        nominal contact angle or the diametral clearance where there is one.
+        Fields of a `rolamento.Bearing` in SI: balls, pitch diameter, conformities, the nominal
+        contact angle or the diametral clearance where there is one, and what its kind has beside
+        them: shim angle, arrangement, spacing of the rows.
     origins
         Of each field: ``"published"``, ``"inferred"`` from the ratings, or ``"assumed"``.
     candidates
         All insides that the ratings allow, the best first; empty if nothing was inferred.
+    records
+        What has to be known beside the built-in catalogue to find the same again.
     """
 
     bearing: CatalogueBearing
@@ -54,6 +76,7 @@ class InternalGeometry:
     fields: Mapping[str, Any]
     origins: Mapping[str, Origin]
     candidates: tuple[Candidate, ...] = ()
+    records: tuple[CatalogueBearing, ...] = ()
 
     @property
     def is_inferred(self) -> bool:
@@ -74,8 +97,8 @@ class InternalGeometry:
 
     @property
     def clearance_class(self) -> ClearanceClass | None:
-        """The class of the designation, CN if a deep-groove bearing names none."""
-        if self.bearing.kind != "deep_groove":
+        """The class of the designation, CN if a bearing that has one names none."""
+        if self.bearing.kind not in _CLEARED:
             return None
         return self.designation.clearance_class or "CN"
 
@@ -94,7 +117,7 @@ def geometry_of(
     designation
         Such as ``"6305/C3"`` or ``"EX 70 25deg"``.
     catalogue_of
-        Where to look; by default the built-in catalogue.
+        Where to look; by default in `rolamento.catalogue.catalogue`.
     rank
         Which of the candidates to take, if the balls are inferred.
     with_balls
@@ -106,7 +129,14 @@ def geometry_of(
         If the designation is not known, its balls are neither published nor to be inferred, or
         there is no such rank.
     """
-    found = (catalogue_of or catalogue()).find(designation)
+    return _geometry_in(catalogue_of or catalogue(), designation, rank, with_balls)
+
+
+@lru_cache(maxsize=512)
+def _geometry_in(
+    known: Catalogue, designation: str, rank: int, with_balls: bool
+) -> InternalGeometry:
+    found = known.find(designation)
     bearing = found.bearing
     fields: dict[str, Any] = {}
     origins: dict[str, Origin] = {}
@@ -114,23 +144,21 @@ def geometry_of(
     if with_balls:
         candidates = _add_balls(bearing, rank, fields, origins)
     for name in ("inner_conformity", "outer_conformity"):
-        own = getattr(bearing, name)
-        fields[name] = ASSUMED_CONFORMITY if own is None else own
+        if bearing.kind == "self_aligning" and name == "outer_conformity":
+            continue  # its race is a sphere
+        own, usual = getattr(bearing, name), _ASSUMED_CONFORMITIES.get(bearing.kind)
+        fields[name] = own or usual or ASSUMED_CONFORMITY
         origins[name] = "assumed" if own is None else "published"
     _add_play(bearing, found.designation, fields, origins)
+    _add_kind(bearing, found.designation, fields, origins)
     return InternalGeometry(
         bearing=bearing,
         designation=found.designation,
         fields=fields,
         origins=origins,
         candidates=candidates,
+        records=() if known is catalogue_with(()) or is_built_in(bearing) else (bearing,),
     )
-
-
-@lru_cache(maxsize=512)
-def built_in_geometry(designation: str, with_balls: bool = True) -> InternalGeometry:
-    """Return `geometry_of` a designation in the built-in catalogue, found once."""
-    return geometry_of(designation, with_balls=with_balls)
 
 
 def ambiguity_axis(
@@ -166,21 +194,25 @@ def ambiguity_axis(
     }
 
 
-def middle_clearance(bore: float, clearance_class: str) -> float | None:
-    """Return the middle of a class's radial internal clearance in m; None without a range.
+def middle_clearance(bore: float, clearance_class: str, table: str = "") -> float | None:
+    """Return the middle of a class's internal clearance in m; None without a range.
 
     Parameters
     ----------
     bore
         In m.
     clearance_class
-        Of ISO 5753-1.
+        Of ISO 5753.
+    table
+        ``"self_aligning"``, ``"self_aligning_tapered"``, or ``"four_point"``, whose clearance is
+        axial; radial, of deep-groove bearings, if empty.
     """
     data = toml_of("iso5753", "rolamento.clearance")
+    data = data[table] if table else data
     limits = [MILLIMETRE * limit for limit in data["bore_mm"]]
     for step, (over, to) in enumerate(pairwise(limits)):
         if over * (1.0 + _ROUNDING) < bore <= to * (1.0 + _ROUNDING):
-            pair = data["classes"][clearance_class][step]
+            pair = data["classes"].get(clearance_class, {step: None})[step]
             return sum(pair) / _HALF_MICROMETRES if pair else None
     return None
 
@@ -234,10 +266,74 @@ def _add_play(
     angle = bearing.contact_angle
     if angle is None and bearing.kind == "angular_contact":
         angle = designation.contact_angle
-    if angle is not None and angle >= _LEAST_ANGLE:
+    named = designation.clearance_class or "CN"
+    if bearing.kind == "self_aligning":
+        tapered = any(meaning == _TAPERED for _, meaning in designation.meanings)
+        table = "self_aligning_tapered" if tapered else "self_aligning"
+        clearance = middle_clearance(bearing.bore, named, table)
+        if clearance is not None and angle is not None:
+            fields["diametral_clearance"] = clearance
+            origins["diametral_clearance"] = "assumed"
+            return
+    if bearing.kind == "four_point" and angle is None:
+        fields["contact_angle"], origins["contact_angle"] = _FOUR_POINT_ANGLE, "assumed"
+    elif angle is not None and angle >= _LEAST_ANGLE:
         fields["contact_angle"], origins["contact_angle"] = angle, "published"
     elif bearing.kind == "deep_groove":
-        clearance = middle_clearance(bearing.bore, designation.clearance_class or "CN")
+        clearance = middle_clearance(bearing.bore, named)
         if clearance is not None:
             fields["diametral_clearance"] = clearance
             origins["diametral_clearance"] = "assumed"
+
+
+def _add_kind(
+    bearing: CatalogueBearing,
+    designation: Designation,
+    fields: dict[str, Any],
+    origins: dict[str, Origin],
+) -> None:
+    """Add what a bearing other than a single row of one groove a ring has beside the rest."""
+    kind = bearing.kind
+    if kind in ("four_point", "self_aligning", "thrust"):
+        fields["kind"], origins["kind"] = kind, "published"
+    pitch = fields.get("pitch_diameter", bearing.mean_diameter)
+    if kind == "double_row":
+        fields["arrangement"], origins["arrangement"] = "DB", "published"
+        fields["spacing"], origins["spacing"] = _row_spacing(bearing, fields, pitch)
+    elif kind == "self_aligning" and "diametral_clearance" in fields:
+        assert bearing.contact_angle is not None
+        fields["spacing"] = pitch * tan(bearing.contact_angle)
+        origins["spacing"] = "inferred"
+    elif kind == "thrust" and "contact_angle" not in fields:
+        fields["contact_angle"], origins["contact_angle"] = radians(90.0), "published"
+    elif kind == "four_point":
+        shim = _shim_angle(bearing, designation.clearance_class or "CN", fields)
+        if shim is not None:
+            fields["shim_angle"], origins["shim_angle"] = shim, "assumed"
+
+
+def _row_spacing(
+    bearing: CatalogueBearing, fields: Mapping[str, Any], pitch: float
+) -> tuple[float, Origin]:
+    """Return the distance of the rows: by where their contact lines meet, else by the width."""
+    angle, apart = fields.get("contact_angle"), bearing.load_centre_distance
+    if angle is not None and apart is not None and apart > pitch * tan(angle):
+        return apart - pitch * tan(angle), "inferred"
+    return _ROW_SPACING * (bearing.width or bearing.section_height), "assumed"
+
+
+def _shim_angle(
+    bearing: CatalogueBearing, clearance_class: str, fields: Mapping[str, Any]
+) -> float | None:
+    """Return α_s so that the axial clearance is the middle of its class: sin α - G_a/(2BD).
+
+    None without a range at this bore.
+    """
+    clearance = middle_clearance(bearing.bore, clearance_class, "four_point")
+    ball = fields.get("ball_diameter") or bearing.ball_diameter
+    if ball is None:
+        ball = _chosen(inferred_geometry(bearing), 1, bearing).ball_diameter
+    if clearance is None:
+        return None
+    distance = ball * (fields["inner_conformity"] + fields["outer_conformity"] - 1.0)
+    return asin(max(sin(fields["contact_angle"]) - 0.5 * clearance / distance, 0.0))

@@ -11,8 +11,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
-from math import exp, pi, sqrt
-from typing import Final, NamedTuple
+from math import cos, exp, pi, sqrt
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,12 +23,15 @@ from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.ratings import (
     MAXIMUM_GAMMA,
+    SELF_ALIGNING_CONFORMITY,
+    THRUST_CONFORMITY,
     dynamic_factor,
     dynamic_factor_of_grooves,
     dynamic_rating,
     static_factor,
     static_factor_of_grooves,
     static_rating,
+    thrust_dynamic_factor,
 )
 from rolamento.words import said
 
@@ -83,6 +86,7 @@ _PITCHES: Final = np.linspace(0.964, 1.036, 37)
 _FIRST_LOOK: Final = 0.25
 """Part by which C may be off at the mean diameter for a closer look."""
 _GAMMAS: Final = np.linspace(0.005, MAXIMUM_GAMMA, 80)
+_FROM_ZERO: Final = np.linspace(0.0, MAXIMUM_GAMMA, 81)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -98,7 +102,8 @@ class Candidate:
     pitch_diameter_range
         Minimum and maximum d_m that fits about as well, in m.
     inner_conformity, outer_conformity
-        The most open grooves that the ratings allow; closer ones give the same C.
+        The most open grooves that the ratings allow; closer ones give the same C. The outer race
+        of a self-aligning bearing is a sphere.
     misfit
         Root mean square of the differences over their tolerances: 1 is as good as the printed
         digits, 3 is doubtful.
@@ -181,7 +186,7 @@ def inferred_geometry(
     InputError
         If the bearing has no rating to infer from.
     """
-    if bearing.dynamic_rating is None and bearing.static_rating is None:
+    if bearing.rated == (None, None):
         raise InputError(
             said(
                 "has no load rating to estimate the balls from: give ball_count, "
@@ -208,7 +213,7 @@ def inferred_geometry(
                 bearing,
                 rates,
                 [float(column[place]) for column in grid],
-                _grooves()[groove],
+                *_conformities(bearing, groove, grid, place),
                 [float(error[place]) for error in parts[groove].errors],
                 float(chi[index]),
                 float(weight / weights.sum()),
@@ -230,6 +235,14 @@ class _Grid(NamedTuple):
 class _Groove(NamedTuple):
     inner: float
     outer: float
+    penalty: float
+    dynamic: FloatArray
+    static: FloatArray
+
+
+class _Factors(NamedTuple):
+    """f_c and f_0 at every place of the grid, and how unusual the grooves behind them are."""
+
     penalty: float
     dynamic: FloatArray
     static: FloatArray
@@ -266,39 +279,70 @@ def _near(
     bearing: CatalogueBearing, rates: Practice, count: NDArray[np.int64], ball: FloatArray
 ) -> NDArray[np.bool_]:
     """Tell what is worth a closer look: no groove lifts C, open ones take a third off."""
-    if bearing.dynamic_rating is None:
+    listed = bearing.rated[0]
+    if listed is None:
         return np.ones(count.shape, dtype=np.bool_)
     angle = bearing.contact_angle or 0.0
-    rated = rates.dynamic * dynamic_rating(count, ball, bearing.mean_diameter, angle)
-    ratio = rated / bearing.dynamic_rating
+    rated = rates.dynamic * dynamic_rating(
+        count, ball, bearing.mean_diameter, angle, kind=bearing.rated_as, rows=bearing.rows
+    )
+    ratio = rated / listed
     return np.asarray((ratio > 1.0 - _FIRST_LOOK) & (ratio < 1.6 * (1.0 + _FIRST_LOOK)))
 
 
 def _misfits(bearing: CatalogueBearing, rates: Practice, grid: _Grid) -> tuple[_Misfits, ...]:
     """Return how far each place of the grid is from the printed figures, groove by groove."""
-    angle = bearing.contact_angle or 0.0
-    gamma = grid.ball * np.cos(angle) / grid.pitch
-    place = (grid.balls, grid.ball, grid.pitch, angle)
+    place = (grid.balls, grid.ball, grid.pitch, bearing.contact_angle or 0.0)
     tolerances = (rates.dynamic_tolerance, rates.static_tolerance, rates.f0_tolerance)
-    dynamic = _excess(bearing.dynamic_rating, rates.dynamic * dynamic_rating(*place, factor=1.0))
-    static = _excess(bearing.static_rating, rates.static * static_rating(*place, factor=1.0))
+    listed, listed_static = bearing.rated
+    rule: dict[str, Any] = {"kind": bearing.rated_as, "rows": bearing.rows, "factor": 1.0}
+    dynamic = _excess(listed, rates.dynamic * dynamic_rating(*place, **rule))
+    static = _excess(listed_static, rates.static * static_rating(*place, **rule))
     implausible = _implausible(bearing, grid)
-    at = _Interpolation.at(gamma)
     found = []
-    for groove in _grooves():
-        errors = [np.zeros(gamma.shape)] * 3
-        f_0 = at(groove.static)
+    for factors in _factors(bearing, grid):
+        errors = [np.zeros(grid.balls.shape)] * 3
         if dynamic is not None:
-            errors[0] = dynamic + np.log(at(groove.dynamic))
+            errors[0] = dynamic + np.log(factors.dynamic)
         if static is not None:
-            errors[1] = static + np.log(f_0)
+            errors[1] = static + np.log(factors.static)
         if bearing.f0 is not None:
-            errors[2] = f_0 - bearing.f0
-        chi = implausible + groove.penalty
+            errors[2] = factors.static - bearing.f0
+        chi = implausible + factors.penalty
         for error, tolerance in zip(errors, tolerances, strict=True):
             chi = chi + (error / tolerance) ** 2
         found.append(_Misfits(np.where(np.isnan(chi), np.inf, chi), tuple(errors)))
     return tuple(found)
+
+
+def _factors(bearing: CatalogueBearing, grid: _Grid) -> list[_Factors]:
+    """Return the factors of every groove that a rating of this kind may suppose."""
+    angle = bearing.contact_angle or 0.0
+    ratio = grid.ball / grid.pitch
+    gamma = ratio * np.cos(angle)
+    if bearing.rated_as == "radial":
+        at = _Interpolation.at(gamma)
+        return [
+            _Factors(groove.penalty, at(groove.dynamic), at(groove.static)) for groove in _grooves()
+        ]
+    kind = bearing.rated_as
+    static = np.interp(np.maximum(gamma, 0.0), _FROM_ZERO, static_factor(_FROM_ZERO, kind))
+    dynamic = (
+        thrust_dynamic_factor(ratio, angle) if kind == "thrust" else dynamic_factor(gamma, kind)
+    )
+    return [_Factors(0.0, dynamic, static)]
+
+
+def _conformities(
+    bearing: CatalogueBearing, groove: int, grid: _Grid, place: int
+) -> tuple[float, float]:
+    """Return f_i and f_o that the rating of a candidate supposes."""
+    if bearing.rated_as == "radial":
+        return _grooves()[groove].inner, _grooves()[groove].outer
+    if bearing.rated_as == "thrust":
+        return THRUST_CONFORMITY, THRUST_CONFORMITY
+    gamma = grid.ball[place] * cos(bearing.contact_angle or 0.0) / grid.pitch[place]
+    return SELF_ALIGNING_CONFORMITY, 0.5 * (1.0 + 1.0 / float(gamma))
 
 
 def _excess(printed: float | None, rated: FloatArray) -> FloatArray | None:
@@ -363,16 +407,19 @@ def _candidate(
     bearing: CatalogueBearing,
     rates: Practice,
     place: list[float],
-    groove: _Groove,
+    inner: float,
+    outer: float,
     errors: list[float],
     chi: float,
     weight: float,
     pitch_range: tuple[float, float],
 ) -> Candidate:
     count, ball, pitch, filling = place
-    printed = (bearing.dynamic_rating, bearing.static_rating, bearing.f0)
+    printed = (*bearing.rated, bearing.f0)
     tolerances = (rates.dynamic_tolerance, rates.static_tolerance, rates.f0_tolerance)
     names = ("dynamic_rating", "static_rating", "f0")
+    if bearing.dynamic_rating is None and bearing.axial_dynamic_rating is not None:
+        names = ("axial_dynamic_rating", "axial_static_rating", "f0")
     given = [value is not None for value in printed]
     scaled = [
         error / tolerance
@@ -388,8 +435,8 @@ def _candidate(
         ball_diameter=ball,
         pitch_diameter=_rounded(pitch) if bearing.pitch_diameter is None else pitch,
         pitch_diameter_range=pitch_range,
-        inner_conformity=groove.inner,
-        outer_conformity=groove.outer,
+        inner_conformity=inner,
+        outer_conformity=outer,
         misfit=sqrt(chi / len(scaled)),
         weight=weight,
         dynamic_error=_relative(told[0]),

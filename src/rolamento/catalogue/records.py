@@ -10,15 +10,21 @@ from __future__ import annotations
 import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
-from math import isfinite, pi, radians
-from typing import Any, Final, Literal, get_args
+from math import degrees, isfinite, pi, radians
+from typing import Any, Final, Literal, cast, get_args
 
+import numpy as np
+
+from rolamento._data import toml_of
 from rolamento._tables import Numerals, parse_table
 from rolamento.errors import FileError, InputError, UnknownKeyError, guess
+from rolamento.ratings import RatedType
 from rolamento.units import Dimension, to_si
 from rolamento.words import said
 
-Kind = Literal["deep_groove", "angular_contact"]
+Kind = Literal[
+    "deep_groove", "angular_contact", "double_row", "four_point", "self_aligning", "thrust"
+]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -32,13 +38,20 @@ class CatalogueBearing:
     maker
         Its name; may be empty.
     kind
-        ``"deep_groove"`` or ``"angular_contact"``.
+        ``"deep_groove"``, ``"angular_contact"``, ``"double_row"`` (angular contact, back to back),
+        ``"four_point"``, ``"self_aligning"`` or ``"thrust"`` (single direction).
     bore, outside_diameter, width
-        d, D and B, in m.
+        d, D and B, in m; of a thrust bearing its height T.
     contact_angle
         α, nominal, in rad.
     dynamic_rating, static_rating
-        C and C_0, radial, in N.
+        C and C_0 in N: radial, of a thrust bearing axial.
+    axial_dynamic_rating, axial_static_rating
+        C_a and C_0a in N of a four-point bearing whose maker gives these.
+    load_centre_distance
+        Of a double row, in m: where the contact lines of its rows meet the shaft.
+    limiting_speed
+        Of the maker, with oil, in rad/s.
     f0
         Factor of the static rating and of the axial load factors, in N/mm².
     ball_count, ball_diameter, pitch_diameter
@@ -58,6 +71,10 @@ class CatalogueBearing:
     contact_angle: float | None = None
     dynamic_rating: float | None = None
     static_rating: float | None = None
+    axial_dynamic_rating: float | None = None
+    axial_static_rating: float | None = None
+    load_centre_distance: float | None = None
+    limiting_speed: float | None = None
     f0: float | None = None
     ball_count: int | None = None
     ball_diameter: float | None = None
@@ -75,6 +92,37 @@ class CatalogueBearing:
     def section_height(self) -> float:
         """(D − d)/2, in m."""
         return 0.5 * (self.outside_diameter - self.bore)
+
+    @property
+    def rated_as(self) -> RatedType:
+        """By which formula of the standards it is rated."""
+        return cast("RatedType", self.kind) if self.kind in get_args(RatedType) else "radial"
+
+    @property
+    def rows(self) -> int:
+        """Rows of balls, i."""
+        return 2 if self.kind in ("double_row", "self_aligning") else 1
+
+    @property
+    def rated(self) -> tuple[float | None, float | None]:
+        """C and C_0 of the standards' formulas, in N.
+
+        Those that are listed; of a four-point bearing with axial ratings, Y C_a and Y_0 C_0a.
+        ISO 281:2007, table 3; ISO 76:2006, table 2.
+        """
+        if self.dynamic_rating is not None or self.static_rating is not None:
+            return self.dynamic_rating, self.static_rating
+        if self.contact_angle is None or self.contact_angle < _LEAST_STEEP:
+            return None, None
+        data, angle = toml_of("iso281"), degrees(self.contact_angle)
+        steep, static = data["equivalent_load"]["steep"], data["static_equivalent_load"]
+        dynamic = float(np.interp(angle, steep["contact_angle_deg"], steep["Y"]))
+        at_rest = float(np.interp(angle, static["contact_angle_deg"], static["Y0"]))
+        axial, axial_static = self.axial_dynamic_rating, self.axial_static_rating
+        return (
+            None if axial is None else dynamic * axial,
+            None if axial_static is None else at_rest * axial_static,
+        )
 
     @property
     def figures(self) -> dict[str, float]:
@@ -101,25 +149,34 @@ _LONGEST_TEXT: Final = 200
 _TEXTS: Final = ("designation", "maker", "kind", "source")
 _EXAMPLE: Final = "designation,bore_mm,outside_diameter_mm,dynamic_rating_N"
 
-_LENGTHS: Final = ("bore", "outside_diameter", "width", "ball_diameter", "pitch_diameter")
-_FORCES: Final = ("dynamic_rating", "static_rating")
+_LEAST_STEEP: Final = radians(20.0)
+"""From where on Y does not depend on the load."""
+_LENGTHS: Final = (
+    "bore", "outside_diameter", "width", "load_centre_distance", "ball_diameter", "pitch_diameter"
+)  # fmt: skip
+_FORCES: Final = (
+    "dynamic_rating", "static_rating", "axial_dynamic_rating", "axial_static_rating"
+)  # fmt: skip
 _RATIOS: Final = ("f0", "inner_conformity", "outer_conformity")
 _COLUMNS: Final[Mapping[str, tuple[str, float]]] = {
     **{f"{name}_mm": (name, 1e-3) for name in _LENGTHS},
     **{f"{name}_N": (name, 1.0) for name in _FORCES},
     **{f"{name}_kN": (name, 1e3) for name in _FORCES},
     "contact_angle_deg": ("contact_angle", pi / 180.0),
+    "limiting_speed_rpm": ("limiting_speed", pi / 30.0),
     **{name: (name, 1.0) for name in (*_RATIOS, "ball_count")},
 }
 _DIMENSIONS: Final[Mapping[str, Dimension]] = {
     **dict.fromkeys(_LENGTHS, "length"),
     **dict.fromkeys(_FORCES, "force"),
     "contact_angle": "angle",
+    "limiting_speed": "speed",
 }
 _LIMITS: Final[Mapping[str, tuple[float, float]]] = {
     **dict.fromkeys(_LENGTHS, (1e-5, 20.0)),
     **dict.fromkeys(_FORCES, (1e-3, 1e10)),
-    "contact_angle": (0.0, radians(89.9)),
+    "contact_angle": (0.0, radians(90.0)),
+    "limiting_speed": (1e-3, 1e6),
     "f0": (1.0, 50.0),
     "inner_conformity": (0.501, 1.0),
     "outer_conformity": (0.501, 1.0),
@@ -240,7 +297,7 @@ def _bearing_within_reason(
     return CatalogueBearing(
         designation=texts["designation"],
         maker=texts.get("maker", ""),
-        kind="deep_groove" if kind == "deep_groove" else "angular_contact",
+        kind=cast("Kind", kind),
         sources=dict.fromkeys(figures, texts.get("source") or source),
         **values,
     )
@@ -310,5 +367,7 @@ def _plain_number(value: object, name: str) -> float:
 
 
 def _example_quantity(dimension: Dimension) -> str:
-    examples: dict[str, str] = {"length": "25 mm", "force": "14 kN", "angle": "40 deg"}
+    examples: dict[str, str] = {
+        "length": "25 mm", "force": "14 kN", "angle": "40 deg", "speed": "9000 rpm"
+    }  # fmt: skip
     return examples[dimension]

@@ -5,7 +5,9 @@ from __future__ import annotations
 import difflib
 import os
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from importlib import resources
@@ -41,7 +43,7 @@ class Found:
     designation: Designation
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Catalogue:
     """Bearings by their designation; later ones take the place of earlier ones.
 
@@ -145,6 +147,12 @@ class Catalogue:
         plain = self._by_key.get(folded(designation.number))
         if plain is not None and _same_angle(plain, designation):
             return Found(plain, designation)
+        for number in designation.equivalents:
+            like = self._by_key.get(folded(number))
+            if like is not None and (
+                designation.contact_angle is None or _same_angle(like, designation)
+            ):
+                return Found(like, designation)
         by_sizes = self._of_dimension_series(designation)
         if by_sizes is not None:
             return Found(by_sizes, designation)
@@ -185,7 +193,7 @@ class Catalogue:
         )
 
     def _of_dimension_series(self, designation: Designation) -> CatalogueBearing | None:
-        if not designation.number:
+        if not designation.number or designation.kind:
             return None
         number = designation.dimension_series + designation.number[-2:]
         like = self._by_key.get(folded(number))
@@ -229,9 +237,74 @@ class Catalogue:
         return tuple(self._by_key[key].designation for key in list(keys)[:_NEAREST])
 
 
-@lru_cache(maxsize=1)
+_asked: Final[ContextVar[Catalogue | None]] = ContextVar("_asked", default=None)
+
+
 def catalogue() -> Catalogue:
-    """Return the built-in catalogue."""
+    """Return the catalogue in which designations are looked up.
+
+    The built-in one, and within `catalogues` the user's files beside it.
+    """
+    return _asked.get() or built_in_catalogue()
+
+
+@contextmanager
+def catalogues(paths: Iterable[str | os.PathLike[str]] | None = None) -> Iterator[Catalogue]:
+    """Look up every designation in a user's files too, within a block.
+
+    What is found there stays with the `rolamento.Bearing`, which may be read, changed, pickled and
+    sent to other threads and processes after the block.
+
+    Parameters
+    ----------
+    paths
+        As of `Catalogue.beside`; with none of them nothing changes.
+
+    Raises
+    ------
+    InputError
+        If a file cannot be read, or is no catalogue; with the line.
+    """
+    added = tuple(paths or ())
+    with _asking(catalogue().beside(added) if added else catalogue()) as known:
+        yield known
+
+
+@contextmanager
+def listed(bearings: Sequence[CatalogueBearing]) -> Iterator[Catalogue]:
+    """Look up every designation among some bearings too, within a block."""
+    with _asking(_with(catalogue(), tuple(bearings)) if bearings else catalogue()) as known:
+        yield known
+
+
+def catalogue_with(bearings: Sequence[CatalogueBearing]) -> Catalogue:
+    """Return the built-in catalogue with some bearings beside."""
+    known = built_in_catalogue()
+    return _with(known, tuple(bearings)) if bearings else known
+
+
+def is_built_in(bearing: CatalogueBearing) -> bool:
+    """Tell whether a bearing is one of the built-in catalogue's."""
+    return built_in_catalogue()._by_key.get(folded(bearing.designation)) is bearing
+
+
+@contextmanager
+def _asking(known: Catalogue) -> Iterator[Catalogue]:
+    token = _asked.set(known)
+    try:
+        yield known
+    finally:
+        _asked.reset(token)
+
+
+@lru_cache(maxsize=64)
+def _with(known: Catalogue, bearings: tuple[CatalogueBearing, ...]) -> Catalogue:
+    return Catalogue((*known.bearings, *bearings))
+
+
+@lru_cache(maxsize=1)
+def built_in_catalogue() -> Catalogue:
+    """Return the catalogue that comes with the package."""
     folder = resources.files("rolamento") / "data" / "catalogue"
     files = sorted(
         (file for file in folder.iterdir() if file.name.endswith(".csv")), key=lambda f: f.name

@@ -29,7 +29,7 @@ from rolamento.geometry import free_contact_angle
 from rolamento.numerics import FloatArray
 from rolamento.words import said
 
-_PARTS: Final = ("inner_ring", "outer_ring", "balls", "shaft", "housing")
+_PARTS: Final = tuple(PartTemperatures.__dataclass_fields__)
 MOUNTED_FIELDS: Final = tuple(
     name
     for name, field in Case.fields().items()
@@ -46,6 +46,11 @@ _GEOMETRY: Final = (
     "contact_angle",
     "diametral_clearance",
 )
+_OF_SETS: Final = (
+    "bearing.spacing",
+    *(f"bearing.preload.{name}" for name in ("force", "offset", "spring")),
+)
+"""What does not change a row itself."""
 _ELASTIC: Final = ("name", "youngs_modulus", "poisson_ratio", "density")
 
 
@@ -70,19 +75,12 @@ def operating_batch(
     Raises
     ------
     InputError
-        If the bearing is a set, something is missing, or what varies does not go together.
+        If something is missing, or what varies does not go together.
     """
     assert case.mounting is not None
-    if case.bearing.is_set:
-        raise InputError(
-            said(
-                "is available for single rows only: the effect of the fits on the "
-                "preload of a set is not modelled"
-            ),
-            field="mounting",
-        )
+    assert not case.bearing.is_set, "a set has a preload too: see rolamento.assembly.mounted"
     arrays = {name: np.asarray(array, np.float64) for name, array in values.items()}
-    bearing = _bearing(case, arrays)
+    bearing = row_bearing(case.bearing, case.bearing, {}, arrays)
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
         clearance = _clearance(case, bearing, arrays)
         field, running = _as_given(bearing, clearance)
@@ -97,34 +95,45 @@ def operating_batch(
 
 def _clearance(case: Case, bearing: Any, arrays: Mapping[str, FloatArray]) -> FloatArray:
     """Clearance in operation at the limit that the mounting names, NaN where none is."""
-    mounting = _mounting(case, arrays)
+    mounting = mounting_of(case, arrays)
     assembly = gathered(
         bearing,
         mounting,
-        _temperatures(case, arrays),
+        temperatures_of(case, arrays),
         arrays.get("duty.inner_speed", case.duty.inner_speed),
         arrays.get("duty.outer_speed", case.duty.outer_speed),
     )
     try:
-        initial, reading = _initial(assembly, case, arrays)
+        initial, reading = initial_of_row(assembly, case.bearing, arrays)
         chain = Chain(assembly, initial, reading, shaft_bands(mounting), housing_bands(mounting))
     except InputError as error:
         raise error.with_details(field=f"mounting.{error.field}") from None
     found = np.asarray(chain.at(mounting.limit))
+    return np.where(inside_seats(assembly, mounting), found, np.nan)
+
+
+def inside_seats(assembly: Any, mounting: Any) -> Any:
+    """Tell where the rings lie between shaft and housing."""
     inside = (mounting.bore < assembly.inner_raceway) & (
         mounting.outside_diameter > assembly.outer_raceway
     )
-    inside &= mounting.shaft_bore < mounting.bore
+    inside = inside & (mounting.shaft_bore < mounting.bore)
     if mounting.housing_outside_diameter is not None:
-        inside &= mounting.outside_diameter < mounting.housing_outside_diameter
-    return np.where(inside, found, np.nan)
+        inside = inside & (mounting.outside_diameter < mounting.housing_outside_diameter)
+    return inside
 
 
-def _initial(
-    assembly: Any, case: Case, arrays: Mapping[str, FloatArray]
+def initial_of_row(
+    assembly: Any, row: Bearing, arrays: Mapping[str, FloatArray]
 ) -> tuple[Band, float | None]:
-    """Clearance before mounting; the bearing's own if that is what varies."""
-    varied = [name for name in arrays if name.startswith("bearing.")]
+    """Clearance before mounting; the bearing's own if that is what varies.
+
+    Raises
+    ------
+    InputError
+        If what varies contradicts the mounting.
+    """
+    varied = [name for name in arrays if name.startswith("bearing.") and name not in _OF_SETS]
     own = {"bearing.diametral_clearance", "bearing.contact_angle"} & set(varied)
     mounting = assembly.mounting
     given = mounting.clearance_class or mounting.measured_clearance
@@ -145,7 +154,7 @@ def _initial(
         )
     if own:
         return Band(assembly.initial_clearance, assembly.initial_clearance), None
-    return initial_band(assembly, case.bearing)
+    return initial_band(assembly, row)
 
 
 def _as_given(bearing: Any, clearance: FloatArray) -> tuple[str, FloatArray]:
@@ -162,16 +171,23 @@ def _as_given(bearing: Any, clearance: FloatArray) -> tuple[str, FloatArray]:
     return "bearing.contact_angle", np.where(fits, angle, np.nan)
 
 
-def _bearing(case: Case, arrays: Mapping[str, FloatArray]) -> Any:
-    bearing: Bearing = case.bearing
-    given = {name: arrays.get(f"bearing.{name}", getattr(bearing, name)) for name in _GEOMETRY}
-    if "bearing.diametral_clearance" in arrays:
+def row_bearing(
+    bearing: Bearing, row: Bearing, own: Mapping[str, Any], arrays: Mapping[str, FloatArray]
+) -> Any:
+    """A row's bearing with the arrays for its attributes; own: what the row has of its own."""
+    common = {
+        name: arrays[f"bearing.{name}"]
+        for name in _GEOMETRY
+        if f"bearing.{name}" in arrays and name not in own
+    }
+    given = {name: common.get(name, getattr(row, name)) for name in _GEOMETRY}
+    if "diametral_clearance" in common:
         given["contact_angle"] = None
-    elif "bearing.contact_angle" in arrays:
+    elif "contact_angle" in common:
         given["diametral_clearance"] = None
-    rings = _material(bearing.ring_material, "ring_material", arrays)
+    rings = _material(row.ring_material, "ring_material", arrays)
     follows = "ball_material" not in bearing.model_fields_set
-    balls = _material(rings if follows else bearing.ball_material, "ball_material", arrays)
+    balls = _material(rings if follows else row.ball_material, "ball_material", arrays)
     return SimpleNamespace(**given, ring_material=rings, ball_material=balls)
 
 
@@ -181,7 +197,8 @@ def _material(material: Any, part: str, arrays: Mapping[str, FloatArray]) -> Any
     )
 
 
-def _mounting(case: Case, arrays: Mapping[str, FloatArray]) -> Any:
+def mounting_of(case: Case, arrays: Mapping[str, FloatArray]) -> Any:
+    """The mounting with the arrays for its attributes; each takes the place of its rival."""
     mounting = case.mounting
     given = {
         name: arrays.get(f"mounting.{name}", getattr(mounting, name))
@@ -194,7 +211,8 @@ def _mounting(case: Case, arrays: Mapping[str, FloatArray]) -> Any:
     return SimpleNamespace(**given)
 
 
-def _temperatures(case: Case, arrays: Mapping[str, FloatArray]) -> Any:
+def temperatures_of(case: Case, arrays: Mapping[str, FloatArray]) -> Any:
+    """The temperatures with the arrays for its attributes."""
     own = case.temperature or PartTemperatures()
     return SimpleNamespace(
         **{name: arrays.get(f"temperature.{name}", getattr(own, name)) for name in _PARTS}

@@ -79,6 +79,16 @@ class Temperatures(Protocol):
         """Of the housing at its seat; that of the outer ring if None."""
         ...
 
+    @property
+    def inner_spacer(self) -> float | None:
+        """Of the spacers between inner rings; that of the shaft if None."""
+        ...
+
+    @property
+    def outer_spacer(self) -> float | None:
+        """Of the spacers between outer rings; that of the housing if None."""
+        ...
+
 
 @dataclass(frozen=True, slots=True)
 class PartTemperatures:
@@ -89,6 +99,20 @@ class PartTemperatures:
     balls: float | None = None
     shaft: float | None = None
     housing: float | None = None
+    inner_spacer: float | None = None
+    outer_spacer: float | None = None
+
+
+class Strains(NamedTuple):
+    """Free thermal strain α T of each part since assembly; numbers or arrays (cases,)."""
+
+    inner_ring: Any
+    outer_ring: Any
+    balls: Any
+    shaft: Any
+    housing: Any
+    inner_spacer: Any
+    outer_spacer: Any
 
 
 class FitState(NamedTuple):
@@ -143,6 +167,7 @@ class Assembly:
     """Of the clearance, by free expansion of rings and balls."""
     spin_change: float
     """Of the clearance, by free growth of the rings as they turn."""
+    strains: Strains
     _shaft: _Seat
     _housing: _Seat
 
@@ -201,11 +226,9 @@ def assembly_of(
     """
     if bearing.is_set:
         raise InputError(
-            said(
-                "is available for single rows only: the effect of the fits on the "
-                "preload of a set is not modelled"
-            ),
-            field="mounting",
+            said("is a set: the clearance is that of one of its rows"),
+            field="bearing",
+            example="bearing.places[0].bearing",
         )
     assembly = gathered(bearing, mounting, temperatures, inner_speed, outer_speed)
     _check_rings_between_seats(mounting, assembly.inner_raceway, assembly.outer_raceway)
@@ -231,6 +254,9 @@ def gathered(
         mounting.ball_expansion, bearing.ball_material, "ball_expansion", warm
     )
     shaft, housing = mounting.shaft_material, mounting.housing_material
+    of_shaft = shaft.thermal_expansion if shaft else ring_expansion
+    of_housing = housing.thermal_expansion if housing else ring_expansion
+    between, around = mounting.inner_spacer_material, mounting.outer_spacer_material
     inner_spin = _ring_growth(bearing.ring_material, mounting.bore, inner, inner_speed)
     outer_spin = _ring_growth(bearing.ring_material, outer, mounting.outside_diameter, outer_speed)
     return Assembly(
@@ -252,13 +278,22 @@ def gathered(
             )
         ),
         spin_change=outer_spin[0] - inner_spin[1],
+        strains=Strains(
+            inner_ring=ring_expansion * warm.inner,
+            outer_ring=ring_expansion * warm.outer,
+            balls=ball_expansion * warm.balls,
+            shaft=of_shaft * warm.shaft,
+            housing=of_housing * warm.housing,
+            inner_spacer=(between.thermal_expansion if between else of_shaft) * warm.inner_spacer,
+            outer_spacer=(around.thermal_expansion if around else of_housing) * warm.outer_spacer,
+        ),
         _shaft=_Seat(
             diameter=mounting.bore,
             finish=mounting.shaft_finish,
             roughness=mounting.shaft_roughness,
             expansion=interference_change(
                 mounting.bore,
-                inner_expansion=shaft.thermal_expansion if shaft else ring_expansion,
+                inner_expansion=of_shaft,
                 inner_rise=warm.shaft,
                 outer_expansion=ring_expansion,
                 outer_rise=warm.inner,
@@ -273,7 +308,7 @@ def gathered(
                 mounting.outside_diameter,
                 inner_expansion=ring_expansion,
                 inner_rise=warm.outer,
-                outer_expansion=housing.thermal_expansion if housing else ring_expansion,
+                outer_expansion=of_housing,
                 outer_rise=warm.housing,
             ),
             rotation=_housing_growth(bearing, mounting, outer_speed) - outer_spin[1],
@@ -314,15 +349,17 @@ class _Rises(NamedTuple):
     balls: float
     shaft: float
     housing: float
+    inner_spacer: float
+    outer_spacer: float
 
     @classmethod
     def of(cls, mounting: Mounting, given: Temperatures) -> _Rises:
         start = mounting.assembly_temperature
         if given.inner_ring is None and given.outer_ring is None:
-            for field in ("balls", "shaft", "housing"):
+            for field in cls._fields[2:]:
                 if getattr(given, field) is not None:
                     raise _missing_temperature("inner_ring", field)
-            return cls(0.0, 0.0, 0.0, 0.0, 0.0)
+            return cls(*(0.0 for _ in cls._fields))
         if given.inner_ring is None:
             raise _missing_temperature("inner_ring", "outer_ring")
         if given.outer_ring is None:
@@ -331,7 +368,9 @@ class _Rises(NamedTuple):
         balls = inner if given.balls is None else given.balls
         shaft = inner if given.shaft is None else given.shaft
         housing = outer if given.housing is None else given.housing
-        values = (inner, outer, balls, shaft, housing)
+        between = shaft if given.inner_spacer is None else given.inner_spacer
+        around = housing if given.outer_spacer is None else given.outer_spacer
+        values = (inner, outer, balls, shaft, housing, between, around)
         for name, value in zip(PartTemperatures.__dataclass_fields__, values, strict=True):
             if not np.all((value > 0.0) & (value <= _WARMEST) | np.isnan(value)):
                 raise InputError(

@@ -33,6 +33,7 @@ from rolamento.clearance.standards import (
 from rolamento.errors import InputError
 from rolamento.geometry import ring_geometry
 from rolamento.numerics import FloatArray
+from rolamento.numerics.percentiles import percentile
 from rolamento.units import from_si
 from rolamento.words import Note, said
 
@@ -374,8 +375,8 @@ class ClearanceSamples:
         }
 
     def percentile(self, percent: float) -> float:
-        """Clearance below which so many per cent of the samples lie."""
-        return float(np.percentile(self.clearance, percent))
+        """Clearance below which so many per cent of the samples lie; NaN of too few samples."""
+        return percentile(self.clearance, percent)
 
 
 def sample_clearance(

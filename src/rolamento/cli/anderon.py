@@ -134,7 +134,7 @@ def anderon(
             speed=speed,
             full_scale=_full_scales_of(full_scale or []),
             accepted=accepted,
-            hours=None if hours is None else _hours_of(hours),
+            hours=None if hours is None else hours_of(hours),
             bearing=bearing,
             channel=channel,
             rate=number_given(rate, "--rate", "frequency", "--rate '50 kHz'"),
@@ -218,7 +218,7 @@ def _full_scale(text: str, name: BandName) -> FullScale:
     return FullScale(value, is_velocity)
 
 
-def _hours_of(text: str) -> list[float]:
+def hours_of(text: str) -> list[float]:
     """Return hours with commas between; NaN for what is no number."""
     try:
         return [float(part) for part in text.split(",")]

@@ -11,6 +11,7 @@ import typer
 
 import rolamento
 from rolamento.cli.anderon import AnderonCommand, anderon
+from rolamento.cli.case_options import NOTHING_GIVEN, CaseOptions, with_case
 from rolamento.cli.catalogue import app as catalogue_app
 from rolamento.cli.clearance import clearance
 from rolamento.cli.common import (
@@ -26,17 +27,19 @@ from rolamento.cli.frequencies import frequencies
 from rolamento.cli.friction import friction
 from rolamento.cli.grouped_help import GroupedCommands, Groups
 from rolamento.cli.life import life
+from rolamento.cli.new import examples, new
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import (
     CaseArgument,
     LanguageOption,
-    SettingsOption,
     json_option,
 )
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.plot import plot
+from rolamento.cli.replace import app as replace_app
 from rolamento.cli.report import report
 from rolamento.cli.reproduce import reproduce
+from rolamento.cli.severity import SeverityCommand, severity
 from rolamento.cli.streams import STANDARD_STREAM, end_of_output, print_text, put
 from rolamento.cli.sweep import sweep
 from rolamento.cli.synthesise import SynthesiseCommand, synthesise
@@ -54,9 +57,10 @@ if TYPE_CHECKING:
 
 _PROGRAM: Final = "rolamento"
 COMMANDS: Final[Groups] = {
+    "To start with": ("new", "examples"),
     "Inside the bearing": ("demo", "solve", "turn", "friction", "report"),
-    "Life and life tests": ("life", "weibull", "weibull-plan", "trend"),
-    "Vibration": ("frequencies", "diagnose", "synthesise", "anderon"),
+    "Life and life tests": ("life", "weibull", "weibull-plan", "replace", "trend"),
+    "Vibration": ("frequencies", "diagnose", "severity", "synthesise", "anderon"),
     "Catalogue and clearance": ("catalogue", "clearance"),
     "Studies and figures": ("sweep", "tolerance", "plot"),
     "Verification": ("verify", "reproduce"),
@@ -116,21 +120,23 @@ def rolamento_command(
 
 @app.command(
     cls=JsonCommand,
-    epilog="Examples: solve case.toml --json; solve case.toml --set duty.load.fz='10 kN';"
-    " solve case.toml --report state.pdf --csv stiffness.csv --table stiffness.",
+    epilog="Examples: solve 6310/C3 --fr '5 kN' --speed '1480 rpm'; solve case.toml --json;"
+    " solve case.toml --set duty.load.fz='10 kN'; solve case.toml --report state.pdf"
+    " --csv stiffness.csv --table stiffness.",
 )
 @with_outputs
+@with_case
 def solve(
     case: CaseArgument,
+    given: CaseOptions = NOTHING_GIVEN,
     json: Annotated[str | None, json_option("Write the state as JSON, in SI units")] = None,
     outputs: Outputs = NOWHERE,
-    settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
     """Show the internal state of a bearing under its duty."""
-    with plain_endings(lang):
+    with plain_endings(lang), given.in_force():
         outputs.check({"--json": json}, case)
-        analysis = _analysed(rolamento.load_case(case, settings or ()), lang)
+        analysis = _analysed(given.case(case, needs_load=True), lang)
         _show(analysis, json, outputs, lang)
     raise typer.Exit(SOLVED if analysis.solved.converged[0] else NO_RESULT)
 
@@ -182,6 +188,14 @@ def _show(
 
 
 app.command(
+    cls=JsonCommand,
+    epilog="Examples: new 6310/C3; new 'S 6012 C' --lang pt -o spindle.toml.",
+)(new)
+app.command(
+    cls=JsonCommand,
+    epilog="Examples: examples; examples 6310_motor; examples all -o gallery.",
+)(examples)
+app.command(
     cls=JsonCommand, epilog="Examples: sweep study.toml -o result.nc; sweep --list fields."
 )(sweep)
 app.command(
@@ -191,18 +205,20 @@ app.command(
 )(plot)
 app.command(
     cls=JsonCommand,
-    epilog="Examples: friction case.toml --coefficient 0.1;"
-    " friction case.toml --over duty.load.fx=10..200N --plot friction.png.",
+    epilog="Examples: friction 6310 --fr '5 kN' --speed '1480 rpm' --lubricant 'ISO VG 68'"
+    " --temperature '70 degC' --coefficient 0.1; friction case.toml --over duty.load.fx=10..200N"
+    " --plot friction.png.",
 )(friction)
 app.command(
     cls=JsonCommand,
-    epilog="Examples: life case.toml --reliability 0.95; life left.toml right.toml;"
+    epilog="Examples: life 6310/C3 --fr '5 kN' --speed '1480 rpm'; life case.toml"
+    " --reliability 0.95; life left.toml right.toml;"
     " life case.toml --spectrum steps.csv; life case.toml --over duty.load.fz=1..8kN.",
 )(life)
 app.command(
     cls=JsonCommand,
     epilog="Examples: report case.toml -o report.pdf --author 'A. Souza';"
-    " report old.toml new.toml -o comparison.html; report 6305 --set duty.load.fz='2 kN'.",
+    " report old.toml new.toml -o comparison.html; report 6305 --fr '2 kN'.",
 )(report)
 app.command(cls=JsonCommand, epilog="Example: clearance case.toml --samples 10000.")(clearance)
 app.command(
@@ -214,6 +230,11 @@ app.command(
     epilog="Examples: diagnose signal.wav --bearing 6205 --speed '1797 rpm' --plot signal.png; "
     "diagnose run.npz --bearing case.toml --speed-channel rpm.",
 )(diagnose)
+app.command(
+    cls=SeverityCommand,
+    epilog="Examples: severity motor.csv --unit g --speed '1480 rpm' --power '45 kW' --support"
+    " rigid; severity jan.wav feb.wav mar.wav --unit mm/s --hours 0,700,1400 --plot trend.png.",
+)(severity)
 app.command(
     cls=SynthesiseCommand,
     epilog="Example: synthesise 6205 --speed '1797 rpm' --fault inner_race --load radial --snr -8"
@@ -230,6 +251,7 @@ app.command(
     " weibull --example campanha-2008 --calculated-life 'ISO 281=58 h'.",
 )(weibull)
 app.add_typer(weibull_plan_app, name="weibull-plan")
+app.add_typer(replace_app, name="replace")
 app.command(
     cls=JsonCommand,
     epilog="Example: trend --example campanha-2008-clearance --plot clearance.png.",

@@ -14,7 +14,7 @@ from rolamento.cli.common import (
 )
 from rolamento.cli.grouped_help import GroupedCommands
 from rolamento.cli.optional_value import JsonCommand
-from rolamento.cli.options import JsonOption, LanguageOption
+from rolamento.cli.options import CataloguesOption, JsonOption, LanguageOption
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.streams import print_text, put
 from rolamento.errors import InputError
@@ -33,13 +33,6 @@ app = typer.Typer(
     no_args_is_help=True,
     rich_markup_mode=None,
 )
-
-FilesOption = Annotated[
-    list[str] | None,
-    typer.Option(
-        "--catalogue", metavar="FILE", help="A catalogue of your own, CSV or TOML. Repeatable."
-    ),
-]
 
 
 @app.callback()
@@ -62,7 +55,7 @@ def search(
     most: Annotated[
         int, typer.Option("--most", metavar="N", help="Maximum number of results.")
     ] = _MOST,
-    files: FilesOption = None,
+    files: CataloguesOption = None,
     json: JsonOption = None,
     outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
@@ -104,7 +97,7 @@ def show(
         bool,
         typer.Option("--axis", help="Print the candidates as an axis of a study file instead."),
     ] = False,
-    files: FilesOption = None,
+    files: CataloguesOption = None,
     json: JsonOption = None,
     outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
@@ -167,7 +160,7 @@ def _geometry(
 ) -> InternalGeometry | None:
     from rolamento.catalogue import geometry_of
 
-    rated = bearing.dynamic_rating is not None or bearing.static_rating is not None
+    rated = bearing.rated != (None, None)
     if not rated and (bearing.ball_count is None or bearing.ball_diameter is None):
         return None
     return geometry_of(designation, catalogue_of=known)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, ClassVar, Final
 
 import typer
 
+from rolamento.cli.case_options import CASE_OPTIONS, NOTHING_GIVEN, CaseOptions, with_case
 from rolamento.cli.common import NO_RESULT, SOLVED, Language, plain_endings
 from rolamento.cli.grouped_help import Groups
 from rolamento.cli.option_names import in_options
@@ -20,7 +21,6 @@ from rolamento.cli.options import (
     OuterSpeedOption,
     RateOption,
     ScaleOption,
-    SettingsOption,
     StartOption,
     plot_option,
 )
@@ -45,7 +45,7 @@ class DiagnoseCommand(JsonCommand):
     """`rolamento diagnose`, its help in groups."""
 
     groups: ClassVar[Groups] = {
-        "Bearing": ("bearing", "settings", "nominal", "angle"),
+        "Bearing": ("bearing", *CASE_OPTIONS, "nominal", "angle"),
         "Speed": (
             *("speed", "outer_speed", "speed_channel", "speed_unit"),
             *("tacho", "pulses", "track", "within"),
@@ -57,6 +57,7 @@ class DiagnoseCommand(JsonCommand):
 
 
 @with_outputs
+@with_case
 def diagnose(
     signal: Annotated[
         str,
@@ -74,7 +75,7 @@ def diagnose(
             "the frequencies of the loaded bearing are searched.",
         ),
     ],
-    settings: SettingsOption = None,
+    given: CaseOptions = NOTHING_GIVEN,
     nominal: Annotated[
         bool,
         typer.Option(
@@ -204,7 +205,7 @@ def diagnose(
     How severe, why, and what speaks against it. A long signal is read block by block, in
     bounded memory.
     """
-    with plain_endings(lang), in_options(diagnose, tolerance="--slip"):
+    with plain_endings(lang), given.in_force(), in_options(diagnose, tolerance="--slip"):
         outputs.check(
             {"--json": json, "--plot": plot, "--kurtogram": kurtogram},
             signal,
@@ -240,7 +241,7 @@ def diagnose(
                 tolerance=slip,
                 speed_tolerance=_part_of_one(speed_tolerance),
             ),
-            settings=settings or [],
+            settings=given.settings,
             stages=_stages_shown(lang),
         )
         if isinstance(found, tasks.TooShort):

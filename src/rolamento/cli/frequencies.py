@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
 
+from rolamento.cli.case_options import NOTHING_GIVEN, CaseOptions, with_case
 from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings
 from rolamento.cli.option_names import in_options
 from rolamento.cli.options import (
@@ -14,7 +15,6 @@ from rolamento.cli.options import (
     LagOption,
     LanguageOption,
     OuterSpeedOption,
-    SettingsOption,
     SpeedOption,
 )
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
@@ -38,10 +38,12 @@ _TOLERANCES: Final[dict[str, Any]] = {
 
 
 @with_outputs
+@with_case
 def frequencies(
     bearing: BearingArgument,
     speed: SpeedOption = None,
     outer_speed: OuterSpeedOption = None,
+    given: CaseOptions = NOTHING_GIVEN,
     slip: LagOption = 0.0,
     angle: Annotated[
         str,
@@ -72,14 +74,13 @@ def frequencies(
     ] = 1,
     json: JsonOption = None,
     outputs: Outputs = NOWHERE,
-    settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
     """Show the fault frequencies of a bearing, also under load.
 
     From its geometry, and from its loaded balls if the case has a load.
     """
-    with plain_endings(lang), in_options(frequencies):
+    with plain_endings(lang), given.in_force(), in_options(frequencies):
         outputs.check({"--json": json}, bearing)
         from rolamento import tasks
 
@@ -92,7 +93,7 @@ def frequencies(
             tolerances=_tolerances(tolerances or []),
             harmonics=harmonics,
             sidebands=sidebands,
-            settings=settings or (),
+            settings=given.settings,
         )
         _show(found, json, outputs)
     failed = found.solved is not None and not found.solved.converged[0]

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Final
 import typer
 
 import rolamento
+from rolamento.cli.case_options import NOTHING_GIVEN, CaseOptions, with_case
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
@@ -18,7 +19,7 @@ from rolamento.cli.options import (
     CaseArgument,
     JsonOption,
     LanguageOption,
-    SettingsOption,
+    VariantsOption,
 )
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.over_field import (
@@ -26,7 +27,7 @@ from rolamento.cli.over_field import (
     CurvesPlotOption,
     LogOption,
     PointsOption,
-    VariantsOption,
+    cases_over,
     check_variants,
     show_curves,
 )
@@ -46,11 +47,16 @@ if TYPE_CHECKING:
 __all__ = ["friction"]
 
 _HYSTERESIS: Final = 0.01
+_COEFFICIENT: Final = "lubricant.friction_coefficient"
+_DRY: Final = ("lubricant.kind=dry", "lubricant.name=dry")
+"""The lubricant of a case that has none, if the coefficient is an option."""
 
 
 @with_outputs
+@with_case
 def friction(
     case: CaseArgument,
+    given: CaseOptions = NOTHING_GIVEN,
     over: Annotated[
         str | None,
         typer.Option(
@@ -77,20 +83,21 @@ def friction(
     json: JsonOption = None,
     plot: CurvesPlotOption = None,
     outputs: Outputs = NOWHERE,
-    settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
     """Show the friction torque by every model.
 
     For a case, or over one of its fields, with the validity of each model.
     """
-    with plain_endings(lang):
+    with plain_endings(lang), given.in_force():
         _check(over, plot, variants or [])
         outputs.check({"--json": json, "--plot": plot}, case)
         _check_share("--hysteresis", hysteresis)
         _check_share("--coefficient", coefficient)
-        loaded = rolamento.load_case(case, settings or ())
-        chosen = _with_coefficient(loaded, coefficient)
+        wanted = [] if coefficient is None else [f"{_COEFFICIENT}={coefficient!r}"]
+        chosen = given.case(
+            case, *wanted, otherwise=_DRY if wanted else (), needs_load=over is None
+        )
         if over is None:
             solved = _one(chosen, hysteresis, json, outputs, lang)
         else:
@@ -120,16 +127,6 @@ def _check_share(name: str, value: float | None) -> None:
         )
 
 
-def _with_coefficient(case: rolamento.Case, coefficient: float | None) -> rolamento.Case:
-    """Return the case with the coefficient in its lubricant; a dry one if it has none."""
-    if coefficient is None:
-        return case
-    if case.lubricant is None:
-        dry = {"kind": "dry", "name": "dry", "friction_coefficient": coefficient}
-        return case.replace(lubricant=dry)
-    return case.replace(lubricant=case.lubricant.replace(friction_coefficient=coefficient))
-
-
 def _one(
     case: rolamento.Case,
     hysteresis: float,
@@ -143,7 +140,7 @@ def _one(
     if case.lubricant is None or case.lubricant.friction_coefficient is None:
         raise InputError(
             said("is missing; the friction calculation needs it"),
-            field="lubricant.friction_coefficient",
+            field=_COEFFICIENT,
             example="--coefficient 0.1",
         )
     analysis = analyse(case, hysteresis=hysteresis)
@@ -178,7 +175,7 @@ def _curves(
     from rolamento.studies.friction_curves import friction_curve, read_range
 
     chosen = read_range(over, points, log=log)
-    cases = [("", case), *((text, rolamento.override(case, [text])) for text in variants)]
+    cases = cases_over(case, variants)
 
     with waiting(lang):
         return [

@@ -10,7 +10,9 @@ from typing import Any, ClassVar, Final, TypeVar
 import typer.core
 from typer.core import TyperCommand, TyperGroup
 
+from rolamento.cli.case_options import CASE_OPTIONS, SPEED_OPTIONS
 from rolamento.cli.complaints import UsageError, complaining
+from rolamento.cli.waiting import working
 from rolamento.errors import nearest
 from rolamento.words import language_asked, marked, said, said_in, speaking
 
@@ -53,8 +55,14 @@ class SpokenCommand(TyperCommand):
         if self.groups or len(self.params) <= _LONG:
             return self.groups
         written = tuple(name for name in names if name in _WRITTEN)
-        others = tuple(name for name in names if name not in _WRITTEN)
-        return {marked("Options"): others, marked("Output"): (*written, "help")}
+        of_case = tuple(name for name in names if name in (*SPEED_OPTIONS, *CASE_OPTIONS))
+        others = tuple(name for name in names if name not in (*written, *of_case))
+        groups = {
+            marked("Bearing and duty"): of_case,
+            marked("Options"): others,
+            marked("Output"): (*written, "help"),
+        }
+        return {heading: names for heading, names in groups.items() if names}
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         """Parse the arguments, and refuse those that are too many."""
@@ -67,6 +75,11 @@ class SpokenCommand(TyperCommand):
         if extra:
             ctx.fail(said("Got unexpected extra arguments: {arguments}", arguments=" ".join(extra)))
         return extra
+
+    def invoke(self, ctx: Any) -> Any:
+        """Run the command, and show that it is at work where it takes long."""
+        with working():
+            return super().invoke(ctx)
 
     def format_usage(self, ctx: Any, formatter: Any) -> None:
         """Write how the command is called."""

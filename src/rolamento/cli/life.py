@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 import rolamento
+from rolamento.cli.case_options import NOTHING_GIVEN, CaseOptions, with_case
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
@@ -15,14 +16,14 @@ from rolamento.cli.common import (
     complain_of_points,
     plain_endings,
 )
-from rolamento.cli.options import LanguageOption, SettingsOption, json_option
+from rolamento.cli.options import LanguageOption, VariantsOption, json_option
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.over_field import (
     POINTS,
     CurvesPlotOption,
     LogOption,
     PointsOption,
-    VariantsOption,
+    cases_over,
     check_variants,
     show_curves,
 )
@@ -44,14 +45,17 @@ __all__ = ["life"]
 
 
 @with_outputs
+@with_case
 def life(
     case: Annotated[
         list[str],
         typer.Argument(
             metavar="CASE",
-            help="Case file (TOML or JSON); several are the bearings of one shaft.",
+            help="Case file (TOML or JSON), or a designation such as 6310/C3; several are the "
+            "bearings of one shaft.",
         ),
     ],
+    given: CaseOptions = NOTHING_GIVEN,
     over: Annotated[
         str | None,
         typer.Option(
@@ -87,7 +91,6 @@ def life(
     outputs: Outputs = NOWHERE,
     plot: CurvesPlotOption = None,
     decimal_mark: DecimalMarkOption = None,
-    settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
     """Show the life by every theory, and what would help.
@@ -95,14 +98,12 @@ def life(
     For a bearing, several on one shaft, or a duty of several steps: where each theory applies,
     and what limits the life.
     """
-    with plain_endings(lang):
+    with plain_endings(lang), given.in_force():
         _check(case, over, spectrum, variants or [])
         read = [path for path in (*case, spectrum, nsk_table) if path is not None]
         _check_files(read, json, plot, outputs, over)
-        own = list(settings or ())
-        if reliability is not None:
-            own.append(_setting_of(reliability))
-        cases = [rolamento.load_case(path, own) for path in case]
+        wanted = [] if reliability is None else [_setting_of(reliability)]
+        cases = [given.case(one, *wanted, needs_load=over is None) for one in case]
         tables = {"nsk_table": nsk_table, "decimal_mark": decimal_mark}
         if over is not None:
             curves = _curves(cases[0], over, points, log, variants or [], tables, lang)
@@ -260,7 +261,7 @@ def _curves(
     from rolamento.tasks.life_over import life_curve
 
     chosen = read_range(over, points, log=log)
-    cases = [("", case), *((text, rolamento.override(case, [text])) for text in variants)]
+    cases = cases_over(case, variants)
     with told_in_options(), waiting(lang):
         return [life_curve(one, chosen, label=label, **tables) for label, one in cases]
 

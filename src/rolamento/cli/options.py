@@ -11,6 +11,7 @@ from rolamento.cli.common import Language
 __all__ = [
     "BearingArgument",
     "CaseArgument",
+    "CataloguesOption",
     "ChannelOption",
     "DurationOption",
     "JsonOption",
@@ -24,6 +25,7 @@ __all__ = [
     "SettingsOption",
     "SpeedOption",
     "StartOption",
+    "VariantsOption",
     "json_option",
     "plot_option",
 ]
@@ -43,11 +45,32 @@ def plot_option(what: str) -> Any:
 # --- of most commands ------------------------------------------------------------------------
 
 CaseArgument = Annotated[
-    str, typer.Argument(metavar="CASE", help="Case file (TOML or JSON); - for standard input.")
+    str,
+    typer.Argument(
+        metavar="CASE",
+        help="Case file (TOML or JSON), or a designation such as 6310/C3; - for standard input.",
+    ),
 ]
 SettingsOption = Annotated[
     list[str] | None,
     typer.Option("--set", metavar="KEY=VALUE", help="Override a field of the case. Repeatable."),
+]
+CataloguesOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--catalogue",
+        metavar="FILE",
+        help="A catalogue of your own, CSV or TOML, for designations. Repeatable.",
+    ),
+]
+VariantsOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--variant",
+        metavar="NAME:FIELD=VALUE",
+        help="Also the case with this changed, under this name; further FIELD=VALUE after commas, "
+        "such as 'spring:bearing.preload={ spring = \"500 N\" }'. Repeatable.",
+    ),
 ]
 JsonOption = Annotated[str | None, json_option("Write everything as JSON, in SI units")]
 PlotOption = Annotated[str | None, plot_option("Draw the result")]

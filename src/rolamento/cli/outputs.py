@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import inspect
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields
-from functools import wraps
-from typing import TYPE_CHECKING, Annotated, Any, Final, TypeVar
+from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 
 from rolamento._writing import write_bytes
 from rolamento.cli.common import same_file
+from rolamento.cli.option_records import with_record
 from rolamento.cli.streams import STANDARD_STREAM, put, show
 from rolamento.document.writing import REPORTS, check_ending
 from rolamento.errors import FileError, InputError
@@ -22,8 +21,6 @@ if TYPE_CHECKING:
     from rolamento.document import Document
 
 __all__ = ["NOWHERE", "OUTPUT_OPTIONS", "Outputs", "check_outputs", "with_outputs"]
-
-Result = TypeVar("Result")
 
 _PICTURES: Final = ("--plot", "--contour", "--kurtogram")
 _SEPARATORS: Final = {"comma": ",", "semicolon": ";", "tab": "\t", "bar": "|"}
@@ -178,24 +175,8 @@ OUTPUT_OPTIONS: Final = tuple(one.name for one in fields(Outputs))
 """The names of their parameters, for the groups of a help."""
 
 
-def with_outputs(command: Callable[..., Result]) -> Callable[..., Result]:
-    """Give a command the options of `Outputs`, which it takes as one argument, ``outputs``."""
-
-    @wraps(command)
-    def taking_options(**given: Any) -> Result:
-        outputs = Outputs(**{name: given.pop(name) for name in OUTPUT_OPTIONS})
-        return command(**given, outputs=outputs)
-
-    own = inspect.signature(command, eval_str=True).parameters
-    options = inspect.signature(Outputs, eval_str=True).parameters
-    parameters = [
-        one
-        for name, parameter in own.items()
-        for one in (options.values() if name == "outputs" else (parameter,))
-    ]
-    taking_options.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
-    taking_options.__annotations__ = {one.name: one.annotation for one in parameters}
-    return taking_options
+with_outputs = with_record("outputs", Outputs)
+"""Give a command the options of `Outputs`, which it takes as one argument, ``outputs``."""
 
 
 def check_outputs(

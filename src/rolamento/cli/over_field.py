@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from numpy.typing import NDArray
 
+    from rolamento.case import Case
     from rolamento.document import Document
 
 
@@ -27,26 +28,19 @@ __all__ = [
     "CurvesPlotOption",
     "LogOption",
     "PointsOption",
-    "VariantsOption",
+    "cases_over",
     "check_variants",
     "show_curves",
 ]
 
 POINTS: Final = 40
 _MOST_VARIANTS: Final = 5
+"""That one figure over a field tells apart."""
 
 PointsOption = Annotated[
     int, typer.Option("--points", metavar="N", help="Number of values of that field, 2 to 1000.")
 ]
 LogOption = Annotated[bool, typer.Option("--log", help="Logarithmic spacing of the values.")]
-VariantsOption = Annotated[
-    list[str] | None,
-    typer.Option(
-        "--variant",
-        metavar="KEY=VALUE",
-        help="Also show the case with this field changed; with --over. Repeatable.",
-    ),
-]
 CurvesPlotOption = Annotated[str | None, plot_option("With --over, draw it")]
 
 
@@ -81,6 +75,20 @@ def check_variants(variants: list[str]) -> None:
             field="--variant",
             value=len(variants),
         )
+
+
+def cases_over(case: Case, variants: list[str]) -> list[tuple[str, Case]]:
+    """Return the case, without a label unless a variant names it, and its variants by their names.
+
+    Raises
+    ------
+    InputError
+        If a text is no variant, or one of another case.
+    """
+    from rolamento.case.variant import AS_GIVEN, cases_compared, read_variants
+
+    found = cases_compared(case, read_variants(variants)) or {AS_GIVEN: case}
+    return [("" if name == AS_GIVEN else name, own) for name, own in found.items()]
 
 
 def show_curves(

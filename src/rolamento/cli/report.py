@@ -7,8 +7,9 @@ from typing import Annotated
 
 import typer
 
+from rolamento.cli.case_options import NOTHING_GIVEN, CaseOptions, with_case
 from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings
-from rolamento.cli.options import JsonOption, LanguageOption, SettingsOption
+from rolamento.cli.options import JsonOption, LanguageOption
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, print_text, put
 from rolamento.cli.waiting import progress_of
@@ -17,6 +18,7 @@ from rolamento.words import said
 __all__ = ["report"]
 
 
+@with_case
 def report(
     cases: Annotated[
         list[str],
@@ -26,6 +28,7 @@ def report(
             "- is standard input.",
         ),
     ],
+    given: CaseOptions = NOTHING_GIVEN,
     output: Annotated[
         str | None,
         typer.Option(
@@ -51,14 +54,13 @@ def report(
         str, typer.Option("--checked-by", metavar="TEXT", help="Checker, in the title block.")
     ] = "",
     json: JsonOption = None,
-    settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
     """Write a calculation report to sign, of one case or several.
 
     Several cases stand side by side, with their differences from the first.
     """
-    with plain_endings(lang):
+    with plain_endings(lang), given.in_force():
         _check(cases, output, json)
         from rolamento.tasks.report import report_on
 
@@ -70,7 +72,7 @@ def report(
             "checked_by": checked_by,
         }
         with progress_of(said("cases analysed")) as progress:
-            found = report_on(cases, head, settings or (), progress=progress)
+            found = report_on(cases, head, given.settings, progress=progress)
         from rolamento.pages.report import report_page
 
         if json is not None:

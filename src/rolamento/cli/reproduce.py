@@ -13,6 +13,7 @@ import typer
 from rolamento.cli.common import plain_endings
 from rolamento.cli.options import LanguageOption
 from rolamento.cli.streams import print_text
+from rolamento.cli.waiting import silenced
 from rolamento.errors import InputError, guess
 from rolamento.words import said
 
@@ -115,7 +116,7 @@ def _progress_bar() -> Iterator[Progress]:
     text = TextColumn("{task.description}", markup=False)
     columns = (BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(), text)
     console = Console(stderr=True, highlight=False)
-    with Progress(*columns, console=console, transient=True) as shown:
+    with silenced(), Progress(*columns, console=console, transient=True) as shown:
         task = shown.add_task("", total=None)
         yield lambda done, total, what: shown.update(
             task, completed=done, total=total, description=_short(str(what))

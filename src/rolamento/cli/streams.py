@@ -10,6 +10,7 @@ from contextlib import suppress
 from typing import TYPE_CHECKING, Any, Final, TextIO
 
 from rolamento._writing import write_text
+from rolamento.cli.waiting import silenced
 from rolamento.errors import FileError, cause, printable
 from rolamento.words import said
 
@@ -118,9 +119,11 @@ def _write(stream: TextIO | None, content: Callable[[], bytes], name: str) -> No
     if stream is None:
         raise FileError(said("is closed"), source=name)
     try:
-        stream.flush()
-        stream.buffer.write(content())
-        stream.flush()
+        data = content()
+        with silenced():
+            stream.flush()
+            stream.buffer.write(data)
+            stream.flush()
     except BrokenPipeError:
         _silence(stream)
     except OSError as error:

@@ -7,13 +7,14 @@ from typing import Annotated, NoReturn
 
 import typer
 
+from rolamento.cli.case_options import NOTHING_GIVEN, CaseOptions, with_case
 from rolamento.cli.common import (
     INTERRUPTED,
     NO_RESULT,
     SOLVED,
     plain_endings,
 )
-from rolamento.cli.options import LanguageOption, SettingsOption
+from rolamento.cli.options import LanguageOption, VariantsOption
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.streams import complain, print_text
 from rolamento.errors import InputError
@@ -28,6 +29,7 @@ class Listed(StrEnum):
 
 
 @with_outputs
+@with_case
 def sweep(
     study: Annotated[
         str | None,
@@ -42,7 +44,8 @@ def sweep(
             help="Result: a .nc (NetCDF), .csv or .parquet file; by default named after the study.",
         ),
     ] = None,
-    settings: SettingsOption = None,
+    given: CaseOptions = NOTHING_GIVEN,
+    variants: VariantsOption = None,
     threads: Annotated[
         int | None,
         typer.Option(
@@ -75,7 +78,7 @@ def sweep(
 
     A study file says what varies: all values of some fields, or values drawn at random.
     """
-    with plain_endings(lang):
+    with plain_endings(lang), given.in_force():
         if listed is not None:
             print_text(fields_text() if listed is Listed.fields else outputs_text())
             return
@@ -88,6 +91,7 @@ def sweep(
             study,
             rule=marked("is the study file itself; choose another name"),
         )
+        from rolamento.case.variant import read_variants
         from rolamento.cli.sweep_progress import told
         from rolamento.pages.study import study_page
         from rolamento.tasks import studies
@@ -97,7 +101,8 @@ def sweep(
                 swept = studies.sweep(
                     study,
                     output,
-                    settings=settings or (),
+                    settings=given.settings,
+                    variants=read_variants(variants or ()),
                     threads=threads,
                     scheduler=scheduler,
                     restart=restart,
@@ -146,14 +151,14 @@ def fields_text() -> str:
 
 
 def outputs_text() -> str:
-    """Return the outputs, one a line: name, SI unit, whether it is per ball, meaning."""
+    """Return the outputs, one a line: name, SI unit, whether it is per ball or row, meaning."""
     from rolamento.studies.outputs import DEFAULT_OUTPUTS, catalogue
 
     rows = [
         (
             f"{name}{'*' if name in DEFAULT_OUTPUTS else ''}",
             output.unit,
-            said("per ball") if output.per_ball else "",
+            {"": "", "ball": said("per ball"), "row": said("per row")}[output.along],
             output.label,
         )
         for name, output in catalogue().items()

@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from typing import Any, Final, TextIO
 
 from rolamento.cli.streams import complain
+from rolamento.cli.waiting import silenced
 from rolamento.document.medium import Medium
 from rolamento.words import counted, said
 
@@ -33,7 +34,7 @@ def told(stream: TextIO | None = None) -> Iterator[Progress]:
     if console.is_dumb_terminal:
         yield Lines()
         return
-    with _bar(console, Medium.of(stream)) as progress:
+    with silenced(), _bar(console, Medium.of(stream)) as progress:
         yield progress
 
 

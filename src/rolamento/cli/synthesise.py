@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final
 
 import typer
 
+from rolamento.cli.case_options import CASE_OPTIONS, NOTHING_GIVEN, CaseOptions, with_case
 from rolamento.cli.common import NO_RESULT, SOLVED, complain_of, plain_endings
 from rolamento.cli.grouped_help import Groups
 from rolamento.cli.option_names import in_options
@@ -17,7 +18,6 @@ from rolamento.cli.options import (
     LagOption,
     LanguageOption,
     OuterSpeedOption,
-    SettingsOption,
     SpeedOption,
 )
 from rolamento.cli.outputs import check_outputs
@@ -120,7 +120,8 @@ class SynthesiseCommand(JsonCommand):
     """`rolamento synthesise`, its help in groups."""
 
     groups: ClassVar[Groups] = {
-        "Bearing and speed": ("settings", "speed", "outer_speed", "slip", "swing", "wander"),
+        "Bearing": CASE_OPTIONS,
+        "Speed": ("speed", "outer_speed", "slip", "swing", "wander"),
         "Damage": ("faults", "jitter", "load", "load_turns"),
         "Transmission path": ("modes", "path"),
         "Noise and vibration": ("snr", "noise", "colour", "shaft_harmonics", "waviness"),
@@ -129,6 +130,7 @@ class SynthesiseCommand(JsonCommand):
     }
 
 
+@with_case
 def synthesise(
     bearing: BearingArgument,
     output: Annotated[
@@ -260,22 +262,22 @@ def synthesise(
     seed: Annotated[
         int, typer.Option("--seed", metavar="N", help="Seed of all random numbers, from 0.")
     ] = 0,
-    settings: SettingsOption = None,
+    given: CaseOptions = NOTHING_GIVEN,
     lang: LanguageOption = None,
 ) -> None:
     """Make a vibration signal of a bearing with known damage.
 
     To test a diagnosis: the full ground truth can be written as well.
     """
-    with plain_endings(lang), _named(_OPTIONS), in_options(synthesise):
+    with plain_endings(lang), given.in_force(), _named(_OPTIONS), in_options(synthesise):
         check_outputs({"--output": output, "--truth": truth}, bearing)
         from rolamento import tasks
         from rolamento.cli.quantities import number_of
-        from rolamento.cli.waiting import PATIENCE_AT_WORK, waiting
+        from rolamento.cli.waiting import waiting
         from rolamento.vibration.writing import check_signal_name
 
         check_signal_name(output, 0, 1.0)
-        with waiting(lang, said("making the signal"), PATIENCE_AT_WORK):
+        with waiting(lang, said("making the signal")):
             planted = [_fault(text, jitter) for text in faults or ()]
             waves = [_waviness(text) for text in waviness or ()]
             harmonics = _harmonics(shaft_harmonics)
@@ -298,7 +300,7 @@ def synthesise(
                 rate=number_of(rate, "--rate", "frequency", "--rate '12 kHz'"),
                 seed=seed,
                 truth_path=None if truth == STANDARD_STREAM else truth,
-                settings=settings or (),
+                settings=given.settings,
             )
             if isinstance(found, tasks.Unsolved):
                 complain_of(found.solved, lang)

@@ -9,6 +9,7 @@ import typer
 from rolamento.cli.common import SOLVED, plain_endings
 from rolamento.cli.options import LanguageOption, PlotOption, json_option
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
+from rolamento.cli.severity import GrowthLawOption, checked_growth
 from rolamento.cli.shipped_data import check_one_given, data_and_json, known_example
 from rolamento.cli.streams import put_json
 from rolamento.cli.table_options import (
@@ -58,6 +59,21 @@ def trend(
             " the first quantity is a length.",
         ),
     ] = None,
+    limit: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--limit",
+            metavar="[COLUMN=]VALUE",
+            help="Limit of a quantity, such as '4.5 mm/s': when it is reached. Repeatable.",
+        ),
+    ] = None,
+    growth: GrowthLawOption = None,
+    confidence: Annotated[
+        float,
+        typer.Option(
+            "--confidence", metavar="C", help="Confidence of the time to the limit, such as 0.9."
+        ),
+    ] = 0.9,
     time_column: TimeColumnOption = None,
     bearing_column: BearingColumnOption = None,
     value_column: ValueColumnOption = None,
@@ -68,9 +84,9 @@ def trend(
     outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
 ) -> None:
-    """Show what changed in operation: clearance, noise.
+    """Show what changed in operation, and when it reaches a limit.
 
-    A wear law is fitted to the clearance.
+    Clearance, with a wear law; noise, vibration and other quantities.
     """
     with plain_endings(lang):
         data, json = data_and_json(data, example, json)
@@ -91,16 +107,23 @@ def trend(
         from rolamento.tasks.weibull import trend_study
         from rolamento.weibull import published_trend
 
-        with told_in_options():
+        with told_in_options(limits="--limit", confidence="--confidence"):
             given: Any = data
             if example is not None:
                 given = published_trend(known_example(example, EXAMPLES).replace("-", "_"))
-            found = trend_study(given, law=None if law is None else LAWS[law], columns=columns)
+            found = trend_study(
+                given,
+                law=None if law is None else LAWS[law],
+                limits=limit or (),
+                growth=checked_growth(growth),
+                confidence=confidence,
+                columns=columns,
+            )
         if plot is not None:
+            from rolamento.pages.trend import trend_picture
             from rolamento.plots.saving import save_figure
-            from rolamento.plots.trend import trend_figure
 
-            save_figure(trend_figure(found.trend, found.fits), plot)
+            save_figure(trend_picture(found), plot)
         if json is not None:
             put_json(found.to_mapping(), json)
         outputs.show(lambda: trend_page(found), json)

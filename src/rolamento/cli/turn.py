@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Final
 import typer
 
 import rolamento
+from rolamento.cli.case_options import NOTHING_GIVEN, CaseOptions, with_case
 from rolamento.cli.common import (
     NO_RESULT,
     SOLVED,
@@ -19,7 +20,6 @@ from rolamento.cli.options import (
     JsonOption,
     LanguageOption,
     PlotOption,
-    SettingsOption,
 )
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.streams import STANDARD_STREAM, put_json
@@ -34,8 +34,10 @@ _POINTS: Final = 256
 
 
 @with_outputs
+@with_case
 def turn(
     case: CaseArgument,
+    given: CaseOptions = NOTHING_GIVEN,
     points: Annotated[
         int,
         typer.Option("--points", metavar="N", help="Instants in one period, 4 to 4096."),
@@ -43,16 +45,15 @@ def turn(
     json: JsonOption = None,
     plot: PlotOption = None,
     outputs: Outputs = NOWHERE,
-    settings: SettingsOption = None,
     lang: LanguageOption = None,
 ) -> None:
     """Show what varies while the cage turns by one pitch.
 
     Displacement, stiffness and ball loads over that period.
     """
-    with plain_endings(lang):
+    with plain_endings(lang), given.in_force():
         outputs.check({"--json": json, "--plot": plot}, case)
-        turned = _turned(rolamento.load_case(case, settings or ()), points, lang)
+        turned = _turned(given.case(case, needs_load=True), points, lang)
         _show(turned, json, plot, outputs, lang)
     raise typer.Exit(SOLVED if turned.converged else NO_RESULT)
 

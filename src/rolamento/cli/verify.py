@@ -13,6 +13,7 @@ from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings
 from rolamento.cli.options import LanguageOption, json_option
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, put
+from rolamento.cli.waiting import silenced
 from rolamento.words import said, speaking
 
 if TYPE_CHECKING:
@@ -53,7 +54,7 @@ def _run(names: Sequence[str]) -> Verification:
 
     if sys.stderr is None or not sys.stderr.isatty():
         return run(names)
-    with _progress_on_terminal() as progress:
+    with silenced(), _progress_on_terminal() as progress:
         return run(names, progress=progress)
 
 

@@ -1,43 +1,86 @@
-"""What a person sees on standard error when something takes longer than usual.
+"""What a person sees on standard error when something takes longer than a second.
 
-One case is solved without the compiler, at once. The few that need compiled code wait for it, the
-first time on a machine about 20 s. What is counted, tests or parts of a signal, has a bar.
+Every command shows that it is at work (`working`). Some say more in the place of that: that code is
+compiled, the first time on a machine about 20 s; what is counted, tests or parts of a signal, has a
+bar. There is one word at a time, and none while something is written.
 """
 
 from __future__ import annotations
 
 import sys
+import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from threading import Timer
 from typing import TYPE_CHECKING, Final
 
-from rolamento.cli.common import Language
 from rolamento.words import said
 
 if TYPE_CHECKING:
     from rich.status import Status
 
-__all__ = ["PATIENCE", "PATIENCE_AT_WORK", "Progress", "progress_of", "told", "waiting"]
+    from rolamento.cli.common import Language
 
-PATIENCE: Final = 2.0
+__all__ = ["PATIENCE", "Progress", "progress_of", "silenced", "told", "waiting", "working"]
+
+PATIENCE: Final = 1.0
 """Seconds after which a person wants to know why nothing comes."""
-PATIENCE_AT_WORK: Final = 1.0
-"""The same where work is known to take long."""
 
 Progress = Callable[[int, int], None]
 """Is told how much is done, and of how much."""
+
+
+class _Word:
+    """A line with a spinner that comes after a while, and may be stopped and begun again."""
+
+    def __init__(self, text: str, after: float) -> None:
+        self._text, self._after = text, after
+        self._shown: list[Status] = []
+        self.begin()
+
+    def begin(self) -> None:
+        """Wait for its time to come."""
+        self._began = time.monotonic()
+        self._timer = Timer(self._after, lambda: self._shown.append(_started(self._text)))
+        self._timer.daemon = True
+        self._timer.start()
+
+    def end(self) -> None:
+        """Take the line away, if it has come."""
+        self._timer.cancel()
+        self._timer.join()
+        while self._shown:
+            self._shown.pop().stop()
+
+    @property
+    def elapsed(self) -> float:
+        """Seconds that nothing has been seen for but this word."""
+        return time.monotonic() - self._began
+
+
+_AT_WORK: Final[list[_Word | None]] = []
+"""The words of what is under way; the last one is seen. None is for what shows itself."""
+
+
+@contextmanager
+def working() -> Iterator[None]:
+    """Tell whoever waits at a terminal for long that something is done; around every command."""
+    if not _is_terminal() or _is_typed():
+        yield
+        return
+    with told(said("Working …")):
+        yield
 
 
 @contextmanager
 def waiting(
     lang: Language | None, text: str | None = None, after: float = PATIENCE
 ) -> Iterator[None]:
-    """Tell whoever waits at a terminal for long why; by default, that kernels are compiled."""
+    """Tell whoever waits at a terminal for long why; by default, that kernels may be compiled."""
     if not _is_terminal():
         yield
         return
-    kernels = said("Solving; compiling the kernels for this machine, once, takes about 20 s …")
+    kernels = said("Solving … (the first time on a machine, compiling takes about 20 s)")
     with told(kernels if text is None else text, after):
         yield
 
@@ -45,25 +88,48 @@ def waiting(
 @contextmanager
 def told(text: str, after: float = PATIENCE) -> Iterator[None]:
     """Show a line with a spinner if the body has not ended after a while."""
-    shown: list[Status] = []
-    timer = Timer(after, lambda: shown.append(_started(text)))
-    timer.daemon = True
-    timer.start()
-    try:
-        yield
-    finally:
-        timer.cancel()
-        timer.join()
-        for status in shown:
-            status.stop()
+    with silenced() as elapsed:
+        word = _Word(text, max(0.0, after - elapsed))
+        _AT_WORK.append(word)
+        try:
+            yield
+        finally:
+            _AT_WORK.pop()
+            word.end()
 
 
 @contextmanager
-def progress_of(text: str, after: float = PATIENCE_AT_WORK) -> Iterator[Progress]:
+def silenced() -> Iterator[float]:
+    """Take the word of what is under way off the terminal while the body writes or shows something.
+
+    Yields for how long nothing but that word has been seen, in s.
+    """
+    word = _AT_WORK[-1] if _AT_WORK else None
+    elapsed = 0.0
+    if word is not None:
+        elapsed = word.elapsed
+        word.end()
+    _AT_WORK.append(None)
+    try:
+        yield elapsed
+    finally:
+        _AT_WORK.pop()
+        if word is not None:
+            word.begin()
+
+
+@contextmanager
+def progress_of(text: str, after: float = PATIENCE) -> Iterator[Progress]:
     """Show a bar if the body has not ended after a while; nothing where there is no terminal."""
     if not _is_terminal():
         yield lambda done, total: None
         return
+    with silenced() as elapsed, _bar(text, max(0.0, after - elapsed)) as progress:
+        yield progress
+
+
+@contextmanager
+def _bar(text: str, after: float) -> Iterator[Progress]:
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeElapsedColumn
     from rich.progress import Progress as Bar
@@ -98,6 +164,11 @@ def progress_of(text: str, after: float = PATIENCE_AT_WORK) -> Iterator[Progress
 
 def _is_terminal() -> bool:
     return sys.stderr is not None and sys.stderr.isatty()
+
+
+def _is_typed() -> bool:
+    """Whether a person may be typing what is read, which a spinner would write into."""
+    return "-" in sys.argv[1:] and sys.stdin is not None and sys.stdin.isatty()
 
 
 def _started(text: str) -> Status:

@@ -9,13 +9,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.case import Case
-from rolamento.catalogue import built_in_geometry
 from rolamento.friction.palmgren import BearingKind, Lubrication
 from rolamento.friction.skf import (
     SkfConstants,
     Supply,
     angular_contact_constants,
     deep_groove_series,
+    self_aligning_series,
+    thrust_constants,
 )
 from rolamento.lubrication import Film
 from rolamento.numerics import FloatArray
@@ -67,8 +68,8 @@ def machine_of(
     Parameters
     ----------
     case
-        With a designation: single row. An oil is taken to stand in the housing as a low bath, for
-        the case does not say how it is supplied.
+        With a designation: one bearing, not a set. An oil is taken to stand in the housing as a low
+        bath, for the case does not say how it is supplied.
     film
         Of the solved cases: supplies the viscosity.
     static_load_rating, static_load
@@ -77,19 +78,20 @@ def machine_of(
     Returns
     -------
     MachineBearing or None
-        None without a designation or a static rating; SKF's constants for the deep-groove series
-        that are on file, and for angular-contact bearings.
+        None without a designation or a static rating; SKF's constants for the deep-groove and
+        self-aligning series that are on file, and for the other kinds.
     """
-    published = case.bearing.published
+    told = case.bearing.told
     rating, load = np.broadcast_arrays(
         np.asarray(static_load_rating, np.float64),
         np.asarray(static_load, np.float64),
         film.temperature,
     )[:2]
-    if published is None or case.bearing.is_set or not np.all((rating > 0.0) & (load >= 0.0)):
+    own = case.bearing.model_fields_set
+    is_set = case.bearing.rows is not None or "arrangement" in own
+    if told is None or is_set or not np.all((rating > 0.0) & (load >= 0.0)):
         return None
-    designation = built_in_geometry(case.bearing.designation or "", False).designation
-    deep = published.kind == "deep_groove"
+    published, designation = told.bearing, told.designation
     grease = case.lubricant is not None and case.lubricant.kind == "grease"
     return MachineBearing(
         kind=published.kind,
@@ -101,7 +103,16 @@ def machine_of(
         contact_angle=published.contact_angle or designation.contact_angle or 0.0,
         lubrication="grease" if grease else "oil_bath",
         supply="grease" if grease else "low_oil_bath",
-        constants=(
-            deep_groove_series().get(designation.series) if deep else angular_contact_constants()
-        ),
+        constants=_constants(published.kind, designation.series or published.designation[:2]),
     )
+
+
+def _constants(kind: BearingKind, series: str) -> SkfConstants | None:
+    """SKF's constants of a bearing; None of a series that is not on file."""
+    if kind == "deep_groove":
+        return deep_groove_series().get(series)
+    if kind == "self_aligning":
+        return self_aligning_series().get(series)
+    if kind == "thrust":
+        return thrust_constants()
+    return angular_contact_constants("single_row" if kind == "angular_contact" else kind)

@@ -236,11 +236,21 @@ def validity_of(model: TorqueModel, setting: Setting, converged: BoolArray) -> M
     """Judge a model for every case; converged: whether it found a result."""
     limits = {
         **model.limits(setting),
+        **({"more_contacts": touches_both_arcs(setting.solved)} if model.of_contacts else {}),
         "torque_at_rest": relative_speed(setting.solved) == 0.0,
         "torque_unknown": ~converged,
     }
     refused = [where for name, where in limits.items() if name not in REMARKS]
     return ModelValidity(model.name, ~np.any(refused, axis=0), limits)
+
+
+def touches_both_arcs(solved: Solved) -> BoolArray:
+    """(cases,): whether a ball of a four-point bearing bears on more than one arc of a ring."""
+    if solved.case.bearing.kind != "four_point":
+        return np.zeros(len(solved), np.bool_)
+    with np.errstate(invalid="ignore"):
+        pairs = solved.loaded.reshape(len(solved), 2, -1)
+    return np.asarray(np.any(np.all(pairs, axis=1), axis=1))
 
 
 def limits_of_dry_friction(setting: Setting) -> dict[str, BoolArray]:

@@ -6,9 +6,12 @@ With lengths in mm, ν in mm²/s and n in rpm, moments come in N·mm:
     M1 = f1 P1 d_m,    f1 = z (P0/C0)^y
 
 P1 = max(3 F_a - 0.1 F_r, F_r) for deep-groove bearings, max(0.9 F_a cot α - 0.1 F_r, F_r) for
-angular-contact ones. The constants hold for moderate speed and load and the lubrication named.
+angular-contact ones, double-row, four-point and self-aligning ones among them, F_a for thrust
+bearings. The constants hold for moderate speed and load and the lubrication named.
 
-Palmgren (1959); constants and P1 as Harris (1991), chapter 14, gives them.
+Palmgren (1959); constants and P1 as Harris (1991), chapter 14, gives them; those of double-row,
+four-point, self-aligning and thrust bearings are from general knowledge of its tables 14.1 and
+14.2, no print was at hand.
 """
 
 from __future__ import annotations
@@ -34,19 +37,30 @@ from rolamento.friction.model import (
 from rolamento.numerics import FloatArray
 from rolamento.words import marked, said
 
-BearingKind = Literal["deep_groove", "angular_contact"]
+BearingKind = Literal[
+    "deep_groove", "angular_contact", "double_row", "four_point", "self_aligning", "thrust"
+]
 Lubrication = Literal["grease", "oil_mist", "oil_bath", "oil_jet"]
 
 LUBRICATION_FACTORS: Final[Mapping[str, Mapping[str, float]]] = {
     "deep_groove": {"grease": 1.0, "oil_mist": 1.0, "oil_bath": 2.0, "oil_jet": 4.0},
     "angular_contact": {"grease": 2.0, "oil_mist": 1.7, "oil_bath": 3.3, "oil_jet": 6.6},
+    "double_row": {"grease": 4.0, "oil_mist": 3.4, "oil_bath": 6.5, "oil_jet": 13.0},
+    "four_point": {"grease": 6.0, "oil_mist": 2.0, "oil_bath": 6.0, "oil_jet": 9.0},
+    "self_aligning": {"grease": 1.75, "oil_mist": 0.85, "oil_bath": 1.75, "oil_jet": 3.5},
+    "thrust": {"grease": 5.5, "oil_mist": 0.8, "oil_bath": 1.5, "oil_jet": 3.0},
 }
 """f0. Deep-groove bearings with grease: 0.7 (light series) to 2 (heavy series). "oil_jet" is
-also for an oil bath with a vertical shaft."""
+also for an oil bath with a vertical shaft. Self-aligning bearings: the middle between light and
+heavy series, 1.5 to 2 with grease."""
 
 LOAD_FACTORS: Final[Mapping[str, tuple[float, float]]] = {
     "deep_groove": (0.0005, 0.55),
     "angular_contact": (0.001, 0.33),
+    "double_row": (0.001, 0.33),
+    "four_point": (0.001, 0.33),
+    "self_aligning": (0.0003, 0.40),
+    "thrust": (0.0008, 0.33),
 }
 """z and y of f1. Deep-groove bearings: z from 0.0004 (light series) to 0.0006 (heavy series)."""
 
@@ -100,9 +114,11 @@ def load_torque(
 def friction_load(
     radial: ArrayLike, axial: ArrayLike, kind: BearingKind, contact_angle: ArrayLike = 0.0
 ) -> FloatArray:
-    """Load P1 that goes into M1; N. contact_angle: nominal, of angular-contact bearings; rad."""
+    """Load P1 that goes into M1; N. contact_angle: nominal, of all but deep-groove ones; rad."""
     fr, fa = np.abs(radial), np.abs(axial)
-    if _checked_kind(kind) == "deep_groove":
+    if _checked_kind(kind) == "thrust":
+        return np.broadcast_arrays(fa, fr)[0].copy()
+    if kind == "deep_groove":
         combined = 3.0 * fa - 0.1 * fr
     else:
         combined = 0.9 * fa / np.tan(contact_angle) - 0.1 * fr
@@ -149,7 +165,7 @@ def palmgren(
         raise InputError(
             said("must be one of {known}", known=known), field="lubrication", value=lubrication
         )
-    if kind == "angular_contact":
+    if kind not in ("deep_groove", "thrust"):
         checked_positive(contact_angle, "contact_angle")
     turning = np.atleast_1d(checked_numbers(speed, "speed"))
     diameter = checked_positive(mean_diameter, "mean_diameter")

@@ -20,9 +20,19 @@ two lines:
     G_rr = R1 d_m^1.97 (F_r + F_g + R2 F_a)^0.54
     G_sl = S1 d_m^0.26 ((F_r + F_g)^(4/3) + S2 F_a^(4/3))
 
+Self-aligning ball bearings, with F_g = R3 d_m^3.5 n² and S3 d_m^3.5 n²:
+
+    G_rr = R1 d_m² (F_r + F_g + R2 F_a)^0.54
+    G_sl = S1 d_m^-0.12 ((F_r + F_g)^(4/3) + S2 F_a^(4/3))
+
+Thrust ball bearings:
+
+    G_rr = R1 d_m^1.83 F_a^0.54,  G_sl = S1 d_m^0.05 F_a^(4/3)
+
 Source: SKF, Rolling bearings (catalogue 10000 EN, 2013), "The SKF model for calculating the
 frictional moment", equations and table 2a; the constants of deep-groove series and of single-row,
-double-row and four-point contact angular-contact bearings from table 2b, in data/skf_friction.toml.
+double-row and four-point contact angular-contact bearings from table 2b, in data/skf_friction.toml,
+which tells what of self-aligning and thrust bearings was at hand.
 """
 
 from __future__ import annotations
@@ -51,7 +61,7 @@ from rolamento.friction.model import (
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.words import marked, said
 
-Kind = Literal["deep_groove", "angular_contact"]
+Kind = Literal["deep_groove", "angular_contact", "self_aligning", "thrust"]
 Supply = Literal["grease", "oil_air", "low_oil_bath", "oil_jet"]
 
 STARVATION: Final[Mapping[str, float]] = {
@@ -81,16 +91,17 @@ SLIDING_AT_START: Final = 0.15
 class SkfConstants:
     """Geometry constants of a bearing series, as SKF tabulates them.
 
-    kind: "deep_groove" or "angular_contact", which chooses the formulas. r3 and s3 are used by
-    angular-contact bearings only. k_z: 4.4 for single-row angular-contact bearings, 3.1 for the
-    others. contact_angle: nominal, of the bearings that the constants are for (rad), if known.
+    kind chooses the formulas. r3 and s3 are used by angular-contact and self-aligning bearings
+    only, r2 and s2 by all but thrust bearings. k_z: 4.4 for single-row angular-contact bearings,
+    4.8 for self-aligning ones, 3.8 for thrust bearings, 3.1 for the others. contact_angle: nominal,
+    of the bearings that the constants are for (rad), if known.
     """
 
     kind: Kind
     r1: float
-    r2: float
     s1: float
-    s2: float
+    r2: float = 0.0
+    s2: float = 0.0
     r3: float = 0.0
     s3: float = 0.0
     k_z: float = 3.1
@@ -142,6 +153,26 @@ def angular_contact_constants(design: str = "single_row") -> SkfConstants:
             example='"double_row"',
         )
     return designs[design]
+
+
+@cache
+def self_aligning_series() -> Mapping[str, SkfConstants]:
+    """Return the constants of self-aligning bearings by series, such as "22" of 2210."""
+    data = toml_of("skf_friction")
+    k_z = data["K_Z"]["self_aligning"]
+    return {
+        name: SkfConstants("self_aligning", **_geometry_constants(row), k_z=k_z)
+        for row in data["self_aligning"]
+        for name in row["series"]
+    }
+
+
+@cache
+def thrust_constants() -> SkfConstants:
+    """Return the constants of thrust ball bearings."""
+    data = toml_of("skf_friction")
+    row = data["thrust"]
+    return SkfConstants("thrust", **_geometry_constants(row), k_z=data["K_Z"]["thrust"])
 
 
 def _geometry_constants(row: Mapping[str, Any]) -> dict[str, float]:
@@ -235,6 +266,11 @@ def skf_moment(
     mean = 0.5 * (bore + outside)
     if constants.kind == "deep_groove":
         rolling, sliding = _deep_groove(constants, mean, fr, fa, static_load_rating)
+    elif constants.kind == "self_aligning":
+        rolling, sliding = _self_aligning(constants, mean, fr, fa, n)
+    elif constants.kind == "thrust":
+        rolling = constants.r1 * mean**1.83 * fa**0.54
+        sliding = constants.s1 * mean**0.05 * fa ** (4.0 / 3.0)
     else:
         rolling, sliding = _angular_contact(constants, mean, fr, fa, n)
     heating = 1.0 / (1.0 + 1.84e-9 * (n * mean) ** 1.28 * nu**0.64)
@@ -296,6 +332,17 @@ def _angular_contact(
     rolling = c.r1 * mean**1.97 * (fr + c.r3 * inertia + c.r2 * fa) ** 0.54
     power = 4.0 / 3.0
     sliding = c.s1 * mean**0.26 * ((fr + c.s3 * inertia) ** power + c.s2 * fa**power)
+    return rolling, sliding
+
+
+def _self_aligning(
+    c: SkfConstants, mean: FloatArray, fr: FloatArray, fa: FloatArray, n: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """G_rr and G_sl of self-aligning ball bearings."""
+    inertia = mean**3.5 * n**2
+    rolling = c.r1 * mean**2 * (fr + c.r3 * inertia + c.r2 * fa) ** 0.54
+    power = 4.0 / 3.0
+    sliding = c.s1 * mean**-0.12 * ((fr + c.s3 * inertia) ** power + c.s2 * fa**power)
     return rolling, sliding
 
 

@@ -8,12 +8,14 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento.case import Bearing
 from rolamento.errors import InputError
 from rolamento.life.conditions import LifeConditions
 from rolamento.life.contamination import ContaminationClass, contamination_factor
 from rolamento.life.equivalent_load import (
     MAXIMUM_ANGLE,
     equivalent_load,
+    minimum_axial_load,
     static_equivalent_load,
     static_safety,
 )
@@ -28,10 +30,13 @@ from rolamento.life.reliability import outside_print, reliability_factor
 from rolamento.lubrication.oil_state import viscosity_ratio
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.ratings import (
+    SELF_ALIGNING_CONFORMITY,
+    RatedType,
     dynamic_factor,
     dynamic_factor_of_grooves,
     dynamic_rating,
     static_rating,
+    thrust_dynamic_factor,
 )
 from rolamento.solved import Rows, Solved
 from rolamento.words import said
@@ -54,6 +59,12 @@ _MINIMUM_LOAD: Final = 0.01
 _CENTRIFUGAL: Final = 1.05
 """Mean outer over mean inner ball load, likewise."""
 _INNER_GROOVE, _OUTER_GROOVE, _GROOVE_MARGIN = 0.52, 0.53, 1e-3
+_GROOVES: Final[dict[RatedType, tuple[float, float]]] = {
+    "radial": (_INNER_GROOVE, _OUTER_GROOVE),
+    "self_aligning": (SELF_ALIGNING_CONFORMITY, np.inf),
+    "thrust": (0.54, 0.54),
+}
+"""Conformities up to which the standards' factors hold; ISO 281:2007, 5.1 and 5.2."""
 _MAXIMUM_OF_STEEL: Final = 120.0 + 273.15
 """K; for rings that are not specially stabilised. Saurer Ball Bearings (ska.swiss) and SMB Bearings
 (smbbearings.com) say 120 °C for standard steel, SKF 120 to 200 °C by the heat treatment."""
@@ -61,7 +72,10 @@ _MAXIMUM_OF_STEEL: Final = 120.0 + 273.15
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Ratings:
-    """C, C_0 and C_u of each row (cases, rows), and of all of them (cases,); N."""
+    """C, C_0 and C_u of each row (cases, rows), and of all of them (cases,); N.
+
+    kind: what the bearing is rated as; of thrust bearings the ratings are axial.
+    """
 
     dynamic: FloatArray
     static: FloatArray
@@ -69,6 +83,17 @@ class Ratings:
     dynamic_of_set: FloatArray
     static_of_set: FloatArray
     fatigue_of_set: FloatArray
+    kind: RatedType = "radial"
+
+    @property
+    def is_axial(self) -> bool:
+        """Whether these are ratings for axial load."""
+        return self.kind == "thrust"
+
+    @property
+    def fatigue_in_factor(self) -> FloatArray:
+        """C_u as it stands in a_ISO: of thrust bearings a third. ISO 281:2007, 9.3.3; (cases,)."""
+        return self.fatigue_of_set / 3.0 if self.is_axial else self.fatigue_of_set
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -90,8 +115,9 @@ Notes = dict[str, BoolArray]
 class Basis:
     """Solved cases, conditions, and what follows from them for every theory.
 
-    contact_angle is the nominal one of the rows, (cases, rows), NaN beyond 45°; speed that of the
-    rings against each other, unsigned, (cases,), rad/s; unloaded: where no element carries load.
+    contact_angle is the nominal one of the rows, (cases, rows), of radial bearings NaN beyond 45°;
+    speed that of the rings against each other, unsigned, (cases,), rad/s; unloaded: where no
+    element carries load.
     """
 
     solved: Solved
@@ -110,9 +136,10 @@ class Basis:
     @classmethod
     def of(cls, solved: Solved, given: LifeConditions) -> Basis:
         """Gather what the theories share; InputError as `summary.life`."""
-        rows, angle = solved.rows, _angle_of_radial(solved.rows)
+        rows, kind = solved.rows, rated_as(solved.case.bearing)
+        angle = rows.free_contact_angle if kind == "thrust" else _angle_of_radial(rows)
         steep = np.isnan(angle).any(axis=1)
-        ratings = _ratings(solved, angle, given)
+        ratings = _ratings(solved, angle, given, kind)
         inner_turning, outer_turning = turning = _turning_rings(solved, given)
         reference = reference_life(
             solved.inner.load,
@@ -125,6 +152,7 @@ class Basis:
                 rows.inner_conformity,
                 rows.outer_conformity,
                 angle,
+                kind,
             ),
             tuple(rows.starts.tolist()),
             inner_turning=inner_turning,
@@ -190,7 +218,11 @@ class Basis:
     def notes_on_load(self) -> Notes:
         """What the theories of the equivalent load leave out or cannot judge."""
         solved, ratings, load = self.solved, self.ratings, self.loads.dynamic
+        radial = np.hypot(solved.load.fy, solved.load.fz)
         force = np.linalg.norm(solved.load.array[:, :3], axis=1)
+        if ratings.is_axial:
+            # what a washer without a radial hold leaves is rounding
+            return {**self._notes_on_axial_load(radial, force), **self._notes_on_ratings(load)}
         moment = np.linalg.norm(solved.load.array[:, 3:], axis=1)
         arm = solved.rows.pitch_diameter.max(axis=1)
         by_clearance = np.all(self.contact_angle == 0.0, axis=1)
@@ -202,7 +234,7 @@ class Basis:
             ratio = self.basic_life / self.reference.life
             otherwise = (ratio > _OTHERWISE) | (ratio < 1.0 / _OTHERWISE)
             return {
-                **load_notes(load, ratings.dynamic_of_set, ratings.static_of_set),
+                **self._notes_on_ratings(load),
                 "no_equivalent_load": np.isnan(load) & ~np.isnan(force),
                 "no_force": no_force,
                 "moment_governs": governs & ~no_force,
@@ -210,8 +242,39 @@ class Basis:
                 "preload_left_out": np.full(len(self), preloaded),
                 "centrifugal_left_out": outer > _CENTRIFUGAL * inner,
                 "load_shared_otherwise": otherwise & np.isfinite(self.basic_life) & by_clearance,
-                "light_load": load < _MINIMUM_LOAD * ratings.dynamic_of_set,
-                "no_static_rating": np.isnan(ratings.static_of_set),
+            }
+
+    def _notes_on_ratings(self, load: FloatArray) -> Notes:
+        ratings = self.ratings
+        return {
+            **load_notes(load, ratings.dynamic_of_set, ratings.static_of_set),
+            "light_load": load < _MINIMUM_LOAD * ratings.dynamic_of_set,
+            "no_static_rating": np.isnan(ratings.static_of_set),
+        }
+
+    def _notes_on_axial_load(self, radial: FloatArray, force: FloatArray) -> Notes:
+        """What the axial equivalent load of a thrust bearing leaves out or cannot judge."""
+        solved, load = self.solved, self.loads.dynamic
+        moment = np.linalg.norm(solved.load.array[:, 3:], axis=1)
+        arm = solved.rows.pitch_diameter.max(axis=1)
+        right = self.contact_angle[:, 0] >= np.pi / 2 * (1.0 - _SAME)
+        least = minimum_axial_load(
+            np.where(np.isnan(self.ratings.static_of_set), np.inf, self.ratings.static_of_set),
+            self.speed,
+            _limiting_speed(solved),
+        )
+        with np.errstate(divide="ignore", invalid="ignore"):
+            outer, inner = solved.outer.load.sum(axis=1), solved.inner.load.sum(axis=1)
+            no_force = (force <= _FORCE * inner) & ~self.unloaded
+            governs = 2.0 * moment > force * arm
+            return {
+                "no_equivalent_load": np.isnan(load) & ~np.isnan(force) & ~self.unloaded,
+                "no_force": no_force,
+                "moment_governs": governs & ~no_force,
+                "moment_left_out": (moment > _MOMENT * force * arm) & ~governs,
+                "radial_load_left_out": right & (radial > _MOMENT * force),
+                "centrifugal_left_out": outer > _CENTRIFUGAL * inner,
+                "axial_load_too_small": (np.abs(solved.load.fx) < least) & np.isfinite(least),
             }
 
     def notes_on_reference_load(self) -> Notes:
@@ -249,6 +312,26 @@ class Basis:
         )
 
 
+def rated_as(bearing: Bearing) -> RatedType:
+    """By which formula of the standards a bearing is rated."""
+    return bearing.kind if bearing.kind in ("thrust", "self_aligning") else "radial"
+
+
+def _rows_of_one_bearing(bearing: Bearing) -> int:
+    """Rows that makers rate together: of a double-row, four-point or self-aligning bearing.
+
+    1 for rows that are bearings of their own.
+    """
+    published = bearing.published
+    one = bearing.kind is not None or (published is not None and published.kind == "double_row")
+    return len(bearing.places) if one else 1
+
+
+def _limiting_speed(solved: Solved) -> float | None:
+    published = solved.case.bearing.published
+    return None if published is None else published.limiting_speed
+
+
 def _speed(solved: Solved) -> FloatArray:
     """Of the rings against each other, unsigned, (cases,), rad/s."""
     return np.abs(solved.field("duty.inner_speed") - solved.field("duty.outer_speed"))
@@ -276,17 +359,17 @@ def _angle_of_radial(rows: Rows) -> FloatArray:
     if steep.size and np.all(steep.any(axis=1)):
         raise InputError(
             said(
-                "is that of a thrust bearing: these life theories are for radial "
-                "bearings, up to 45°"
+                "is that of a thrust bearing, which is rated for axial load: give it"
+                ' kind = "thrust"'
             ),
             field="bearing.contact_angle",
             value=f"{float(np.degrees(angle.max())):.4g} deg",
-            example='contact_angle = "25 deg"',
+            example='kind = "thrust"',
         )
     return np.where(steep, np.nan, angle)
 
 
-def _ratings(solved: Solved, angle: FloatArray, given: LifeConditions) -> Ratings:
+def _ratings(solved: Solved, angle: FloatArray, given: LifeConditions, kind: RatedType) -> Ratings:
     """Ratings as given, or from the geometry.
 
     Raises
@@ -296,12 +379,13 @@ def _ratings(solved: Solved, angle: FloatArray, given: LifeConditions) -> Rating
     """
     rows, steel = solved.rows, _has_steel_balls(solved)
     shape = (rows.element_count, rows.ball_diameter, rows.pitch_diameter, angle)
-    lowered = dynamic_rating(*shape, factor=_groove_factor(rows, angle))
-    dynamic = _rating_or(given.dynamic_rating, lowered)
+    lowered = dynamic_rating(*shape, kind=kind, factor=_groove_factor(rows, angle, kind))
+    together = _rows_of_one_bearing(solved.case.bearing)
+    dynamic = _rating_or(given.dynamic_rating, lowered, together**_ROW_SHARE)
     if given.static_rating is None and not steel:
         static = np.full_like(rows.ball_diameter, np.nan)
     else:
-        static = _rating_or(given.static_rating, static_rating(*shape))
+        static = _rating_or(given.static_rating, static_rating(*shape, kind=kind), together)
     if dynamic.size and np.all(np.isnan(dynamic)):
         raise InputError(
             said(
@@ -313,7 +397,7 @@ def _ratings(solved: Solved, angle: FloatArray, given: LifeConditions) -> Rating
         )
     method = given.fatigue_load_limit
     if not isinstance(method, str):
-        fatigue = _rating_or(method, static)
+        fatigue = _rating_or(method, static, together)
     elif method == "contacts":
         fatigue = fatigue_load_limit_of_contacts(
             rows.element_count,
@@ -323,6 +407,7 @@ def _ratings(solved: Solved, angle: FloatArray, given: LifeConditions) -> Rating
             rows.outer_conformity,
             angle,
             rows.modulus,
+            kind=kind,
         )
     else:
         known = np.where(np.isnan(static), 1.0, static)
@@ -335,14 +420,18 @@ def _ratings(solved: Solved, angle: FloatArray, given: LifeConditions) -> Rating
         dynamic.sum(axis=1) * len(rows) ** (_ROW_SHARE - 1.0),
         static.sum(axis=1),
         fatigue.sum(axis=1),
+        kind,
     )
 
 
-def _rating_or(value: ArrayLike | None, computed: FloatArray) -> FloatArray:
-    """A rating of each row as it is given, or as computed; (cases, rows)."""
+def _rating_or(value: ArrayLike | None, computed: FloatArray, together: float) -> FloatArray:
+    """A rating of each row as it is given, or as computed; (cases, rows).
+
+    together: how much greater what is given is, where it is that of several rows.
+    """
     if value is None:
         return computed
-    array = np.asarray(value, dtype=np.float64)
+    array = np.asarray(value, dtype=np.float64) / together
     column = array.reshape(-1, 1) if array.ndim == 1 else array
     if column.ndim > 2 or (column.ndim == 2 and len(column) not in (1, len(computed))):
         raise InputError(said("must be one number, or one for each case"), field="rating")
@@ -351,7 +440,7 @@ def _rating_or(value: ArrayLike | None, computed: FloatArray) -> FloatArray:
 
 def _equivalent_loads(solved: Solved, angles: FloatArray, ratings: Ratings) -> EquivalentLoads:
     """P and P_0 of the shaft's load, for one row, a tandem, or a pair that faces each other."""
-    rows, load, cases = solved.rows, solved.load, len(solved)
+    rows, load, cases, kind = solved.rows, solved.load, len(solved), ratings.kind
     radial, axial = np.hypot(load.fy, load.fz), np.abs(load.fx)
     facing = len(rows) == 2 and bool(rows.sign[0] != rows.sign[1])
     angle = angles[:, 0]
@@ -360,8 +449,8 @@ def _equivalent_loads(solved: Solved, angles: FloatArray, ratings: Ratings) -> E
         return EquivalentLoads(*([nothing] * 6))
     carrying = np.where(facing & (angle > 0.0), 1.0, float(len(rows)))
     relative = axial / (carrying * rows.element_count[0] * rows.ball_diameter[:, 0] ** 2)
-    found = equivalent_load(radial, axial, angle, relative, double_row=facing)
-    static = static_equivalent_load(radial, axial, angle, double_row=facing)
+    found = equivalent_load(radial, axial, angle, relative, double_row=facing, kind=kind)
+    static = static_equivalent_load(radial, axial, angle, double_row=facing, kind=kind)
     safety = static_safety(ratings.static_of_set, static)
     factors = (found.radial_factor, found.axial_factor, found.limit)
     unsolved = np.where(np.isnan(radial), np.nan, 0.0)
@@ -394,7 +483,9 @@ def _notes_on_bearing(solved: Solved, given: LifeConditions) -> Notes:
     """What every theory that starts from the rating has to say of the bearing, by note."""
     cases, rows = len(solved), solved.rows
     inner, outer = rows.inner_conformity, rows.outer_conformity
-    opened = (inner > _INNER_GROOVE + _GROOVE_MARGIN) | (outer > _OUTER_GROOVE + _GROOVE_MARGIN)
+    kind = rated_as(solved.case.bearing)
+    most_inner, most_outer = _GROOVES[kind]
+    opened = (inner > most_inner + _GROOVE_MARGIN) | (outer > most_outer + _GROOVE_MARGIN)
     closed = (inner < _INNER_GROOVE - _GROOVE_MARGIN) | (outer < _INNER_GROOVE - _GROOVE_MARGIN)
     hot = np.zeros(cases, dtype=np.bool_)
     for name in ("temperature", "bearing_temperature"):
@@ -438,9 +529,19 @@ def over_cases(value: ArrayLike, name: str, cases: int) -> FloatArray:
     return np.broadcast_to(array, (cases,)).copy()
 
 
-def _groove_factor(rows: Rows, angle: FloatArray) -> FloatArray:
+def _groove_factor(rows: Rows, angle: FloatArray, kind: RatedType) -> FloatArray:
     """f_c of the table, lowered for grooves that are more open than it takes, never raised."""
+    if kind == "thrust":
+        ratio = rows.ball_diameter / rows.pitch_diameter
+        usual = thrust_dynamic_factor(ratio, angle)
+        openest = np.maximum(rows.inner_conformity, rows.outer_conformity)
+        opened = openest > _GROOVES[kind][0]
+        return np.where(opened, thrust_dynamic_factor(ratio, angle, openest), usual)
     gamma = rows.ball_diameter * np.cos(angle) / rows.pitch_diameter
+    if kind == "self_aligning":
+        own, least = rows.inner_conformity, SELF_ALIGNING_CONFORMITY
+        lower = ((2.0 * own / (2.0 * own - 1.0)) / (2.0 * least / (2.0 * least - 1.0))) ** 0.41
+        return np.asarray(dynamic_factor(gamma, kind) * np.minimum(lower, 1.0))
     inner = np.maximum(rows.inner_conformity, _INNER_GROOVE)
     outer = np.maximum(rows.outer_conformity, _OUTER_GROOVE)
     full = dynamic_factor_of_grooves(gamma, _INNER_GROOVE, _OUTER_GROOVE)

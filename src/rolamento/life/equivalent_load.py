@@ -6,7 +6,11 @@ to e, and X_2 F_r + Y_2 F_a beyond. Below 20° X, Y and e depend on F_a/(i Z D²
 angles and the loads of the table they are interpolated in proportion, outside the loads the end
 values hold, as the standard has it.
 
-Sources: ISO 281:2007, table 3; ISO 76:2006, table 2.
+Self-aligning bearings: e = 1.5 tan α, Y_1 = 0.42 cot α, X_2 = 0.65, Y_2 = 0.65 cot α, and at rest
+Y_0 = 0.44 cot α. Thrust bearings have an axial P_a = X F_r + F_a with X = 1.25 tan α
+(1 - 2/3 sin α) beyond e = 1.25 tan α, below which one direction does not do; at 90° P_a = F_a.
+
+Sources: ISO 281:2007, tables 3 and 5; ISO 76:2006, table 2 and 5.2.
 """
 
 from __future__ import annotations
@@ -22,6 +26,7 @@ from rolamento._reach import numbers
 from rolamento.errors import InputError
 from rolamento.life._figures import figures, positive
 from rolamento.numerics import FloatArray
+from rolamento.ratings import RatedType
 from rolamento.words import said
 
 MAXIMUM_ANGLE: Final = float(np.radians(45.0))
@@ -92,24 +97,30 @@ def equivalent_load(
     relative_axial_load: ArrayLike,
     *,
     double_row: bool = False,
+    kind: RatedType = "radial",
 ) -> EquivalentLoad:
-    """Dynamic equivalent load P.
+    """Dynamic equivalent load: P, of thrust bearings the axial P_a.
 
     Parameters
     ----------
     radial_load, axial_load : arrays, F_r and F_a, zero or more; N.
     contact_angle, relative_axial_load, double_row : as `load_factors`.
         All broadcast against each other.
+    kind : what the bearing is rated as.
 
     Returns
     -------
-    EquivalentLoad of the broadcast shape.
+    EquivalentLoad of the broadcast shape; P_a is NaN where a thrust bearing has too little axial
+    load for its radial one.
 
-    ISO 281:2007, 5.1.2 and table 3.
+    ISO 281:2007, 5.1.2, 5.2.2 and tables 3 and 5.
     """
     radial = positive(radial_load, "radial_load", zero=True)
     axial = positive(axial_load, "axial_load", zero=True)
-    found = load_factors(contact_angle, relative_axial_load, double_row=double_row)
+    if kind == "radial":
+        found = load_factors(contact_angle, relative_axial_load, double_row=double_row)
+    else:
+        found = _factors_by_angle(contact_angle, kind)
     shallow = axial <= found.limit * radial * (1.0 + _ROUNDING)
     x = np.where(shallow, found.radial_below, found.radial)
     y = np.where(shallow, found.axial_below, found.axial)
@@ -123,19 +134,115 @@ def static_equivalent_load(
     contact_angle: ArrayLike,
     *,
     double_row: bool = False,
+    kind: RatedType = "radial",
 ) -> FloatArray:
     """Static equivalent load P_0 = X_0 F_r + Y_0 F_a, at least F_r; N.
 
     Parameters: arrays that broadcast, N and rad. Between the angles of the table X_0 and Y_0 are
-    interpolated in proportion; two rows of radial contact count as one. ISO 76:2006, table 2.
+    interpolated in proportion; two rows of radial contact count as one. Of thrust bearings
+    P_0a = 2.3 F_r tan α + F_a, at 90° F_a. ISO 76:2006, table 2, 5.1.2 and 5.2.2.
     """
     radial = positive(radial_load, "radial_load", zero=True)
     axial = positive(axial_load, "axial_load", zero=True)
+    if kind != "radial":
+        tangent = _tangent(contact_angle)
+        if kind == "self_aligning":
+            return np.asarray(np.maximum(radial, radial + 0.44 / tangent * axial))
+        return np.asarray(
+            np.where(np.isinf(tangent), axial, 2.3 * radial * _finite(tangent) + axial)
+        )
     table = figures()["static_equivalent_load"]
     degrees = np.degrees(_angle(contact_angle))
     names = ("X02", "Y02") if double_row else ("X0", "Y0")
     x, y = (np.interp(degrees, table["contact_angle_deg"], table[name]) for name in names)
     return np.asarray(np.maximum(radial, x * radial + y * axial))
+
+
+def axial_ratings(
+    dynamic_rating: ArrayLike, static_rating: ArrayLike, contact_angle: ArrayLike
+) -> tuple[FloatArray, FloatArray]:
+    """C_a and C_0a of an angular-contact bearing: C_r / Y and C_0r / Y_0, N.
+
+    Parameters
+    ----------
+    dynamic_rating, static_rating : arrays, C_r and C_0r of one row; N.
+    contact_angle : array, 20° to 45°; rad.
+
+    The axial load under which P = Y F_a is C_r; makers list four-point bearings so. ISO 281:2007,
+    table 3; ISO 76:2006, table 2.
+    """
+    factors = load_factors(contact_angle, 0.0)
+    table = figures()["static_equivalent_load"]
+    static = np.interp(np.degrees(_angle(contact_angle)), table["contact_angle_deg"], table["Y0"])
+    return (
+        np.asarray(positive(dynamic_rating, "dynamic_rating") / factors.axial),
+        np.asarray(positive(static_rating, "static_rating") / static),
+    )
+
+
+def with_thrust_grooves(
+    dynamic_rating: ArrayLike, static_rating: ArrayLike, contact_angle: ArrayLike
+) -> tuple[FloatArray, FloatArray]:
+    """C_a and C_0a of an angular-contact bearing with the grooves of a thrust bearing (0.54); N.
+
+    C_a = 1.91 tan α (1 - 0.333 sin α) C_r and C_0a = 0.7 C_0r / Y_0, with which the standards
+    compare both kinds at their border of 45°. Parameters as of `axial_ratings`. ISO 281:2007 and
+    ISO 76:2006, annexes on discontinuities.
+    """
+    angle = _angle(contact_angle)
+    uneven = 1.0 - 0.333 * np.sin(angle)
+    dynamic = 1.91 * np.tan(angle) * uneven * positive(dynamic_rating, "dynamic_rating")
+    return np.asarray(dynamic), np.asarray(
+        0.7 * axial_ratings(1.0, static_rating, contact_angle)[1]
+    )
+
+
+def minimum_axial_load(
+    static_rating: ArrayLike, speed: ArrayLike, limiting_speed: ArrayLike | None = None
+) -> FloatArray:
+    """Least axial load that keeps the balls of a thrust bearing from sliding; N.
+
+    Parameters
+    ----------
+    static_rating : array, C_0a; N.
+    speed : array, of the rings against each other, unsigned.
+    limiting_speed : array, the maker's with oil, in the same unit; without it only C_0a/1000.
+
+    The greater of C_0a/100 (n/n_max)² and C_0a/1000. NSK, Rolling Bearings (CAT. No. E1102e), page
+    A98, equations 10.1 and 10.2.
+    """
+    rating = positive(static_rating, "static_rating")
+    ratio = (
+        0.0
+        if limiting_speed is None
+        else numbers(speed, "speed") / numbers(limiting_speed, "limiting_speed")
+    )
+    return np.asarray(rating * np.maximum(np.square(ratio) / 100.0, 1e-3))
+
+
+def _factors_by_angle(contact_angle: ArrayLike, kind: RatedType) -> LoadFactors:
+    """X, Y and e of self-aligning and of thrust bearings, which depend on the angle alone."""
+    tangent = _tangent(contact_angle)
+    ones = np.ones(np.shape(tangent))
+    if kind == "self_aligning":
+        return LoadFactors(ones, 0.42 / tangent, 0.65 * ones, 0.65 / tangent, 1.5 * tangent)
+    right = np.isinf(tangent)
+    slope = _finite(tangent)
+    sine = slope / np.sqrt(1.0 + slope**2)
+    radial = np.where(right, 0.0, 1.25 * slope * (1.0 - 2.0 / 3.0 * sine))
+    limit = np.where(right, 0.0, 1.25 * slope)
+    nothing = np.where(right, 0.0, np.nan)
+    return LoadFactors(nothing, np.where(right, 1.0, np.nan), radial, ones, limit)
+
+
+def _tangent(contact_angle: ArrayLike) -> FloatArray:
+    """Return tan α, infinite at 90°."""
+    angle = numbers(contact_angle, "contact_angle")
+    return np.where(angle >= np.pi / 2 * (1.0 - _ROUNDING), np.inf, np.tan(angle))
+
+
+def _finite(tangent: FloatArray) -> FloatArray:
+    return np.where(np.isinf(tangent), 1.0, tangent)
 
 
 def static_safety(static_rating: ArrayLike, static_equivalent: ArrayLike) -> FloatArray:

@@ -160,7 +160,7 @@ def _half_known(basis: Basis, basic: Life) -> tuple[FloatArray, Names]:
     dirt = np.ones(cases) if clean is None else clean
     load = basic.factors["equivalent_load"]
     factor = bounded_modification_factor(
-        kappa, dirt, basis.ratings.fatigue_of_set, load, additives=basis.given.additives
+        kappa, dirt, basis.ratings.fatigue_in_factor, load, additives=basis.given.additives
     )
     reason = np.full(cases, "viscosity_unknown" if ratio is None else "contamination_unknown")
     reason = np.where(kappa < MINIMUM_RATIO, "viscosity_ratio_too_small", reason)

@@ -37,6 +37,7 @@ from rolamento._reach import numbers
 from rolamento.life._figures import positive
 from rolamento.life.theory import OF_BEARING, OF_LOAD, Theory
 from rolamento.numerics import FloatArray
+from rolamento.ratings import RatedType
 
 if TYPE_CHECKING:
     from rolamento.life.basis import Basis
@@ -91,22 +92,25 @@ def race_ratings(
     inner_conformity: ArrayLike,
     outer_conformity: ArrayLike,
     contact_angle: ArrayLike,
+    kind: RatedType = "radial",
 ) -> RaceRatings:
     """Rolling-element load ratings of the races of a row.
 
     Parameters
     ----------
-    dynamic_rating : array, C_r of one row (that of i rows is i^0.7 as much); N.
+    dynamic_rating : array, C_r of one row (that of i rows is i^0.7 as much), or C_a; N.
     ball_count : array, Z.
     ball_diameter, pitch_diameter : arrays; m.
     inner_conformity, outer_conformity : arrays, r/D.
     contact_angle : array, nominal α; rad.
         All broadcast against each other.
+    kind : what the bearing is rated as.
 
-    ISO/TS 16281:2008, 4.3.
+    ISO/TS 16281:2008, 4.3: thrust bearings have C_a/(Z sin α), and no 1.044 in T.
     """
     rating = positive(dynamic_rating, "dynamic_rating")
-    cosine = np.cos(numbers(contact_angle, "contact_angle"))
+    angle = numbers(contact_angle, "contact_angle")
+    cosine = np.where(angle >= np.pi / 2, 0.0, np.cos(angle))
     gamma = (
         numbers(ball_diameter, "ball_diameter") * cosine / numbers(pitch_diameter, "pitch_diameter")
     )
@@ -115,7 +119,14 @@ def race_ratings(
         numbers(outer_conformity, "outer_conformity"),
     )
     grooves = (f_i / f_o * (2.0 * f_o - 1.0) / (2.0 * f_i - 1.0)) ** 0.41
-    ratio = 1.044 * ((1.0 - gamma) / (1.0 + gamma)) ** 1.72 * grooves
+    ratio = ((1.0 - gamma) / (1.0 + gamma)) ** 1.72 * grooves
+    if kind == "thrust":
+        ball = rating / (numbers(ball_count, "ball_count") * np.sin(angle))
+        return RaceRatings(
+            np.asarray(ball * (1.0 + ratio**_RISK) ** (1.0 / _RISK)),
+            np.asarray(ball * (1.0 + ratio**-_RISK) ** (1.0 / _RISK)),
+        )
+    ratio = 1.044 * ratio
     ball = rating / (numbers(ball_count, "ball_count") * cosine)
     return RaceRatings(
         np.asarray(ball / 0.407 * (1.0 + ratio**_RISK) ** (1.0 / _RISK)),

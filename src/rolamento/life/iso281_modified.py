@@ -1,7 +1,9 @@
 """Modified rating life: a_ISO from viscosity ratio, contamination and fatigue load limit.
 
     L_nm = a_1 a_ISO L_10
-    a_ISO = 0.1 [1 - (2.5671 - c/κ^p)^0.83 (e_C C_u/P)^(1/3)]^-9.3, at most 50.
+    a_ISO = 0.1 [1 - (2.5671 - c/κ^p)^0.83 (e_C C_u/P)^(1/3)]^-9.3, at most 50;
+
+of thrust bearings with e_C C_u/(3 P_a) in the place of e_C C_u/P.
 
 The fatigue load limit C_u is the load under which the heaviest contact just reaches the pressure
 that the steel withstands for ever, 1500 MPa: by Hertz from the geometry, or estimated as a share
@@ -32,6 +34,7 @@ from rolamento.life.theory import (
     Theory,
 )
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.ratings import RatedType
 
 if TYPE_CHECKING:
     from rolamento.life.basis import Basis
@@ -82,6 +85,7 @@ def fatigue_load_limit_of_contacts(
     *,
     rows: ArrayLike = 1,
     pressure: ArrayLike = FATIGUE_PRESSURE,
+    kind: RatedType = "radial",
 ) -> FloatArray:
     """Fatigue load limit C_u from the contact pressure at the weaker race; N.
 
@@ -96,8 +100,11 @@ def fatigue_load_limit_of_contacts(
     pressure : array, of the fatigue limit; Pa.
         All broadcast against each other.
 
+    kind : what the bearing is rated as; of thrust bearings C_u is axial.
+
     ISO 281:2007, B.3.2: 0.2288 Z Q_u i cos α, times (100/D_pw)^0.5 above 100 mm, with exact
-    Hertz contacts.
+    Hertz contacts. Thrust bearings: Z Q_u sin α, the axial load with Q_u on every ball, which is
+    C_0a/22 as the estimate has it (some transcriptions have twice as much).
     """
     races: tuple[tuple[Race, ArrayLike], ...] = (
         ("inner", inner_conformity),
@@ -108,12 +115,9 @@ def fatigue_load_limit_of_contacts(
         curvature = race_curvature(ball_diameter, pitch_diameter, conformity, contact_angle, race)
         unit = elliptical_contact(1.0, curvature.rolling, curvature.across, modulus)
         loads.append((numbers(pressure, "pressure") / unit.max_pressure) ** 3)
-    shared = (
-        _RADIAL_MEAN
-        * numbers(ball_count, "ball_count")
-        * numbers(rows, "rows")
-        * np.cos(contact_angle)
-    )
+    angle = numbers(contact_angle, "contact_angle")
+    mean = np.sin(angle) if kind == "thrust" else _RADIAL_MEAN * np.cos(angle)
+    shared = mean * numbers(ball_count, "ball_count") * numbers(rows, "rows")
     return np.asarray(shared * np.minimum(*loads) * _size_factor(pitch_diameter))
 
 
@@ -125,7 +129,7 @@ def life_modification_factor(
     *,
     additives: bool = False,
 ) -> FloatArray:
-    """Factor a_ISO of radial ball bearings.
+    """Factor a_ISO of radial ball bearings; of thrust ball bearings with C_u/3 for C_u.
 
     Parameters
     ----------
@@ -223,7 +227,7 @@ def modification(
 ) -> tuple[dict[str, FloatArray], dict[str, BoolArray]]:
     """Factors of a modified life under an equivalent load, and notes on them; needs κ and e_C."""
     ratio, clean, limit = (
-        basis.viscosity_ratio, basis.contamination_factor, basis.ratings.fatigue_of_set
+        basis.viscosity_ratio, basis.contamination_factor, basis.ratings.fatigue_in_factor
     )  # fmt: skip
     assert ratio is not None
     assert clean is not None

@@ -257,7 +257,7 @@ def _costliest(basis: Basis) -> NDArray[np.str_]:
     ratio, clean = basis.viscosity_ratio, basis.contamination_factor
     if ratio is None or clean is None:
         return np.full(len(basis), "", dtype="U15")
-    limit, load = basis.ratings.fatigue_of_set, basis.reference_load
+    limit, load = basis.ratings.fatigue_in_factor, basis.reference_load
     additives = basis.given.additives
     thick = np.full(len(basis), MAXIMUM_RATIO)
     clean_if_thick = basis.cleanliness_at(thick)

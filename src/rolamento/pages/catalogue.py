@@ -24,11 +24,24 @@ from rolamento.words import manner, marked, said
 
 __all__ = ["bearing_page", "search_page"]
 
-_SHORT_NAMES: Final = {"dynamic_rating": "C", "static_rating": "C0", "f0": "f0"}
+_SHORT_NAMES: Final = {
+    "dynamic_rating": "C", "static_rating": "C0", "f0": "f0",
+    "axial_dynamic_rating": "Ca", "axial_static_rating": "C0a",
+}  # fmt: skip
 _KINDS: Final = {
     "deep_groove": marked("deep-groove ball bearing"),
     "angular_contact": marked("angular-contact ball bearing"),
+    "double_row": marked("double-row angular-contact ball bearing"),
+    "four_point": marked("four-point contact ball bearing"),
+    "self_aligning": marked("self-aligning ball bearing"),
+    "thrust": marked("single-direction thrust ball bearing"),
 }
+_OF_THRUST: Final = {
+    "width": marked("height T"),
+    "dynamic_rating": marked("dynamic axial load rating Ca"),
+    "static_rating": marked("static axial load rating C0a"),
+}
+"""What the figures of a thrust bearing are called."""
 _NAMES: Final = {
     "bore": marked("bore d"),
     "outside_diameter": marked("outside diameter D"),
@@ -36,6 +49,10 @@ _NAMES: Final = {
     "contact_angle": marked("contact angle α"),
     "dynamic_rating": marked("dynamic load rating C"),
     "static_rating": marked("static load rating C0"),
+    "axial_dynamic_rating": marked("dynamic axial load rating Ca"),
+    "axial_static_rating": marked("static axial load rating C0a"),
+    "load_centre_distance": marked("distance of the load centres"),
+    "limiting_speed": marked("limiting speed, oil"),
     "f0": marked("factor f0"),
     "ball_count": marked("number of balls Z"),
     "ball_diameter": marked("ball diameter D"),
@@ -43,12 +60,20 @@ _NAMES: Final = {
     "inner_conformity": marked("inner conformity"),
     "outer_conformity": marked("outer conformity"),
     "diametral_clearance": marked("diametral clearance"),
+    "shim_angle": marked("shim angle α_s"),
+    "arrangement": marked("arrangement of the rows"),
+    "spacing": marked("distance of the rows"),
 }
 _FORMS: Final = {  # figures and unit; of others a length
     "ball_count": (".5", ""),
     "contact_angle": (".4", "°"),
     "dynamic_rating": (".5", "N"),
     "static_rating": (".5", "N"),
+    "axial_dynamic_rating": (".5", "N"),
+    "axial_static_rating": (".5", "N"),
+    "limiting_speed": (".5", "rpm"),
+    "shim_angle": (".4", "°"),
+    "spacing": (".4", "mm"),
     "f0": (".4", ""),
     "inner_conformity": (".4", ""),
     "outer_conformity": (".4", ""),
@@ -145,8 +170,9 @@ def _meanings(geometry: InternalGeometry | None) -> list[str]:
 
 
 def _published(bearing: CatalogueBearing) -> Section:
+    names = _NAMES | _OF_THRUST if bearing.kind == "thrust" else _NAMES
     table = Table(
-        columns=_named_figures(bearing.figures),
+        columns=_named_figures(bearing.figures, names),
         key="published",
         headless=True,
         legends=tuple(dict.fromkeys(bearing.sources.values())),
@@ -154,29 +180,32 @@ def _published(bearing: CatalogueBearing) -> Section:
     return Section(said("Published data"), (table,), "published")
 
 
-def _named_figures(figures: Mapping[str, float]) -> tuple[Column, ...]:
+def _named_figures(
+    figures: Mapping[str, float | str], names: Mapping[str, str] = _NAMES
+) -> tuple[Column, ...]:
     """Return the columns of figures by their names: name, number, unit."""
-    forms = [_FORMS.get(name, (".5", "mm")) for name in figures]
+    forms = [
+        ("", "") if isinstance(value, str) else _FORMS.get(name, (".5", "mm"))
+        for name, value in figures.items()
+    ]
     numbers: list[CellContent] = [
-        Number(value, f"{digits} [{unit}]" if unit else digits)
+        value if isinstance(value, str) else Number(value, f"{digits} [{unit}]" if unit else digits)
         for value, (digits, unit) in zip(figures.values(), forms, strict=True)
     ]
     return (
-        Column(head="", key="quantity", values=[said(_NAMES[name]) for name in figures]),
+        Column(head="", key="quantity", values=[said(names[name]) for name in figures]),
         Column(head="", key="value", values=numbers, align="right"),
         Column(head="", key="unit", values=[unit for _, unit in forms], align="left"),
     )
 
 
 def _internal(geometry: InternalGeometry) -> Section:
-    origins = [geometry.origins[name] for name in geometry.fields]
+    told = {name: value for name, value in geometry.fields.items() if name != "kind"}
+    origins = [geometry.origins[name] for name in told]
     tones: list[Tone] = ["" if origin == "published" else "warning" for origin in origins]
-    sizes = [
-        ball_name(value) if name == "ball_diameter" else ""
-        for name, value in geometry.fields.items()
-    ]
+    sizes = [ball_name(value) if name == "ball_diameter" else "" for name, value in told.items()]
     columns = (
-        *_named_figures(geometry.fields),
+        *_named_figures(told),
         Column(head="", key="origin", values=[said(_ORIGINS[one]) for one in origins], tones=tones),
         Column(
             head="",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import isnan
 from typing import TYPE_CHECKING, Final
 
 from rolamento.clearance.operating import PERCENTILES
@@ -19,11 +20,13 @@ from rolamento.document import (
     Title,
     Tone,
 )
+from rolamento.pages.preload import stage_table
 from rolamento.pages.state import notes_section
 from rolamento.words import in_unit, manner, marked, said, said_in
 
 if TYPE_CHECKING:
     from rolamento.clearance import ClearanceSamples, OperatingClearance
+    from rolamento.tasks.clearance import Mounted
 
 __all__ = ["STEPS", "clearance_page"]
 
@@ -47,28 +50,34 @@ _DETAILS: Final = {
 
 
 def clearance_page(
-    found: OperatingClearance, samples: ClearanceSamples | None = None, *, title: str = ""
+    found: Mounted, samples: ClearanceSamples | None = None, *, title: str = ""
 ) -> Document:
-    """Return the chain of clearances.
+    """Return the chain of clearances, and what becomes of the preload of a set.
 
     Parameters
     ----------
     found
-        What `operating_clearance` gives.
+        What `mounted_clearance` gives.
     samples
         Its scatter, if it was drawn.
     title
         Of the case.
     """
     head = [Section("", (Title(title),), key="head")] if title else []
-    sections = [*head, _chain(found), _sources(found)]
+    sections = [*head]
+    if found.stages:
+        stages = stage_table(found.stages)
+        sections.append(Section(said("Preload"), (stages,), key="preload"))
+    for place, row in enumerate(found.rows):
+        sections.append(_chain(row, place if len(found.rows) > 1 else None))
+    sections.append(_sources(found.rows[0]))
     if samples is not None:
         sections.append(_scatter(samples))
-    sections += notes_section(found.warnings)
+    sections += notes_section(found.notes)
     return Document(title or said("Diametral clearance"), tuple(sections), kind="clearance")
 
 
-def _chain(found: OperatingClearance) -> Section:
+def _chain(found: OperatingClearance, place: int | None = None) -> Section:
     """The steps one below the other, what went into the fits beneath them, and their sum."""
     rows: list[tuple[str, Sequence[float], str, Tone]] = []
     for step in found.steps:
@@ -105,8 +114,12 @@ def _chain(found: OperatingClearance) -> Section:
         )
         for place, (key, text) in enumerate(heads.items())
     ]
-    table = Table(columns=tuple(columns), key="clearance", gap=3)
-    return Section(said("Diametral clearance (µm)"), (table,), key="clearance")
+    heading, key = said("Diametral clearance (µm)"), "clearance"
+    if place is not None:
+        heading = said("Diametral clearance (µm), row {number}", number=place)
+        key = f"clearance_{place}"
+    table = Table(columns=tuple(columns), key=key, gap=3)
+    return Section(heading, (table,), key=key)
 
 
 def _number(values: Sequence[float], place: int, unit: str) -> CellContent:
@@ -126,8 +139,9 @@ def _sources(found: OperatingClearance) -> Section:
 
 def _scatter(samples: ClearanceSamples) -> Section:
     percentiles = ", ".join(
-        said("{percent:.5} %: {clearance:.1f µm}", percent=p, clearance=samples.percentile(p))
+        said("{percent:.5} %: {clearance:.1f µm}", percent=p, clearance=clearance)
         for p in PERCENTILES
+        if not isnan(clearance := samples.percentile(p))  # beyond so few samples
     )
     texts = (
         said(

@@ -40,6 +40,7 @@ _REASONS: Final = {
     "full_film": marked("full film"),
     "partial_film": marked("partial film: μ effective"),
     "no_film": marked("no film"),
+    "more_contacts": marked("balls on both arcs"),
     "other_angle": marked("constants for 40°"),
     "torque_at_rest": marked("at rest"),
     "torque_unknown": marked("no result"),

@@ -42,6 +42,7 @@ _REASONS: Final = {
     "full_film": marked("full film {place}: {models}"),
     "torque_unknown": marked("no result {place}: {models}"),
     "no_film": marked("no film {place}: {models}"),
+    "more_contacts": marked("balls on both arcs {place}: {models}"),
     "other_angle": marked("constants for 40° {place}: {models}"),
 }
 

@@ -54,12 +54,20 @@ def _bearing(bearing: Bearing) -> str:
         ball=quantity(bearing.ball_diameter, "length"),
         pitch=quantity(bearing.pitch_diameter, "length"),
     )
-    conformities = said(
-        "{play}, conformity {inner:.5} inner, {outer:.5} outer",
-        play=_play(bearing),
-        inner=bearing.inner_conformity,
-        outer=bearing.outer_conformity,
-    )
+    if bearing.kind == "self_aligning":
+        conformities = said(
+            "{play}, conformity {inner:.5} inner, outer race a sphere of radius {radius}",
+            play=_play(bearing),
+            inner=bearing.inner_conformity,
+            radius=quantity(bearing.outer_conformity * bearing.ball_diameter, "length"),
+        )
+    else:
+        conformities = said(
+            "{play}, conformity {inner:.5} inner, {outer:.5} outer",
+            play=_play(bearing),
+            inner=bearing.inner_conformity,
+            outer=bearing.outer_conformity,
+        )
     rings, balls = bearing.ring_material, bearing.ball_material
     materials = (
         said("rings and balls of {rings}", rings=rings.name)
@@ -86,9 +94,27 @@ def facing(bearing: Bearing, place: RowPlace) -> str:
 
 def _arrangement_lines(bearing: Bearing) -> list[str]:
     """Say how the rows of a set are arranged and preloaded; nothing of a plain bearing."""
+    if bearing.kind == "thrust":
+        return [said("thrust bearing: carries axial load toward +x")]
+    if bearing.kind == "four_point":
+        return [
+            said(
+                "four-point contact, shim angle {angle}; rows 0 and 1 are the contacts of the same"
+                " balls that carry axial load toward +x and toward −x",
+                angle=quantity(bearing.shim_angle or 0.0, "angle"),
+            )
+        ]
     if not bearing.is_set:
         return []
-    return [_arrangement(bearing), *_preload(bearing.preload, bearing.contact_angle)]
+    preload = [] if _own_offsets(bearing) else _preload(bearing.preload, bearing.contact_angle)
+    return [_arrangement(bearing), *preload]
+
+
+def _own_offsets(bearing: Bearing) -> bool:
+    """Whether clamped rows are pressed in each by an offset of its own."""
+    clamped = bearing.preload is None or bearing.preload.offset is not None
+    offsets = {place.offset for place in bearing.places}
+    return clamped and None not in offsets and len(offsets) > 1
 
 
 def _arrangement(bearing: Bearing) -> str:
@@ -120,12 +146,16 @@ def _place(bearing: Bearing, place: RowPlace) -> str:
         own.append(said("{count} balls", count=row.ball_count))
     for name, symbol in (("ball_diameter", "D"), ("pitch_diameter", "d_m")):
         if getattr(row, name) != getattr(bearing, name):
-            own.append(f"{symbol} {quantity(getattr(row, name), 'length')}")
+            own.append(f"{symbol} {quantity(_short(getattr(row, name)), 'length')}")
     if row.contact_angle is not None and row.contact_angle != bearing.contact_angle:
         own.append(f"α {quantity(row.contact_angle, 'angle')}")
+    elif row.contact_angle is None and row.diametral_clearance != bearing.diametral_clearance:
+        own.append(f"P_d {quantity(_short(row.diametral_clearance or 0.0), 'length')}")
     for name, symbol in (("inner_conformity", "f_i"), ("outer_conformity", "f_o")):
         if getattr(row, name) != getattr(bearing, name):
             own.append(f"{symbol} {manner().short(getattr(row, name))}")
+    if place.offset is not None and _own_offsets(bearing):
+        own.append(said("pressed in by {offset:.4 µm}", offset=place.offset))
     if place.phase != 0.0:
         own.append(said("phase {angle}", angle=quantity(place.phase, "angle")))
     where = said(
@@ -134,6 +164,11 @@ def _place(bearing: Bearing, place: RowPlace) -> str:
         position=quantity(place.position, "length"),
     )
     return where + (f" ({'; '.join(own)})" if own else "")
+
+
+def _short(value: float) -> float:
+    """To six figures: a size that temperatures have changed has fifteen."""
+    return float(f"{value:.6g}")
 
 
 def _preload(preload: Preload | None, contact_angle: float | None) -> list[str]:

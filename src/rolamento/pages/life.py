@@ -609,12 +609,13 @@ def ratings_section(summary: LifeSummary) -> Section:
     ratings, loads, sources = summary.ratings, summary.loads, summary.rating_sources
     load = float(loads.dynamic[0])
     dynamic = float(ratings.dynamic_of_set[0])
+    axial = "a" if ratings.is_axial else ""
     rows = [
-        ("C", dynamic, _source(sources["dynamic"], "dynamic", dynamic)),
+        (f"C{'_a' if axial else ''}", dynamic, _source(sources["dynamic"], "dynamic", dynamic)),
         *(
             (symbol, float(values[0]), _source(sources[name], name, float(values[0])))
             for symbol, name, values in (
-                ("C_0", "static", ratings.static_of_set),
+                (f"C_0{axial}", "static", ratings.static_of_set),
                 ("C_u", "fatigue", ratings.fatigue_of_set),
             )
         ),
@@ -627,8 +628,8 @@ def ratings_section(summary: LifeSummary) -> Section:
             e=float(loads.limit[0]),
             ratio=dynamic / load if load > 0.0 else nan,
         )
-        rows.append(("P", load, text))
-        rows.append(("P_0", float(loads.static[0]), _safety(float(loads.safety[0]))))
+        rows.append((f"P{'_a' if axial else ''}", load, text))
+        rows.append((f"P_0{axial}", float(loads.static[0]), _safety(float(loads.safety[0]))))
     reference = float(summary.reference_load[0])
     if isfinite(reference):
         text = said("equivalent load whose rating life is the reference life")

@@ -37,6 +37,7 @@ from rolamento.life.theories import THEORIES
 from rolamento.pages.clearance import STEPS
 from rolamento.pages.equations import equations_of, references_of
 from rolamento.pages.given import untitled
+from rolamento.pages.preload import STAGE_NAMES
 from rolamento.pages.state import balls_table, rosette_section, stiffness_section
 from rolamento.studies.names import torque_model_name
 from rolamento.words import Note, counted, in_unit, manner, marked, said
@@ -1064,7 +1065,7 @@ def _rows(report: Report) -> tuple[Table, ...]:
             said("load factor at which a row loses contact"), "analysis.preload.loss_factor", ".3"
         ),
     ]
-    groups: list[_Group] = [(said("Preload"), preload)]
+    groups: list[_Group] = [(said("Preload"), preload), *_preload_stages(report)]
     most = max(len(case.analysis.solved.rows) for case in report.cases)
     for row in range(most):
         path = f"analysis.rows.{row}"
@@ -1077,6 +1078,17 @@ def _rows(report: Report) -> tuple[Table, ...]:
         ]
         groups.append((said("row {number}", number=row), own))
     return _tables(report, groups, "set")
+
+
+def _preload_stages(report: Report) -> list[_Group]:
+    """What becomes of the preload of mounted sets, at mean tolerances."""
+    found = [case.analysis.solved.preload for case in report.cases]
+    stages = max((one.stages for one in found if one is not None), key=len, default=())
+    rows = [
+        _Row(said(STAGE_NAMES[stage.name]), f"analysis.preload.stages.{place}.preload.1", ".4 N")
+        for place, stage in enumerate(stages)
+    ]
+    return [(said("Preload without external load, at mean tolerances"), rows)] if rows else []
 
 
 def _ring_and_rosettes(report: Report) -> list[Section | Beside]:

@@ -32,6 +32,7 @@ from rolamento.document import (
 from rolamento.geometry import Race
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.pages.given import BOTH, facing, head, untitled
+from rolamento.pages.preload import stage_table
 from rolamento.solved import NO_LOAD, RACES, Preloading, Rolling, Solved
 from rolamento.solved.form import control_names
 from rolamento.words import ABSENT, Note, decimals_for, in_unit, manner, said, said_in
@@ -640,12 +641,15 @@ def _maximum_by_row(solved: Solved, values: FloatArray) -> list[float]:
 def _preload(solved: Solved, preload: Preloading) -> Section:
     """Show the preload at rest and at speed, and where it is lost."""
     duty = solved.case.duty
-    entries = [Entry(said("at rest"), Number(preload.at_rest, ".4 N"))]
-    if duty.inner_speed or duty.outer_speed:
+    entries = []
+    if not preload.stages:
+        entries.append(Entry(said("at rest"), Number(preload.at_rest, ".4 N")))
+    if not preload.stages and (duty.inner_speed or duty.outer_speed):
         entries.append(Entry(said("at speed"), Number(preload.at_speed, ".4 N")))
     entries += [*_lift(duty, preload), *_loss(solved, preload)]
-    block = KeyValues(tuple(entries), indent=2, label_tone="")
-    return Section(said("Preload"), (block,), key="preload")
+    stages = (stage_table(preload.stages),) if preload.stages else ()
+    block = (KeyValues(tuple(entries), indent=2, label_tone=""),) if entries else ()
+    return Section(said("Preload"), (*stages, *block), key="preload")
 
 
 def _lift(duty: Duty, preload: Preloading) -> list[Entry]:

@@ -19,6 +19,7 @@ from rolamento.document import (
     Table,
     Title,
 )
+from rolamento.pages.limit import limit_section
 from rolamento.units import to_si
 from rolamento.words import marked, said
 from rolamento.words.naming import one_line, shortened
@@ -30,7 +31,7 @@ if TYPE_CHECKING:
     from rolamento.tasks.weibull import TrendStudy
     from rolamento.weibull import Trend
 
-__all__ = ["QUANTITIES", "trend_page"]
+__all__ = ["QUANTITIES", "trend_page", "trend_picture"]
 
 _MOST_ROWS: Final = 60
 _FIGURES: Final = 3
@@ -68,15 +69,29 @@ def trend_page(found: TrendStudy) -> Document:
         sections.append(Section(blocks=notes))
     if found.fits:
         sections.append(_laws_of_wear(trend, found.fits))
+    for place in dict.fromkeys(one.quantity for one in found.limits):
+        own = [
+            (said("bearing {name}", name=shortened(one_line(one.bearing))) if one.bearing else "",
+             one.forecast)
+            for one in found.limits
+            if one.quantity == place
+        ]  # fmt: skip
+        sections.append(limit_section(own, trend.units[place], trend.time_unit, trend.start))
 
     def draw() -> Picture:
-        from rolamento.plots.trend import trend_figure
-
-        return trend_figure(trend, found.fits)
+        return trend_picture(found)
 
     caption = said("Measurements over the running time")
     sections.append(Section(blocks=(Figure(caption=caption, draw=draw, key="trend"),)))
     return Document(title, tuple(sections), "trend")
+
+
+def trend_picture(found: TrendStudy) -> Picture:
+    """Draw the record, with its laws and limits."""
+    from rolamento.plots.trend import trend_figure
+
+    limits = {(one.bearing, one.quantity): one.forecast for one in found.limits}
+    return trend_figure(found.trend, found.fits, limits)
 
 
 def _measurements(trend: Trend) -> Table:

@@ -29,6 +29,7 @@ _NAMES_OF_MODULES: Final = {
         "what_helps",
     ),
     "saving": ("save_figure",),
+    "severity": ("severity_figure", "severity_trend_figure", "zone_bars"),
     "slip": ("slip_map", "slip_maps"),
     "sweep": ("study_histogram", "study_lines", "study_map", "study_scatter"),
     "tolerance": ("tolerance_figure",),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from math import degrees
 from typing import Any, Final
 
@@ -24,7 +25,15 @@ from rolamento.plots.frame import (
     number,
     require_axes,
 )
-from rolamento.plots.style import INNER, OUTER, SERIES, in_style, new_figure, new_polar_figure
+from rolamento.plots.style import (
+    INNER,
+    OUTER,
+    SERIES,
+    in_style,
+    new_figure,
+    new_polar_figure,
+    series,
+)
 from rolamento.solved import NO_LOAD, RACES, Solved, refuse_other
 from rolamento.words import said, said_in
 
@@ -32,6 +41,7 @@ Floats = NDArray[np.float64]
 _TURN: Final = 360.0
 _STEP: Final = 45.0
 _MARGIN: Final = 8.0
+_MOST_LINES: Final = len(SERIES)
 _DIRECTIONS: Final = ("0°, +z", "45°", "90°\n+y", "135°", "180°", "225°", "270°", "315°")
 
 
@@ -85,6 +95,79 @@ def pressures(solved: Solved, axes: Axes | None = None) -> Axes:
     """
     name, unit = said("Maximum contact pressure"), MEGAPASCAL
     return _over_azimuth(solved, axes, "max_pressure", unit, name, from_zero=True)
+
+
+@in_style
+def compared_states(
+    states: Mapping[str, Solved], quantity: str = "load", axes: Axes | None = None
+) -> Axes:
+    """Draw a number of the contacts of several states over azimuth, in one frame.
+
+    Parameters
+    ----------
+    states
+        Single cases, by what the legend is to call them.
+    quantity
+        ``"load"``, ``"contact_angle"`` or ``"max_pressure"``.
+    axes
+        To draw on; of a new figure if not given.
+
+    Returns
+    -------
+    Axes
+        Those given. Both races, or the inner race alone where there would be more lines than can
+        be told apart; of a state without a result the legend says so.
+
+    Raises
+    ------
+    InputError
+        If a state is not one solved case, or there are too many of them.
+    """
+    for solved in states.values():
+        check_one_case(solved, "compared_states")
+    axes = new_figure()[1] if axes is None else require_axes(axes)
+    name, unit, zero = {
+        "load": (said("Contact load"), None, True),
+        "contact_angle": (said("Contact angle"), DEGREE, False),
+        "max_pressure": (said("Maximum contact pressure"), MEGAPASCAL, True),
+    }[quantity]
+    shown = {label: solved for label, solved in states.items() if solved.converged[0]}
+    if not shown:
+        return empty_frame(axes, no_result(str(next(iter(states.values())).status.code[0])))
+    rows = sum(len(solved.rows) for solved in shown.values())
+    races: tuple[Race, ...] = RACES if rows * len(RACES) <= _MOST_LINES else ("inner",)
+    if rows * len(races) > _MOST_LINES:
+        raise InputError(
+            said(
+                "would make {count} lines; more than {most} cannot be told apart",
+                count=rows * len(races),
+                most=_MOST_LINES,
+            ),
+            field="states",
+            value=len(states),
+        )
+    numbers = {
+        (label, race): solved.contacts[race].load[0]
+        if quantity == "load"
+        else touching(solved, race, quantity)
+        for label, solved in shown.items()
+        for race in races
+    }
+    unit = unit or readable_unit("N", np.concatenate(list(numbers.values())))
+    place = 0
+    for label, solved in shown.items():
+        by_row = rows_in_order(solved)
+        for row, balls in enumerate(by_row):
+            azimuth = np.mod(DEGREE.of(solved.elements.azimuth[0, balls]), _TURN)
+            for race in races:
+                line = _all_round(azimuth, unit.of(numbers[label, race][balls]))
+                own = f"{label}, {race_name(race, row, len(by_row))}"
+                axes.plot(*line, label=own, **series(place).keywords(markers=True))
+                place += 1
+    for label in states.keys() - shown.keys():
+        axes.plot([], [], label=f"{label}: {no_result()}", color=GREY, linestyle="")
+    _frame_azimuth(axes, unit.label(name), from_zero=zero)
+    return axes
 
 
 def touching(solved: Solved, race: Race, name: str) -> Floats:
@@ -163,14 +246,18 @@ def _over_azimuth(
             label = race_name(race, row, len(rows))
             line = _all_round(azimuth, unit.of(numbers[race][balls]))
             axes.plot(*line, label=label, **row_keywords(race, row))
+    _frame_azimuth(axes, unit.label(name), from_zero=from_zero)
+    return axes
+
+
+def _frame_azimuth(axes: Axes, label: str, *, from_zero: bool) -> None:
     axes.set_xlim(-_MARGIN, _TURN + _MARGIN)
     axes.set_xticks(np.arange(0.0, _TURN + 1.0, _STEP))
     if from_zero:
         axes.set_ylim(bottom=0.0)
     label_x(axes, DEGREE.label(said("Azimuth of the ball")))
-    label_y(axes, unit.label(name))
+    label_y(axes, label)
     legend_above(axes)
-    return axes
 
 
 def _all_round(azimuth: Floats, values: Floats) -> tuple[Floats, Floats]:

@@ -482,7 +482,7 @@ def _factors_of(summary: LifeSummary) -> list[tuple[str, str, str, Floats, Float
         factor, clean = record.factors["a_iso"], record.factors["contamination_factor"]
         load = record.factors.get("equivalent_load", summary.loads.dynamic)
         with np.errstate(divide="ignore", invalid="ignore"):
-            strength = clean * summary.ratings.fatigue_of_set / load
+            strength = clean * summary.ratings.fatigue_in_factor / load
         known = np.isfinite(factor) & ~record.below
         there = known & np.isfinite(strength) & (strength > 0.0)
         if not there.any():

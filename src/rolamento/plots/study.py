@@ -18,8 +18,8 @@ from numpy.typing import NDArray
 from rolamento.errors import InputError, nearest
 from rolamento.plots.axes_units import NONE, ReadableUnit, readable_unit
 from rolamento.plots.frame import capitalised
-from rolamento.studies.names import variable_name
-from rolamento.studies.study import SAMPLE
+from rolamento.studies.names import setting_name, variable_name
+from rolamento.studies.study import SAMPLE, VARIANT
 from rolamento.words import said
 
 Floats = NDArray[np.float64]
@@ -220,7 +220,8 @@ def _input(name: str, coordinate: Variable) -> PlottedVariable:
     values = np.asarray(coordinate.values)
     if _numeric(coordinate):
         return _plotted(name, dims, values.astype(np.float64), coordinate)
-    texts, places = _positions([str(value)[:60] for value in values.tolist()])
+    called = setting_name if name == VARIANT else str
+    texts, places = _positions([called(str(value))[:60] for value in values.tolist()])
     label = variable_label(name, coordinate.attrs)
     return PlottedVariable(name, dims, places, label, NONE, texts)
 

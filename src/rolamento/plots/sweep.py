@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import Any, Final, NamedTuple
 
 import numpy as np
@@ -14,6 +15,7 @@ from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
 from rolamento.errors import InputError
+from rolamento.numerics.percentiles import percentile
 from rolamento.plots.axes_units import NONE, PERCENT, ReadableUnit
 from rolamento.plots.curves import MOST_MARKERS
 from rolamento.plots.frame import (
@@ -41,7 +43,7 @@ from rolamento.plots.study import (
     output_of,
 )
 from rolamento.plots.style import SERIES, Series, in_style, new_figure, series
-from rolamento.studies.study import SAMPLE
+from rolamento.studies.study import SAMPLE, VARIANT
 from rolamento.words import said
 
 Floats = NDArray[np.float64]
@@ -57,6 +59,7 @@ _HATCH: Final[dict[str, Any]] = {
 }
 _COLOUR_STEPS: Final = 9
 _PERCENTS: Final = ((5.0, "--"), (50.0, "-"), (95.0, "-."))
+_COUNTED: Final = ("ball", "row")
 _FEWEST_BINS: Final = 5
 _MOST_BINS: Final = 60
 
@@ -72,7 +75,9 @@ def telling_kind(study: StudyData, variable: str = "") -> str:
     column = output_of(study, variable or most_telling(study))
     if column.dims == (SAMPLE,):
         return "histogram"
-    few = len(column.dims) < 2 or SAMPLE in column.dims or min(column.values.shape) <= MOST_LINES
+    if set(column.dims) == {VARIANT, SAMPLE}:
+        return "histogram"
+    few = len(column.dims) != 2 or SAMPLE in column.dims or min(column.values.shape) <= MOST_LINES
     return "lines" if few else "map"
 
 
@@ -84,10 +89,10 @@ def study_lines(
     *,
     over: str = "",
 ) -> Axes:
-    """Draw an output over one axis of a study; of a second axis, a line for each value.
+    """Draw an output over one axis of a study; of further axes, a line for each of their values.
 
     Along samples, the median is drawn and a band from the 5th to the 95th percentile. A case
-    without a result leaves a gap, with a cross below it.
+    without a result leaves a gap, with a cross below it. Variants, rows and balls are lines.
 
     Parameters
     ----------
@@ -110,29 +115,70 @@ def study_lines(
     InputError
         If there is no such output or axis, or there would be more lines than can be told apart.
     """
-    table = _table(study, variable, over)
-    if table.along == SAMPLE and table.other is None:
+    return compared_lines({"": study}, variable, axes, over=over)
+
+
+@in_style
+def compared_lines(
+    studies: Mapping[str, StudyData],
+    variable: str = "",
+    axes: Axes | None = None,
+    *,
+    over: str = "",
+) -> Axes:
+    """Draw an output of several studies over one axis that they all have, in one frame.
+
+    Parameters
+    ----------
+    studies
+        Datasets by what the legend is to call them; of a single one the name may be empty. Their
+        grids may differ.
+    variable, axes, over
+        As of `study_lines`.
+
+    Raises
+    ------
+    InputError
+        As `study_lines`, or if the studies do not fit: naming what differs.
+    """
+    tables = _fitting(studies, variable, over)
+    if any(table.along == SAMPLE and not table.others for table in tables.values()):
         raise InputError(
             said("cannot show a study of samples alone"), field="kind", value="lines",
             example="histogram or scatter",
         )  # fmt: skip
     axes = new_figure()[1] if axes is None else axes
-    if not np.isfinite(table.values).any():
+    first, study = next(iter(tables.values())), next(iter(studies.values()))
+    if not any(np.isfinite(table.values).any() for table in tables.values()):
         return nothing_to_draw(axes, study)
-    x = axis_of(study, table.across, len(table.values))
-    title = ""
-    if table.other is None:
-        _line(axes, x, table.values[:, 0], series(0))
-    elif table.other == SAMPLE:
-        _spread(axes, x, table.values)
-    else:
-        family = axis_of(study, table.other, table.values.shape[1])
-        _family(axes, x, table, family)
-        title = family.label
-    _mark_missing(axes, x, table.values)
+    lines = [line for label, table in tables.items() for line in _lines(label, table)]
+    banded = any(line.values.ndim == 2 for line in lines)
+    if len(lines) > MOST_LINES:
+        raise InputError(
+            said(
+                "would draw {count} lines along {other}; more than {most} cannot be told apart",
+                count=len(lines),
+                other=", ".join(dict.fromkeys(dim for t in tables.values() for dim in t.others)),
+                most=MOST_LINES,
+            ),
+            field="kind",
+            value="lines",
+            example="map" if len(first.others) == 1 and len(tables) == 1 else "study.isel(row=0)",
+        )
+    x = _joined([table.x for table in tables.values()])
+    y = _joined([table.output for table in tables.values()])
+    for index, line in enumerate(lines):
+        across, values = _shown(line.table.x, x), _shown(line.table.output, y, line.values)
+        if line.values.ndim == 2:
+            _spread(axes, x, across, values, series(index), line.label)
+        else:
+            _line(axes, x, across, values, series(index), line.label or None)
+    for table in tables.values():
+        _mark_missing(axes, _shown(table.x, x), table.values)
     _scale(axes, "x", x)
-    label_y(axes, table.output.label)
-    legend_above(axes, title=title)
+    label_y(axes, y.label)
+    alone = len(tables) == 1 and len(first.others) == 1 and not banded
+    legend_above(axes, title=_dim_label(study, first.others[0]) if alone else "")
     return axes
 
 
@@ -149,17 +195,15 @@ def study_map(
     Parameters and errors as of `study_lines`; `over` is the axis that runs across.
     """
     table = _table(study, variable, over)
-    if table.other is None or SAMPLE in (table.along, table.other):
+    if len(table.others) != 1 or table.samples or table.along == SAMPLE:
         raise InputError(
             said("needs a study with two axes"), field="kind", value="map",
-            example="lines" if table.other is None else "histogram",
+            example="histogram" if table.samples or table.along == SAMPLE else "lines",
         )  # fmt: skip
     axes = new_figure(height=100.0)[1] if axes is None else axes
     if not np.isfinite(table.values).any():
         return nothing_to_draw(axes, study)
-    size_x, size_y = table.values.shape
-    x = axis_of(study, table.across, size_x)
-    y = axis_of(study, table.other, size_y)
+    x, y = table.x, axis_of(study, table.others[0], table.values.shape[1])
     _colour(axes, x, y, table)
     missing = int(np.sum(np.isnan(table.values)))
     axes.grid(False)
@@ -176,19 +220,77 @@ def nothing_to_draw(axes: Axes, study: StudyData) -> Axes:
 
 
 class _Table(NamedTuple):
-    """An output over one or two axes: values (along, other); across: what `along` is told by."""
+    """An output over the axis that runs across, and others.
+
+    values: (along, …, samples if there are any); along: the axis; others: the ones that are
+    neither that nor samples; x: what it is told by; labels: of each place along the others.
+    """
 
     output: PlottedVariable
     values: Floats
     along: str
-    other: str | None
-    across: str
+    others: tuple[str, ...]
+    samples: bool
+    x: PlottedVariable
+    labels: tuple[tuple[str, ...], ...]
+
+
+class _Lines(NamedTuple):
+    """One line: (along,), or (along, samples) of one with a band."""
+
+    label: str
+    values: Floats
+    table: _Table
+
+
+def _fitting(studies: Mapping[str, StudyData], variable: str, over: str) -> dict[str, _Table]:
+    """Return the tables of studies that have an output and an axis across in common."""
+    first = next(iter(studies.values()))
+    name = variable or most_telling(first)
+    tables: dict[str, _Table] = {}
+    for label, study in studies.items():
+        across = over
+        if tables and not over:
+            across = next(iter(tables.values())).x.name
+        try:
+            tables[label] = _table(study, name, across)
+        except InputError as error:
+            raise error if not label else error.with_details(source=label) from None
+    begun = next(iter(studies))
+    for label, study in studies.items():
+        one, other = tables[begun], tables[label]
+        for what, pair in (
+            (name, (first.data_vars[name], study.data_vars[name])),
+            (one.x.name, (first.coords.get(one.x.name), study.coords.get(other.x.name))),
+        ):
+            units, others = (_meaning(one) for one in pair)
+            if units != others:
+                raise InputError(
+                    said(
+                        "is not the same in {one} ({meaning}) and {other} ({other_meaning}): they"
+                        " share no figure",
+                        one=begun,
+                        meaning=", ".join(units),
+                        other=label,
+                        other_meaning=", ".join(others),
+                    ),
+                    field=what,
+                )
+    return tables
+
+
+def _meaning(variable: Any) -> tuple[str, ...]:
+    """What a variable holds: its field, if it is of one, and its unit."""
+    attrs = {} if variable is None else variable.attrs
+    return tuple(str(attrs[key]) for key in ("field", "units") if key in attrs)
 
 
 def _table(study: StudyData, variable: str, over: str) -> _Table:
     output = output_of(study, variable or most_telling(study))
     dims = output.dims
-    if not 1 <= len(dims) <= 2:
+    known = [dim for dim in dims if dim != SAMPLE]
+    few = _few_lines(output, dims)
+    if not dims or (len(known) > 2 and not few):
         raise InputError(
             said(
                 "varies along {dims}; a figure shows one or two axes: select some values first",
@@ -200,12 +302,70 @@ def _table(study: StudyData, variable: str, over: str) -> _Table:
             example="study.sel(fx=20e3), study.isel(ball=0)",
         )
     along = _axis_named(study, over, output) if over else _longest(study, output)
-    across = over or along
-    if len(dims) == 1:
-        return _Table(output, output.values[:, np.newaxis], along, None, across)
-    other = dims[1 - dims.index(along)]
-    values = output.values if along == dims[0] else output.values.T
-    return _Table(output, values, along, other, across)
+    others = tuple(dim for dim in known if dim != along)
+    order = (along, *others, *([SAMPLE] if SAMPLE in dims and along != SAMPLE else []))
+    values = np.transpose(output.values, [dims.index(dim) for dim in order])
+    x = axis_of(study, over or along, len(values))
+    labels = tuple(_labels(study, dim, output, alone=len(others) == 1) for dim in others)
+    return _Table(output, values, along, others, order[-1] == SAMPLE != along, x, labels)
+
+
+def _few_lines(output: PlottedVariable, dims: tuple[str, ...]) -> bool:
+    """Whether what varies beside the longest axis makes few enough lines."""
+    sizes = sorted(
+        size for dim, size in zip(dims, output.values.shape, strict=True) if dim != SAMPLE
+    )
+    return int(np.prod(sizes[:-1])) <= MOST_LINES
+
+
+def _labels(study: StudyData, dim: str, output: PlottedVariable, *, alone: bool) -> tuple[str, ...]:
+    """Return what each value along an axis is called; with its axis where there are several."""
+    size = output.values.shape[output.dims.index(dim)]
+    family = axis_of(study, dim, size)
+    values = [_value(family, index) for index in range(size)]
+    if alone or family.texts:
+        return tuple(values)
+    if dim in _COUNTED:
+        return tuple(f"{family.label.partition(' (')[0].lower()} {value}" for value in values)
+    return tuple(f"{family.label}: {value}" for value in values)
+
+
+def _lines(label: str, table: _Table) -> Iterator[_Lines]:
+    """Cut a table into its lines, each with what it is called."""
+    for place in np.ndindex(*(len(labels) for labels in table.labels)):
+        own = (labels[index] for labels, index in zip(table.labels, place, strict=True))
+        name = ", ".join(part for part in (label, *own) if part)
+        yield _Lines(name, table.values[(slice(None), *place)], table)
+
+
+def _dim_label(study: StudyData, dim: str) -> str:
+    """Return what stands over the lines of an axis; variants need nothing."""
+    return "" if dim == VARIANT else axis_of(study, dim, 1).label
+
+
+def _joined(columns: Sequence[PlottedVariable]) -> PlottedVariable:
+    """Return one column of several that share an axis, in a unit that suits them all."""
+    first = columns[0]
+    texts = tuple(dict.fromkeys(text for column in columns for text in column.texts))
+    units = [column.unit for column in columns]
+    greatest = max(
+        range(len(columns)),
+        key=lambda i: np.nanmax(np.abs(columns[i].values / units[i].factor), initial=0.0),
+    )
+    unit = units[greatest]
+    values = first.values
+    if len(columns) > 1:
+        own = (np.ravel(c.values) / c.unit.factor * unit.factor for c in columns)
+        values = np.concatenate(list(own))
+    return replace(first, values=values, label=columns[greatest].label, unit=unit, texts=texts)
+
+
+def _shown(own: PlottedVariable, joined: PlottedVariable, values: Floats | None = None) -> Floats:
+    """Return values of one column in the unit of all, texts at their common places."""
+    given = own.values if values is None else values
+    if own.texts:
+        return np.array([float(joined.texts.index(own.texts[int(place)])) for place in given])
+    return given if own.unit == joined.unit else given / own.unit.factor * joined.unit.factor
 
 
 def _axis_named(study: StudyData, name: str, output: PlottedVariable) -> str:
@@ -230,36 +390,21 @@ def _longest(study: StudyData, output: PlottedVariable) -> str:
     def rank(dim: str) -> tuple[bool, bool, bool, int]:
         size = output.values.shape[output.dims.index(dim)]
         texts = axis_of(study, dim, size).texts
-        return dim != SAMPLE, dim != "ball", not texts, size
+        return dim != SAMPLE, dim not in _COUNTED, not texts, size
 
     return max(output.dims, key=rank)
 
 
 def _line(
-    axes: Axes, x: PlottedVariable, values: Floats, look: Series, label: str | None = None
+    axes: Axes,
+    x: PlottedVariable,
+    across: Floats,
+    values: Floats,
+    look: Series,
+    label: str | None = None,
 ) -> None:
     markers = len(values) <= MOST_MARKERS or bool(x.texts)
-    axes.plot(x.values, values, label=label, **look.keywords(markers=markers))
-
-
-def _family(axes: Axes, x: PlottedVariable, table: _Table, family: PlottedVariable) -> None:
-    """Draw a line for each value of the other axis."""
-    count = table.values.shape[1]
-    if count > MOST_LINES:
-        raise InputError(
-            said(
-                "would draw {count} lines along {other}; more than {most} cannot be told apart",
-                count=count,
-                other=table.other,
-                most=MOST_LINES,
-            ),
-            field="kind",
-            value="lines",
-            example="map",
-        )
-    for index in range(count):
-        name = _value(family, index)
-        _line(axes, x, table.values[:, index], series(index), name)
+    axes.plot(across, values, label=label, **look.keywords(markers=markers))
 
 
 def _value(column: PlottedVariable, index: int) -> str:
@@ -268,26 +413,30 @@ def _value(column: PlottedVariable, index: int) -> str:
     return number(float(column.values[index]))
 
 
-def _spread(axes: Axes, x: PlottedVariable, values: Floats) -> None:
+def _spread(
+    axes: Axes, x: PlottedVariable, across: Floats, values: Floats, look: Series, label: str
+) -> None:
     """Draw the median of the samples and a band around it."""
     low, middle, high = (_percentile(values, percent) for percent in (_BAND[0], 50.0, _BAND[1]))
     band = said("{least} % to {most} %", least=_BAND[0], most=_BAND[1])
-    look = series(0)
-    axes.fill_between(x.values, low, high, color=look.color, alpha=0.2, linewidth=0.0, label=band)
-    _line(axes, x, middle, look, said("median"))
+    median = said("median")
+    axes.fill_between(
+        across, low, high, color=look.color, alpha=0.2, linewidth=0.0,
+        label=f"{label}: {band}" if label else band,
+    )  # fmt: skip
+    _line(axes, x, across, middle, look, f"{label}: {median}" if label else median)
 
 
 def _percentile(values: Floats, percent: float) -> Floats:
-    """Return a percentile of each row's numbers; NaN for a row without any."""
-    rows = (row[np.isfinite(row)] for row in values)
-    return np.array([np.percentile(row, percent) if row.size else np.nan for row in rows])
+    """Return a percentile of each row's numbers; NaN for a row with too few."""
+    return np.array([percentile(row, percent) for row in values])
 
 
-def _mark_missing(axes: Axes, x: PlottedVariable, values: Floats) -> None:
+def _mark_missing(axes: Axes, across: Floats, values: Floats) -> None:
     missing = np.isnan(values)
     count = int(missing.sum())
     if count:
-        places = x.values[missing.any(axis=1)]
+        places = across[missing.reshape(len(values), -1).any(axis=1)]
         axes.plot(
             places,
             np.full(len(places), 0.02),
@@ -479,10 +628,12 @@ def _first_input(study: StudyData) -> str:
 
 def _draw_percentiles(axes: Axes, values: Floats, unit: ReadableUnit, *, upright: bool) -> None:
     for percent, style in _PERCENTS:
-        value = float(np.percentile(values, percent))
+        value = percentile(values, percent)
+        if np.isnan(value):  # beyond so few samples
+            continue
         name = said("median") if percent == 50.0 else f"{percent:.0f} %"
         draw = axes.axvline if upright else axes.axhline
-        label = f"{name}: {number(value)} {unit.symbol}".removesuffix(f" {NONE.symbol}")
+        label = f"{name}: {number(value, 5)} {unit.symbol}".removesuffix(f" {NONE.symbol}")
         draw(value, color="black", linewidth=1.1, linestyle=style, label=label)
 
 

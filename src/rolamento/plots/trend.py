@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from rolamento.clearance.wear import WearFit
+    from rolamento.numerics.growth import Forecast
     from rolamento.weibull import Trend
 
 __all__ = ["trend_figure", "trend_lines"]
@@ -35,12 +36,22 @@ QUANTITIES: Final[Mapping[str, str]] = {"radial clearance": marked("radial clear
 _HEIGHT: Final = 90.0
 _PANEL: Final = 55.0
 _CURVE: Final = 300
+_FARTHEST: Final = 2.0
+"""Times the measured time beyond the last measurement that is drawn at most."""
 _TOP: Final = 0.96
 """Height in the frame at which rejected measurements are marked."""
 
 
-def trend_figure(trend: Trend, fits: Mapping[str, WearFit] | None = None) -> Figure:
-    """Draw every quantity of a record, one below the other, with its title."""
+def trend_figure(
+    trend: Trend,
+    fits: Mapping[str, WearFit] | None = None,
+    limits: Mapping[tuple[str, int], Forecast] | None = None,
+) -> Figure:
+    """Draw every quantity of a record, one below the other, with its title.
+
+    fits: laws of wear, as of `trend_lines`. limits: when limits are reached, by bearing and place
+    of the quantity.
+    """
     count = len(trend.quantities)
     with styled():
         if count == 1:
@@ -49,7 +60,8 @@ def trend_figure(trend: Trend, fits: Mapping[str, WearFit] | None = None) -> Fig
         else:
             figure, panels = new_stacked_figure(count, height=25.0 + _PANEL * count)
         for quantity, axes in enumerate(panels):
-            trend_lines(trend, quantity, axes, fits=fits, legend=not quantity)
+            own = {name: one for (name, place), one in (limits or {}).items() if place == quantity}
+            trend_lines(trend, quantity, axes, fits=fits, limits=own, legend=not quantity)
         for axes in panels[:-1]:
             axes.set_xlabel("")
         if trend.title:
@@ -63,6 +75,7 @@ def trend_lines(
     axes: Axes | None = None,
     *,
     fits: Mapping[str, WearFit] | None = None,
+    limits: Mapping[str, Forecast] | None = None,
     legend: bool = True,
 ) -> Axes:
     """Draw a quantity of every bearing over its running time.
@@ -77,6 +90,8 @@ def trend_lines(
         To draw on; of a new figure if not given.
     fits
         Of `wear_of_each`: laws of wear, by the bearings; then the points are not joined.
+    limits
+        When a limit is reached, by the bearings; "" of the only one.
     legend
         Whether to show one.
 
@@ -93,9 +108,33 @@ def trend_lines(
             _bearing(axes, trend, quantity, index, name, (fits or {}).get(name))
         _rejected(axes, trend, quantity)
         _label(axes, trend, quantity)
+        if limits:
+            _limits(axes, trend, limits)
         if legend:
             legend_above(axes)
     return axes
+
+
+def _limits(axes: Axes, trend: Trend, limits: Mapping[str, Forecast]) -> None:
+    """Draw the laws of growth until the limit, or as far again as was measured."""
+    least, last = float(trend.times.min()), float(trend.times.max())
+    ends = [last + 0.15 * (last - least)]
+    named = False
+    for index, name in enumerate(trend.names):
+        found = limits.get(name, limits.get(""))
+        if found is None or not np.isfinite(found.growth.p_value):
+            continue
+        crossing = found.crossing
+        if crossing.code == "reached":
+            ends.append(min(1.05 * crossing.time, last + _FARTHEST * (last - least)))
+        grid = np.linspace(found.growth.mean_time, ends[-1], _CURVE)
+        look = series(index)
+        axes.plot(grid, found.growth.at(grid), color=look.color, linewidth=0.9, linestyle=":")
+        label = None if named else said("limit")
+        axes.axhline(crossing.limit, color="black", linewidth=0.9, linestyle="--", label=label)
+        axes.set_ylim(top=max(axes.get_ylim()[1], 1.15 * crossing.limit))
+        named = True
+    axes.set_xlim(right=max(axes.get_xlim()[1], *ends))
 
 
 def _bearing(

@@ -60,6 +60,11 @@ class Held(Protocol):
         ...
 
     @property
+    def face_forces(self) -> FloatArray:
+        """The force by the row's faces; (cases, faces, 5)."""
+        ...
+
+    @property
     def stiffness(self) -> FloatArray:
         """Derivative of the force by the place; (cases, 5, 5)."""
         ...
@@ -100,6 +105,14 @@ class Row(Protocol):
     @property
     def element_count(self) -> int:
         """Elements in the row."""
+        ...
+
+    @property
+    def faces(self) -> tuple[float, ...]:
+        """The rows of contacts that the elements make, each +1 or -1 against the row's own way.
+
+        One, but for elements that touch each ring twice: what is told of a row is told of each.
+        """
         ...
 
     @property

@@ -32,6 +32,7 @@ from rolamento.solved.tables import (
     Index,
     IntArray,
     Preloading,
+    PreloadStage,
     Pressed,
     RingDisplacement,
     RingLoad,
@@ -104,11 +105,19 @@ def mapping_of(solved: Solved) -> dict[str, Any]:
             }
             for index in range(len(rows))
         ],
-        "preload": None if solved.preload is None else plain(asdict(solved.preload)),
+        "preload": None if solved.preload is None else _preload_mapping(solved.preload),
         "rolling": _rolling_mapping(solved),
         "notes": [note.to_mapping() for note in solved.notes[0]],
         "case": solved.case.to_mapping(),
     }
+
+
+def _preload_mapping(preload: Preloading) -> dict[str, Any]:
+    """The preload; its stages of a mounted set only."""
+    mapping: dict[str, Any] = plain(asdict(preload))
+    if not preload.stages:
+        del mapping["stages"]
+    return mapping
 
 
 def control_names(solved: Solved) -> list[str]:
@@ -396,7 +405,32 @@ def _preloading_of(item: Mapping[str, Any], at: str) -> Preloading | None:
     return Preloading(
         _text(table, f"{at}preload.kind"), number("at_rest"), number("at_speed"),
         number("lift_factor"), row("lift_row"), number("loss_factor"), row("lost_row"),
+        _preload_stages(table, f"{at}preload.stages") if "stages" in table else (),
     )  # fmt: skip
+
+
+def _preload_stages(table: Mapping[str, Any], at: str) -> tuple[PreloadStage, ...]:
+    """The stages of a mounted set, as they were written."""
+    stages = []
+    for index, given in enumerate(_list(table, at)):
+        own = f"{at}.{index}"
+        stage = _entry(given, own)
+        preload, angle, offset = (
+            tuple(_number_of(one, f"{own}.{name}") for one in _list(stage, f"{own}.{name}"))
+            for name in ("preload", "contact_angle", "offset")
+        )
+        if len(preload) != 3:
+            rule = said("must be a list of {count} numbers", count=3)
+            raise InputError(rule, field=f"{own}.preload")
+        stiffness, pressure = (
+            _number(stage, f"{own}.{name}") for name in ("axial_stiffness", "max_pressure")
+        )
+        name = _text(stage, f"{own}.name")
+        loosest, mean, tightest = preload
+        stages.append(
+            PreloadStage(name, (loosest, mean, tightest), angle, offset, stiffness, pressure)
+        )
+    return tuple(stages)
 
 
 def _after_one_another(parts: list[Pieces]) -> Pieces:

@@ -447,6 +447,36 @@ class Contacts:
 
 
 @dataclass(frozen=True, slots=True)
+class PreloadStage:
+    """The preload of a mounted set after one of the things that happen to it; no external load.
+
+    Attributes
+    ----------
+    name
+        "unmounted", "mounted" (after the fits), "warm", "rings_grown" (as the rings are at speed,
+        the balls without inertia) or "at_speed"
+    preload
+        axial force between the rows that face each other with all tolerances at their loosest, at
+        their mean and at their tightest (N); NaN where there is none, 0 where the rows have play
+    contact_angle
+        free contact angle of each row, at the tolerances that are solved with (rad)
+    offset
+        how far each row is pressed in from first contact; likewise (m)
+    axial_stiffness
+        of the set; likewise (N/m)
+    max_pressure
+        the largest of all contacts; likewise (Pa)
+    """
+
+    name: str
+    preload: tuple[float, float, float]
+    contact_angle: tuple[float, ...]
+    offset: tuple[float, ...]
+    axial_stiffness: float
+    max_pressure: float
+
+
+@dataclass(frozen=True, slots=True)
 class Preloading:
     """How the rows of a set press on each other, and what takes that away.
 
@@ -455,7 +485,8 @@ class Preloading:
     kind
         "force", "offset" or "level" where the rings are clamped, "spring"
     at_rest
-        axial force between the rows that face each other, without external load, at rest (N)
+        axial force between the rows that face each other, without external load, at rest (N); of
+        a mounted set after the fits, before temperatures
     at_speed
         the same at the duty's speeds (N)
     lift_factor
@@ -478,6 +509,8 @@ class Preloading:
     lift_row: int | None
     loss_factor: float
     lost_row: int | None
+    stages: tuple[PreloadStage, ...] = ()
+    """Of a mounted set: what becomes of its preload, step by step."""
 
 
 def taken(record: T, index: Index, shared: tuple[str, ...] = ("row",)) -> T:

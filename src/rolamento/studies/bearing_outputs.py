@@ -97,7 +97,7 @@ def _loaded_balls(given: Evaluation) -> Floats:
 
 def ball_outputs() -> tuple[Output, ...]:
     """Return the outputs of the balls: each by itself, and its maximum, minimum and mean."""
-    azimuth = Output("azimuth", "rad", _of_elements("azimuth"), per_ball=True)
+    azimuth = Output("azimuth", "rad", _of_elements("azimuth"), along="ball")
     return (azimuth, *_of_contacts(), *_of_balls())
 
 
@@ -116,17 +116,21 @@ def _of_balls() -> Iterator[Output]:
 def family(
     name: str, unit: str, get: Get, race: Race | None, needs: tuple[str, ...] = ()
 ) -> Iterator[Output]:
-    """Make an output per ball, and what is taken of it over the balls.
+    """Make an output per ball, and what is taken of it over the balls; of some, over each row's.
 
     race: whose loads tell which balls count, for outputs that mean nothing without load.
     """
-    yield Output(name, unit, get, per_ball=True, needs=needs)
+    yield Output(name, unit, get, along="ball", needs=needs)
     among = race if name.endswith(_ONLY_LOADED) else None
     for prefix, reduce in _REDUCTIONS:
         compute = _reduced(get, reduce, among)
         if prefix == "max" and race is not None and name.endswith("_max_pressure"):
             compute = _maximum_pressure(race)
         yield Output(f"{prefix}_{name}", unit, compute, needs=needs)
+    for prefix, ufunc in _OF_ROWS:
+        if name.endswith(_BY_ROW[prefix]):
+            compute = _reduced_by_row(get, ufunc, among)
+            yield Output(f"row_{prefix}_{name}", unit, compute, along="row", needs=needs)
 
 
 def _of_elements(name: str) -> Get:
@@ -137,16 +141,27 @@ def _of_race(race: Race, name: str) -> Get:
     return lambda given: getattr(given.solved.contacts[race], name)
 
 
-def _reduced(get: Get, reduce: Callable[[Floats], Floats], race: Race | None) -> Get:
-    """Take something over the balls; over those that a race loads, if one is named."""
+def _reduced_by_row(get: Get, ufunc: np.ufunc, race: Race | None) -> Get:
+    """Take the greatest or the least of each row's balls; (cases, rows)."""
 
     def reduced(given: Evaluation) -> Floats:
-        values = get(given)
-        if race is not None:
-            values = np.where(given.solved.contacts[race].load > 0.0, values, np.nan)
-        return reduce(values)
+        values = _among(get, given, race)
+        return np.asarray(ufunc.reduceat(values, given.solved.rows.starts, axis=1), np.float64)
 
     return reduced
+
+
+def _among(get: Get, given: Evaluation, race: Race | None) -> Floats:
+    """Return what each ball has; NaN where a race, if one is named, does not load it."""
+    values = get(given)
+    if race is None:
+        return values
+    return np.where(given.solved.contacts[race].load > 0.0, values, np.nan)
+
+
+def _reduced(get: Get, reduce: Callable[[Floats], Floats], race: Race | None) -> Get:
+    """Take something over the balls; over those that a race loads, if one is named."""
+    return lambda given: reduce(_among(get, given, race))
 
 
 def _maximum(values: Floats) -> Floats:
@@ -172,6 +187,12 @@ _REDUCTIONS: Final = (
     ("min", _minimum),
     ("mean", _mean),
 )
+_OF_ROWS: Final = (("max", np.fmax), ("min", np.fmin))
+_BY_ROW: Final = {
+    "max": ("_load", "contact_angle", "max_pressure", "spin_to_roll"),
+    "min": ("_load", "contact_angle", "spin_to_roll", "central_film_thickness", "film_parameter"),
+}
+"""What tells one row of a set from another."""
 
 
 def _maximum_pressure(race: Race) -> Get:

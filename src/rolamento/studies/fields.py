@@ -8,6 +8,7 @@ from typing import Final
 
 from rolamento.case import Case, varied
 from rolamento.case.fields import Field, Value
+from rolamento.case.hints import meant
 from rolamento.errors import InputError, UnknownKeyError, nearest
 from rolamento.words import said
 
@@ -58,8 +59,7 @@ def _advice(name: str, known: Mapping[str, Field]) -> str:
     inside = [other for other in known if other.startswith(f"{name}.")]
     if inside:
         return said("it is a table with {fields}", fields=", ".join(inside))
-    same_leaf = [other for other, field in known.items() if field.leaf == name]
-    near = same_leaf[0] if same_leaf else nearest(name, known)
+    near = meant(name, known, nearest(name, known))
     if near:
         return said("did you mean {near}?", near=near)
     return said("rolamento sweep --list fields lists them all")

@@ -55,12 +55,17 @@ def refuse_lifeless(case: Case, varied: frozenset[str]) -> None:
         return
     rows = [place.bearing for place in case.bearing.places]
     angle = np.array([row.contact_angle or 0.0 for row in rows])
+    if case.bearing.kind == "thrust":
+        return
     if np.any(angle > MAXIMUM_ANGLE * (1.0 + 1e-9)):
         raise InputError(
-            said("is that of a thrust bearing: these life theories go up to 45°"),
+            said(
+                "is that of a thrust bearing, which is rated for axial load: give it"
+                ' kind = "thrust"'
+            ),
             field="case.bearing.contact_angle",
             value=f"{float(np.degrees(angle.max())):.4g} deg",
-            example='contact_angle = "25 deg"',
+            example='kind = "thrust"',
         )
     if conditions_of(case).dynamic_rating is not None:
         return

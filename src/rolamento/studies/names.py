@@ -7,6 +7,7 @@ from functools import cache
 from typing import Final
 
 from rolamento.case import Case
+from rolamento.case.variant import AS_GIVEN, settings_in
 from rolamento.words import manner, marked, said, speaking
 from rolamento.words.theories import theory_name
 
@@ -17,8 +18,18 @@ _WHOLE: Final = {
     "iterations": marked("Newton iterations"),
     "loaded_balls": marked("number of loaded balls (inner race)"),
     "ball": marked("ball"),
+    "row": marked("row"),
+    "variant": marked("variant"),
     "sample": marked("sample"),
     "azimuth": marked("azimuth of the ball"),
+    # rows of a set
+    "row_loaded_balls": marked("number of loaded balls (inner race), per row"),
+    "preload_at_rest": marked("axial preload at rest"),
+    "preload_at_speed": marked("axial preload at speed"),
+    "lift_factor": marked("load factor at which the first ball loses contact"),
+    "lift_row": marked("row whose ball first loses contact, counted from 0"),
+    "loss_factor": marked("load factor at which a row loses contact"),
+    "lost_row": marked("row that first loses contact, counted from 0"),
     # film
     "film_parameter": marked("film parameter λ, minimum of all contacts"),
     "viscosity_ratio": marked("viscosity ratio κ"),
@@ -75,7 +86,8 @@ _ONLY_LOADED: Final = ("contact_angle", "spin_to_roll")
 """What is taken over the loaded balls alone."""
 
 _STIFFNESS: Final = re.compile(r"stiffness_(r?[xyz])(r?[xyz])")
-_OF_BALLS: Final = re.compile(r"(?:(max|min|mean)_)?(?:(inner|outer)_)?([a-z_]+)")
+_OF_BALLS: Final = re.compile(r"(row_)?(?:(max|min|mean)_)?(?:(inner|outer)_)?([a-z_]+)")
+_OF_ROW: Final = re.compile(r"row_([fm][xyz])")
 _OF_MODEL: Final = re.compile(r"friction_(torque|power)_([a-z_0-9]+)")
 _OF_THEORY: Final = re.compile(r"life_(hours|revolutions|holds)_([a-z_0-9]+)")
 
@@ -101,10 +113,13 @@ def variable_name(variable: str, field: str = "") -> str:
         return _of_model(*match.groups())
     if match := _OF_THEORY.fullmatch(variable):
         return _of_theory(*match.groups())
+    if match := _OF_ROW.fullmatch(variable):
+        return said("{quantity}, per row", quantity=Case.fields()[f"duty.load.{match[1]}"].label)
     match = _OF_BALLS.fullmatch(variable)
-    if match is None or match[3] not in _QUANTITIES:
+    if match is None or match[4] not in _QUANTITIES:
         return ""
-    return _of_balls(*match.groups())
+    name = _of_balls(*match.groups()[1:])
+    return said("{quantity}, per row", quantity=name) if match[1] else name
 
 
 def variable_long_name(variable: str, field: str = "") -> str:
@@ -114,7 +129,16 @@ def variable_long_name(variable: str, field: str = "") -> str:
 
 
 def setting_name(setting: str) -> str:
-    """Write what was set, ``"life.contamination=0.8"``, with the label of its field."""
+    """Write what was set, ``"life.contamination=0.8"``, with the label of its field.
+
+    Of a variant, its name as it is, or all that it sets.
+    """
+    if setting == AS_GIVEN:
+        return said("as given")
+    return ", ".join(_one_setting(part) for part in settings_in(setting)[1]) or setting
+
+
+def _one_setting(setting: str) -> str:
     name, equals, value = setting.partition("=")
     field = Case.fields().get(name.strip())
     if not equals or field is None:

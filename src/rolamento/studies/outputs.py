@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
 
 T = TypeVar("T")
+Along = Literal["", "ball", "row"]
 Floats = NDArray[np.float64]
 
 DEFAULT_OUTPUTS: Final = (
@@ -69,9 +70,9 @@ class Output:
         SI, but of lives: ``"h"`` and ``"Mrev"``, millions of revolutions; ``"1"`` of a number
         without one
     compute
-        from a solved batch: (cases,), or (cases, balls) of an output per ball
-    per_ball
-        whether it has a value for each ball
+        from a solved batch: (cases,), or (cases, balls) or (cases, rows)
+    along
+        ``"ball"`` or ``"row"`` of an output that has a value for each of them
     kind
         ``"whole"`` of a whole number that every case has, solved or not
     needs
@@ -83,7 +84,7 @@ class Output:
     name: str
     unit: str
     compute: Callable[[Evaluation], NDArray[Any]]
-    per_ball: bool = False
+    along: Along = ""
     kind: Literal["real", "whole"] = "real"
     needs: tuple[str, ...] = ()
     slow: bool = False
@@ -124,8 +125,12 @@ def catalogue() -> Mapping[str, Output]:
     from rolamento.studies.friction_outputs import friction_outputs
     from rolamento.studies.life_outputs import life_outputs
     from rolamento.studies.lubrication_outputs import lubrication_outputs
+    from rolamento.studies.row_outputs import row_outputs
 
-    providers = (ring_outputs, ball_outputs, lubrication_outputs, friction_outputs, life_outputs)
+    providers = (
+        ring_outputs, row_outputs, ball_outputs, lubrication_outputs, friction_outputs,
+        life_outputs,
+    )  # fmt: skip
     return {output.name: output for provider in providers for output in provider()}
 
 
@@ -155,6 +160,10 @@ def outputs_of(names: Iterable[str]) -> tuple[Output, ...]:
 
 
 _MISSING: Final[Mapping[str, tuple[str, str]]] = {
+    "bearing.preload": (
+        marked("a preload between opposed rows"),
+        'arrangement = "DB", spacing = "30 mm" and preload = { force = "300 N" } in [bearing]',
+    ),
     "lubricant": (marked("a lubricant"), 'lubricant = "ISO VG 68" in the case'),
     "temperature.lubricant": (
         marked("the lubricant's temperature"),
@@ -208,9 +217,17 @@ def refuse_missing(outputs: Iterable[Output], case: Case, varied: Iterable[str])
         refuse_lifeless(case, given)
 
 
+def supplied(output: Output, case: Case, varied: Iterable[str]) -> bool:
+    """Tell whether a case, or what varies, has all that an output rests on."""
+    given = frozenset(varied)
+    return all(_has(case, need, given) for need in output.needs)
+
+
 def _has(case: Case, need: str, varied: frozenset[str]) -> bool:
     if need in varied or any(name.startswith(f"{need}.") for name in varied):
         return True
+    if need == "bearing.preload":
+        return case.bearing.preload is not None
     if need == "life":
         return has_life(case) or "bearing.designation" in varied
     if need in needs_of_life():

@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from typing import Any, Final
@@ -22,15 +23,18 @@ from numpy.typing import NDArray
 import rolamento
 from rolamento.case import Case, case_to_toml
 from rolamento.case.arrangement import ARRANGEMENTS
+from rolamento.catalogue import CatalogueBearing, geometry_of, listed
 from rolamento.errors import InputError
 from rolamento.status import INVALID_INPUT, STATUS_NAMES
 from rolamento.studies.axes import Axis
 from rolamento.studies.fields import Field, Value, read_field
-from rolamento.studies.outputs import Evaluation, Output, outputs_of
+from rolamento.studies.names import variable_long_name
+from rolamento.studies.outputs import Evaluation, Output, outputs_of, supplied
 from rolamento.studies.scatter import Sampler
 from rolamento.studies.solving import array_fields, base_case, solve
 from rolamento.studies.study import (
     SAMPLE,
+    VARIANT,
     Study,
     coordinate_names,
     parse_study,
@@ -58,12 +62,14 @@ _MOST_GROUPS: Final = 64
 class Task:
     """One chunk of a study, to be solved anywhere: `solve_task` needs nothing else.
 
-    study: JSON text; chunk: cases in each; index: of this one.
+    study: JSON text; chunk: cases in each; index: of this one; listed: bearings by which its
+    designations are found, beside the built-in catalogue.
     """
 
     study: str
     chunk: int
     index: int
+    listed: tuple[CatalogueBearing, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,10 +115,12 @@ class Plan:
         self.outputs: tuple[Output, ...] = outputs_of(study.outputs)
         self.columns = [axis.columns() for axis in study.ordered_axes]
         self.sampler = Sampler(study.scatter, study.seed) if study.scatter is not None else None
-        self._groups_shape = tuple(axis.size for axis in study.axes if study.is_grouped(axis))
+        grouped = (axis.size for axis in study.axes if study.is_grouped(axis))
+        self._groups_shape = (len(study.cases_compared), *grouped)
         self._in_a_group = study.cases // math.prod(self._groups_shape)
+        self._listed = tuple(dict.fromkeys(self._own_bearings()))
         self._base_case = lru_cache(maxsize=256)(self._made_case)
-        self.balls = self._maximum_ball_count()
+        self.balls, self.rows = self._maximum_counts()
         self.chunk = chunk or self._bounded_chunk()
 
     @property
@@ -153,6 +161,9 @@ class Plan:
         """What each varied field takes in each of some cases; quantities in SI units."""
         places = self.places(first, last)
         taken: dict[str, NDArray[Any]] = {}
+        if self.study.variants:
+            taken[VARIANT] = np.array([one.name for one in self.study.compared])[places[0]]
+            places = places[1:]
         for columns, place in zip(self.columns, places, strict=False):
             for name, column in columns.items():
                 taken[name] = np.asarray(column)[place]
@@ -180,12 +191,12 @@ class Plan:
                     messages.append(str(error))
                 continue
             arrays["status"][cases] = found.status.number
-            self._put(arrays, cases, Evaluation(found))
+            self._put(arrays, cases, Evaluation(found), case)
         return Part(index, arrays, tuple(messages))
 
     def task(self, index: int) -> Task:
         """A chunk as a message to another process."""
-        return Task(self.text, self.chunk, index)
+        return Task(self.text, self.chunk, index, self._listed)
 
     @cached_property
     def text(self) -> str:
@@ -196,15 +207,19 @@ class Plan:
         """Status and outputs of so many cases, none of them solved."""
         arrays: dict[str, NDArray[Any]] = {"status": np.full(cases, INVALID_INPUT, np.int8)}
         for output in self.outputs:
-            shape = (cases, self.balls) if output.per_ball else (cases,)
+            shape = (cases, *{"ball": (self.balls,), "row": (self.rows,)}.get(output.along, ()))
             arrays[output.name] = np.full(shape, output.absent, output.dtype)
         return arrays
 
-    def _put(self, arrays: Mapping[str, NDArray[Any]], cases: Indices, given: Evaluation) -> None:
-        """Compute the outputs of a group, and put them to their places."""
+    def _put(
+        self, arrays: Mapping[str, NDArray[Any]], cases: Indices, given: Evaluation, case: Case
+    ) -> None:
+        """Compute the outputs that a group's case has, and put them to their places."""
         for output in self.outputs:
+            if self.study.variants and not supplied(output, case, self.study.varied):
+                continue
             values = output.compute(given)
-            if output.per_ball:
+            if output.along:
                 arrays[output.name][cases, : values.shape[1]] = values
             else:
                 arrays[output.name][cases] = values
@@ -219,13 +234,27 @@ class Plan:
     def _made_case(self, group: int) -> Case:
         """The base case of a group; the grouping axes are the first ones."""
         values: dict[str, Value] = {}
-        places = np.unravel_index(group, self._groups_shape) if self._groups_shape else ()
+        variant, *places = np.unravel_index(group, self._groups_shape)
+        case = self.study.cases_compared[int(variant)]
         for columns, place in zip(self.columns, places, strict=False):
             for name, column in columns.items():
                 if name not in array_fields():
                     value = column[int(place)]
                     values[name] = float(value) if isinstance(value, np.floating) else value
-        return base_case(self.study.case, values) if values else self.study.case
+        if not values:
+            return case
+        with listed(self._listed):
+            return base_case(case, values)
+
+    def _own_bearings(self) -> Iterator[CatalogueBearing]:
+        """The records outside the built-in catalogue by which the designations are found."""
+        for case in (self.study.case, *self.study.cases_compared):
+            told = case.bearing.told
+            yield from () if told is None else told.records
+        for columns in self.columns:
+            for designation in dict.fromkeys(columns.get("bearing.designation", ())):
+                with suppress(InputError):  # its cases will say so
+                    yield from geometry_of(str(designation), with_balls=False).records
 
     def _drawn(self, first: int, last: int) -> dict[str, Floats]:
         """Draws of some cases: a run of samples, that begins anew for each point of the axes."""
@@ -242,27 +271,30 @@ class Plan:
             drawn = {name: np.concatenate([drawn[name], again[name]]) for name in drawn}
         return drawn
 
-    def _maximum_ball_count(self) -> int:
-        """Of all the cases, over all rows, or somewhat more: the length of that dimension."""
-        bearing = self.study.case.bearing
+    def _maximum_counts(self) -> tuple[int, int]:
+        """Balls, over all rows, and rows of all the cases, or somewhat more: those dimensions."""
         columns = {name: column for columns in self.columns for name, column in columns.items()}
-        counts = columns.get("bearing.ball_count", ())
+        counts = [int(count) for count in columns.get("bearing.ball_count", ())]
         arrangements = columns.get("bearing.arrangement", ())
-        own = [place.bearing.ball_count for place in bearing.places]
-        if not len(counts) and not len(arrangements):
-            return sum(own)
-        rows = [len(own), *(len(ARRANGEMENTS[name]) for name in arrangements)]  # type: ignore[index]
-        return max(*own, *(int(count) for count in counts)) * max(rows)
+        rows = [len(ARRANGEMENTS[name]) for name in arrangements]  # type: ignore[index]
+        balls = []
+        for case in self.study.cases_compared:
+            own = [place.bearing.ball_count for place in case.bearing.places]
+            rows.append(len(own))
+            balls.append(sum(own))
+            counts += own
+        varies = len(columns.keys() & {"bearing.ball_count", "bearing.arrangement"}) > 0
+        return (max(counts) * max(rows) if varies else max(balls)), max(rows)
 
     def _bounded_chunk(self) -> int:
         bounded = min(max(_CELLS // self.balls, _FEWEST_CASES), _MOST_CASES)
         if self._is_slow():
             bounded = _FEWEST_CASES
-        return min(bounded, _MOST_GROUPS * self._in_a_group) if self._groups_shape else bounded
+        return min(bounded, _MOST_GROUPS * self._in_a_group)
 
     def _is_slow(self) -> bool:
         """Whether a case takes milliseconds, as far as the study tells."""
-        controls: set[object] = {self.study.case.model.raceway_control}
+        controls: set[object] = {one.model.raceway_control for one in self.study.cases_compared}
         for columns in self.columns:
             controls.update(columns.get("model.raceway_control", ()))
         return "friction" in controls or any(output.slow for output in self.outputs)
@@ -270,15 +302,17 @@ class Plan:
 
 def solve_task(task: Task, threads: int | None = 1) -> Part:
     """Solve one chunk; the study is read once for all its chunks."""
-    return _plan(task.study, task.chunk).solve(task.index, threads)
+    return _plan(task.study, task.chunk, task.listed).solve(task.index, threads)
 
 
 @lru_cache(maxsize=4)
-def _plan(study: str, chunk: int) -> Plan:
-    return Plan(parse_study(study, format="json"), chunk)
+def _plan(study: str, chunk: int, bearings: tuple[CatalogueBearing, ...]) -> Plan:
+    with listed(bearings):
+        return Plan(parse_study(study, format="json"), chunk)
 
 
 BALL: Final = "ball"
+ROW: Final = "row"
 _UNIT: Final = re.compile(r"[\d.+-]+(?:[eE][+-]?\d+)?\s*(.*)", re.DOTALL)
 
 
@@ -302,7 +336,7 @@ class Layout:
     Attributes
     ----------
     sizes
-        of all dimensions, ``"ball"`` included if there are outputs per ball
+        of all dimensions, ``"ball"`` and ``"row"`` included if there are outputs along them
     axes
         coordinates along the axes
     samples
@@ -314,11 +348,12 @@ class Layout:
     def __init__(self, plan: Plan) -> None:
         self.plan = plan
         study = plan.study
-        self.names = coordinate_names(study)
+        self.names = {**({VARIANT: VARIANT} if study.variants else {}), **coordinate_names(study)}
         self.dims = tuple(study.sizes)
         self.sizes = dict(study.sizes)
-        if any(output.per_ball for output in plan.outputs):
-            self.sizes[BALL] = plan.balls
+        for along, size in ((BALL, plan.balls), (ROW, plan.rows)):
+            if any(output.along == along for output in plan.outputs):
+                self.sizes[along] = size
         self.axes = tuple(self._along_axes())
         scattered = tuple(study.scatter.fields) if study.scatter is not None else ()
         self.samples = tuple(
@@ -355,15 +390,21 @@ class Layout:
         return attrs
 
     def _along_axes(self) -> Iterator[Variable]:
-        for axis, dim, columns in zip(
-            self.plan.study.ordered_axes, self.dims, self.plan.columns, strict=False
-        ):
+        study, dims = self.plan.study, self.dims
+        if study.variants:
+            names = np.array([one.name for one in study.compared])
+            attrs = {"long_name": variable_long_name(VARIANT)}
+            yield Variable(VARIANT, (VARIANT,), names.dtype, attrs, names)
+            dims = dims[1:]
+        for axis, dim, columns in zip(study.ordered_axes, dims, self.plan.columns, strict=False):
             for name, column in columns.items():
                 attrs = {**field_attrs(read_field(name)), **_given_unit(axis, name)}
                 values = np.asarray(column)
                 yield Variable(self.names[name], (dim,), values.dtype, attrs, values)
-        if BALL in self.sizes:
-            yield Variable(BALL, (BALL,), np.dtype(np.int64), {}, np.arange(self.plan.balls))
+        for along in (BALL, ROW):
+            if along in self.sizes:
+                numbers = np.arange(self.sizes[along])
+                yield Variable(along, (along,), np.dtype(np.int64), {}, numbers)
 
     def _status(self) -> Variable:
         attrs = {
@@ -375,7 +416,7 @@ class Layout:
 
     def _chosen(self) -> Iterator[Variable]:
         for output in self.plan.outputs:
-            dims = (*self.dims, BALL) if output.per_ball else self.dims
+            dims = (*self.dims, output.along) if output.along else self.dims
             attrs = {"units": output.unit, "long_name": output.long_name}
             yield Variable(output.name, dims, output.dtype, attrs)
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from hashlib import blake2b
-from typing import Annotated, Any, Final, Literal, NamedTuple, Self
+from typing import Annotated, Any, Final, Literal, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +29,7 @@ from rolamento.case.record import Record
 from rolamento.errors import InputError
 from rolamento.studies import fields
 from rolamento.studies.axes import FieldName
+from rolamento.studies.laws import Law, Lognormal, Normal, Triangular, Uniform, Weibull
 from rolamento.units import Dimension, from_si, to_si
 from rolamento.words import said
 
@@ -39,41 +40,8 @@ FARTHEST: Final = 30.0
 """Standard deviations from the mean within which a truncated distribution has to reach."""
 _LEAST_PIVOT: Final = 1e-12
 _LEAST_REST: Final = 1e-6
-
-
-class Law(NamedTuple):
-    """A distribution in numbers: normal of a mean, or uniform without one, between two bounds."""
-
-    mean: float | None
-    spread: float
-    low: float
-    high: float
-
-    def quantile(self, probability: Floats) -> Floats:
-        """Return the values below which the given shares of the draws lie; shares in (0, 1)."""
-        from scipy.special import ndtri
-
-        if self.mean is None:
-            drawn = self.low + (self.high - self.low) * probability
-        elif math.isinf(self.low) and math.isinf(self.high):
-            drawn = self.mean + self.spread * ndtri(probability)
-        else:
-            low, high = (self.low - self.mean) / self.spread, (self.high - self.mean) / self.spread
-            drawn = self.mean + self.spread * truncated_normal(probability, low, high)
-        return np.clip(drawn, self.low, self.high)
-
-
-def truncated_normal(probability: Floats, low: float, high: float) -> Floats:
-    """Quantile of the standard normal distribution cut off at two bounds.
-
-    In logarithms, and in the left tail whichever side it is: exact however far out the bounds.
-    """
-    from scipy.special import log_ndtr, ndtri_exp
-
-    if low > 0.0:
-        return -truncated_normal(1.0 - probability, -high, -low)
-    below = np.log1p(-probability) + log_ndtr(low)
-    return np.asarray(ndtri_exp(np.logaddexp(below, np.log(probability) + log_ndtr(high))))
+_GREATEST_HAZARD: Final = 0.5 * FARTHEST**2
+"""−ln of the share above the bound at which a Weibull distribution is cut off: as far out."""
 
 
 def factor_of(matrix: Floats) -> Floats:
@@ -163,16 +131,52 @@ def uniform(seed: int, name: str, first: int, last: int) -> Floats:
     return ((bits >> np.uint64(12)).astype(np.float64) + 0.5) * 2.0**-52
 
 
+_LEAST_FACTOR: Final = 1.0
+_MOST_SHAPE: Final = 1000.0
+
+_VALUES: Final = ("mean", "median", "mode", "least", "greatest")
+"""Parameters that are values of the field, within its limits."""
+_DIFFERENCES: Final = ("standard_deviation", "scale")
+"""Parameters that are differences of two values."""
+_KINDS: Final[Mapping[str, tuple[tuple[tuple[str, ...], ...], tuple[str, ...]]]] = {
+    "normal": ((("mean", "standard_deviation"),), ("least", "greatest")),
+    "uniform": ((("least", "greatest"),), ()),
+    "triangular": ((("least", "mode", "greatest"),), ()),
+    "lognormal": (
+        (("median", "factor"), ("mean", "standard_deviation")),
+        ("minimum", "least", "greatest"),
+    ),
+    "weibull": ((("shape", "scale"),), ("minimum", "least", "greatest")),
+}
+"""Of each distribution the parameters that it needs, in one of these sets, and what it may have."""
+
+
 class Distribution(Record):
     """How a field is scattered.
 
     Parameters
     ----------
     distribution
-        ``"normal"`` with `mean` and `standard_deviation`, cut off at `least` and `greatest` where
-        given; ``"uniform"`` from `least` to `greatest`.
-    mean, standard_deviation, least, greatest
-        As the field takes them: a quantity with its unit, in Python also an SI float.
+        ``"normal"`` with `mean` and `standard_deviation`; ``"lognormal"`` with `median` and
+        `factor`, or `mean` and `standard_deviation`; ``"weibull"`` with `shape` and `scale`; these
+        are cut off at `least` and `greatest` where given. ``"uniform"`` from `least` to
+        `greatest`; ``"triangular"`` from `least` by its `mode`, the most likely value, to
+        `greatest`.
+    mean, median, mode, least, greatest
+        As the field takes them: a quantity with its unit, in Python also an SI float. Mean and
+        median are those before it is cut off.
+    standard_deviation
+        Likewise, a difference; temperatures in K.
+    factor
+        Of a lognormal distribution: 68.3 % of the draws lie between median / factor and median ×
+        factor. Greater than 1.
+    shape
+        β of a Weibull distribution, F = 1 − exp(−((x − minimum) / scale)^β).
+    scale
+        η of a Weibull distribution, a difference: 63.2 % of the draws lie below minimum + scale.
+    minimum
+        Of a lognormal or Weibull distribution: what it exceeds; zero if not given. With one, median
+        / factor and median × factor are those of what exceeds it.
 
     Raises
     ------
@@ -180,18 +184,38 @@ class Distribution(Record):
         If a value is missing or stands beside one that excludes it.
     """
 
-    distribution: Literal["normal", "uniform"] = Field(examples=["normal"])
+    distribution: Literal["normal", "uniform", "triangular", "lognormal", "weibull"] = Field(
+        examples=["normal"]
+    )
     mean: Any = Field(None, examples=["40 deg"])
     standard_deviation: Any = Field(None, examples=["0.5 deg"])
+    median: Any = Field(None, examples=["40 deg"])
+    factor: Any = Field(None, examples=[1.5])
+    mode: Any = Field(None, examples=["40 deg"])
+    shape: Any = Field(None, examples=[1.5])
+    scale: Any = Field(None, examples=["2 deg"])
+    minimum: Any = Field(None, examples=["38 deg"])
     least: Any = Field(None, examples=["38 deg"])
     greatest: Any = Field(None, examples=["42 deg"])
 
     @model_validator(mode="after")
     def _complete(self) -> Self:
-        normal = self.distribution == "normal"
-        needed = ("mean", "standard_deviation") if normal else ("least", "greatest")
+        sets, further = _KINDS[self.distribution]
+        given = [name for name in _PARAMETERS if getattr(self, name) is not None]
+        needed = max(sets, key=lambda names: sum(name in given for name in names))
+        for name in given:
+            if name not in (*needed, *further):
+                raise InputError(
+                    said(
+                        "does not apply to a {distribution} distribution, which takes {known}",
+                        distribution=self.distribution,
+                        known=", ".join((*needed, *further)),
+                    ),
+                    field=name,
+                    value=getattr(self, name),
+                )
         for name in needed:
-            if getattr(self, name) is None:
+            if name not in given:
                 raise InputError(
                     said(
                         "is missing for a {distribution} distribution",
@@ -199,10 +223,6 @@ class Distribution(Record):
                     ),
                     field=name,
                 )
-        if not normal:
-            for name in ("mean", "standard_deviation"):
-                if getattr(self, name) is not None:
-                    raise InputError(said("does not apply to a uniform distribution"), field=name)
         return self
 
     def law(self, field: fields.Field, *, in_file: bool) -> Law:
@@ -223,35 +243,135 @@ class Distribution(Record):
                 field="greatest",
                 value=self.greatest,
             )
-        if self.distribution == "uniform":
-            return Law(None, 0.0, low, high)
+        match self.distribution:
+            case "uniform":
+                return Uniform(low, high)
+            case "triangular":
+                return self._triangular(field, in_file, low, high)
+            case "normal":
+                return self._normal(field, in_file, low, high)
+            case "lognormal":
+                law: Law = self._lognormal(field, in_file, low, high)
+            case "weibull":
+                law = self._weibull(field, in_file, low, high)
+        self._check_middle(field, law)
+        return law
+
+    def _triangular(
+        self, field: fields.Field, in_file: bool, low: float, high: float
+    ) -> Triangular:
+        mode = self._bound(field, "mode", in_file, low)
+        if not low <= mode <= high:
+            raise InputError(said("must be from least to greatest"), field="mode", value=self.mode)
+        return Triangular(low, mode, high)
+
+    def _normal(self, field: fields.Field, in_file: bool, low: float, high: float) -> Normal:
         mean = self._bound(field, "mean", in_file, 0.0)
-        spread = _spread(field, self.standard_deviation, in_file)
-        if not (low - mean) / spread < FARTHEST or not (high - mean) / spread > -FARTHEST:
+        spread = _difference(field, "standard_deviation", self.standard_deviation, in_file)
+        self._check_reach((low - mean) / spread, (high - mean) / spread)
+        return Normal(mean, spread, low, high)
+
+    def _lognormal(self, field: fields.Field, in_file: bool, low: float, high: float) -> Lognormal:
+        minimum = self._minimum(field, in_file)
+        name = "mean" if self.median is None else "median"
+        middle = self._bound(field, name, in_file, 0.0) - minimum
+        if not middle > 0.0:
             raise InputError(
-                said(
-                    "lies more than {most:.6g} standard deviations from the mean: nothing "
-                    "would be left",
-                    most=FARTHEST,
-                ),
-                field="least" if low > mean else "greatest",
-                value=self.least if low > mean else self.greatest,
+                said("must be greater than minimum, which is zero if it is not given"),
+                field=name,
+                value=getattr(self, name),
             )
-        return Law(mean, spread, low, high)
+        if name == "median":
+            factor = _number("factor", self.factor)
+            if not (factor > _LEAST_FACTOR and math.isfinite(factor)):
+                raise InputError(
+                    said("must be greater than 1"), field="factor", value=self.factor,
+                    example="factor = 1.5",
+                )  # fmt: skip
+            median, deviation = middle, math.log(factor)
+        else:
+            spread = _difference(field, "standard_deviation", self.standard_deviation, in_file)
+            # Johnson, Kotz and Balakrishnan (1994), eqs. 14.8a and b: of mean and variance
+            variance = math.log1p((spread / middle) ** 2)
+            median, deviation = middle * math.exp(-0.5 * variance), math.sqrt(variance)
+        law = Lognormal(minimum, median, deviation, low, high)
+        self._check_above_minimum(high, minimum)
+        ends = (
+            (math.log((bound - minimum) / median) if bound > minimum else -math.inf) / deviation
+            for bound in (low, high)
+        )
+        self._check_reach(*ends)
+        return law
+
+    def _weibull(self, field: fields.Field, in_file: bool, low: float, high: float) -> Weibull:
+        minimum = self._minimum(field, in_file)
+        shape = _number("shape", self.shape)
+        if not 0.0 < shape <= _MOST_SHAPE:
+            raise InputError(
+                said("must be greater than 0 and at most {most:.6g}", most=_MOST_SHAPE),
+                field="shape", value=self.shape, example="shape = 1.5",
+            )  # fmt: skip
+        law = Weibull(minimum, _difference(field, "scale", self.scale, in_file), shape, low, high)
+        self._check_above_minimum(high, minimum)
+        if law.hazard(low) > _GREATEST_HAZARD:
+            raise InputError(
+                said("lies so far above the scale that nothing would be left"),
+                field="least",
+                value=self.least,
+            )
+        return law
+
+    def _check_above_minimum(self, high: float, minimum: float) -> None:
+        if not high > minimum:
+            raise InputError(
+                said("must be greater than minimum, which is zero if it is not given"),
+                field="greatest",
+                value=self.greatest,
+            )
+
+    def _check_reach(self, low: float, high: float) -> None:
+        """Refuse bounds, in standard deviations from the mean, that leave nothing between them."""
+        if low < FARTHEST and high > -FARTHEST:
+            return
+        name = "least" if low >= FARTHEST else "greatest"
+        raise InputError(
+            said(
+                "lies more than {most:.6g} standard deviations from the mean: nothing "
+                "would be left",
+                most=FARTHEST,
+            ),
+            field=name,
+            value=getattr(self, name),
+        )
+
+    def _check_middle(self, field: fields.Field, law: Law) -> None:
+        """Refuse a distribution of which the field does not even take the median."""
+        middle = law.quantile(np.array([0.5]))
+        if field.bounds is None or bool(field.bounds.allows(middle)[0]):
+            return
+        raise InputError(
+            said(
+                "have a median of {median}, but the field must be {limits}",
+                median=str(field.written(float(middle[0]))),
+                limits=field.limits,
+            ),
+            field="scale" if self.distribution == "weibull" else "minimum",
+            example='minimum = "…", least = "…", greatest = "…"',
+        )
 
     def written(self, field: fields.Field) -> Distribution:
         """Return the distribution with its quantities as text, as a file has it."""
-        given = {name: getattr(self, name) for name in ("mean", "least", "greatest")}
-        texts = {
-            name: value if isinstance(value, str) else field.written(float(value))
-            for name, value in given.items()
-            if value is not None
-        }
-        spread = self.standard_deviation
-        if spread is not None and not isinstance(spread, str) and field.dimension is not None:
-            spread = from_si(float(spread), field.dimension)
-        if spread is not None:
-            texts["standard_deviation"] = spread
+        texts: dict[str, Any] = {}
+        for name in _PARAMETERS:
+            value = getattr(self, name)
+            if value is None:
+                continue
+            if not isinstance(value, str):
+                if name in (*_VALUES, "minimum"):
+                    value = field.written(float(value))
+                elif name in _DIFFERENCES and field.dimension is not None:
+                    value = _written_difference(float(value), field.dimension)
+            texts[name] = value
         return Distribution(distribution=self.distribution, **texts)
 
     def _bound(self, field: fields.Field, name: str, in_file: bool, default: float) -> float:
@@ -263,25 +383,54 @@ class Distribution(Record):
         except InputError as error:
             raise error.with_details(field=name) from None
 
+    def _minimum(self, field: fields.Field, in_file: bool) -> float:
+        """Return what the draws exceed: the field need not take it, but all that lies above."""
+        if self.minimum is None:
+            if field.dimension == "temperature":
+                raise InputError(
+                    said(
+                        "is missing: temperatures have no natural zero that a distribution of this"
+                        " kind could begin at"
+                    ),
+                    field="minimum",
+                    example='minimum = "20 degC"',
+                )
+            return 0.0
+        in_units = field.dimension is not None and (in_file or isinstance(self.minimum, str))
+        if in_units and not isinstance(self.minimum, str):
+            raise InputError(
+                said("needs a unit"), field="minimum", value=self.minimum, example=field.example
+            )
+        if not in_units:
+            return _number("minimum", self.minimum)
+        assert field.dimension is not None
+        try:
+            return to_si(self.minimum, field.dimension)
+        except InputError as error:
+            raise error.with_details(field="minimum") from None
 
-def _spread(field: fields.Field, value: object, in_file: bool) -> float:
-    """Return a standard deviation: of the field's dimension, but not within its limits."""
+
+_PARAMETERS: Final = tuple(name for name in Distribution.model_fields if name != "distribution")
+
+
+def _difference(field: fields.Field, name: str, value: object, in_file: bool) -> float:
+    """Return a positive difference: of the field's dimension, but not within its limits."""
     if field.dimension is not None and (in_file or isinstance(value, str)):
         if not isinstance(value, str):
             raise InputError(
                 said("needs a unit"),
-                field="standard_deviation",
+                field=name,
                 value=value,
                 example=field.example,
             )
         try:
             spread = difference_in_si(value, field.dimension)
         except InputError as error:
-            raise error.with_details(field="standard_deviation") from None
+            raise error.with_details(field=name) from None
     else:
-        spread = _number(value)
+        spread = _number(name, value)
     if not (spread > 0.0 and math.isfinite(spread)):
-        raise InputError(said("must be positive"), field="standard_deviation", value=value)
+        raise InputError(said("must be positive"), field=name, value=value)
     return spread
 
 
@@ -292,9 +441,14 @@ def difference_in_si(text: str, dimension: Dimension) -> float:
     return to_si(text, dimension)
 
 
-def _number(value: object) -> float:
+def _written_difference(value: float, dimension: Dimension) -> str:
+    """Write a difference of two quantities: of temperatures in K, which is no temperature."""
+    return f"{value!r} K" if dimension == "temperature" else from_si(value, dimension)
+
+
+def _number(name: str, value: object) -> float:
     if isinstance(value, bool) or not isinstance(value, int | float):
-        raise InputError(said("must be a number"), field="standard_deviation", value=value)
+        raise InputError(said("must be a number"), field=name, value=value)
     return float(value)
 
 

@@ -15,12 +15,13 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Final, Protocol
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.errors import InputError
+from rolamento.studies.laws import Law
 from rolamento.studies.tolerance import (
     FINEST,
     FLAT,
@@ -275,14 +276,6 @@ _MOST_RUNS: Final = 2**22
 _RUNS_AT_ONCE: Final = 2**14
 
 
-class HasQuantile(Protocol):
-    """A distribution: gives the value below which a share of the draws lies."""
-
-    def quantile(self, probability: Floats, /) -> Floats:
-        """Return values for shares in (0, 1)."""
-        ...
-
-
 @dataclass(frozen=True, slots=True, eq=False)
 class SobolIndices:
     """How the variance of each output is shared out among the inputs.
@@ -376,10 +369,11 @@ def _check_study(study: Study) -> None:
 
     if study.scatter is None:
         raise InputError(said("is missing: Sobol's indices need scattered fields"), field="scatter")
-    if study.axes:
-        raise InputError(
-            said("must be left out for Sobol's indices, which are of one point"), field="axes"
-        )
+    for name in ("axes", "variants"):
+        if getattr(study, name):
+            raise InputError(
+                said("must be left out for Sobol's indices, which are of one point"), field=name
+            )
     correlated = next((one for one in study.scatter.correlations if one.coefficient != 0.0), None)
     if correlated is not None:
         raise InputError(
@@ -391,21 +385,26 @@ def _check_study(study: Study) -> None:
             value=" and ".join(correlated.fields),
         )
     for output in outputs_of(study.outputs):
-        if output.per_ball:
+        if output.along:
             raise InputError(
                 said(
                     "is one value for each ball; Sobol's indices are for outputs of the "
                     "whole bearing"
+                )
+                if output.along == "ball"
+                else said(
+                    "is one value for each row; Sobol's indices are for outputs of the whole "
+                    "bearing"
                 ),
                 field="outputs",
                 value=output.name,
-                example=f"max_{output.name}",
+                example=f"max_{output.name}" if output.along == "ball" else "max_inner_load",
             )
 
 
 def sobol_of_model(
     model: Model,
-    distributions: Mapping[str, HasQuantile],
+    distributions: Mapping[str, Law],
     *,
     samples: int = 1024,
     seed: int = 0,
@@ -516,7 +515,7 @@ def _design(dimensions: int, samples: int, seed: int) -> Floats:
     return np.asarray(np.clip(drawn, 2.0**-53, 1.0 - 2.0**-53))
 
 
-def _draws(distribution: HasQuantile, shares: Floats) -> Floats:
+def _draws(distribution: Law, shares: Floats) -> Floats:
     return np.asarray(distribution.quantile(shares), dtype=np.float64)
 
 

@@ -7,6 +7,7 @@ import math
 import os
 import re
 from collections.abc import Iterable, Mapping
+from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any, Final, Self
 
@@ -30,22 +31,25 @@ from rolamento._reading import (
     parse_mapping,
     read_text,
 )
-from rolamento.case import Case, load_case
+from rolamento.case import Case, is_designation, load_case
 from rolamento.case.fields import OVERRIDE_SOURCE, overridden
 from rolamento.case.quantity import Count, Line, at_the_border
 from rolamento.case.record import Record
+from rolamento.case.variant import Variant, with_the_case
 from rolamento.errors import InputError
 from rolamento.studies import fields
 from rolamento.studies.axes import Axis
-from rolamento.studies.outputs import DEFAULT_OUTPUTS, outputs_of, refuse_missing
+from rolamento.studies.outputs import DEFAULT_OUTPUTS, outputs_of, refuse_missing, supplied
 from rolamento.studies.scatter import MOST_CASES, Scatter
 from rolamento.studies.solving import array_fields
 from rolamento.words import said
 
 SAMPLE: Final = "sample"
 """The dimension of scatter."""
+VARIANT: Final = "variant"
+"""The dimension of variants."""
 
-_RESERVED: Final = (SAMPLE, "status", "ball", "row", "case")
+_RESERVED: Final = (SAMPLE, VARIANT, "status", "ball", "row", "case")
 _MOST_AXES: Final = 8
 _MOST_OUTPUTS: Final = 100
 MOST_GROUPS: Final = 10_000
@@ -65,6 +69,10 @@ class Study(Record):
         Of the scatter.
     outputs
         Names of the catalogue; ``rolamento sweep --list outputs`` shows it.
+    variants
+        `Variant` records: cases that differ in some fields, side by side, the first dimension of
+        the result, ``"variant"``. The case itself is the first of them, unless a variant without
+        changes names it.
     axes
         `Axis` records, at most 8: the dimensions of the result, the first the slowest, but those
         whose values need a case each (numbers of balls, names) before the others.
@@ -85,6 +93,7 @@ class Study(Record):
     outputs: tuple[Annotated[str, Field(strict=True, max_length=100)], ...] = Field(
         DEFAULT_OUTPUTS, min_length=1, max_length=_MOST_OUTPUTS, examples=['["x", "stiffness_zz"]']
     )
+    variants: tuple[Variant, ...] = ()
     axes: tuple[Axis, ...] = Field((), max_length=_MOST_AXES)
     scatter: Scatter | None = None
 
@@ -92,8 +101,19 @@ class Study(Record):
     def sizes(self) -> dict[str, int]:
         """Length of each dimension, in order."""
         names = dict(zip(map(id, self.axes), _dimension_names(self), strict=True))
-        sizes = {names[id(axis)]: axis.size for axis in self.ordered_axes}
+        sizes = {VARIANT: len(self.compared)} if self.variants else {}
+        sizes |= {names[id(axis)]: axis.size for axis in self.ordered_axes}
         return {**sizes, SAMPLE: self.scatter.count} if self.scatter is not None else sizes
+
+    @property
+    def compared(self) -> tuple[Variant, ...]:
+        """The variants with the case itself; none where nothing is compared."""
+        return with_the_case(self.variants)
+
+    @cached_property
+    def cases_compared(self) -> tuple[Case, ...]:
+        """The case, or that of each variant."""
+        return tuple(one.of(self.case) for one in self.compared) or (self.case,)
 
     @property
     def ordered_axes(self) -> tuple[Axis, ...]:
@@ -118,11 +138,12 @@ class Study(Record):
 
     @model_validator(mode="after")
     def _sound(self) -> Self:
-        refuse_missing(outputs_of(self.outputs), self.case, self.varied)
+        self._check_variants()
+        self._check_outputs()
         for name in self.outputs:
             if self.outputs.count(name) > 1:
                 raise InputError(said("occurs twice"), field="outputs", value=name)
-        if not self.axes and self.scatter is None:
+        if not self.axes and self.scatter is None and not self.variants:
             raise InputError(
                 said("is missing: give axes, a scatter, or both"),
                 field="axes",
@@ -132,6 +153,32 @@ class Study(Record):
         self._check_names()
         self._check_numbers()
         return self
+
+    def _check_variants(self) -> None:
+        """Refuse variants that are none of this case, or that what varies would undo."""
+        given = {variant.name: number for number, variant in enumerate(self.variants)}
+        for variant in self.compared:
+            at = f"variants.{given.get(variant.name, 0)}.changes"
+            for name in variant.changes:
+                if name in self.varied:
+                    raise InputError(
+                        said("varies in the study: its values there would take the place of this"),
+                        field=f"{at}.{name}",
+                        value=str(variant.changes[name]),
+                    )
+            try:
+                variant.of(self.case)
+            except InputError as error:
+                raise error.with_details(field=f"{at}.{error.field}".rstrip(".")) from None
+
+    def _check_outputs(self) -> None:
+        """Refuse an output that no case has."""
+        outputs = outputs_of(self.outputs)
+        for output in outputs:
+            if not any(supplied(output, case, self.varied) for case in self.cases_compared):
+                refuse_missing([output], self.case, self.varied)
+        if not self.variants:
+            refuse_missing(outputs, self.case, self.varied)
 
     def _check_fields(self) -> None:
         varied = self.varied
@@ -167,6 +214,7 @@ class Study(Record):
                 field="axes" if self.axes else "scatter.count",
             )
         groups = math.prod(axis.size for axis in self.axes if self.is_grouped(axis))
+        groups *= len(self.cases_compared)
         if groups > MOST_GROUPS:
             raise InputError(
                 said(
@@ -243,7 +291,9 @@ def case_file_of(path: str | os.PathLike[str]) -> Path | None:
     """
     text, source = read_text(path)
     case = parse_mapping(text, format_of_path(path) or format_of_text(text), source).get("case")
-    return Path(path).parent / case if isinstance(case, str) and case else None
+    if not isinstance(case, str) or not case or is_designation(case, Path(path).parent):
+        return None
+    return Path(path).parent / case
 
 
 def load_study(path: str | os.PathLike[str], overrides: Iterable[str] = ()) -> Study:
@@ -253,7 +303,7 @@ def load_study(path: str | os.PathLike[str], overrides: Iterable[str] = ()) -> S
     ----------
     path
         A TOML or JSON file; ``"-"`` for standard input. A case that it names is looked for beside
-        it.
+        it; what is no file is a designation.
     overrides
         Settings ``KEY=VALUE`` that go over the case, such as ``"duty.load.fz=10 kN"``.
 
@@ -328,7 +378,8 @@ def _case_of(mapping: Mapping[str, Any], folder: Path, settings: tuple[str, ...]
         return None
     if isinstance(given, str):
         try:
-            return load_case(folder / given, settings)
+            named = is_designation(given, folder)
+            return load_case(given if named else folder / given, settings)
         except InputError as error:
             raise error.with_details(source=error.source or given) from None
     if not isinstance(given, dict):

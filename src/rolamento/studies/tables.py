@@ -14,7 +14,7 @@ import pyarrow.csv
 import pyarrow.parquet
 
 from rolamento.status import STATUS_NAMES
-from rolamento.studies.plan import BALL, Layout, Part, Plan, Variable
+from rolamento.studies.plan import BALL, ROW, Layout, Part, Plan, Variable
 from rolamento.studies.study import SAMPLE
 
 __all__ = ["ATTRIBUTES", "csv_writer", "parquet_writer"]
@@ -84,6 +84,7 @@ def parquet_writer(
     record = {
         "sizes": {name: layout.sizes[name] for name in layout.dims},
         "balls": layout.sizes.get(BALL, 0),
+        "rows": layout.sizes.get(ROW, 0),
         "attributes": layout.attrs(counts, messages),
     }
     fields = [
@@ -108,9 +109,9 @@ def _columns(layout: Layout) -> list[tuple[str, str, Any]]:
         unit, kind = _unit_and_type(variable)
         if variable.name == "status":
             columns.append((variable.name, "", pa.string()))
-        elif BALL in variable.dims:
+        elif (along := variable.dims[-1]) in (BALL, ROW):
             columns += [
-                (f"{variable.name}_{ball}", unit, kind) for ball in range(layout.sizes[BALL])
+                (f"{variable.name}_{place}", unit, kind) for place in range(layout.sizes[along])
             ]
         else:
             columns.append((variable.name, unit, kind))

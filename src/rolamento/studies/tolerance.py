@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 from rolamento.case.bearing import Bearing
 from rolamento.clearance.effects import EXPANSION_100CR6, clearance_change_of_rings
 from rolamento.errors import InputError
+from rolamento.numerics.percentiles import percentile_of_sorted
 from rolamento.studies.study import SAMPLE
 from rolamento.words import said
 
@@ -253,7 +254,7 @@ def tolerance_bands(
     InputError
         If the result has no scatter, or a percentile is out of range.
 
-    The percentile is the median-unbiased one, Hyndman and Fan (1996), definition 8.
+    The percentile is that of `rolamento.numerics.percentiles`, as on figures.
     """
     wanted = checked_percentiles(percentiles)
     if not 0.0 < confidence < 1.0:
@@ -334,22 +335,12 @@ def _moments(values: Floats) -> tuple[float, float]:
 def _quantile(ordered: Floats, percent: float, confidence: float) -> tuple[float, float, float]:
     """Percentile of sorted values, and the ends of its interval."""
     count, share = len(ordered), percent / 100.0
-    place = (count + 1.0 / 3.0) * share - 2.0 / 3.0  # counted from 0
     low, high = _order_statistics(count, share, confidence)
     return (
-        _between(ordered, place),
+        percentile_of_sorted(ordered, percent),
         float(ordered[low]) if low >= 0 else np.nan,
         float(ordered[high]) if high < count else np.nan,
     )
-
-
-def _between(ordered: Floats, place: float) -> float:
-    """Value at a place between two neighbours; NaN beyond the ends."""
-    if not 0.0 <= place <= len(ordered) - 1:
-        return float("nan")
-    below = min(int(place), max(len(ordered) - 2, 0))
-    above = min(below + 1, len(ordered) - 1)
-    return float(ordered[below] + (place - below) * (ordered[above] - ordered[below]))
 
 
 @lru_cache(maxsize=4096)

@@ -18,7 +18,16 @@ if TYPE_CHECKING:
     from rolamento.tasks.life_over import LifeCurve, life_curve
     from rolamento.tasks.life_spectrum import DutyLife, SpectrumLife, life_under, read_spectrum
     from rolamento.tasks.noise import FullScale, NoiseResult, anderons
+    from rolamento.tasks.replace import (
+        FleetStudy,
+        RemainingStudy,
+        ReplacementStudy,
+        fleet_study,
+        remaining_study,
+        replacement_study,
+    )
     from rolamento.tasks.report import CaseReport, Report, report_on
+    from rolamento.tasks.severity import SeverityResult, severity_of
     from rolamento.tasks.studies import Sweep, sweep, tolerance
     from rolamento.tasks.synthesis import SynthesisResult, Unsolved, synthesise
     from rolamento.tasks.weibull import (
@@ -40,7 +49,16 @@ _NAMES_OF_MODULES: Final = {
     "life_over": ("LifeCurve", "life_curve"),
     "life_spectrum": ("DutyLife", "SpectrumLife", "life_under", "read_spectrum"),
     "noise": ("FullScale", "NoiseResult", "anderons"),
+    "replace": (
+        "FleetStudy",
+        "RemainingStudy",
+        "ReplacementStudy",
+        "fleet_study",
+        "remaining_study",
+        "replacement_study",
+    ),
     "report": ("CaseReport", "Report", "report_on"),
+    "severity": ("SeverityResult", "severity_of"),
     "studies": ("Sweep", "sweep", "tolerance"),
     "synthesis": ("SynthesisResult", "Unsolved", "synthesise"),
     "weibull": (
@@ -64,13 +82,17 @@ __all__ = [
     "DiagnosisResult",
     "Drawing",
     "DutyLife",
+    "FleetStudy",
     "FrequencyResult",
     "FullScale",
     "Kind",
     "LifeCurve",
     "NoiseResult",
     "PrecisionStudy",
+    "RemainingStudy",
+    "ReplacementStudy",
     "Report",
+    "SeverityResult",
     "ShaftLife",
     "SpectrumLife",
     "Sweep",
@@ -84,6 +106,7 @@ __all__ = [
     "draw",
     "example_case",
     "fault_frequencies",
+    "fleet_study",
     "life_curve",
     "life_of_case",
     "life_of_shaft",
@@ -91,7 +114,10 @@ __all__ = [
     "life_under",
     "precision_study",
     "read_spectrum",
+    "remaining_study",
+    "replacement_study",
     "report_on",
+    "severity_of",
     "sweep",
     "synthesise",
     "tolerance",

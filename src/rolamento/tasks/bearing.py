@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from math import pi
 from typing import TYPE_CHECKING, Final
 
-from rolamento.case import Case, load_case, override, parse_case
+from rolamento.case import Case, load_case, override
 from rolamento.case.bearing import Bearing
 from rolamento.case.duty import AXES, LOADS, Duty
 from rolamento.errors import InputError
@@ -21,18 +21,6 @@ BearingLike = str | os.PathLike[str] | Bearing | Case
 """A designation, a case file (``"-"``: on standard input), a bearing or a case."""
 
 _ANGLE_EXAMPLE: Final = 'angle="zero", angle="free" or angle="15 deg"'
-
-
-def is_designation(bearing: BearingLike) -> bool:
-    """Tell a designation from a file: by its ending, or by its being there."""
-    if not isinstance(bearing, str) or bearing == "-":
-        return False
-    if bearing.lower().endswith((".toml", ".json")):
-        return False
-    try:
-        return not os.path.isfile(bearing)
-    except ValueError:
-        return True
 
 
 def case_of(
@@ -62,8 +50,6 @@ def case_of(
     elif isinstance(bearing, Bearing):
         case = Case(bearing=bearing, duty=Duty())
         case = override(case, settings) if settings else case
-    elif is_designation(bearing):
-        case = _case_of_designation(str(bearing), settings)
     else:
         case = load_case(bearing, settings)
     return at_speeds(case, inner_speed, outer_speed)
@@ -95,21 +81,6 @@ def at_speeds(case: Case, inner_speed: float | None, outer_speed: float | None) 
             example = f'{parameter}="1797 rpm"'
             raise InputError(error.rule, field=parameter, value=given, example=example) from None
     return case
-
-
-def _case_of_designation(designation: str, settings: Sequence[str]) -> Case:
-    import json
-
-    named = {"bearing": {"designation": designation}, "duty": {}}
-    try:
-        return parse_case(json.dumps(named), format="json", overrides=settings)
-    except InputError as error:
-        if error.source:
-            raise
-        # the case behind a designation is none of the user's: no line of it is worth telling
-        raise InputError(
-            error.rule, field=error.field, value=error.value, example=error.example
-        ) from None
 
 
 def has_load(case: Case) -> bool:

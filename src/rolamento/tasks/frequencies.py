@@ -7,6 +7,7 @@ from dataclasses import asdict, dataclass
 from math import isfinite
 from typing import Any, Final
 
+from rolamento.case import is_designation
 from rolamento.case.bearing import Bearing
 from rolamento.errors import InputError
 from rolamento.solution import solve
@@ -16,7 +17,6 @@ from rolamento.tasks.bearing import (
     angle_of,
     case_of,
     has_load,
-    is_designation,
     name_of,
 )
 from rolamento.tasks.parameters import speed_of

@@ -447,7 +447,7 @@ def lives_over_load(solved: Solved, *, points: int = _POINTS) -> LoadLives:
         by_reference=by_reference,
         pressure=np.fmax(*(c.max_pressure.max(axis=1) for c in loaded.contacts.values())),
         theories=found.theories,
-        fatigue_load=float(own.ratings.fatigue_of_set[0] / own.ratings.dynamic_of_set[0]),
+        fatigue_load=float(own.ratings.fatigue_in_factor[0] / own.ratings.dynamic_of_set[0]),
         own=place,
     )
 

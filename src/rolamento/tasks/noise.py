@@ -4,19 +4,22 @@ from __future__ import annotations
 
 import csv
 import os
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import asdict, dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, dataclass
 from functools import cached_property
 from io import StringIO
 from math import isfinite, nan
 from typing import Any, Final, Literal, Unpack
 
-import numpy as np
-
 from rolamento._json import csv_number
 from rolamento.errors import InputError
 from rolamento.tasks.parameters import Progress, Stages, quietly, speed_of
-from rolamento.tasks.signals import PIECE, Reading
+from rolamento.tasks.signals import (
+    Reading,
+    blocks_at,
+    require_calibrated,
+    unit_of_full_scale,
+)
 from rolamento.vibration.anderon import (
     ACCEPTED,
     BANDS,
@@ -29,7 +32,6 @@ from rolamento.vibration.anderon import (
 )
 from rolamento.vibration.anderon_trend import AnderonRecord, AnderonTrend, trend_of
 from rolamento.vibration.reading import SignalFile, open_signal
-from rolamento.vibration.signal import Signal
 from rolamento.words import Note, said
 
 SCHEMA: Final = 2
@@ -324,7 +326,7 @@ def anderons(
                         title=source.path.name,
                         noise=noise,
                         hours=time,
-                        scaled_unit=_unit_of_full_scale(source, reading),
+                        scaled_unit=unit_of_full_scale(source, reading),
                         sensitivity="" if scale is None else str(scale),
                         reading_notes=source.notes,
                         choices=source.choices,
@@ -341,23 +343,7 @@ def anderons(
 
 def _noise_of(source: SignalFile, path: str, speed: float | None, progress: Progress) -> Noise:
     """Measure a file whose unit is known, at the speed that is given, if one is."""
-    if source.quantity == "unknown":
-        unit = source.unit
-        raise InputError(
-            said(
-                "is not in the file: give the unit of a velocity, an acceleration or a "
-                "displacement, or the sensitivity of the sensor"
-            )
-            if unit in ("", "1")
-            else said(
-                'is "{unit}": give the unit of a velocity, an acceleration or a '
-                "displacement, or the sensitivity of the sensor",
-                unit=unit,
-            ),
-            field="unit",
-            example='unit="um/s", unit="m/s^2" or scale="100 mV/g"',
-            source=path,
-        )
+    require_calibrated(source, path)
     if source.rate > _HIGHEST_RATE:
         raise InputError(
             said("must be at most {most:.6g} Hz: the bands end at 10 kHz", most=_HIGHEST_RATE),
@@ -365,23 +351,10 @@ def _noise_of(source: SignalFile, path: str, speed: float | None, progress: Prog
             value=source.rate,
             source=path,
         )
-
-    def blocks() -> Iterator[Signal]:
-        for place, block in enumerate(source.blocks(PIECE), start=1):
-            yield block if speed is None else replace(block, speed=np.asarray(speed))
-            progress(place, -(-source.length // PIECE))
-
     try:
-        return measure_noise(blocks())
+        return measure_noise(blocks_at(source, speed, progress))
     except InputError as error:
         raise error.with_details(source=path) from None
-
-
-def _unit_of_full_scale(source: SignalFile, reading: Reading) -> str:
-    """Return the unit that a recorder's full scale is taken for; "" if nothing of the kind is."""
-    if source.channel.unit != "1" or reading.get("scale") is not None:
-        return ""
-    return reading.get("unit") or ""
 
 
 def _check_speeds(found: NoiseResult) -> None:

@@ -18,7 +18,7 @@ from rolamento._json import dumps, plain
 from rolamento._reading import format_of_path, format_of_text, parse_mapping, read_text
 from rolamento.analysis import Analysis, analyse
 from rolamento.analysis.needs import has_life, has_oil
-from rolamento.case import Case, parse_case
+from rolamento.case import Case, is_designation, parse_case
 from rolamento.case.fields import Field, fields_of
 from rolamento.case.film_model import FilmModel
 from rolamento.case.life_model import LifeModel
@@ -28,7 +28,7 @@ from rolamento.life.iso281 import MAXIMUM_LOAD
 from rolamento.lubrication.film_thickness import COMPUTED_RANGE
 from rolamento.notes import SPEED_LIMIT, STATIC_PRESSURE_LIMIT, TILT_LIMIT
 from rolamento.solved import RACES
-from rolamento.tasks.bearing import BearingLike, case_of, is_designation
+from rolamento.tasks.bearing import BearingLike, case_of
 from rolamento.units import Dimension
 from rolamento.words import said
 
@@ -152,12 +152,15 @@ class CaseReport:
 
     @cached_property
     def clearance(self) -> Any:
-        """The chain of clearances (`OperatingClearance`) of a mounted bearing; else None."""
+        """The chain of clearances (`OperatingClearance`) of a mounted bearing; else None.
+
+        Of a set that of its first row.
+        """
         if self.case.mounting is None:
             return None
-        from rolamento.clearance import clearance_of_case
+        from rolamento.tasks.clearance import mounted_clearance
 
-        return clearance_of_case(self.case)
+        return mounted_clearance(self.case).rows[0]
 
     @cached_property
     def checksum(self) -> str:

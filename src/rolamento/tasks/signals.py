@@ -10,6 +10,7 @@ from typing import Final, TypedDict
 import numpy as np
 
 from rolamento.errors import InputError
+from rolamento.tasks.parameters import Progress
 from rolamento.vibration.reading import SignalFile
 from rolamento.vibration.signal import Signal
 from rolamento.words import said
@@ -132,3 +133,48 @@ def _joined(pieces: list[Signal]) -> Signal:
         speed = np.concatenate([piece.speed for piece in pieces if piece.speed is not None])
     samples = np.concatenate([piece.samples for piece in pieces])
     return replace(pieces[0], samples=samples, speed=speed)
+
+
+# --- signals whose size counts ---------------------------------------------------------------
+
+
+def require_calibrated(source: SignalFile, path: str) -> None:
+    """Refuse a file of which nobody knows what its samples are worth.
+
+    Raises
+    ------
+    InputError
+        With what has to be given.
+    """
+    if source.quantity != "unknown":
+        return
+    unit = source.unit
+    raise InputError(
+        said(
+            "is not in the file: give the unit of a velocity, an acceleration or a "
+            "displacement, or the sensitivity of the sensor"
+        )
+        if unit in ("", "1")
+        else said(
+            'is "{unit}": give the unit of a velocity, an acceleration or a '
+            "displacement, or the sensitivity of the sensor",
+            unit=unit,
+        ),
+        field="unit",
+        example='unit="um/s", unit="m/s^2" or scale="100 mV/g"',
+        source=path,
+    )
+
+
+def blocks_at(source: SignalFile, speed: float | None, progress: Progress) -> Iterator[Signal]:
+    """Read a file block by block, at a speed (rad/s) if one is given; tell how far that is."""
+    for place, block in enumerate(source.blocks(PIECE), start=1):
+        yield block if speed is None else replace(block, speed=np.asarray(speed))
+        progress(place, -(-source.length // PIECE))
+
+
+def unit_of_full_scale(source: SignalFile, reading: Reading) -> str:
+    """Return the unit that a recorder's full scale is taken for; "" if nothing of the kind is."""
+    if source.channel.unit != "1" or reading.get("scale") is not None:
+        return ""
+    return reading.get("unit") or ""

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
 from rolamento._reading import format_of_path
+from rolamento.case.variant import named
 from rolamento.errors import FileError, InputError
 from rolamento.studies.sensitivity import ToleranceStudy, sobol
 from rolamento.studies.study import Study, case_file_of, load_study
@@ -19,9 +20,10 @@ from rolamento.studies.tolerance import (
 from rolamento.words import marked, said
 
 if TYPE_CHECKING:
+    from rolamento.case.variant import Variant
     from rolamento.studies.runner import Executor, Progress, Summary
 
-__all__ = ["Sweep", "sweep", "tolerance"]
+__all__ = ["Sweep", "sweep", "tolerance", "with_variants"]
 
 _STANDARD_INPUT: Final = "-"
 
@@ -39,6 +41,7 @@ def sweep(
     result: str | os.PathLike[str] | None = None,
     *,
     settings: Iterable[str] = (),
+    variants: Iterable[Variant] = (),
     threads: int | None = None,
     scheduler: str | None = None,
     restart: bool = False,
@@ -55,6 +58,8 @@ def sweep(
         NetCDF in the current directory.
     settings
         ``KEY=VALUE`` that go over the case of a study file.
+    variants
+        To be compared with the case, beside those of the study.
     threads
         As many as there are processors by default.
     scheduler
@@ -85,8 +90,30 @@ def sweep(
         target = Path(result or f"{name}.nc")
         _check_target(target, os.fspath(study))
         loaded = load_study(study, settings)
+    loaded = with_variants(loaded, variants)
     summary = run_to_file(loaded, target, executor=executor, restart=restart, progress=progress)
     return Sweep(loaded, summary)
+
+
+def with_variants(study: Study, variants: Iterable[Variant]) -> Study:
+    """Return a study that compares further variants.
+
+    Raises
+    ------
+    InputError
+        If they do not go with its case, or two have one name.
+    """
+    added = tuple(variants)
+    if not added:
+        return study
+    try:
+        return study.replace(variants=(*study.variants, *added))
+    except InputError as error:
+        if not error.field.startswith("variants."):
+            raise
+        place, _, field = error.field.removeprefix("variants.").partition(".changes")
+        name = (*study.variants, *added)[int(place)].name
+        raise named(error, name, field.lstrip(".")) from None
 
 
 def _executor(threads: int | None, scheduler: str | None) -> Executor:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any, Final
@@ -11,6 +12,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
+from rolamento.numerics.growth import Forecast, Law, forecast
+from rolamento.vibration.reading.units import spelled
 from rolamento.weibull import (
     Demonstration,
     Estimand,
@@ -38,6 +41,7 @@ if TYPE_CHECKING:
 __all__ = [
     "DemonstrationStudy",
     "PrecisionStudy",
+    "TrendLimit",
     "TrendStudy",
     "demonstration_study",
     "life_test_study",
@@ -53,6 +57,7 @@ SHAPES: Final = (0.8, 1.0, 1.2, 1.5, 2.0, 2.5, 3.0)
 """Shapes of which it is told what the same test would show."""
 _OTHER_FAILURES: Final = (0, 1, 2)
 """Failures allowed in the tests that stand beside the one that is planned."""
+_LIMIT: Final = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,3})?)\s*(.{0,20})")
 _SAMPLES, _FEWEST_SAMPLES = 10_000, 1000
 _MAXIMUM_DRAWN: Final = 5_000_000
 """Bearings in all drawn tests together, if it is left to the program."""
@@ -105,7 +110,7 @@ def life_test_study(
         test = read_life_test(data, **(columns or {}))
     else:
         test = LifeTest.of(data)
-    test = _only_groups(test, only)
+    test = only_groups(test, only)
     asked = Wanted(
         times=tuple(life_in(time, test.unit, "times") for time in times),
         calculated={
@@ -118,7 +123,7 @@ def life_test_study(
     return summarise(test, asked, by_group=by_group, progress=progress)
 
 
-def _only_groups(test: LifeTest, names: Sequence[str]) -> LifeTest:
+def only_groups(test: LifeTest, names: Sequence[str]) -> LifeTest:
     if not names:
         return test
     known = list(dict.fromkeys(str(name) for name in test.group))
@@ -342,12 +347,42 @@ def _life_and_unit(life: float | str) -> tuple[float, str]:
 # --- what grew while bearings ran ------------------------------------------------------------
 
 
+@dataclass(frozen=True, slots=True)
+class TrendLimit:
+    """When a quantity of a bearing reaches a limit; in the units of the trend.
+
+    Attributes
+    ----------
+    bearing
+        its name; "" of the only one
+    quantity
+        place of the column
+    forecast
+        by both laws of growth
+    """
+
+    bearing: str
+    quantity: int
+    forecast: Forecast
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class TrendStudy:
-    """What was measured while bearings ran, and the laws of wear fitted to it, by the bearings."""
+    """What was measured while bearings ran, and what follows from it.
+
+    Attributes
+    ----------
+    trend
+        the record
+    fits
+        laws of wear, by the bearings
+    limits
+        when limits are reached, those that were asked for
+    """
 
     trend: Trend
     fits: Mapping[str, WearFit]
+    limits: tuple[TrendLimit, ...] = ()
 
     def to_mapping(self) -> dict[str, Any]:
         """Give the record as plain values; the fits in SI units."""
@@ -356,6 +391,14 @@ class TrendStudy:
             "kind": "trend",
             **self.trend.to_mapping(),
             "wear": {name: asdict(fit) for name, fit in self.fits.items()},
+            "limits": [
+                {
+                    "bearing": one.bearing,
+                    "quantity": self.trend.quantities[one.quantity],
+                    **one.forecast.to_mapping(),
+                }
+                for one in self.limits
+            ],
         }
 
 
@@ -363,6 +406,9 @@ def trend_study(
     data: Trend | str | os.PathLike[str],
     *,
     law: WearLaw | None = None,
+    limits: Sequence[float | str] = (),
+    growth: Law | None = None,
+    confidence: float = 0.9,
     columns: Mapping[str, Any] | None = None,
 ) -> TrendStudy:
     """Read what grew while bearings ran, and fit a law of wear where it is a clearance.
@@ -374,14 +420,25 @@ def trend_study(
     law
         Of wear. By default running-in, and none where the first quantity is no length or was
         measured too seldom.
+    limits
+        Of quantities, of which the time until they are reached is sought: a number, in the unit of
+        the only quantity; or a text such as "4.5 mm/s" or "velocity = 4.5 mm/s".
+    growth
+        "linear" or "exponential", to those limits; by default the likelier law.
+    confidence
+        Of the intervals of those times.
     columns
         Of a file, as of `read_trend`.
 
     Raises
     ------
     FileError, InputError
-        If the data are no such record, or the law that was asked for cannot be fitted.
+        If the data are no such record, the law that was asked for cannot be fitted, or a limit is
+        none.
     """
+    if not 0.0 < confidence < 1.0:
+        rule = said("must be between 0 and 1, exclusive")
+        raise InputError(rule, field="confidence", value=confidence, example="0.9")
     trend = data if isinstance(data, Trend) else read_trend(data, **(columns or {}))
     try:
         fits = wear_of_each(trend, law or "running_in")
@@ -389,4 +446,36 @@ def trend_study(
         if law is not None:
             raise
         fits = {}
-    return TrendStudy(trend, fits)
+    found = []
+    for given in limits:
+        place, limit = _limit_of(trend, given)
+        for name in trend.names:
+            times, values = trend.of_bearing(name, place)
+            if len(times):
+                when = forecast(times, values, limit, confidence=confidence, law=growth)
+                found.append(TrendLimit(name if len(trend.names) > 1 else "", place, when))
+    return TrendStudy(trend, fits, tuple(found))
+
+
+def _limit_of(trend: Trend, given: float | str) -> tuple[int, float]:
+    """Place of the quantity that a limit is of, and the limit in its unit."""
+    name, equals, text = str(given).rpartition("=")
+    known = [quantity.casefold() for quantity in trend.quantities]
+    example = f"{trend.quantities[0]} = 4.5 {trend.units[0]}".strip()
+    rule, place = "", 0
+    if equals and name.strip().casefold() in known:
+        place = known.index(name.strip().casefold())
+    elif equals or len(known) > 1:
+        rule = said(
+            "must name its quantity; the table has {known}", known=", ".join(trend.quantities)
+        )
+    unit = trend.units[place]
+    match = _LIMIT.fullmatch(text.strip())
+    value = float(match[1]) if match else float("nan")
+    if not rule and not (match and 0.0 < value < float("inf")):
+        rule = said("must be a positive number")
+    if not rule and match and match[2] and spelled(match[2]) != spelled(unit):
+        rule = said("must be in the unit of the data, {unit}", unit=unit)
+    if rule:
+        raise InputError(rule, field="limits", value=given, example=example)
+    return place, value

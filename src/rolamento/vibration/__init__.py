@@ -13,12 +13,10 @@ if TYPE_CHECKING:
         BANDS,
         BandNoise,
         NoiseSteps,
-        Velocity,
         accept,
         anderons_of_velocity,
         measure_noise,
         noise_steps,
-        velocity_of,
         velocity_of_anderons,
     )
     from rolamento.vibration.anderon_trend import AnderonRecord, AnderonTrend, trend_of
@@ -60,6 +58,15 @@ if TYPE_CHECKING:
     )
     from rolamento.vibration.reading import SignalFile, channels_of, open_signal, read_signal
     from rolamento.vibration.separation import Separation, separate
+    from rolamento.vibration.severity import (
+        AlarmSetting,
+        MachineClass,
+        Severity,
+        alarm_setting,
+        classes_of,
+        machine_classes,
+        measure_severity,
+    )
     from rolamento.vibration.shaft_speed import (
         SpeedEstimate,
         estimate_speed,
@@ -93,30 +100,32 @@ if TYPE_CHECKING:
         recipe_of,
         synthesise,
     )
+    from rolamento.vibration.velocity import Velocity, velocity_of
     from rolamento.vibration.writing import write_signal
 
 __all__ = [
-    "BANDS", "FAULTS", "Alternative", "AnderonRecord", "AnderonTrend", "AngularSignal",
-    "BandNoise", "CyclicCoherence", "Diagnosis", "DiagnosisSettings", "Fault",
+    "BANDS", "FAULTS", "AlarmSetting", "Alternative", "AnderonRecord", "AnderonTrend",
+    "AngularSignal", "BandNoise", "CyclicCoherence", "Diagnosis", "DiagnosisSettings", "Fault",
     "FaultFrequencies", "FaultLine", "FaultOrders", "GeneralMotion", "GivenSpeed", "Indicators",
-    "Kurtogram", "KurtogramBand", "LoadDistribution", "Mode", "Noise", "NoiseSteps", "Recipe",
-    "Separation", "Signal", "SignalFile", "SpectralIndicators", "Spectrum", "SpeedEstimate",
-    "SteadySpeed", "SwingingSpeed", "Synthesis", "Tolerances", "TransferPath", "Velocity",
-    "WanderingSpeed", "Waviness", "accept", "alternatives_of", "amplitude_spectrum",
-    "analytic_signal", "anderons_of_velocity", "averaged_density", "banded_frequencies",
-    "channels_of", "cyclic_coherence", "diagnose", "enhanced_envelope_spectrum", "envelope",
+    "Kurtogram", "KurtogramBand", "LoadDistribution", "MachineClass", "Mode", "Noise",
+    "NoiseSteps", "Recipe", "Separation", "Severity", "Signal", "SignalFile",
+    "SpectralIndicators", "Spectrum", "SpeedEstimate", "SteadySpeed", "SwingingSpeed",
+    "Synthesis", "Tolerances", "TransferPath", "Velocity", "WanderingSpeed", "Waviness",
+    "accept", "alarm_setting", "alternatives_of", "amplitude_spectrum", "analytic_signal",
+    "anderons_of_velocity", "averaged_density", "banded_frequencies", "channels_of",
+    "classes_of", "cyclic_coherence", "diagnose", "enhanced_envelope_spectrum", "envelope",
     "envelope_spectrum", "estimate_speed", "frequencies_of", "general_motion", "indicators",
-    "kurtogram", "measure_noise", "noise_steps", "nominal_frequencies", "open_signal",
-    "order_spectrum", "order_tracked", "power_density", "prewhitened", "pulse_times",
-    "read_signal", "recipe_of", "revolutions_of", "separate", "spectral_indicators",
-    "speed_from_pulses", "synthesise", "trend_of", "turns_of", "velocity_of",
-    "velocity_of_anderons", "write_signal",
+    "kurtogram", "machine_classes", "measure_noise", "measure_severity", "noise_steps",
+    "nominal_frequencies", "open_signal", "order_spectrum", "order_tracked", "power_density",
+    "prewhitened", "pulse_times", "read_signal", "recipe_of", "revolutions_of", "separate",
+    "spectral_indicators", "speed_from_pulses", "synthesise", "trend_of", "turns_of",
+    "velocity_of", "velocity_of_anderons", "write_signal",
 ]  # fmt: skip
 
 _CHAPTERS: Final = (
     "signal", "writing", "spectrum", "frequencies", "frequency_band", "motion", "order_tracking",
-    "demodulation", "separation", "cyclic", "synthesis", "anderon", "anderon_trend", "shaft_speed",
-    "reading", "diagnosis",
+    "demodulation", "separation", "cyclic", "synthesis", "velocity", "anderon", "anderon_trend",
+    "severity", "shaft_speed", "reading", "diagnosis",
 )  # fmt: skip
 """Where a name is looked for, what is quickly imported first."""
 

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from math import inf, isfinite, isnan, log, nan
+from math import inf, isfinite, isnan, nan
 from typing import Any, Final
 
 import numpy as np
 
 from rolamento._data import toml_of
 from rolamento.errors import InputError
+from rolamento.numerics.growth import growth_rate
 from rolamento.vibration.anderon import BANDS, BandName
 from rolamento.words import said
 
@@ -161,21 +162,11 @@ def _band_trend(name: BandName, records: list[AnderonRecord], limit: float) -> B
         name=name,
         hours=tuple(hours for hours, _ in values),
         anderons=tuple(value for _, value in values),
-        growth=_growth_rate(values),
+        growth=growth_rate(*np.array(values).reshape(-1, 2).T),
         ratio=values[-1][1] / values[0][1] if len(values) > 1 else nan,
         rejected_after=before,
         rejected_by=rejected_by,
     )
-
-
-def _growth_rate(values: list[tuple[float, float]]) -> float:
-    """Slope of the values' logarithm; 1/h."""
-    hours = np.array([time for time, _ in values])
-    if len(hours) < 2 or np.ptp(hours) == 0.0:
-        return nan
-    logs = np.array([log(value) for _, value in values])
-    away = hours - np.mean(hours)
-    return float(np.sum(away * logs) / np.sum(np.square(away)))
 
 
 def _campanha_data() -> dict[str, Any]:

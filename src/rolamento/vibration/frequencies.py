@@ -360,7 +360,7 @@ def nominal_frequencies(
     _check_slip(slip)
     rows = [
         _nominal_row(place.bearing, shaft, slip, contact_angle, index)
-        for index, place in enumerate(bearing.places)
+        for index, place in enumerate(bearing.ball_rows)
     ]
     return rows[0] if len(rows) == 1 else replace(rows[0], rows=tuple(rows))
 
@@ -400,7 +400,10 @@ def frequencies_of(solved: Solved, *, slip: float = 0.0) -> FaultFrequencies:
         return rows[0]
     loads = np.where(solved.loaded[0], solved.inner.load[0], 0.0)
     carried = np.add.reduceat(loads, solved.rows.starts)
-    return replace(rows[int(np.argmax(carried))], rows=tuple(rows))
+    leading = rows[int(np.argmax(carried))]
+    if solved.case.bearing.kind == "four_point":  # the same balls and cage
+        return replace(leading, row=0)
+    return replace(leading, rows=tuple(rows))
 
 
 def turns_of(

@@ -15,7 +15,7 @@ from math import pi
 from typing import Final, NamedTuple
 
 from rolamento.case.bearing import Bearing
-from rolamento.catalogue import Candidate, built_in_geometry
+from rolamento.catalogue import Candidate
 from rolamento.errors import InputError
 from rolamento.geometry import ring_geometry
 from rolamento.vibration.frequencies import (
@@ -181,7 +181,7 @@ def banded_frequencies(
     banded = partial(_with_bands, slip=(slip, min(slip + allowed.slip, 1.0)), speed=allowed.speed)
     rows = [
         banded(row, _places(place.bearing, contact_angle, allowed))
-        for row, place in zip(found.rows or (found,), bearing.places, strict=True)
+        for row, place in zip(found.rows or (found,), bearing.ball_rows, strict=True)
     ]
     return rows[0] if not found.rows else replace(rows[0], rows=tuple(rows))
 
@@ -281,6 +281,5 @@ def _angles(bearing: Bearing, contact_angle: float | AngleChoice, allowed: Toler
 
 def _candidates(bearing: Bearing) -> tuple[Candidate, ...]:
     """Return which other balls are possible, if they are inferred and not the user's own."""
-    if bearing.designation is None or "inferred" not in bearing.origins.values():
-        return ()
-    return built_in_geometry(bearing.designation).candidates
+    told = bearing.told
+    return told.candidates if told and "inferred" in bearing.origins.values() else ()

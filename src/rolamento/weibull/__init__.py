@@ -3,8 +3,9 @@
 A `LifeTest` holds the data, `read_life_test` reads them; times alone will do where all bearings
 failed. `maximum_likelihood` and other fits give a `WeibullFit`, `bounds` and `all_bounds` limits by
 several methods, `compare`, `life_ratio` and `against_calculated_life` tests; `summarise` all of it.
-`demonstrate` and `plan_for_ratio` plan a test, `series_life` puts bearings together. Every record
-has a status; what does not exist is NaN. See docs/theory/weibull.md.
+`demonstrate` and `plan_for_ratio` plan a test, `series_life` puts bearings together.
+`remaining_life`, `age_replacement` and `fleet_forecast` decide by a `LifeDistribution`. Every
+record has a status; what does not exist is NaN. See docs/theory/weibull.md.
 """
 
 from __future__ import annotations
@@ -29,6 +30,7 @@ from rolamento.weibull.comparison import (
     compare,
     life_ratio,
 )
+from rolamento.weibull.distribution import Interval, LifeDistribution
 from rolamento.weibull.estimates import (
     PlottingPositions,
     Ranks,
@@ -41,6 +43,8 @@ from rolamento.weibull.estimates import (
     three_parameter,
 )
 from rolamento.weibull.fit import Estimand, WeibullFit, plot_ordinate
+from rolamento.weibull.fleet import Fleet, FleetForecast, fleet_forecast
+from rolamento.weibull.fleet_table import FleetTable, read_fleet
 from rolamento.weibull.life_test import LifeTest, Scheme
 from rolamento.weibull.likelihood_ratio import LikelihoodRegion, likelihood_region
 from rolamento.weibull.planning import Demonstration, alternatives, demonstrate
@@ -61,6 +65,8 @@ from rolamento.weibull.reading import (
     published_text,
     read_life_test,
 )
+from rolamento.weibull.replacement import AgeReplacement, age_replacement
+from rolamento.weibull.residual import RemainingLife, remaining_life
 from rolamento.weibull.sampled import Correction, Draws, pivotal_draws, unbiased
 from rolamento.weibull.summary import (
     FIT_METHODS,
@@ -94,6 +100,7 @@ __all__ = [
     "METHODS",
     "PUBLISHED",
     "PUBLISHED_TRENDS",
+    "AgeReplacement",
     "Band",
     "Bounds",
     "CalculatedLife",
@@ -105,8 +112,13 @@ __all__ = [
     "Estimand",
     "FailureTime",
     "FitMethod",
+    "Fleet",
+    "FleetForecast",
+    "FleetTable",
     "GroupSummary",
     "Hypothesis",
+    "Interval",
+    "LifeDistribution",
     "LifeRatio",
     "LifeTest",
     "LifeTestPlan",
@@ -117,6 +129,7 @@ __all__ = [
     "Posterior",
     "Ranks",
     "Regression",
+    "RemainingLife",
     "Scheme",
     "ShapePrior",
     "Sides",
@@ -124,6 +137,7 @@ __all__ = [
     "Wanted",
     "WeibullFit",
     "against_calculated_life",
+    "age_replacement",
     "all_bounds",
     "alternatives",
     "bands_of",
@@ -133,6 +147,7 @@ __all__ = [
     "demonstrate",
     "failure_time",
     "fixed_shape",
+    "fleet_forecast",
     "life_ratio",
     "likelihood_region",
     "maximum_likelihood",
@@ -152,9 +167,11 @@ __all__ = [
     "published_trend",
     "published_trend_text",
     "rank_regression",
+    "read_fleet",
     "read_life_test",
     "read_trend",
     "regions_of",
+    "remaining_life",
     "series_life",
     "series_reliability",
     "summarise",

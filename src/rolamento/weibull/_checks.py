@@ -16,6 +16,8 @@ from rolamento.words import said
 
 MAXIMUM_SAMPLES: Final = 1_000_000
 MAXIMUM_SHAPE: Final = 1000.0
+LONGEST_TIME: Final = 1e12
+"""Of an age or a mission, in any unit."""
 
 
 def numbers(values: Any, field: str, example: str) -> FloatArray:
@@ -75,6 +77,20 @@ def positive(value: object, field: str, example: str) -> float:
         raise InputError(
             said("must be a positive number"), field=field, value=value, example=example
         )
+    return number
+
+
+def time_of(value: object, field: str, *, least: float | None = None) -> float:
+    """Return a time within reason: above zero, or from a least one on."""
+    number = _scalar(value)
+    above = number > 0.0 if least is None else number >= least
+    if not (above and number <= LONGEST_TIME):
+        rule = (
+            said("must be positive and at most {most:.6g}", most=LONGEST_TIME)
+            if least is None
+            else said("must be from {least:.6g} to {most:.6g}", least=least, most=LONGEST_TIME)
+        )
+        raise InputError(rule, field=field, value=value, example="2000.0")
     return number
 
 

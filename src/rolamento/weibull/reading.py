@@ -381,7 +381,7 @@ def row_of(cells: Sequence[str], header: Header, numerals: Numerals) -> Row:
     """Read one row."""
     given = {column: cells[place] for column, place in header.places.items()}
     titles = header.names
-    time = _number_in(given["time"], titles["time"], numerals)
+    time = number_in(given["time"], titles["time"], numerals)
     if not MINIMUM_TIME <= time <= MAXIMUM_TIME:
         raise InputError(
             said("must be positive and at most {most:.6g}", most=MAXIMUM_TIME),
@@ -389,15 +389,15 @@ def row_of(cells: Sequence[str], header: Header, numerals: Numerals) -> Row:
             value=given["time"],
             example="120.5",
         )
-    failed = _says_failed(given, titles)
+    failed = says_failed(given, titles)
     return Row(
         time,
         failed,
         _last_inspection(given, titles, time, failed, numerals),
-        _whole_number_in(given, titles, "count"),
+        whole_number_in(given, titles, "count"),
         _label_in(given, titles, "group"),
         _label_in(given, titles, "rig"),
-        _whole_number_in(given, titles, "size") if "size" in given else 0,
+        whole_number_in(given, titles, "size") if "size" in given else 0,
     )
 
 
@@ -448,7 +448,8 @@ def _check_columns(places: Mapping[str, int]) -> None:
         raise InputError(said("has rig sizes besides counts or inspections"), field="header")
 
 
-def _says_failed(given: dict[str, str], titles: dict[str, str]) -> bool:
+def says_failed(given: dict[str, str], titles: dict[str, str]) -> bool:
+    """Return whether a row says that its bearing failed; all did where nothing says it."""
     for column, (failed, not_failed, examples) in _SAYINGS.items():
         if column not in given:
             continue
@@ -470,7 +471,7 @@ def _last_inspection(
     cell = given.get("lower", "")
     if not cell:
         return float("nan")
-    lower = _number_in(cell, titles["lower"], numerals)
+    lower = number_in(cell, titles["lower"], numerals)
     if not failed:
         raise InputError(
             said("must be empty for a bearing that did not fail"), field=titles["lower"], value=cell
@@ -482,7 +483,8 @@ def _last_inspection(
     return lower
 
 
-def _number_in(cell: str, title: str, numerals: Numerals) -> float:
+def number_in(cell: str, title: str, numerals: Numerals) -> float:
+    """Return the number of a cell; refuse what is none, by the title of its column."""
     value = numerals.number(cell)
     if value is None:
         rule = said("must be a number without unit")
@@ -492,7 +494,8 @@ def _number_in(cell: str, title: str, numerals: Numerals) -> float:
     return value
 
 
-def _whole_number_in(given: dict[str, str], titles: dict[str, str], column: str) -> int:
+def whole_number_in(given: dict[str, str], titles: dict[str, str], column: str) -> int:
+    """Return how many a row says in a column; 1 where there is no such column."""
     cell = given.get(column, "1")
     number = Numerals(commas=True).number(cell)
     if number is None or not 1.0 <= number <= MAXIMUM_UNITS or number != int(number):

@@ -61,6 +61,11 @@ class HeldBalls:
         return self.solution.reaction * self.arms
 
     @property
+    def face_forces(self) -> FloatArray:
+        """(cases, 1, 5)."""
+        return self.force[:, np.newaxis]
+
+    @property
     def stiffness(self) -> FloatArray:
         """(cases, 5, 5)."""
         arms = self.arms
@@ -123,6 +128,11 @@ class BallRow:
         return np.asarray(np.isfinite(self.p).all(axis=0))
 
     @property
+    def faces(self) -> tuple[float, ...]:
+        """One groove a ring."""
+        return (1.0,)
+
+    @property
     def sizes(self) -> RowSizes:
         """For the assembly."""
         p = self.p
@@ -138,6 +148,15 @@ class BallRow:
     def refuse(self, cases: BoolArray) -> None:
         """Take some cases for invalid: they are left alone."""
         self.p[:, cases] = np.nan
+
+    def with_play(self, play: FloatArray) -> BallRow:
+        """Draw the unloaded grooves apart by half of a diametral play; (cases,), m.
+
+        The grooves of a self-aligning bearing stand where its rows do, whatever its play.
+        """
+        p = self.p.copy()
+        p[layout.RADIAL_OFFSET] -= 0.5 * play
+        return replace(self, p=p)
 
     # --- solving --------------------------------------------------------------------------------
 

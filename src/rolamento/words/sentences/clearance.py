@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from rolamento.words.sentences import Sentence
-from rolamento.words.speaking import marked
+from rolamento.words.speaking import marked, said
 
 __all__ = ["SENTENCES"]
 
@@ -28,6 +28,29 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "tight_shaft": marked(
         "The interference of the inner ring may exceed a thousandth of the bore: the ring may crack"
         " (NTN, Ball and Roller Bearings, chapter 7.3)."
+    ),
+    # of a set
+    "preload_in_operation": marked(
+        "Mounted, at its temperatures and speeds, the set has an axial preload of {mean:.4 N},"
+        " between {loosest:.4 [N]} and {tightest:.4 N} with all tolerances at their limits; before"
+        " mounting it was {unmounted:.4 N}."
+    ),
+    "preload_lost_mounted": lambda values: (
+        said("In operation the set has no preload: its rows have play.")
+        if values["always"]
+        else said("With the loosest fits the set has no preload in operation: its rows have play.")
+    ),
+    "no_free_angle": marked(
+        "The fits take the whole clearance of a row: it has no free contact angle, and only the"
+        " axial offset of its clamped grooves gives its balls one."
+    ),
+    "distance_of_rings": marked(
+        "The rings, {width:.5 mm} wide, and the spacers between them set the distance of the rows;"
+        " what they expand differently moves the rows against each other."
+    ),
+    "distance_of_seats": marked(
+        "The shaft and the housing set the distance of the rows; where rings and spacers do, give"
+        " mounting.width."
     ),
     # formulas of the steps
     "step_initial": marked("P_d before mounting"),

@@ -43,6 +43,10 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " one."
     ),
     "no_film": marked("The asperities carry the load, and the model is for lubricated bearings."),
+    "more_contacts": marked(
+        "Balls bear on both arcs of a ring and have to slide on them; this model lets each pair of"
+        " contacts move the ball for itself, so that its torque is too low."
+    ),
     "other_angle": marked(
         "The manufacturer's constants are for bearings of another contact angle."
     ),

@@ -52,7 +52,8 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " tandem or a pair. The reference life is valid for it."
     ),
     "thrust_bearing": marked(
-        "The contact angle exceeds 45°: a thrust bearing, for which these theories are not valid."
+        "The contact angle exceeds 45°: a thrust bearing, rated for axial load; give it as one,"
+        ' kind = "thrust".'
     ),
     "no_dynamic_rating": marked(
         "The geometry lies outside the table of the standard (D cos α/d_m from 0.01 to 0.40), and"
@@ -82,6 +83,14 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     "moment_left_out": marked(
         "The equivalent load does not include the moment; the reference life does, ball by ball."
+    ),
+    "radial_load_left_out": marked(
+        "A thrust bearing of 90° has an equivalent load of the axial force alone: the radial force,"
+        " which another bearing should carry, is not included; the reference life includes it."
+    ),
+    "axial_load_too_small": marked(
+        "The axial load is below the minimum of a thrust ball bearing at this speed, the greater of"
+        " (C_0/100)·(n/n_max)² and C_0/1000: the balls may slide under their gyroscopic moment."
     ),
     "preload_left_out": marked(
         "The equivalent load does not include the preload; the reference life does."
@@ -150,7 +159,8 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " (lubricant.friction_coefficient)."
     ),
     "life_of_thrust_bearing": marked(
-        "No life: the theories here are for radial bearings, with contact angles up to 45°."
+        "No life: with contact angles above 45° a bearing is rated as a thrust bearing; give"
+        ' kind = "thrust".'
     ),
     "life_without_rating": marked(
         "No life: the geometry lies outside the table of the standard (D cos α/d_m from 0.01 to"

@@ -118,6 +118,85 @@ def _ellipse_over_shoulder(values: Values) -> str:
     )
 
 
+def _ellipse_over_arch(values: Values) -> str:
+    return said(
+        "The contact ellipse at the {race} race runs over the middle of the arch, where the other"
+        " arc begins: it reaches down to {reach:.1f °} ({balls}, {where}). The pressure at that"
+        " edge is higher than shown.",
+        balls=_balls(values),
+        race=_race(values),
+        reach=values["reach"],
+        where=_where(values),
+    )
+
+
+def _gyroscopic_moment_left_out(values: Values) -> str:
+    numbers = {"moment": values["moment"], "limit": values["limit"]}
+    needed = values["friction_coefficient"]
+    if needed is None:
+        return said(
+            "The balls orbit with the cage at its nominal speed, and their gyroscopic moment, up to"
+            " {moment:.3 N·mm}, is left out of the balance: friction has to hold it, and there is a"
+            " ball without load.",
+            **numbers,
+        )
+    if needed > values["limit"]:
+        return said(
+            "The balls orbit with the cage at its nominal speed, and their gyroscopic moment, up to"
+            " {moment:.3 N·mm}, is left out of the balance: holding it takes a coefficient of"
+            " friction of {friction_coefficient:.2f}, more than about {limit:.1f}, so that the"
+            " balls slip. More load or less speed keeps them rolling.",
+            friction_coefficient=needed,
+            **numbers,
+        )
+    return said(
+        "The balls orbit with the cage at its nominal speed, and their gyroscopic moment, up to"
+        " {moment:.3 N·mm}, is left out of the balance: friction holds it with a coefficient of"
+        " {friction_coefficient:.2}.",
+        friction_coefficient=needed,
+        **numbers,
+    )
+
+
+def _thrust_over_shoulder(values: Values) -> str:
+    if values["least_load"] is None:
+        return said(
+            "The centre of a loaded contact lies beyond the edge of its groove, which ends"
+            " {inner_edge:.1f °} to either side of its bottom at the shaft washer and"
+            " {outer_edge:.1f °} at the housing washer (90° where no shoulder height is given: a"
+            " half circle). Less radial load or tilt, or more axial load, keeps the balls in their"
+            " grooves.",
+            **values,
+        )
+    return said(
+        "The centre of a loaded contact lies beyond the edge of its groove, which ends"
+        " {inner_edge:.1f °} to either side of its bottom at the shaft washer and"
+        " {outer_edge:.1f °} at the housing washer (90° where no shoulder height is given: a half"
+        " circle). A centrifugal force of {centrifugal_force:.3 N} drives each ball outward: by"
+        " force alone an axial load of {least_load:.3 N} keeps them in, without radial load or"
+        " tilt; the makers' minimum load is higher. Add axial load, or reduce the speed, the radial"
+        " load or the tilt.",
+        **values,
+    )
+
+
+def _thrust_pushed_aside(values: Values) -> str:
+    return said(
+        "The axial load does not hold the inner ring {direction}: a thrust bearing bears that only"
+        " as far as its contact angles change. Add axial load, or hold this degree of freedom with"
+        " a displacement, as a radial bearing on the shaft does.",
+        direction=_along(values["axis"]),
+    )
+
+
+def _sphere_holds_no_moment(values: Values) -> str:
+    return said(
+        "A self-aligning bearing bears no moment: nothing supports the inner ring {direction}. Take"
+        " the moment away, or hold the tilt with a displacement.",
+        direction=_along(values["axis"]),
+    )
+
+
 def _jones_undecided(values: Values) -> str:
     return counted(
         "Jones's criterion favours neither race at {n} ball ({where}): it is kept under the"
@@ -257,6 +336,15 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "No ball supports the ring along {axis}: it carries no load there, and the displacement"
         " shown is arbitrary."
     ),
+    "ellipse_over_arch": _ellipse_over_arch,
+    "gyroscopic_moment_left_out": _gyroscopic_moment_left_out,
+    "tilt_beyond_self_aligning": marked(
+        "The inner ring tilts by {tilt:.2f °}: self-aligning ball bearings permit about"
+        " {limit:.1f °}, less if sealed. Beyond, the balls run off the outer race."
+    ),
+    "tilt_undetermined": marked(
+        "A self-aligning bearing does not resist tilting: the tilt shown is arbitrary."
+    ),
     "jones_undecided": _jones_undecided,
     "jones_contradicts": _jones_contradicts,
     "gyroscopic_slip": _gyroscopic_slip,
@@ -299,6 +387,14 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " less axial load, moment or tilt, or a higher shoulder (bearing.inner_shoulder_height,"
         " bearing.outer_shoulder_height)."
     ),
+    "thrust_over_shoulder": _thrust_over_shoulder,
+    "thrust_unsupported": marked(
+        "Nothing supports the inner ring along x: a thrust ball bearing carries axial load of the"
+        " shaft toward +x only, and needs some to keep its balls in their grooves. Reverse the"
+        " load, add axial load (duty.load.fx), or hold the ring with duty.displacement.x."
+    ),
+    "thrust_pushed_aside": _thrust_pushed_aside,
+    "sphere_holds_no_moment": _sphere_holds_no_moment,
     "unheld_ball": marked(
         "This raceway control cannot hold a ball that a race loads too lightly to bear its"
         ' gyroscopic moment. Choose model.cage = "loose", model.raceway_control = "jones" or'

@@ -97,6 +97,31 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "weibull_group_without_fit": marked(
         "A group has no fit of its own: it has no failures, or its failures have no spread."
     ),
+    # --- decisions ------------------------------------------------------------------------
+    "decision_without_draws": marked(
+        "The data cannot be simulated repeatedly: the results have no intervals."
+    ),
+    "decision_groups_pooled": marked(
+        "The data have {count} groups, taken together here. Choose some with --only if they differ."
+    ),
+    "decision_beyond_data": marked(
+        "This lies beyond the longest time in the data, {longest:.5} {unit}: it relies on the"
+        " Weibull distribution continuing there."
+    ),
+    "decision_early_failures": marked(
+        "The shape is below 1: early failures prevail, and a bearing that has survived is better"
+        " than a new one."
+    ),
+    "fleet_without_uncertainty": marked(
+        "The distribution is taken as known: the prediction interval holds chance alone, and is too"
+        " narrow if shape and scale are estimates."
+    ),
+    "fleet_few_draws": marked(
+        "The fleet is large: the prediction interval comes from {draws} simulations only."
+    ),
+    "fleet_failed_left_out": marked(
+        "Bearings of the fleet table that have failed, and were left out: {count}."
+    ),
     # --- plans -----------------------------------------------------------------------------
     "plan_not_shown": marked(
         "This number of bearings and this test time do not demonstrate the life with the required"

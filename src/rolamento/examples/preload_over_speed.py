@@ -1,6 +1,6 @@
 """Rigid against spring preload over speed: a spindle pair, back to back, without external load.
 
-    python examples/preload_over_speed.py [FOLDER]
+    python preload_over_speed.py [FOLDER]
 
 writes preload_over_speed.png and preload_over_speed.csv into the folder. Clamped rings keep their
 offset: the balls' centrifugal forces press the rows against each other, the faster the harder,

@@ -1,0 +1,365 @@
+"""A set in its seats: which geometry it runs with, and what becomes of its preload.
+
+Before mounting the preload tells how far the rows are pressed in; from then on clamped rings keep
+the axial places of their grooves, and `rolamento.clearance.sets` tells how those of each row
+change. Without springs the force between the rows is what comes out. In a set whose rows all face
+one way only the differences between rows act, and x counts from the mean of their first contacts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any, Final, NamedTuple
+
+import numpy as np
+
+from rolamento.assembly.cases import Cases, RowState, spread
+from rolamento.assembly.ring import pressed_in
+from rolamento.assembly.solve import solve_cases
+from rolamento.case import Case
+from rolamento.case.arrangement import BallRow, Preload
+from rolamento.case.bearing import Bearing
+from rolamento.case.duty import Duty
+from rolamento.clearance.batch import MOUNTED_FIELDS
+from rolamento.clearance.operating import OperatingClearance, operating_clearance
+from rolamento.clearance.sets import RunningRow, Stage, running_rows, width_of
+from rolamento.clearance.standards import Limit
+from rolamento.errors import InputError
+from rolamento.numerics import BoolArray, FloatArray
+from rolamento.solved import PreloadStage, Solved
+from rolamento.units import from_si
+from rolamento.words import Note, said
+
+__all__ = [
+    "LIMITS",
+    "between_rows",
+    "clearances_of_set",
+    "mounted_cases",
+    "notes_on_set",
+    "preload_stages",
+    "running_set",
+]
+
+LIMITS: Final[tuple[Limit, Limit, Limit]] = ("maximum", "mean", "minimum")
+"""Of the clearance, from the loosest set to the tightest."""
+_GEOMETRY: Final = ("ball_diameter", "pitch_diameter", "inner_conformity", "outer_conformity")
+_OWN: Final = ("contact_angle", "diametral_clearance")
+
+
+class _Placed(NamedTuple):
+    """A row and where the axial distance of its groove centres has come to; arrays (cases,), m.
+
+    angular: whether it is given by its contact angle.
+    """
+
+    row: RunningRow
+    axial: FloatArray
+    angular: bool
+
+    @property
+    def closed(self) -> BoolArray:
+        """Where the fits have taken its whole clearance, and with it the free contact angle."""
+        return np.asarray(self.angular & ~(self.row.clearance > 0.0))
+
+    @property
+    def offset(self) -> FloatArray:
+        """How far it is pressed in from first contact."""
+        return np.asarray(self.axial - self.row.touch)
+
+
+def between_rows(solved: Solved) -> FloatArray:
+    """Axial force that the rows put on each other: what those that carry toward +x carry; N.
+
+    (cases,), of cases without external load; NaN without a result.
+    """
+    axial = solved.rows.load[:, :, 0]
+    force = np.where(axial > 0.0, axial, 0.0).sum(axis=1)
+    return np.where(solved.converged, force, np.nan)
+
+
+def mounted_cases(
+    case: Case, values: Mapping[str, FloatArray], *, threads: int | None = None
+) -> Cases:
+    """Cases of a mounted set, each with the geometry and the preload that it runs with.
+
+    Parameters
+    ----------
+    case
+        With a mounting.
+    values
+        As `spread`; those of the mounting and of temperatures too.
+
+    Raises
+    ------
+    InputError
+        As `spread` and `rolamento.clearance.sets.running_rows`. A row without free contact angle is
+        that case's affair: it is not valid.
+    """
+    arrays = {name: np.asarray(array, np.float64) for name, array in values.items()}
+    plain = _plain(case)
+    of_set = {name: array for name, array in arrays.items() if name not in MOUNTED_FIELDS}
+    cases = max((array.size for array in arrays.values() if array.ndim), default=1)
+    of_set.setdefault("duty.inner_speed", np.full(cases, case.duty.inner_speed))
+    of_set = {name: np.broadcast_to(array, cases) for name, array in of_set.items()}
+    with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+        placed = _placed(case, arrays, "running", None, cases)
+        shut = [bool(np.all(one.closed)) for one in placed]
+        states = [_state(one, shut=all_shut) for one, all_shut in zip(placed, shut, strict=True)]
+    own = {f"bearing.{name}" for name in _OWN}
+    kept = {name: array for name, array in of_set.items() if name not in own}
+    found = spread(plain, kept, threads=threads, states=states)
+    varied = {name: array for name, array in kept.items() if name in arrays}
+    return replace(found, varied=varied)
+
+
+def running_set(case: Case) -> Case:
+    """The case with its rows as they run, and no mounting; what `solve` solves.
+
+    Raises
+    ------
+    InputError
+        If something is missing, contradicts itself or is not in the tables, or no bearing is left.
+    """
+    mounting = case.mounting
+    assert mounting is not None
+    clearances_of_set(case)  # which refuses by name what the arrays below leave as NaN
+    placed = _placed(case, {}, "running", mounting.limit, 1)
+    facing = len({place.sign for place in case.bearing.places}) > 1
+    preload = case.bearing.preload
+    clamped = facing and (preload is None or preload.spring is None)
+    if preload is None and not any(one.angular for one in placed):
+        clamped = False
+    rows = []
+    for place, one in zip(case.bearing.places, placed, strict=True):
+        shut = bool(one.closed[0])
+        _refuse_shut(one)
+        numbers = {name: float(getattr(one.row, name)[0]) for name in _GEOMETRY}
+        if one.angular and not shut:
+            numbers["contact_angle"] = float(one.row.contact_angle[0])
+        else:
+            numbers["diametral_clearance"] = float(one.row.clearance[0])
+        counts_from_touch = clamped or preload is not None or (one.angular and not shut)
+        offset = one.offset if counts_from_touch else one.axial
+        rows.append(
+            BallRow(
+                orientation="+" if place.sign > 0.0 else "-",
+                position=place.position,
+                phase=place.phase,
+                ball_count=place.bearing.ball_count,
+                offset=float(offset[0]),
+                **numbers,
+            )
+        )
+    if clamped:
+        preload = Preload(offset=rows[0].offset)
+    bearing = case.bearing.replace(
+        arrangement=None, spacing=None, rows=tuple(rows), preload=preload
+    )
+    return _plain(case).replace(bearing=bearing)
+
+
+def clearances_of_set(case: Case) -> tuple[OperatingClearance, ...]:
+    """The clearance in operation of each row of a set that differs from those before it.
+
+    Raises
+    ------
+    InputError
+        As `operating_clearance`.
+    """
+    assert case.mounting is not None
+    found: dict[Bearing, OperatingClearance] = {}
+    for place in case.bearing.places:
+        if place.bearing not in found:
+            found[place.bearing] = operating_clearance(
+                place.bearing,
+                case.mounting,
+                case.temperature,
+                inner_speed=case.duty.inner_speed,
+                outer_speed=case.duty.outer_speed,
+            )
+    return tuple(found.values())
+
+
+def preload_stages(case: Case) -> tuple[PreloadStage, ...]:
+    """What becomes of the preload of a mounted set; empty where its rows do not face each other.
+
+    Raises
+    ------
+    InputError
+        As `running_set`.
+    """
+    mounting, duty = case.mounting, case.duty
+    assert mounting is not None
+    if len({place.sign for place in case.bearing.places}) < 2:
+        return ()
+    chosen = LIMITS.index(mounting.limit)
+    turning = bool(duty.inner_speed or duty.outer_speed)
+    steps: list[tuple[str, Stage, bool]] = [
+        ("unmounted", "unmounted", False), ("mounted", "mounted", False)
+    ]  # fmt: skip
+    if case.temperature is not None and case.temperature.inner_ring is not None:
+        steps.append(("warm", "warm", False))
+    if turning:
+        steps += [("rings_grown", "running", False), ("at_speed", "running", True)]
+    points: list[tuple[list[_Placed], bool]] = []
+    for _, stage, moving in steps:
+        points += [(_placed(case, {}, stage, limit, 1), moving) for limit in LIMITS]
+    force, stiffness, pressure = _without_load(case, points)
+    stages = []
+    for index, (name, _, _) in enumerate(steps):
+        first = len(LIMITS) * index
+        here, at = points[first + chosen][0], first + chosen
+        stages.append(
+            PreloadStage(
+                name=name,
+                preload=(force[first], force[first + 1], force[first + 2]),
+                contact_angle=tuple(float(one.row.contact_angle[0]) for one in here),
+                offset=tuple(float(one.offset[0]) for one in here),
+                axial_stiffness=stiffness[at],
+                max_pressure=pressure[at],
+            )
+        )
+    return tuple(stages)
+
+
+def notes_on_set(case: Case, stages: Sequence[PreloadStage]) -> tuple[Note, ...]:
+    """What to know about a mounted set: its preload in operation, and of the chain of its rows."""
+    notes: list[Note] = []
+    if stages:
+        first, last = stages[0], stages[-1]
+        limits = dict(zip(("loosest", "mean", "tightest"), last.preload, strict=True))
+        chosen = LIMITS.index(case.mounting.limit) if case.mounting is not None else 1
+        notes.append(Note("preload_in_operation", {"unmounted": first.preload[chosen], **limits}))
+        if limits["loosest"] == 0.0:
+            notes.append(Note("preload_lost_mounted", {"always": limits["tightest"] == 0.0}))
+        if any(angle == 0.0 for angle in last.contact_angle):
+            notes.append(Note("no_free_angle"))
+    if case.temperature is not None and case.temperature.inner_ring is not None:
+        width = width_of(case)
+        key = "distance_of_seats" if width is None else "distance_of_rings"
+        notes.append(Note(key, {} if width is None else {"width": width}))
+    of_rows = dict.fromkeys(
+        note
+        for found in clearances_of_set(case)
+        for note in found.warnings
+        if note.key not in ("interference", "interference_at_minimum")
+    )
+    return (*notes, *of_rows)
+
+
+def _plain(case: Case) -> Case:
+    warm = None if case.temperature is None else case.temperature.of_bearing
+    return case.replace(mounting=None, temperature=warm)
+
+
+def _refuse_shut(one: _Placed) -> None:
+    """Refuse an interference that is past all sense, as a single bearing does."""
+    clearance, reach = float(one.row.clearance[0]), float(one.row.reach[0])
+    if clearance > -0.25 * reach:
+        return
+    raise InputError(
+        said(
+            "closes the bearing: its operating clearance would be {clearance}",
+            clearance=from_si(float(f"{clearance:.4g}"), "length"),
+        ),
+        field="mounting",
+        example='a looser shaft_tolerance, or clearance_class = "C3"',
+    )
+
+
+def _placed(
+    case: Case, arrays: Mapping[str, FloatArray], stage: Stage, limit: Limit | None, cases: int
+) -> list[_Placed]:
+    """The rows at a stage, each with the axial distance of its groove centres."""
+    before = _over(running_rows(case, arrays, "unmounted", limit), cases)
+    after = (
+        before if stage == "unmounted" else _over(running_rows(case, arrays, stage, limit), cases)
+    )
+    plain = _plain(case)
+    given = {name: array for name, array in arrays.items() if name not in MOUNTED_FIELDS}
+    angular = [_angular(case, index, arrays) for index in range(len(before))]
+    start = [
+        replace(_state(_Placed(row, row.touch, own), shut=False), press=None)
+        for row, own in zip(before, angular, strict=True)
+    ]
+    left_out = {f"bearing.{name}" for name in _OWN}
+    fields = {name: array for name, array in given.items() if name not in left_out}
+    fields = {name: np.broadcast_to(array, cases) for name, array in fields.items()}
+    fields = fields or {"duty.inner_speed": np.zeros(cases)}
+    held = spread(plain, fields, states=start)
+    press = pressed_in(held)
+    springs = held.preload == "spring"
+    facing = len({place.sign for place in case.bearing.places}) > 1
+    placed = []
+    for row, new, own, e in zip(before, after, angular, press, strict=True):
+        axial = np.asarray((row.touch + e if own else e) * new.stretch)
+        placed.append(_Placed(new, (new.touch if springs else axial) + new.along, own))
+    if not facing:  # x takes up what the rows have in common
+        mean = np.mean([one.offset if one.angular else one.axial for one in placed], axis=0)
+        placed = [one._replace(axial=one.axial - mean) for one in placed]
+    return placed
+
+
+def _angular(case: Case, index: int, arrays: Mapping[str, FloatArray]) -> bool:
+    """Whether a row is given by its contact angle, which may be what varies."""
+    own = case.bearing.rows[index].own if case.bearing.rows is not None else {}
+    if not own.keys() & set(_OWN):
+        if "bearing.diametral_clearance" in arrays:
+            return False
+        if "bearing.contact_angle" in arrays:
+            return True
+    return bool(case.bearing.places[index].bearing.contact_angle)
+
+
+def _over(rows: tuple[RunningRow, ...], cases: int) -> list[RunningRow]:
+    return [RunningRow(*(np.broadcast_to(part, cases) for part in row)) for row in rows]
+
+
+def _state(one: _Placed, *, shut: bool) -> RowState:
+    """What the assembly takes; shut: an angular row without clearance, given by that."""
+    geometry: dict[str, Any] = {name: getattr(one.row, name) for name in _GEOMETRY}
+    if one.angular and not shut:
+        angle = np.where(one.closed, np.nan, one.row.contact_angle)
+        geometry.update(contact_angle=angle, diametral_clearance=None)
+        return RowState(geometry, one.offset)
+    geometry.update(contact_angle=None, diametral_clearance=one.row.clearance)
+    return RowState(geometry, one.axial)
+
+
+def _without_load(
+    case: Case, points: Sequence[tuple[list[_Placed], bool]]
+) -> tuple[list[float], list[float], list[float]]:
+    """Preload, axial stiffness and largest pressure of sets that nothing loads but themselves.
+
+    points: rows of one case each, and whether the set turns.
+    """
+    duty = case.duty
+    count = len(points)
+    force, stiffness, pressure = (np.full(count, np.nan) for _ in range(3))
+    still = Duty(first_ball_azimuth=duty.first_ball_azimuth)
+    plain = _plain(case).replace(duty=still)
+    shut = np.array([[bool(one.closed[0]) for one in rows] for rows, _ in points])
+    for pattern in np.unique(shut, axis=0):
+        chosen = np.flatnonzero((shut == pattern).all(axis=1)).tolist()
+        states = []
+        for index, closed in enumerate(pattern):
+            own = [_state(points[i][0][index], shut=bool(closed)) for i in chosen]
+            geometry = {
+                name: None if value is None else np.concatenate([one.geometry[name] for one in own])
+                for name, value in own[0].geometry.items()
+            }
+            states.append(RowState(geometry, np.concatenate([one.press for one in own])))
+        turning = np.array([1.0 if points[i][1] else 0.0 for i in chosen])
+        speeds = {
+            "duty.inner_speed": duty.inner_speed * turning,
+            "duty.outer_speed": duty.outer_speed * turning,
+        }
+        solved = solve_cases(spread(plain, speeds, threads=1, states=states))
+        force[chosen] = between_rows(solved)
+        stiffness[chosen] = solved.stiffness.array[:, 0, 0]
+        with np.errstate(invalid="ignore"):
+            pressure[chosen] = np.fmax(
+                solved.inner.max_pressure.max(axis=1), solved.outer.max_pressure.max(axis=1)
+            )
+    return force.tolist(), stiffness.tolist(), pressure.tolist()

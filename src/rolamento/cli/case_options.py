@@ -1,0 +1,159 @@
+"""Where a command's case comes from: a file or a designation, and options that go over it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import AbstractContextManager, contextmanager, nullcontext
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING, Annotated, Final
+
+import typer
+
+from rolamento.cli.option_records import with_record
+from rolamento.cli.options import CataloguesOption, OuterSpeedOption, SettingsOption, SpeedOption
+from rolamento.errors import InputError
+from rolamento.words import said
+
+if TYPE_CHECKING:
+    import rolamento
+
+__all__ = ["CASE_OPTIONS", "NOTHING_GIVEN", "SPEED_OPTIONS", "CaseOptions", "with_case"]
+
+_FIELDS: Final = {
+    "fr": ("--fr", "duty.load.fz", "5 kN"),
+    "fa": ("--fa", "duty.load.fx", "1 kN"),
+    "moment": ("--moment", "duty.load.my", "20 N m"),
+    "speed": ("--speed", "duty.inner_speed", "1480 rpm"),
+    "outer_speed": ("--outer-speed", "duty.outer_speed", "300 rpm"),
+    "temperature": ("--temperature", "temperature.lubricant", "70 degC"),
+    "lubricant": ("--lubricant", "lubricant", "ISO VG 68"),
+}
+"""Option, the field of the case that it gives, and a value, by the parameter."""
+
+
+@dataclass(frozen=True, slots=True)
+class CaseOptions:
+    """What options say of a case: its load, speeds and oil, any other field, own catalogues."""
+
+    fr: Annotated[
+        str | None,
+        typer.Option("--fr", metavar="FORCE", help="Radial load Fr (along z), such as '5 kN'."),
+    ] = None
+    fa: Annotated[
+        str | None,
+        typer.Option("--fa", metavar="FORCE", help="Axial load Fa (along x), such as '1 kN'."),
+    ] = None
+    moment: Annotated[
+        str | None,
+        typer.Option("--moment", metavar="MOMENT", help="Moment about y, such as '20 N m'."),
+    ] = None
+    speed: SpeedOption = None
+    outer_speed: OuterSpeedOption = None
+    temperature: Annotated[
+        str | None,
+        typer.Option(
+            "--temperature", metavar="TEMP", help="Temperature of the lubricant, such as '70 degC'."
+        ),
+    ] = None
+    lubricant: Annotated[
+        str | None,
+        typer.Option(
+            "--lubricant", metavar="NAME", help="Oil or grease by its name, such as 'ISO VG 68'."
+        ),
+    ] = None
+    catalogue: CataloguesOption = None
+    set: SettingsOption = None
+
+    @property
+    def settings(self) -> tuple[str, ...]:
+        """Settings ``KEY=VALUE`` of all options but the catalogues, in the order of the help.
+
+        Raises
+        ------
+        InputError
+            If an option and ``--set`` give one field.
+        """
+        own = tuple(self.set or ())
+        named = {one.partition("=")[0].strip() for one in own}
+        found = []
+        for parameter, (option, field, example) in _FIELDS.items():
+            value = getattr(self, parameter)
+            if value is None:
+                continue
+            if field in named:
+                rule = said("is given by --set {field} too", field=field)
+                raise InputError(rule, source=option, value=value, example=f"{option} '{example}'")
+            found.append(f"{field}={value}")
+        return (*found, *own)
+
+    @contextmanager
+    def in_force(self) -> Iterator[None]:
+        """Find designations in the user's catalogues too; name options in what is refused."""
+        try:
+            with self._catalogues():
+                yield
+        except InputError as error:
+            raise self._in_options(error) from None
+
+    def case(
+        self, name: str, *more: str, otherwise: Sequence[str] = (), needs_load: bool = False
+    ) -> rolamento.Case:
+        """Return the case of a file or of a designation, with the options and further settings.
+
+        Parameters
+        ----------
+        name
+            CASE as it was given.
+        more
+            Settings that come from other options of the command.
+        otherwise
+            Settings of tables that the case may lack, as `rolamento.load_case` has it.
+        needs_load
+            Refuse a designation that no option gives a load; what a file has is its own affair.
+
+        Raises
+        ------
+        InputError, FileError
+            As `rolamento.load_case`.
+        """
+        import rolamento
+        from rolamento.tasks.bearing import has_load
+
+        case = rolamento.load_case(name, (*self.settings, *more), otherwise=otherwise)
+        if needs_load and rolamento.case.is_designation(name) and not has_load(case):
+            raise InputError(
+                said("is missing: nothing loads the bearing"),
+                source=name,
+                field="duty.load",
+                example="--fr '5 kN' --speed '1480 rpm'",
+            )
+        return case
+
+    def _catalogues(self) -> AbstractContextManager[object]:
+        if not self.catalogue:
+            return nullcontext()
+        from rolamento.catalogue import catalogues
+
+        return catalogues(self.catalogue)
+
+    def _in_options(self, error: InputError) -> InputError:
+        """Tell of a field that an option gave in the words of that option."""
+        for parameter, (option, field, example) in _FIELDS.items():
+            given = getattr(self, parameter)
+            if given is not None and error.field == field and error.source in ("", "--set"):
+                return error.with_details(
+                    source=option, field="", value=given, example=f"{option} '{example}'"
+                )
+        return error
+
+
+NOTHING_GIVEN: Final = CaseOptions()
+"""The case as its file has it."""
+SPEED_OPTIONS: Final = ("speed", "outer_speed")
+CASE_OPTIONS: Final = tuple(
+    one.name for one in fields(CaseOptions) if one.name not in SPEED_OPTIONS
+)
+"""The names of their parameters, for the groups of a help; some have more to say of speeds."""
+
+with_case = with_record("given", CaseOptions)
+"""Give a command the options of `CaseOptions`, which it takes as one argument, ``given``."""

@@ -1,0 +1,115 @@
+"""`rolamento new` and `rolamento examples`: files to start from."""
+
+from __future__ import annotations
+
+import os
+from typing import Annotated
+
+import typer
+
+from rolamento._writing import write_text
+from rolamento.cli.common import plain_endings
+from rolamento.cli.options import CataloguesOption, LanguageOption
+from rolamento.cli.streams import STANDARD_STREAM, print_text, put
+from rolamento.errors import InputError
+from rolamento.words import said
+
+__all__ = ["examples", "new"]
+
+ForceOption = Annotated[bool, typer.Option("--force", help="Overwrite files that are there.")]
+
+
+def new(
+    designation: Annotated[
+        str | None,
+        typer.Argument(
+            metavar="DESIGNATION",
+            help="Designation such as 6310/C3; without it the bearing is given by its geometry.",
+        ),
+    ] = None,
+    output: Annotated[
+        str | None,
+        typer.Option(
+            "--output",
+            "-o",
+            metavar="FILE",
+            help="File to write, by default named after the bearing; - is standard output.",
+        ),
+    ] = None,
+    force: ForceOption = False,
+    catalogue: CataloguesOption = None,
+    lang: LanguageOption = None,
+) -> None:
+    """Write a commented case file to start from.
+
+    It solves as it is, and shows every field that there is, with an example.
+    """
+    from rolamento.catalogue import catalogues
+    from rolamento.tasks.new_case import case_template, file_name
+
+    with plain_endings(lang), catalogues(catalogue or ()):
+        path = file_name(designation) if output is None else output
+        _check_ending(path)
+        text = case_template(designation)
+        if path == STANDARD_STREAM:
+            put(text, path)
+            return
+        _write(text, path, force)
+        command = " ".join(
+            ["rolamento solve", path, *(f"--catalogue {own}" for own in catalogue or ())]
+        )
+        print_text(said("Wrote {path}; now try: {command}", path=path, command=command) + "\n")
+
+
+def examples(
+    name: Annotated[
+        str | None,
+        typer.Argument(metavar="NAME", help="Example to copy, such as 6310_motor; all: every one."),
+    ] = None,
+    output: Annotated[
+        str,
+        typer.Option(
+            "--output", "-o", metavar="FOLDER", help="Folder to copy to; by default here."
+        ),
+    ] = ".",
+    force: ForceOption = False,
+    lang: LanguageOption = None,
+) -> None:
+    """List the shipped examples, or copy one or all of them.
+
+    Case files, studies, duties, life tests and scripts, each with a command to try on it.
+    """
+    with plain_endings(lang):
+        from rolamento.tasks.examples import copy_examples
+
+        if name is None:
+            print_text(_listed())
+            return
+        copied = copy_examples(name, output, force=force)
+        paths = dict.fromkeys(path for example in copied.values() for path in example.files)
+        lines = [said("Wrote {path}", path=path) for path in paths]
+        lines += [said("Now try: {command}", command=one.command) for one in copied.values()]
+        print_text("\n".join(lines) + "\n")
+
+
+def _listed() -> str:
+    """Return every example with what it shows and a command, and how to copy one."""
+    from rolamento.tasks.examples import EXAMPLES
+
+    lines = [
+        f"{name}\n    {said(one.shows)}\n    {one.command}\n" for name, one in EXAMPLES.items()
+    ]
+    copying = said("To copy one: rolamento examples NAME; every one: rolamento examples all")
+    return "".join([*lines, "\n", copying, "\n"])
+
+
+def _check_ending(path: str) -> None:
+    if path != STANDARD_STREAM and not path.lower().endswith(".toml"):
+        raise InputError(said("must end in .toml"), source=path, example="case.toml")
+
+
+def _write(text: str, path: str, force: bool) -> None:
+    """Write a file; one that is there only if that is meant."""
+    if not force and os.path.lexists(path):
+        raise InputError(said("already exists; --force overwrites it"), source=path)
+    write_text(text, path, new=not force)

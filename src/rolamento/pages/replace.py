@@ -1,0 +1,486 @@
+"""The pages of `replace`: what is left of a life, when to replace, failures of a fleet."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from math import isfinite
+from typing import TYPE_CHECKING, Final
+
+from rolamento.document import (
+    Block,
+    CellContent,
+    Column,
+    Document,
+    Entry,
+    Figure,
+    KeyValues,
+    Notes,
+    Number,
+    Remark,
+    Section,
+    Statement,
+    Table,
+    Title,
+    Tone,
+)
+from rolamento.pages.lives import FIGURES, percent
+from rolamento.words import ABSENT, ENDLESS, Note, counted, manner, said
+from rolamento.words.naming import one_line, shortened
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Picture
+
+    from rolamento.tasks.replace import FleetStudy, RemainingStudy, ReplacementStudy
+    from rolamento.weibull.distribution import Interval, LifeDistribution
+
+__all__ = ["fleet_page", "remaining_page", "replacement_page"]
+
+_MOST_ROWS: Final = 60
+
+
+# --- what is left of a life ------------------------------------------------------------------
+
+
+def remaining_page(study: RemainingStudy) -> Document:
+    """Return the page of what is left of a life.
+
+    Parameters
+    ----------
+    study
+        Of `rolamento.tasks.replace.remaining_study`.
+    """
+    title = said("Remaining life")
+    found = study.found
+    if found is None:
+        return _nothing(title, study.distribution)
+    unit = one_line(found.distribution.unit)
+    confidence = percent(found.confidence)
+    statements: list[Block] = []
+    if isfinite(found.mission):
+        values = {"age": found.age, "mission": found.mission, "unit": unit}
+        chance = found.reliability
+        text = (
+            said(
+                "A bearing that has run {age:.6} {unit} runs {mission:.6} {unit} more with"
+                " {chance} % probability ({confidence} % confidence: {lower} to {upper} %).",
+                chance=_chance(chance.value),
+                lower=_chance(chance.lower),
+                upper=_chance(chance.upper),
+                confidence=confidence,
+                **values,
+            )
+            if isfinite(chance.lower)
+            else said(
+                "A bearing that has run {age:.6} {unit} runs {mission:.6} {unit} more with"
+                " {chance} % probability.",
+                chance=_chance(chance.value),
+                **values,
+            )
+        )
+        statements.append(Statement(text, "strong"))
+        text = said("A new one would do so with {chance} % probability.", chance=_chance(found.new))
+        statements.append(Statement(text, "faint"))
+    rows = [
+        (said("mean"), found.mean),
+        (said("median"), found.median),
+        *(
+            (said("reached by {share} %", share=percent(p)), interval)
+            for p, interval in found.quantiles
+            if p != 0.5
+        ),
+    ]
+    columns = (
+        Column(head="", values=[name for name, _ in rows], key="quantity"),
+        *_interval_columns([interval for _, interval in rows], unit, confidence),
+    )
+    heading = said("Time left after {age:.6} {unit}", age=found.age, unit=unit)
+    sections = [
+        Section("", tuple(statements), key="verdict"),
+        _head(title, study.distribution, study.title),
+        Section(heading, (Table(columns=columns, key="residual_lives"),), key="residual"),
+    ]
+
+    def draw() -> Picture:
+        from rolamento.plots.replace import remaining_life_figure
+
+        return remaining_life_figure(found)
+
+    caption = said("Probability of running on, over the time from now")
+    sections += [
+        *_notes((*study.distribution.notes, *study.notes)),
+        Section("", (Figure(caption=caption, draw=draw, key="remaining"),), key="figures"),
+    ]
+    return Document(title, tuple(sections), kind="remaining-life", main="residual_lives")
+
+
+# --- when to replace -------------------------------------------------------------------------
+
+
+def replacement_page(study: ReplacementStudy) -> Document:
+    """Return the page of the age of replacement at least cost.
+
+    Parameters
+    ----------
+    study
+        Of `rolamento.tasks.replace.replacement_study`.
+    """
+    title = said("Age replacement at least cost")
+    found = study.found
+    if found is None:
+        return _nothing(title, study.distribution)
+    unit, money = one_line(found.distribution.unit), one_line(study.currency, 20)
+    confidence = percent(found.confidence)
+    tone: Tone = "good-strong" if found.worthwhile else "warning-strong"
+    blocks: list[Block] = [Statement(_verdict(study), tone)]
+    if found.worthwhile and isfinite(found.age.lower):
+        text = said(
+            "{confidence} % interval of that age: {lower} to {upper} {unit}; in {none} % of the"
+            " distributions that the data allow, planned replacement does not pay.",
+            confidence=confidence,
+            lower=_time(found.age.lower),
+            upper=_time(found.age.upper),
+            unit=unit,
+            none=_chance(found.no_optimum),
+        )
+        blocks.append(Statement(text, "faint"))
+    entries = [
+        Entry(said("planned replacement"), _money(found.planned, money)),
+        Entry(said("failure"), _money(found.failure, money)),
+        Entry(
+            said("replaced on failure"),
+            said(
+                "{cost} per 1000 {unit}",
+                cost=_money(1000.0 * found.cost_on_failure, money),
+                unit=unit,
+            ),
+        ),
+    ]
+    if found.worthwhile:
+        entries += [
+            Entry(
+                said("replaced at {age} {unit}", age=_time(found.age.value), unit=unit),
+                said("{cost} per 1000 {unit}", cost=_money(1000.0 * found.cost, money), unit=unit),
+            ),
+            Entry(said("saving"), _interval_percent(found.saving, confidence)),
+            Entry(said("fail before that age"), said("{part} %", part=_chance(found.failed))),
+            Entry(
+                said("mean time between replacements"),
+                said("{time:.4} {unit}", time=found.interval, unit=unit),
+            ),
+            Entry(
+                said("cost within 5 %"),
+                said(
+                    "from {low} to {high} {unit}",
+                    low=_time(found.near[0]),
+                    high=_time(found.near[1]),
+                    unit=unit,
+                ),
+            ),
+        ]
+    sections = [
+        Section("", tuple(blocks), key="verdict"),
+        _head(title, study.distribution, study.title),
+        Section(said("Costs"), (KeyValues(tuple(entries), indent=2),), key="costs"),
+    ]
+    if found.if_shape:
+        sections.append(_if_shape(study))
+
+    def draw() -> Picture:
+        from rolamento.plots.replace import cost_of_ages_figure
+
+        return cost_of_ages_figure(found, study.currency)
+
+    caption = said("Cost of replacing at an age")
+    sections += [
+        *_notes((*study.distribution.notes, *study.notes)),
+        Section("", (Figure(caption=caption, draw=draw, key="cost"),), key="figures"),
+    ]
+    return Document(title, tuple(sections), kind="age-replacement", main="if_shape")
+
+
+def _verdict(study: ReplacementStudy) -> str:
+    found = study.found
+    assert found is not None
+    unit = one_line(found.distribution.unit)
+    if found.code == "optimum":
+        return said(
+            "Replace at {age} {unit}: it costs {saving} % less than replacing on failure.",
+            age=_time(found.age.value),
+            unit=unit,
+            saving=_chance(found.saving.value),
+        )
+    if found.code == "not_worn":
+        return said(
+            "Replace on failure: with a shape of {shape:.3}, not above 1, the failure rate does not"
+            " rise with age, and a running bearing is no worse than a new one.",
+            shape=found.distribution.shape,
+        )
+    if found.code == "not_dearer":
+        return said("Replace on failure: a failure costs no more than a planned replacement.")
+    return said("Replace on failure: planned replacement would save less than 0.1 %.")
+
+
+def _if_shape(study: ReplacementStudy) -> Section:
+    found = study.found
+    assert found is not None
+    unit = one_line(found.distribution.unit)
+    columns = (
+        Column(head=said("shape"), key="shape",
+               values=[Number(one.shape, ".3") for one in found.if_shape]),
+        Column(head=said("least cost at {unit}", unit=unit), key="age", align="right",
+               values=[_time(one.best) for one in found.if_shape]),
+        Column(head=said("saving"), key="saving", form=".1f [%]", unit="%",
+               values=[one.saving for one in found.if_shape]),
+        Column(head=said("above least"), key="regret", form=".1f [%]", unit="%",
+               values=[one.regret for one in found.if_shape]),
+    )  # fmt: skip
+    legend = said(
+        "What replacing at {age} {unit} saves, and costs above the least, if the shape is another"
+        " with the same L10.",
+        age=_time(found.age.value),
+        unit=unit,
+    )
+    table = Table(columns=columns, key="if_shape", legends=(legend,))
+    return Section(said("If the shape is different"), (table,), key="if_shape")
+
+
+# --- a fleet ---------------------------------------------------------------------------------
+
+
+def fleet_page(study: FleetStudy) -> Document:
+    """Return the page of the failures of a fleet.
+
+    Parameters
+    ----------
+    study
+        Of `rolamento.tasks.replace.fleet_study`.
+    """
+    title = said("Expected failures of a fleet")
+    found = study.found
+    if found is None:
+        return _nothing(title, study.distribution)
+    unit, end = one_line(found.distribution.unit), found.end
+    values = {
+        "expected": end.expected,
+        "lower": int(end.lower),
+        "upper": int(end.upper),
+        "confidence": percent(found.confidence),
+        "bearings": found.fleet.size,
+    }
+    if study.begin is not None and study.end is not None:
+        text = said(
+            "Of {bearings} bearings, {expected:.3} failures are expected from {begin} to {end};"
+            " with {confidence} % probability between {lower} and {upper}.",
+            begin=study.begin.isoformat(),
+            end=study.end.isoformat(),
+            **values,
+        )
+    else:
+        text = said(
+            "Of {bearings} bearings, {expected:.3} failures are expected within {time:.6} {unit};"
+            " with {confidence} % probability between {lower} and {upper}.",
+            time=float(found.fleet.ahead.max()),
+            unit=unit,
+            **values,
+        )
+    entries = [
+        Entry(
+            said("bearings that fail"),
+            said("are replaced by new ones, which may fail too")
+            if found.renewed
+            else said("are not replaced"),
+        ),
+        Entry(said("no failure"), said("{chance} % probability", chance=_chance(found.none))),
+    ]
+    if isfinite(found.exact[0]) and found.distribution.uncertain:
+        entries.append(
+            Entry(
+                said("by chance alone"),
+                said(
+                    "{lower} to {upper}, if the fitted distribution were exact",
+                    lower=int(found.exact[0]),
+                    upper=int(found.exact[1]),
+                ),
+            )
+        )
+    text_now = said("{now:.3} among bearings of these ages", now=found.now)
+    if study.of_data and found.distribution.failures:
+        observed = counted("{n} failure", "{n} failures", found.distribution.failures)
+        text_now = said(
+            "{now:.3} among bearings of these ages; the data have {observed}",
+            now=found.now,
+            observed=observed,
+        )
+    entries.append(Entry(said("expected by now"), text_now))
+    sections = [
+        Section("", (Statement(text, "strong"),), key="verdict"),
+        _head(title, study.distribution, study.title),
+        Section("", (KeyValues(tuple(entries)),), key="facts"),
+        _steps(study),
+        _bearings(study),
+    ]
+
+    def draw() -> Picture:
+        from rolamento.plots.replace import fleet_failures_figure
+
+        return fleet_failures_figure(found)
+
+    caption = said("Failures of the fleet over the time from now")
+    sections += [
+        *_notes((*study.distribution.notes, *study.notes)),
+        Section("", (Figure(caption=caption, draw=draw, key="failures"),), key="figures"),
+    ]
+    return Document(title, tuple(sections), kind="fleet", main="steps")
+
+
+def _steps(study: FleetStudy) -> Section:
+    from datetime import timedelta
+
+    found = study.found
+    assert found is not None
+    ahead, unit = found.fleet.ahead, one_line(found.distribution.unit)
+    if study.begin is not None and study.end is not None:
+        days = (study.end - study.begin).days
+        at: list[CellContent] = [
+            (study.begin + timedelta(days=round(step.part * days))).isoformat()
+            for step in found.steps
+        ]
+        head = said("until")
+    else:
+        head = said("within {unit}", unit=unit)
+        at = [Number(step.part * float(ahead.max()), ".4r") for step in found.steps]
+    columns = (
+        Column(head=head, values=at, key="until", align="right"),
+        Column(head=said("expected"), key="expected",
+               values=[Number(step.expected, ".3") for step in found.steps]),
+        Column(head=said("from"), key="lower", align="right",
+               values=[int(step.lower) for step in found.steps]),
+        Column(head=said("to"), key="upper", align="right",
+               values=[int(step.upper) for step in found.steps]),
+    )  # fmt: skip
+    legend = said(
+        "Cumulated failures; from–to: {confidence} % prediction interval, with chance and with the"
+        " uncertainty of the distribution.",
+        confidence=percent(found.confidence),
+    )
+    return Section(said("Failures"), (Table(columns=columns, key="steps", legends=(legend,)),),
+                   key="steps")  # fmt: skip
+
+
+def _bearings(study: FleetStudy) -> Section:
+    found = study.found
+    assert found is not None
+    fleet, unit = found.fleet, one_line(found.distribution.unit)
+    rows = [place for place, _ in found.riskiest]
+    named = any(study.names)
+    columns = [
+        *(
+            [
+                Column(
+                    head=said("bearing"),
+                    values=[shortened(one_line(study.names[row])) for row in rows],
+                    key="name",
+                )
+            ]
+            * named
+        ),
+        Column(head=said("has run {unit}", unit=unit), key="age",
+               values=[Number(float(fleet.ages[row]), ".6") for row in rows]),
+        Column(head=said("will run {unit}", unit=unit), key="ahead",
+               values=[Number(float(fleet.ahead[row]), ".6") for row in rows]),
+        Column(head=said("bearings"), key="count", values=[int(fleet.counts[row]) for row in rows]),
+        Column(head=said("fails"), key="probability",
+               values=[p for _, p in found.riskiest], form=".3 [%]", unit="%"),
+    ]  # fmt: skip
+    heading = said("Most likely to fail")
+    legend = said("Fails: probability that a bearing of the row fails at least once.")
+    table = Table(columns=tuple(columns), key="riskiest", legends=(legend,))
+    return Section(heading, (table,), key="riskiest")
+
+
+# --- what the pages share --------------------------------------------------------------------
+
+
+def _nothing(title: str, law: LifeDistribution) -> Document:
+    advice = law.advice
+    assert advice is not None
+    statement = Statement(advice.text, indent=2, mark="✗", mark_tone="bad")
+    return Document(title, (Section("", (Title(title), statement), key="verdict"),), "replace")
+
+
+def _head(title: str, law: LifeDistribution, data: str) -> Section:
+    unit = one_line(law.unit)
+    values = {"shape": law.shape, "scale": law.scale, "unit": unit}
+    how = {
+        "given": said("given: shape β = {shape:.4}, scale η = {scale:.5} {unit}", **values),
+        "maximum_likelihood": said(
+            "fitted: shape β = {shape:.4}, scale η = {scale:.5} {unit}; {failures} of {size}"
+            " bearings failed",
+            failures=law.failures,
+            size=law.size,
+            **values,
+        ),
+        "fixed_shape": said(
+            "shape β = {shape:.4} assumed, scale η = {scale:.5} {unit} fitted; {failures} of {size}"
+            " bearings failed",
+            failures=law.failures,
+            size=law.size,
+            **values,
+        ),
+    }[law.method]
+    entries = [Entry(said("Weibull distribution"), how)]
+    if data:
+        entries.insert(0, Entry(said("data"), one_line(data)))
+    return Section("", (Title(title), KeyValues(tuple(entries))), key="head")
+
+
+def _interval_columns(intervals: list[Interval], unit: str, confidence: str) -> Iterable[Column]:
+    heads = {
+        "value": unit,
+        "lower": said("from ({confidence} %)", confidence=confidence),
+        "upper": said("to ({confidence} %)", confidence=confidence),
+    }
+    known = any(isfinite(interval.lower) for interval in intervals)
+    for name, head in heads.items():
+        if name == "value" or known:
+            values = [_time(getattr(interval, name)) for interval in intervals]
+            yield Column(head=head, values=values, key=name, align="right")
+
+
+def _interval_percent(interval: Interval, confidence: str) -> str:
+    if not isfinite(interval.lower):
+        return said("{value} %", value=_chance(interval.value))
+    return said(
+        "{value} % ({confidence} % confidence: {lower} to {upper} %)",
+        value=_chance(interval.value),
+        confidence=confidence,
+        lower=_chance(interval.lower),
+        upper=_chance(interval.upper),
+    )
+
+
+def _chance(share: float) -> str:
+    """Write a share in per cent: one decimal, more where it is near 0 or 1."""
+    if not isfinite(share):
+        return ABSENT
+    if 0.0 < share < 0.001:
+        return manner().short(100.0 * share, 2)
+    if 0.999 < share < 1.0:
+        return manner().short(100.0 * share, 5)
+    return manner().fixed(100.0 * share, 1)
+
+
+def _time(value: float) -> str:
+    if value == float("inf"):
+        return ENDLESS
+    return manner().number(value, f".{FIGURES}r") if isfinite(value) else ABSENT
+
+
+def _money(value: float, currency: str) -> str:
+    text = manner().number(value, ".5")
+    return f"{text} {currency}" if currency else text
+
+
+def _notes(notes: Iterable[Note]) -> list[Section]:
+    remarks = tuple(Remark(note.text, note.key) for note in dict.fromkeys(notes))
+    return [Section(said("Notes"), (Notes(remarks),), key="notes")] * bool(remarks)

@@ -1,0 +1,332 @@
+"""The page of `severity`: the zone of a machine's vibration, its alarm, and when it is reached."""
+
+from __future__ import annotations
+
+from math import isfinite
+from typing import TYPE_CHECKING, Final
+
+from rolamento.document import (
+    Block,
+    CellContent,
+    Column,
+    Document,
+    Entry,
+    Figure,
+    KeyValues,
+    Notes,
+    Remark,
+    Section,
+    Statement,
+    Table,
+    Title,
+    Tone,
+)
+from rolamento.pages.limit import limit_section
+from rolamento.units import HOUR
+from rolamento.words import ABSENT, marked, said
+from rolamento.words.naming import listed, one_line
+from rolamento.words.sentences.severity import class_name, zone_meaning
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Picture
+
+    from rolamento.tasks.severity import MeasuredSeverity, SeverityResult
+
+__all__ = ["severity_page", "severity_statement", "trend_picture", "zones_picture"]
+
+_TONES: Final[dict[str, Tone]] = {
+    "A": "good-strong",
+    "B": "good-strong",
+    "C": "warning-strong",
+    "D": "bad-strong",
+}
+_LONGEST_NAME: Final = 32
+_QUANTITIES: Final = {
+    "velocity": marked("velocity"),
+    "acceleration": marked("acceleration"),
+    "displacement": marked("displacement"),
+}
+
+
+def severity_page(found: SeverityResult) -> Document:
+    """Return the page of the severity of one signal or of several.
+
+    Parameters
+    ----------
+    found
+        Of `rolamento.tasks.severity.severity_of`.
+    """
+    title = said("Severity of vibration")
+    if len(found.measured) == 1:
+        title = said("Severity of vibration: {name}", name=one_line(found.measured[0].title))
+    sections = [
+        Section("", _statements(found), key="verdict"),
+        Section("", (Title(title), KeyValues(_facts(found))), key="given"),
+        _signals(found),
+        _classes(found),
+    ]
+    if found.forecast is not None:
+        sections.append(limit_section([("", found.forecast)], "mm/s", "h"))
+    sections += [_notes(found), Section("", (_figure(found),), key="figures")]
+    return Document(title, tuple(sections), kind="severity", main="signals")
+
+
+def severity_statement(found: SeverityResult) -> str:
+    """Return in which zone the vibration is."""
+    worst = found.worst
+    if worst is None:
+        return said("No severity: the sampling rate does not contain the band.")
+    values = {"velocity": worst.severity.velocity}
+    zone = found.zone
+    if zone is None:
+        return said(
+            "{velocity:.3 mm/s} RMS; the zone depends on the class of the machine, which is not"
+            " given (--power and --support, or --class).",
+            **values,
+        )
+    values |= {"zone": zone, "meaning": zone_meaning(zone)}
+    if found.machine is None:
+        return said(
+            "Zone {zone}, {meaning}: {velocity:.3 mm/s} RMS, whichever of these classes the machine"
+            " is of.",
+            **values,
+        )
+    return said(
+        "Zone {zone}, {meaning}: {velocity:.3 mm/s} RMS ({standard}, {name}).",
+        standard=found.machine.standard,
+        name=class_name(found.machine.name),
+        **values,
+    )
+
+
+def _statements(found: SeverityResult) -> tuple[Block, ...]:
+    tone: Tone = "faint" if found.worst is None else "warning-strong"
+    blocks: list[Block] = [
+        Statement(severity_statement(found), _TONES[found.zone] if found.zone else tone)
+    ]
+    worst, machine = found.worst, found.machine
+    if worst is not None and machine is not None:
+        zones = worst.severity.certain_zones(machine)
+        if len(zones) > 1:
+            text = said(
+                "The record is too short, or the machine too unsteady, to tell the zones {zones}"
+                " apart: {lower:.3 [mm/s]} to {upper:.3 mm/s} at {confidence:.3 [%]} % confidence.",
+                zones=listed(zones),
+                lower=worst.severity.lower,
+                upper=worst.severity.upper,
+                confidence=worst.severity.confidence,
+            )
+            blocks.append(Statement(text, "faint"))
+    return tuple(blocks)
+
+
+def _facts(found: SeverityResult) -> tuple[Entry, ...]:
+    one = found.measured[0].severity
+    speed = said("{speed:.6 rpm}", speed=one.speed) if isfinite(one.speed) else said("not given")
+    entries = [
+        Entry(said("speed"), speed),
+        Entry(said("band"), said("{low:.4} to {high:.6 Hz}", low=one.band[0], high=one.band[1])),
+    ]
+    if len(found.measured) == 1:
+        entries.append(
+            Entry(
+                said("signal"),
+                said(
+                    "{quantity}, {duration:.4 s} at {rate:.6 Hz}",
+                    quantity=said(_QUANTITIES[one.quantity]),
+                    duration=one.duration,
+                    rate=one.rate,
+                ),
+            )
+        )
+    setting = found.setting
+    if setting is not None:
+        text = (
+            said(
+                "{alarm:.3 mm/s}: baseline of {baseline:.3 mm/s} and 25 % of the boundary B/C, at"
+                " most 1.25 times it",
+                alarm=setting.alarm,
+                baseline=setting.baseline,
+            )
+            if isfinite(setting.baseline)
+            else said(
+                "{alarm:.3 mm/s}: boundary B/C, as no baseline is given (--baseline)",
+                alarm=setting.alarm,
+            )
+        )
+        entries.append(Entry(said("alarm"), text))
+        text = said("at most {trip:.3 mm/s}: 1.25 times the boundary C/D", trip=setting.trip)
+        entries.append(Entry(said("trip"), text))
+    return tuple(entries)
+
+
+def _signals(found: SeverityResult) -> Section:
+    signals = [one.severity for one in found.measured]
+    hours = [one.hours for one in found.measured]
+    columns = [
+        Column(
+            head=said("signal"),
+            values=[one_line(one.title, _LONGEST_NAME) for one in found.measured],
+            key="signal",
+        ),
+        *(
+            [
+                Column(
+                    head=said("time"),
+                    values=[HOUR * time for time in hours],
+                    unit="h",
+                    form=".6 [h]",
+                    key="hours",
+                )
+            ]
+            * any(map(isfinite, hours))
+        ),
+        Column(
+            head="RMS", values=[one.velocity for one in signals], unit="mm/s", key="velocity",
+            form=".3 [mm/s]",
+        ),
+        Column(
+            head=said("from"), values=[one.lower for one in signals], unit="mm/s", key="lower",
+            form=".3 [mm/s]",
+        ),
+        Column(
+            head=said("to"), values=[one.upper for one in signals], unit="mm/s", key="upper",
+            form=".3 [mm/s]",
+        ),
+        Column(
+            head=said("displacement"), values=[one.displacement for one in signals], unit="µm",
+            key="displacement", form=".3 [µm]",
+        ),
+    ]  # fmt: skip
+    if found.machine is not None:
+        zones = [found.zone_of(one, found.machine) for one in found.measured]
+        columns.append(
+            Column(
+                head=said("zone"),
+                values=[zone or ABSENT for zone in zones],
+                tones=[_TONES[zone] if zone else "" for zone in zones],
+                key="zone",
+            )
+        )
+    legend = said(
+        "RMS: broadband velocity in the band. From–to: its {confidence:.3 [%]} % interval, by how"
+        " the segments of the record differ. Displacement: RMS in the same band.",
+        confidence=signals[0].confidence,
+    )
+    table = Table(columns=tuple(columns), key="signals", legends=(legend,))
+    return Section(said("Signals"), (table,), key="signals")
+
+
+def _classes(found: SeverityResult) -> Section:
+    worst = found.worst
+    zones = [None if worst is None else found.zone_of(worst, machine) for machine in found.classes]
+    edges = ("A/B", "B/C", "C/D")
+    with_displacement = any(machine.displacement for machine in found.classes)
+    columns = [
+        Column(
+            head=said("standard"),
+            values=[machine.standard for machine in found.classes],
+            key="standard",
+            once=True,
+        ),
+        Column(
+            head=said("class of machines"),
+            values=[class_name(machine.name) for machine in found.classes],
+            key="class",
+        ),
+        *(
+            Column(
+                head=edge,
+                values=[machine.velocity[place] for machine in found.classes],
+                unit="mm/s",
+                form=".3 [mm/s]",
+                key=edge,
+            )
+            for place, edge in enumerate(edges)
+        ),
+        *(
+            Column(
+                head=edge,
+                values=[_edge(machine.displacement, place) for machine in found.classes],
+                unit="µm",
+                form=".3 [µm]",
+                key=f"displacement {edge}",
+            )
+            for place, edge in enumerate(edges)
+            if with_displacement
+        ),
+        Column(
+            head=said("zone"),
+            values=[zone or ABSENT for zone in zones],
+            tones=[_TONES[zone] if zone else "" for zone in zones],
+            key="zone",
+        ),
+    ]
+    sources = dict.fromkeys(machine.source for machine in found.classes)
+    legends = [said("Boundaries: {source}.", source="; ".join(sources))]
+    if with_displacement:
+        legends.append(
+            said(
+                "Group 1: above 300 kW; group 2: above 15 and up to 300 kW. A support is rigid if"
+                " the lowest natural frequency of machine and support is at least 25 % above the"
+                " main excitation. The boundaries of displacement were not checked against a public"
+                " copy of the standard."
+            )
+        )
+    table = Table(columns=tuple(columns), key="classes", legends=tuple(legends), fixed=2)
+    return Section(said("Zones"), (table,), key="zones")
+
+
+def _edge(edges: tuple[float, ...], place: int) -> CellContent:
+    return edges[place] if edges else None
+
+
+def _notes(found: SeverityResult) -> Section:
+    about: dict[tuple[str, str], list[str]] = {}
+    for one in found.measured:
+        for note in one.notes:
+            about.setdefault((note.key, note.text), []).append(one_line(one.title, _LONGEST_NAME))
+    remarks = [Remark(note.text, note.key) for note in found.notes]
+    for (key, text), titles in about.items():
+        if len(titles) < len(found.measured):
+            text = said("{note} ({signals})", note=text, signals=", ".join(titles[:3]))
+        remarks.append(Remark(text, key))
+    return Section(said("Notes"), (Notes(tuple(remarks)),), key="notes")
+
+
+def _figure(found: SeverityResult) -> Figure:
+    if found.forecast is not None:
+
+        def draw_trend() -> Picture:
+            return trend_picture(found)
+
+        return Figure(
+            caption=said("Velocity over time, on the zones"), draw=draw_trend, key="trend"
+        )
+
+    def draw() -> Picture:
+        return zones_picture(found)
+
+    return Figure(caption=said("Measured velocity on the zones"), draw=draw, key="zones")
+
+
+def zones_picture(found: SeverityResult) -> Picture:
+    """Draw the velocities on the zones."""
+    from rolamento.plots.severity import severity_figure
+
+    measured = [(one.title, one.severity) for one in found.measured]
+    return severity_figure(measured, found.classes, setting=found.setting)
+
+
+def trend_picture(found: SeverityResult) -> Picture:
+    """Draw the velocity over time."""
+    from rolamento.plots.severity import severity_trend_figure
+
+    assert found.forecast is not None
+    series: list[MeasuredSeverity] = [one for one in found.measured if one.severity.measured]
+    return severity_trend_figure(
+        [one.hours for one in series],
+        [1e3 * one.severity.velocity for one in series],
+        found.forecast,
+        found.machine,
+    )

@@ -1,0 +1,185 @@
+"""A row of balls whose outer race is a sphere about the bearing's centre: self-aligning.
+
+The sphere looks the same from everywhere, so that a tilt of the inner ring takes balls and cage
+along, and leaves everything as it was, seen from the ring. With R the rotation of the ring's tilt
+(0, ry, rz), u its displacement (x, y, z) and f the force of the same row without tilt,
+
+    F = R f(Rᵀ u),      M = 0 about the centre.
+
+The moment is exactly zero at rest: every contact with the sphere pushes through its centre. At
+speed it is as long as the balls' centrifugal forces and gyroscopic moments are alike, as they are
+at the speed of one cage; what is left of them is neglected.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Self, cast
+
+import numpy as np
+
+from rolamento.numerics import BoolArray, FloatArray
+from rolamento.rows.ball.row import BallAnswer, BallRow, HeldBalls
+from rolamento.rows.row import Held, Indices, IntArray, RowGeometry, RowSizes
+
+__all__ = ["SphereRow"]
+
+_SMALL: float = 1e-3
+"""rad: below, the functions of the angle are taken by their series."""
+
+
+@dataclass(slots=True)
+class HeldOnSphere:
+    """Balls in their places, seen from the tilted ring, and what they answer to the outer one."""
+
+    balls: HeldBalls
+    force: FloatArray
+    stiffness: FloatArray
+
+    @property
+    def face_forces(self) -> FloatArray:
+        """(cases, 1, 5)."""
+        return self.force[:, np.newaxis]
+
+    @property
+    def scale(self) -> FloatArray:
+        """(cases,), N."""
+        return self.balls.scale
+
+    @property
+    def number(self) -> IntArray:
+        """(cases,)."""
+        return self.balls.number
+
+    @property
+    def residual(self) -> FloatArray:
+        """(cases,)."""
+        return self.balls.residual
+
+    @property
+    def safe_path(self) -> BoolArray:
+        """(cases,)."""
+        return self.balls.safe_path
+
+    def put(self, cases: Indices, part: Self) -> None:
+        """Copy what some of the cases answered to their places."""
+        self.balls.put(cases, part.balls)
+        self.force[cases], self.stiffness[cases] = part.force, part.stiffness
+
+
+@dataclass(frozen=True, slots=True)
+class SphereRow:
+    """Many cases of a row of balls in a sphere; row: the same without tilt."""
+
+    row: BallRow
+
+    @property
+    def cases(self) -> int:
+        """How many."""
+        return self.row.cases
+
+    @property
+    def element_count(self) -> int:
+        """Balls in the row."""
+        return self.row.element_count
+
+    @property
+    def faces(self) -> tuple[float, ...]:
+        """One groove a ring."""
+        return self.row.faces
+
+    @property
+    def sizes(self) -> RowSizes:
+        """For the assembly."""
+        return self.row.sizes
+
+    @property
+    def geometry(self) -> RowGeometry:
+        """For the result."""
+        return self.row.geometry
+
+    @property
+    def valid(self) -> BoolArray:
+        """Which cases have numbers that can be solved; (cases,)."""
+        return self.row.valid
+
+    def refuse(self, cases: BoolArray) -> None:
+        """Take some cases for invalid: they are left alone."""
+        self.row.refuse(cases)
+
+    def held(self, place: FloatArray, which: Indices, control: FloatArray) -> HeldOnSphere:
+        """Hold some of the cases at a place; (len(which), 5)."""
+        rotation, turns = _rotation(place[:, 3], place[:, 4])
+        back = np.swapaxes(rotation, 1, 2)
+        seen = np.zeros_like(place)
+        seen[:, :3] = _times(back, place[:, :3])
+        balls = self.row.held(seen, which, control)
+        own, tangent = balls.force[:, :3], balls.stiffness[:, :3, :3]
+        force, stiffness = np.zeros_like(place), np.zeros((len(place), 5, 5))
+        force[:, :3] = _times(rotation, own)
+        stiffness[:, :3, :3] = rotation @ tangent @ back
+        for axis, turn in zip((3, 4), turns, strict=True):
+            moved = _times(np.swapaxes(turn, 1, 2), place[:, :3])
+            change = _times(turn, own) + _times(rotation, _times(tangent, moved))
+            stiffness[:, :3, axis] = change
+        return HeldOnSphere(balls, force, stiffness)
+
+    def nothing(self, cases: int) -> HeldOnSphere:
+        """Make room for so many cases without a result."""
+        empty = np.full((cases, 5), np.nan)
+        return HeldOnSphere(self.row.nothing(cases), empty, np.full((cases, 5, 5), np.nan))
+
+    def first_contact(self) -> FloatArray:
+        """Place along x where the unloaded balls touch; (cases,), m."""
+        return self.row.first_contact()
+
+    def pressed_in(self, force: FloatArray) -> FloatArray:
+        """No preload is put on such rows; (cases,), NaN."""
+        return np.full(self.cases, np.nan)
+
+    def verdict(self, held: Held, control: FloatArray) -> IntArray:
+        """Jones's criterion for every ball; (cases, balls)."""
+        return self.row.verdict(cast(HeldOnSphere, held).balls, control)
+
+    def answer(
+        self, held: Held, control: FloatArray, shown: IntArray, lost: BoolArray
+    ) -> BallAnswer:
+        """Keep what the tables are made from, of cases that are not lost."""
+        return self.row.answer(cast(HeldOnSphere, held).balls, control, shown, lost)
+
+
+def _times(matrix: FloatArray, vector: FloatArray) -> FloatArray:
+    return np.asarray((matrix @ vector[..., np.newaxis])[..., 0])
+
+
+def _rotation(ry: FloatArray, rz: FloatArray) -> tuple[FloatArray, tuple[FloatArray, FloatArray]]:
+    """R of the rotation vector (0, ry, rz), and its derivatives by ry and rz; (cases, 3, 3).
+
+    R = 1 + a K + b K², a = sin θ/θ, b = (1 - cos θ)/θ². Rodrigues (1840).
+    """
+    generators = np.zeros((2, 3, 3))  # of x toward -z about y, of x toward y about z
+    generators[0, 0, 2], generators[0, 2, 0] = 1.0, -1.0
+    generators[1, 0, 1], generators[1, 1, 0] = -1.0, 1.0
+    angles = (ry, rz)
+    theta = np.hypot(ry, rz)
+    small = theta < _SMALL
+    t = np.where(small, 1.0, theta)
+    square = theta**2
+    a = np.where(small, 1.0 - square / 6.0, np.sin(t) / t)
+    b = np.where(small, 0.5 - square / 24.0, (1.0 - np.cos(t)) / t**2)
+    # a'(θ)/θ and b'(θ)/θ
+    a_slope = np.where(small, -1.0 / 3.0 + square / 30.0, (t * np.cos(t) - np.sin(t)) / t**3)
+    b_slope = np.where(
+        small, -1.0 / 12.0 + square / 180.0, (t * np.sin(t) - 2.0 * (1.0 - np.cos(t))) / t**4
+    )
+    k = sum(
+        angle[:, np.newaxis, np.newaxis] * g for angle, g in zip(angles, generators, strict=True)
+    )
+    k = np.asarray(k)
+    a, b, a_slope, b_slope = (f[:, np.newaxis, np.newaxis] for f in (a, b, a_slope, b_slope))
+    rotation = np.eye(3) + a * k + b * k @ k
+    turns = []
+    for angle, g in zip(angles, generators, strict=True):
+        share = angle[:, np.newaxis, np.newaxis]
+        turns.append(a * g + b * (g @ k + k @ g) + share * (a_slope * k + b_slope * k @ k))
+    return rotation, (turns[0], turns[1])

@@ -1,0 +1,207 @@
+"""The examples that are shipped: what each shows, and a command to try on it."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass, replace
+from importlib import resources
+from importlib.resources.abc import Traversable
+from typing import Final
+
+from rolamento._writing import write_text
+from rolamento.errors import FileError, InputError, cause, guess
+from rolamento.words import marked, said
+
+__all__ = ["EXAMPLES", "Example", "copy_examples"]
+
+_PACKAGE: Final = resources.files("rolamento")
+_FOLDER: Final = "examples/"
+_ALL: Final = "all"
+
+
+@dataclass(frozen=True, slots=True)
+class Example:
+    """An example.
+
+    Attributes
+    ----------
+    shows
+        What it shows, marked.
+    command
+        What to try on it; files are written as they are named in `files`.
+    files
+        Its files, below the folder that it is copied to; a study lies in a folder of its own,
+        beside that of its case.
+    sources
+        Of files that lie elsewhere in the package, where.
+    """
+
+    shows: str
+    command: str
+    files: tuple[str, ...]
+    sources: tuple[tuple[str, str], ...] = ()
+
+    def source(self, file: str) -> Traversable:
+        """Return where the package has a file."""
+        return _PACKAGE / dict(self.sources).get(file, _FOLDER + file)
+
+
+def _case(name: str, shows: str, command: str, *more: str) -> Example:
+    return Example(shows, f"rolamento {command}", (f"{name}.toml", *more))
+
+
+EXAMPLES: Final = {
+    "6310_motor": _case(
+        "6310_motor",
+        marked("electric motor, greased 6310/C3: fits, temperatures, life"),
+        "life 6310_motor.toml",
+    ),
+    "gear_shaft": Example(
+        marked("gear shaft: life of two bearings and of both together"),
+        "rolamento life gear_left.toml gear_right.toml",
+        ("gear_left.toml", "gear_right.toml"),
+    ),
+    "6305_life": _case(
+        "6305_life",
+        marked("gearbox bearing 6305/C3: life by every theory, and under a duty of three steps"),
+        "life 6305_life.toml --spectrum 6305_steps.csv",
+        "6305_steps.csv",
+    ),
+    "6305_film": _case(
+        "6305_film",
+        marked("deep-groove bearing with oil: film thickness and friction"),
+        "friction 6305_film.toml --over duty.inner_speed=100..6000rpm --log",
+    ),
+    "209_radial": _case(
+        "209_radial",
+        marked("deep-groove bearing with clearance at rest: how many balls carry"),
+        "turn 209_radial.toml",
+    ),
+    "218_combined": _case(
+        "218_combined",
+        marked("spindle bearing at 10 000 rpm under axial and radial load"),
+        "solve 218_combined.toml",
+    ),
+    "218_hybrid": _case(
+        "218_hybrid",
+        marked("the same with balls of silicon nitride, given by their properties"),
+        "report 218_combined.toml 218_hybrid.toml",
+        "218_combined.toml",
+    ),
+    "218_tilted": _case(
+        "218_tilted",
+        marked("the same on a misaligned shaft: an imposed tilt"),
+        "solve 218_tilted.toml",
+    ),
+    "6012_pair": _case(
+        "6012_pair",
+        marked("spindle pair back to back, with the preload of a maker's class"),
+        "solve 6012_pair.toml --set 'bearing.preload={ spring = \"500 N\" }'",
+    ),
+    "6012_triple": _case(
+        "6012_triple",
+        marked("fixed side of a spindle, row by row: two in tandem against one"),
+        "solve 6012_triple.toml",
+    ),
+    "ricci_fleury": _case(
+        "ricci_fleury",
+        marked("space mechanism: three balls, boundary lubrication, friction torque"),
+        "friction ricci_fleury.toml --over duty.load.fx=10..200N",
+    ),
+    "6310_clearance": Example(
+        marked("study: a motor bearing over temperature and clearance class"),
+        "rolamento sweep studies/6310_clearance.toml",
+        ("studies/6310_clearance.toml", "6310_motor.toml"),
+    ),
+    "218_speed": Example(
+        marked("study: displacement and stiffness over axial load and speed"),
+        "rolamento sweep studies/218_speed.toml",
+        ("studies/218_speed.toml", "218_combined.toml"),
+    ),
+    "218_scatter": Example(
+        marked("study: how far manufacture scatters stiffness and pressure"),
+        "rolamento tolerance studies/218_scatter.toml",
+        ("studies/218_scatter.toml", "218_combined.toml"),
+    ),
+    "life_test": Example(
+        marked("life test of 22 bearings: Weibull evaluation"),
+        "rolamento weibull life_test_campanha_2008.csv",
+        ("life_test_campanha_2008.csv",),
+        (("life_test_campanha_2008.csv", "weibull/data/campanha_2008.csv"),),
+    ),
+    "clearance_trend": Example(
+        marked("clearance measured over a life test: law of wear"),
+        "rolamento trend campanha_2008_clearance.csv",
+        ("campanha_2008_clearance.csv",),
+    ),
+    "noise_trend": Example(
+        marked("noise in anderons measured over a life test"),
+        "rolamento trend campanha_2008_anderon.csv",
+        ("campanha_2008_anderon.csv",),
+    ),
+    "preload_over_speed": Example(
+        marked("script: rigid against spring preload over speed, in Python"),
+        "python preload_over_speed.py",
+        ("preload_over_speed.py",),
+    ),
+}
+"""By name, in the order in which they are listed."""
+
+
+def copy_examples(
+    name: str, folder: str | os.PathLike[str] = ".", *, force: bool = False
+) -> dict[str, Example]:
+    """Copy an example into a folder, or all of them.
+
+    Parameters
+    ----------
+    name
+        Of `EXAMPLES`, with or without the ending of its file; ``"all"`` for every one.
+    folder
+        Is made where it is not there.
+    force
+        Overwrite files that are there.
+
+    Returns
+    -------
+    dict
+        What was copied by its name; files and command say where they are now.
+
+    Raises
+    ------
+    InputError, FileError
+        If there is no such example, or a file is there already or cannot be written.
+    """
+    known = name.removesuffix(".toml").removesuffix(".csv").removesuffix(".py")
+    if known not in EXAMPLES and known != _ALL:
+        rule = said("is not an example; {guess}", guess=guess(known, (*EXAMPLES, _ALL)))
+        raise InputError(rule, value=name, example="rolamento examples 6310_motor")
+    chosen = EXAMPLES if known == _ALL else {known: EXAMPLES[known]}
+    base = os.fspath(folder)
+    placed = {name: _placed(example, base) for name, example in chosen.items()}
+    for example in placed.values():
+        for path in example.files:
+            if os.path.lexists(path) and not force:
+                raise FileError(said("already exists; --force overwrites it"), source=path)
+    for name, example in chosen.items():
+        for file, path in zip(example.files, placed[name].files, strict=True):
+            _make_folder(os.path.dirname(path))
+            write_text(example.source(file).read_text(encoding="utf-8"), path)
+    return placed
+
+
+def _placed(example: Example, folder: str) -> Example:
+    """Return an example with its files in a folder."""
+    paths = {file: os.path.normpath(os.path.join(folder, file)) for file in example.files}
+    command = " ".join(paths.get(word, word) for word in example.command.split(" "))
+    return replace(example, files=tuple(paths.values()), command=command)
+
+
+def _make_folder(path: str) -> None:
+    if not path:
+        return
+    try:
+        os.makedirs(path, exist_ok=True)
+    except OSError as error:
+        rule = said("cannot be made: {reason}", reason=cause(error))
+        raise FileError(rule, source=path) from None

@@ -1,0 +1,223 @@
+"""A case file to start from: every field that there is, with what it means, most of them asleep."""
+
+from __future__ import annotations
+
+import math
+import textwrap
+import tomllib
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any, Final
+
+from rolamento.case import Case, parse_case
+from rolamento.case.bearing import Bearing
+from rolamento.case.fields import Field
+from rolamento.units import from_si, readable
+from rolamento.words import marked, said
+
+if TYPE_CHECKING:
+    from rolamento.catalogue import CatalogueBearing
+
+__all__ = ["TABLES", "case_template", "file_name"]
+
+TABLES: Final = {
+    "": marked("Every value has its unit. Lines that begin with # are optional: what they show is "
+               "an example, and goes into effect without the #. The other values are there to "
+               "start with: put your own in their place."),
+    "bearing": marked("The bearing. What a designation tells (balls, angle or clearance) may be "
+                      "given over it."),
+    "duty": marked("Speeds of the rings about the shaft's axis x."),
+    "duty.load": marked("What the shaft puts on the inner ring: x along the shaft, z the usual "
+                        "direction of the radial load. A moment of zero leaves the ring free to "
+                        "tilt."),
+    "duty.displacement": marked("Displacements that are imposed instead of loads. A tilt without "
+                                "a moment or a value is held at zero."),
+    "model": marked("Hypotheses of the calculation."),
+    "lubricant": marked("Oil or grease: for film, friction and modified life."),
+    "surface": marked("Roughness, for the film parameter."),
+    "temperature": marked("Temperatures in operation."),
+    "mounting": marked("Fits: with this table the bearing is solved with the clearance that fits, "
+                       "temperatures and speed leave."),
+    "film": marked("How the film thickness is calculated."),
+    "life": marked("Ratings, cleanliness and what is required of the life."),
+    "report": marked("Title block of rolamento report."),
+}  # fmt: skip
+"""What stands above each table of a case, and above the whole."""
+
+_WIDTH: Final = 88
+_COMMENTS_FROM: Final = 40
+_SPEED_FACTOR: Final = {True: 0.6, False: 0.15}
+"""n·d_m in 10⁶ mm/min to start with, of spindle bearings and of others: of usual size, no limit."""
+_SPINDLE_ANGLE: Final = math.radians(26.0)
+_LOAD_SHARE: Final = 0.1
+_LOAD: Final = 1000.0
+"""To start with: this share of C, or this force (N) where no rating is known."""
+_AXIAL: Final = ("angular_contact", "double_row", "four_point", "thrust")
+_ONLY_AXIAL: Final = ("thrust",)
+
+
+def case_template(designation: str | None = None) -> str:
+    """Return a commented case file in the language that is spoken, which solves as it is.
+
+    Parameters
+    ----------
+    designation
+        Of its bearing; without one it is given by its geometry.
+
+    Raises
+    ------
+    InputError
+        If there is no such bearing, or its designation tells too little.
+    """
+    bearing = None if designation is None else Bearing.named(designation)
+    awake = _by_geometry() if bearing is None else _by_designation(bearing)
+    asleep = {} if bearing is None else _examples_of(bearing)
+    lines = [*_wrapped(TABLES[""]), ""]
+    for table, fields in _tables().items():
+        if table:
+            is_awake = any(field.name in awake for field in fields) or table in ("bearing", "duty")
+            lines += ["", *_wrapped(TABLES[table]), f"[{table}]" if is_awake else f"# [{table}]"]
+        lines += [_line(field, awake, asleep) for field in fields]
+    text = "\n".join(lines) + "\n"
+    parse_case(text)  # what is written can be read
+    return text
+
+
+def file_name(designation: str | None) -> str:
+    """Return a name for the case file of a bearing, such as ``"6310-C3.toml"``."""
+    kept = "".join(c if c.isalnum() or c in "._" else "-" for c in (designation or "case").strip())
+    return f"{kept.strip('-.') or 'case'}.toml"
+
+
+def _tables() -> dict[str, list[Field]]:
+    """The fields of a case by their tables, in its order; not what a name stands for as a whole."""
+    known = Case.fields()
+    tables: dict[str, list[Field]] = {"": []}
+    for name, field in known.items():
+        table, _, _leaf = name.rpartition(".")
+        if table in TABLES and name not in TABLES and field.leaf != "element":
+            tables.setdefault(table, []).append(field)
+    return tables
+
+
+def _line(field: Field, awake: Mapping[str, Any], asleep: Mapping[str, Any]) -> str:
+    value = awake.get(field.name, asleep.get(field.name))
+    given = field.example if value is None else _toml(value)
+    line = f"{field.leaf} = {given}"
+    if field.name not in awake:
+        line = f"# {line}"
+    return f"{line.ljust(_COMMENTS_FROM - 1)} # {_meaning(field)}"
+
+
+def _meaning(field: Field) -> str:
+    """What a field is called, what it may be, and what it takes the place of."""
+    parts = [field.label]
+    if field.choices:
+        parts.append(" | ".join(field.choices))
+    table = field.name.rpartition(".")[0]
+    others = [one.removeprefix(f"{table}.") for one in field.rivals]
+    others = [one for one in others if "." not in one]
+    if others:
+        parts.append(said("instead of {others}", others=", ".join(others)))
+    return "; ".join(parts)
+
+
+def _toml(value: Any) -> str:
+    if isinstance(value, str):
+        escaped = value.replace("\\", "\\\\").replace('"', '\\"')
+        return f'"{escaped}"'
+    return str(value).lower() if isinstance(value, bool) else str(value)
+
+
+def _wrapped(text: str) -> Iterator[str]:
+    for line in textwrap.wrap(said(text), _WIDTH):
+        yield f"# {line}"
+
+
+# --- what it starts with --------------------------------------------------------------------------
+
+
+def _by_geometry() -> dict[str, Any]:
+    """A bearing by its balls and grooves, from the examples of the fields."""
+    names = (
+        *("ball_count", "ball_diameter", "pitch_diameter", "contact_angle"),
+        *("inner_conformity", "outer_conformity"),
+    )
+    fields = Case.fields()
+    own = {f"bearing.{name}": _example(fields[f"bearing.{name}"]) for name in names}
+    duty = ("duty.inner_speed", "duty.load.fx", "duty.load.fz")
+    return {
+        "title": said("My bearing"),
+        **own,
+        **{name: _example(fields[name]) for name in duty},
+        **_OIL,
+    }
+
+
+_OIL: Final = {
+    "lubricant.name": "ISO VG 68",
+    "lubricant.base_oil": "ISO VG 68",
+    "temperature.lubricant": "70 degC",
+}
+
+
+def _by_designation(bearing: Bearing) -> dict[str, Any]:
+    """A bearing of the catalogue, with a load and a speed that it bears for long."""
+    published = bearing.published
+    assert published is not None
+    load = _rounded(_LOAD_SHARE * (published.dynamic_rating or _LOAD / _LOAD_SHARE))
+    spindle = bearing.contact_angle is not None and bearing.contact_angle < _SPINDLE_ANGLE
+    speed = _rounded(1e3 * _SPEED_FACTOR[spindle] / bearing.pitch_diameter)
+    loads = {} if published.kind in _ONLY_AXIAL else {"duty.load.fz": from_si(load, "force")}
+    if published.kind in _AXIAL or bearing.contact_angle is not None:
+        loads["duty.load.fx"] = from_si(load, "force")
+    return {
+        "title": str(bearing.designation),
+        "bearing.designation": str(bearing.designation),
+        "duty.inner_speed": f"{speed:.0f} rpm",
+        **loads,
+        **_OIL,
+    }
+
+
+def _examples_of(bearing: Bearing) -> dict[str, Any]:
+    """Of what is asleep, the values that the bearing has."""
+    published = bearing.published
+    assert published is not None
+    fields = Case.fields()
+    found = {}
+    for leaf in bearing.origins:
+        field = fields[f"bearing.{leaf}"]
+        found[field.name] = _written(field, getattr(bearing, leaf))
+    found.update(_sizes(published, fields))
+    return found
+
+
+def _sizes(published: CatalogueBearing, fields: Mapping[str, Field]) -> dict[str, Any]:
+    """Sizes and ratings of the catalogue, where a case has a field for them."""
+    names = {
+        **{f"{table}.bore": published.bore for table in ("mounting", "film")},
+        **{
+            f"{table}.outside_diameter": published.outside_diameter
+            for table in ("mounting", "film")
+        },
+        "bearing.spacing": published.width,
+        "life.dynamic_rating": published.dynamic_rating,
+        "life.static_rating": published.static_rating,
+    }
+    return {name: _written(fields[name], value) for name, value in names.items() if value}
+
+
+def _written(field: Field, value: Any) -> Any:
+    """A value as a file has it, with no more digits than people read."""
+    if field.dimension is not None:
+        return readable(value, field.dimension).replace("µm", "um")
+    return value
+
+
+def _example(field: Field) -> Any:
+    return tomllib.loads(f"value = {field.example}")["value"]
+
+
+def _rounded(value: float) -> float:
+    """To one digit."""
+    return float(f"{value:.0e}")

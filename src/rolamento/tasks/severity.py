@@ -1,0 +1,361 @@
+"""The severity of a machine's vibration, of files of signals: its zone, its alarm, its trend."""
+
+from __future__ import annotations
+
+import csv
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from io import StringIO
+from math import isfinite, nan
+from typing import Any, Final, Unpack
+
+import numpy as np
+
+from rolamento._json import csv_number
+from rolamento.errors import InputError
+from rolamento.numerics.growth import Forecast, Law, forecast
+from rolamento.tasks.parameters import Stages, quietly, speed_of
+from rolamento.tasks.signals import (
+    Reading,
+    blocks_at,
+    require_calibrated,
+    unit_of_full_scale,
+)
+from rolamento.vibration.reading import open_signal
+from rolamento.vibration.severity import (
+    AlarmSetting,
+    MachineClass,
+    Severity,
+    Zone,
+    alarm_setting,
+    classes_of,
+    measure_severity,
+)
+from rolamento.words import Note, said
+
+__all__ = ["MeasuredSeverity", "SeverityResult", "severity_of"]
+
+SCHEMA: Final = 1
+_MOST_SIGNALS: Final = 500
+_MOST_HOURS: Final = 1e9
+_MILLI: Final = 1e-3
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class MeasuredSeverity:
+    """Severity of one signal.
+
+    Attributes
+    ----------
+    title
+        of the signal
+    severity
+        as measured
+    hours
+        at which it was recorded; NaN if not given
+    scaled_unit, sensitivity
+        how a file of whole numbers was scaled; "" otherwise
+    reading_notes, choices
+        how the samples were taken from their file
+    """
+
+    title: str
+    severity: Severity
+    hours: float = nan
+    scaled_unit: str = ""
+    sensitivity: str = ""
+    reading_notes: tuple[Note, ...] = ()
+    choices: tuple[Note, ...] = ()
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """What is to be known of it."""
+        notes = list(self.severity.notes)
+        if self.sensitivity:
+            notes.append(Note("scaled_by_sensitivity", {"sensitivity": self.sensitivity}))
+        if self.scaled_unit:
+            notes.append(Note("full_scale_one", {"unit": self.scaled_unit}))
+        return (*notes, *self.choices)
+
+
+@dataclass(frozen=True, eq=False)
+class SeverityResult:
+    """Severity of one signal or of several of a machine.
+
+    Attributes
+    ----------
+    measured
+        of every signal, in the order given, or of the hours
+    classes
+        that the machine may be of; one where that is known
+    baseline
+        usual RMS velocity of the machine, m/s; None if it is not known
+    limit
+        to which the trend is followed, m/s; None for the alarm
+    law
+        of growth, if one was asked for
+    confidence
+        of the interval of the time to the limit
+    """
+
+    measured: tuple[MeasuredSeverity, ...]
+    classes: tuple[MachineClass, ...]
+    baseline: float | None = None
+    limit: float | None = None
+    law: Law | None = None
+    confidence: float = 0.9
+
+    @property
+    def machine(self) -> MachineClass | None:
+        """The class, if it is known."""
+        return self.classes[0] if len(self.classes) == 1 else None
+
+    @property
+    def worst(self) -> MeasuredSeverity | None:
+        """The signal of the greatest velocity; the last one of a trend; None without any."""
+        measured = [one for one in self.measured if one.severity.measured]
+        if not measured:
+            return None
+        if isfinite(measured[-1].hours):
+            return measured[-1]
+        return max(measured, key=lambda one: one.severity.velocity)
+
+    def zone_of(self, one: MeasuredSeverity, machine: MachineClass) -> Zone | None:
+        """Zone of a signal, were the machine of a class."""
+        return machine.zone_of(one.severity.velocity) if one.severity.measured else None
+
+    @property
+    def zone(self) -> Zone | None:
+        """Zone of the machine: of the worst signal, where all classes agree on it."""
+        worst = self.worst
+        if worst is None:
+            return None
+        zones = {machine.zone_of(worst.severity.velocity) for machine in self.classes}
+        return zones.pop() if len(zones) == 1 else None
+
+    @property
+    def setting(self) -> AlarmSetting | None:
+        """Alarm and trip, where the class is known."""
+        return None if self.machine is None else alarm_setting(self.machine, self.baseline)
+
+    @property
+    def goal(self) -> float | None:
+        """Velocity to which the trend is followed; m/s."""
+        if self.limit is not None:
+            return self.limit
+        return None if self.setting is None else self.setting.alarm
+
+    @cached_property
+    def forecast(self) -> Forecast | None:
+        """When the velocity reaches the limit: hours and mm/s; None without hours or limit."""
+        series = [one for one in self.measured if one.severity.measured]
+        if len(series) < 2 or self.goal is None or not all(isfinite(one.hours) for one in series):
+            return None
+        return forecast(
+            np.array([one.hours for one in series]),
+            np.array([one.severity.velocity for one in series]) / _MILLI,
+            self.goal / _MILLI,
+            confidence=self.confidence,
+            law=self.law,
+        )
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """What is to be known of the whole."""
+        notes = [Note("severity_not_bearings")]
+        worst, machine = self.worst, self.machine
+        if machine is not None and worst is not None:
+            moved = machine.zone_of_displacement(worst.severity.displacement)
+            if moved is not None and moved > machine.zone_of(worst.severity.velocity):
+                notes.append(Note("severity_displacement_worse", {"zone": moved}))
+        return tuple(notes)
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Return everything as plain data, in SI units; the trend in hours and mm/s."""
+        setting = self.setting
+        return {
+            "schema": SCHEMA,
+            "kind": "severity",
+            "zone": self.zone,
+            "classes": [
+                {
+                    "name": machine.name,
+                    "standard": machine.standard,
+                    "velocity": list(machine.velocity),
+                    "displacement": list(machine.displacement),
+                    "source": machine.source,
+                    "quoted": machine.quoted,
+                    "displacement_source": machine.displacement_source,
+                }
+                for machine in self.classes
+            ],
+            "baseline": self.baseline,
+            "alarm": None if setting is None else setting.alarm,
+            "trip": None if setting is None else setting.trip,
+            "limit": self.goal,
+            "signals": [self._signal(one) for one in self.measured],
+            "trend": None if self.forecast is None else self.forecast.to_mapping(),
+            "notes": [note.to_mapping() for note in self.notes],
+        }
+
+    def _signal(self, one: MeasuredSeverity) -> dict[str, Any]:
+        return {
+            "title": one.title,
+            "hours": one.hours,
+            **one.severity.to_mapping(),
+            "zones": {machine.name: self.zone_of(one, machine) for machine in self.classes},
+            "reading_notes": [note.to_mapping() for note in one.reading_notes],
+            "notes": [note.to_mapping() for note in one.notes],
+        }
+
+    def record(self) -> str:
+        """Return velocity over hours as the CSV that `rolamento trend` reads."""
+        text = StringIO(newline="")
+        writer = csv.writer(text, lineterminator="\n")
+        text.write(f"# title: {said('Severity of vibration')}\n")
+        writer.writerow(("time (h)", "bearing", "velocity (mm/s)"))
+        for one in self.measured:
+            velocity = one.severity.velocity / _MILLI
+            writer.writerow((csv_number(one.hours), "1", csv_number(velocity)))
+        return text.getvalue()
+
+
+def severity_of(
+    paths: str | os.PathLike[str] | Sequence[str | os.PathLike[str]],
+    *,
+    speed: str | float | None = None,
+    group: int | None = None,
+    support: str | None = None,
+    power: str | float | None = None,
+    machine_class: str | None = None,
+    baseline: str | float | None = None,
+    limit: str | float | None = None,
+    law: Law | None = None,
+    confidence: float = 0.9,
+    hours: Sequence[float] | None = None,
+    start: float = 0.0,
+    duration: float | None = None,
+    stages: Stages = quietly,
+    **reading: Unpack[Reading],
+) -> SeverityResult:
+    """Measure the severity of files of signals of one machine, in bounded memory.
+
+    Parameters
+    ----------
+    paths
+        A file or several: of several places, or of one over time.
+    speed
+        Of the shaft: text such as "1480 rpm", or rad/s; by default as a file gives it.
+    group, support, power, machine_class
+        Of the machine, as of `rolamento.vibration.severity.classes_of`; the power as text such as
+        "45 kW", or in W.
+    baseline
+        Its usual velocity: text such as "1.2 mm/s", or m/s. It sets the alarm.
+    limit
+        To which a trend is followed, likewise; by default the alarm.
+    law
+        "linear" or "exponential", of that trend; by default the likelier one.
+    confidence
+        Of the interval of the time to the limit.
+    hours
+        At which the signals were recorded.
+    start, duration
+        Of the part of each signal; s.
+    stages
+        Is called with "reading" for each file, and how far that is.
+    reading
+        channel, rate, unit, scale and decimal_mark, as of `rolamento.vibration.open_signal`.
+
+    Raises
+    ------
+    FileError, InputError
+        If a file cannot be read, does not say what it measures or does not change, or a parameter
+        is out of range.
+    """
+    files = [paths] if isinstance(paths, str | os.PathLike) else list(paths)
+    if not 1 <= len(files) <= _MOST_SIGNALS:
+        raise InputError(
+            said("must be 1 to {most} files", most=_MOST_SIGNALS), field="signals", value=len(files)
+        )
+    if not 0.0 < confidence < 1.0:
+        rule = said("must be between 0 and 1, exclusive")
+        raise InputError(rule, field="confidence", value=confidence, example="confidence=0.9")
+    classes = classes_of(
+        group=group, support=support, power=_power(power), machine_class=machine_class
+    )
+    usual, goal = _velocity(baseline, "baseline"), _velocity(limit, "limit")
+    times = _hours(hours, len(files))
+    shaft = speed_of(speed, "speed")
+    measured = []
+    for path, time in zip(files, times, strict=True):
+        with stages("reading") as progress:
+            opened = open_signal(path, start=start, duration=duration, **reading)
+            with opened as source:
+                name = os.fspath(path)
+                require_calibrated(source, name)
+                at = source.speed if shaft is None else shaft
+                try:
+                    found = measure_severity(
+                        blocks_at(source, shaft, progress),
+                        duration=source.duration,
+                        speed=nan if at is None else at,
+                    )
+                except InputError as error:
+                    raise error.with_details(source=name) from None
+                scale = reading.get("scale")
+                measured.append(
+                    MeasuredSeverity(
+                        source.path.name,
+                        found,
+                        time,
+                        unit_of_full_scale(source, reading),
+                        "" if scale is None else str(scale),
+                        source.notes,
+                        source.choices,
+                    )
+                )
+    if hours is not None:
+        measured.sort(key=lambda one: one.hours)
+    return SeverityResult(tuple(measured), classes, usual, goal, law, confidence)
+
+
+def _power(given: str | float | None) -> float | None:
+    from rolamento.units import to_si
+
+    if not isinstance(given, str):
+        return given
+    try:
+        return to_si(given, "power")
+    except InputError as error:
+        raise error.with_details(field="power", example='power="45 kW"') from None
+
+
+def _velocity(given: str | float | None, field: str) -> float | None:
+    from rolamento.units import to_si
+
+    example = f'{field}="1.8 mm/s"'
+    if isinstance(given, str):
+        try:
+            given = to_si(given, "velocity")
+        except InputError as error:
+            raise error.with_details(field=field, example=example) from None
+    if given is not None and not 0.0 < given <= 1e3:
+        rule = said("must be a positive velocity")
+        raise InputError(rule, field=field, value=given, example=example)
+    return given
+
+
+def _hours(hours: Sequence[float] | None, count: int) -> list[float]:
+    if hours is None:
+        return [nan] * count
+    times = list(hours)
+    if len(times) != count or not all(0.0 <= time <= _MOST_HOURS for time in times):
+        rule = said(
+            "must be a number of hours, not negative, for each signal, here {count}", count=count
+        )
+        raise InputError(
+            rule, field="hours", value=", ".join(map(str, times)), example="hours=[60, 120, 180]"
+        )
+    return times
