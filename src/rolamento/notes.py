@@ -163,7 +163,7 @@ def _shoulders(solved: Solved) -> Iterator[Note]:
         ends = np.array([acos(float(edge_cosine(bearing, race))) for bearing in bearings])[row]
         if race == "outer" and solved.case.bearing.kind == "self_aligning":
             continue  # a sphere has no shoulder
-        bottom = _bottom(solved)
+        bottom = solved.case.bearing.groove_bottom
         reach = np.abs(contacts.contact_angle - bottom) + contacts.semi_major / (
             contacts.conformity * contacts.ball_diameter
         )
@@ -182,12 +182,6 @@ def _shoulders(solved: Solved) -> Iterator[Note]:
                     **_balls(solved, over),
                 },
             )
-
-
-def _bottom(solved: Solved) -> float:
-    """The contact angle (rad) of the grooves' deepest point, from which their shoulders count."""
-    bearing = solved.case.bearing
-    return bearing.row_angle if bearing.kind == "thrust" else 0.0
 
 
 def _arches(solved: Solved) -> Iterator[Note]:
@@ -459,7 +453,7 @@ def _out_of_the_washers(solved: Solved) -> Note:
     """
     rows = solved.rows
     bearing = solved.case.bearing
-    deepest = bearing.row_angle
+    deepest = bearing.groove_bottom
     lowest = max(deepest - _edge(solved.case, "outer"), radians(0.1))
     orbit = nominal_orbit(
         float(rows.ball_diameter[0, 0] / rows.pitch_diameter[0, 0]) * np.cos(deepest),
@@ -485,9 +479,7 @@ def _no_equilibrium(case: Case, axis: int, axial_load: float) -> Note:
     """Name the direction that nothing supports, and what would."""
     bearing = case.bearing
     if bearing.kind == "thrust":
-        return Note(
-            "thrust_unsupported" if axis == 0 else "thrust_pushed_aside", {"axis": AXES[axis]}
-        )
+        return Note("thrust_pushed_aside" if axial_load > 0.0 else "thrust_unsupported")
     if bearing.kind == "self_aligning" and axis > 2:
         return Note("sphere_holds_no_moment", {"axis": AXES[axis]})
     if bearing.kind is not None:

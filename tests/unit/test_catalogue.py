@@ -269,6 +269,7 @@ def test_search_as_one_types() -> None:
     assert [bearing.designation for bearing in search("nsk 6305")] == ["6305"]
     assert {bearing.designation for bearing in search("25 x 52 x 15")} == {
         "6205",
+        "1205",
         "E 225 15deg",
         "E 225 25deg",
     }
@@ -475,9 +476,19 @@ def test_examples_of_the_guide_run() -> None:
 
 def test_the_guide_counts_right() -> None:
     text = DOCUMENT.read_text("utf-8")
-    for maker, kind in (("NSK", "deep-groove"), ("SNFA", "angular"), ("GMN", "angular")):
-        count = sum(bearing.maker == maker for bearing in catalogue().bearings)
-        assert f"| {maker} | {count} {kind}" in text
+    for maker, kind, named in (
+        ("NSK", "deep_groove", "deep-groove"),
+        ("NSK", "double_row", "double-row"),
+        ("FAG", "double_row", "double-row"),
+        ("NSK", "four_point", "four-point"),
+        ("NSK", "self_aligning", "self-aligning"),
+        ("NSK", "thrust", "thrust"),
+        ("SNFA", "angular_contact", "angular"),
+        ("GMN", "angular_contact", "angular"),
+    ):
+        known = catalogue().bearings
+        count = sum(bearing.maker == maker and bearing.kind == kind for bearing in known)
+        assert f"| {maker} | {count} {named}" in text
 
 
 def test_a_class_without_a_range_for_the_bore(tmp_path: Path) -> None:

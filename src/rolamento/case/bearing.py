@@ -312,6 +312,11 @@ class Bearing(Record):
         return listed(self._listed)
 
     @property
+    def groove_bottom(self) -> float:
+        """The contact angle of the grooves' deepest point, from which shoulders count; rad."""
+        return self.row_angle if self.kind == "thrust" else 0.0
+
+    @property
     def ball_rows(self) -> tuple[RowPlace, ...]:
         """Those of the `places` that have balls of their own: one of a four-point bearing."""
         return self.places[:1] if self.kind == "four_point" else self.places

@@ -362,10 +362,7 @@ def _angle_of_radial(rows: Rows) -> FloatArray:
     steep = angle > MAXIMUM_ANGLE * (1.0 + _SAME)
     if steep.size and np.all(steep.any(axis=1)):
         raise InputError(
-            said(
-                "is that of a thrust bearing, which is rated for axial load: give it"
-                ' kind = "thrust"'
-            ),
+            said('is above 45°: such a bearing is rated for axial load; give it kind = "thrust"'),
             field="bearing.contact_angle",
             value=f"{float(np.degrees(angle.max())):.4g} deg",
             example='kind = "thrust"',

@@ -180,15 +180,6 @@ def _thrust_over_shoulder(values: Values) -> str:
     )
 
 
-def _thrust_pushed_aside(values: Values) -> str:
-    return said(
-        "The axial load does not hold the inner ring {direction}: a thrust bearing bears that only"
-        " as far as its contact angles change. Add axial load, or hold this degree of freedom with"
-        " a displacement, as a radial bearing on the shaft does.",
-        direction=_along(values["axis"]),
-    )
-
-
 def _sphere_holds_no_moment(values: Values) -> str:
     return said(
         "A self-aligning bearing bears no moment: nothing supports the inner ring {direction}. Take"
@@ -393,7 +384,12 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " shaft toward +x only, and needs some to keep its balls in their grooves. Reverse the"
         " load, add axial load (duty.load.fx), or hold the ring with duty.displacement.x."
     ),
-    "thrust_pushed_aside": _thrust_pushed_aside,
+    "thrust_pushed_aside": marked(
+        "The axial load does not hold the balls in their grooves against the radial load or the"
+        " moment: a thrust bearing bears these only as far as its contact angles change and its"
+        " balls stay loaded. Add axial load, or hold the ring with duty.displacement, as a radial"
+        " bearing on the shaft does."
+    ),
     "sphere_holds_no_moment": _sphere_holds_no_moment,
     "unheld_ball": marked(
         "This raceway control cannot hold a ball that a race loads too lightly to bear its"
