@@ -185,7 +185,7 @@ def _classes(case: CaseReport) -> bool:
     life = case.analysis.life
     return (
         life is not None
-        and hasattr(life.conditions.contamination, "name")
+        and hasattr(life.conditions.contamination, "c1")
         and (life.viscosity_ratio is not None)
     )
 
