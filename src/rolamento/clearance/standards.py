@@ -123,7 +123,7 @@ def class_clearance(bore: float, clearance_class: str) -> Band:
         if clearance_class == MOTOR_CLASS:
             rule = said(
                 "has no range for a bore of {bore} in {clearance_source}",
-                bore=from_si(bore, "length"),
+                bore=readable(bore, "length"),
                 clearance_source=MOTOR_CLASS_SOURCE,
             )
         else:

@@ -87,4 +87,4 @@ def speed_class(series: str, contact_angle: float | None, *, matched: bool) -> S
 def _mean(row: dict[str, Any], name: str) -> float:
     """Mean of n d_m over the bearings of a series, as ω d_m in m/s."""
     products = [one[name] * 0.5 * (one["d"] + one["D"]) for one in row["bearings"]]
-    return _TO_SI * sum(products) / len(products)
+    return float(_TO_SI * sum(products) / len(products))
