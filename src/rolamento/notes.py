@@ -80,7 +80,7 @@ def notes_on(solved: Solved) -> tuple[Note, ...]:
     checks = (
         _lost_rows, _lost_contacts, _pressures, _past_edge, _shoulders, _speeds, _tilts,
         _free_directions, _free_tilt, _control, _gyroscopic_slip, _gyroscopic_left_out, _arches,
-        _rolling, _estimated_geometry, _nearly_lost,
+        _rolling, _estimated_geometry, _letters, _nearly_lost,
     )  # fmt: skip
     return tuple(note for check in checks for note in check(solved))
 
@@ -367,10 +367,33 @@ def _estimated_geometry(solved: Solved) -> Iterator[Note]:
     if told is None or "inferred" not in bearing.origins.values():
         return
     alike = sum(one.reproduces for one in told.candidates)
-    if alike > 1:
+    if bearing.from_given_ratings:
+        yield Note("geometry_estimated_from_given", {"designation": name, "count": alike})
+    elif alike > 1:
         yield Note("geometry_estimated", {"designation": name, "count": alike})
     else:
         yield Note("geometry_estimated_uniquely", {"designation": name})
+
+
+def _letters(solved: Solved) -> Iterator[Note]:
+    """What of a designation changes nothing, or is not understood."""
+    bearing = solved.case.bearing
+    name, told = bearing.designation, bearing.told
+    if told is None:
+        return
+    letters, listed = told.designation.letters, told.bearing
+    if told.stands_in:
+        known = {"maker": listed.maker, "listed": listed.designation}
+        yield Note("designation_listed_as", {"designation": name, **known})
+    if told.idle:
+        parts = [list(part) for part in told.idle]
+        yield Note("designation_without_effect", {"designation": name, "parts": parts})
+    if letters.preload is not None and bearing.preload is None:
+        values = {"part": letters.preload.text, "meaning": letters.preload.meaning}
+        yield Note("designation_preload", {"designation": name, **values})
+    if letters.unknown:
+        unknown = list(letters.unknown)
+        yield Note("designation_not_understood", {"designation": name, "parts": unknown})
 
 
 def _nearly_lost(solved: Solved) -> Iterator[Note]:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping
-from contextlib import AbstractContextManager, nullcontext
+from contextlib import AbstractContextManager, nullcontext, suppress
 from functools import lru_cache
 from typing import TYPE_CHECKING, Annotated, Any, Final, Literal, NamedTuple, Self, cast
 
@@ -30,11 +31,12 @@ from rolamento.case.arrangement import (
     RowOfElements,
 )
 from rolamento.case.material import DEFAULT_MATERIAL, Material, MaterialField
+from rolamento.case.preload_classes import Level, listed_preload
 from rolamento.case.quantity import Line, Quantity, Ratio, Replaces, at_the_border
 from rolamento.case.record import Record
 from rolamento.errors import InputError
 from rolamento.geometry import free_contact_angle, sphere_conformity
-from rolamento.units import Dimension, from_si
+from rolamento.units import Dimension, from_si, readable
 from rolamento.words import said
 
 if TYPE_CHECKING:
@@ -43,6 +45,8 @@ if TYPE_CHECKING:
 __all__ = ["Bearing", "RowPlace", "balls_fit", "clearance_fits"]
 
 MOST_ROWS: Final = 32
+_WRITTEN_ANGLE: Final = re.compile(r"\s*\d+deg$")
+"""Of designations that tell their contact angle so, which lists of preloads do not."""
 _SET_FIELDS: Final = ("arrangement", "spacing", "rows", "preload")
 _BALL_FIELDS: Final = ("ball_count", "ball_diameter", "pitch_diameter")
 _PLAY: Final = ("contact_angle", "diametral_clearance")
@@ -58,8 +62,12 @@ _CATALOGUE_FIELDS: Final[Mapping[str, Dimension | None]] = {
     "shim_angle": "angle",
     "arrangement": None,
     "spacing": "length",
+    "ball_material": None,
+    "preload": None,
 }
 """What a designation fills in, by the dimension."""
+_ELSE_FROM: Final = {"spacing": "assumed", "preload": "designation"}
+"""Where a field comes from that the catalogue tells only together with what is given."""
 
 _Conformity = Annotated[float, Ratio(at_least=0.501, at_most=1.0, varies=True)]
 
@@ -247,9 +255,10 @@ class Bearing(Record):
             return {}
         own, told = self.model_fields_set, self.told.origins
         return {
-            name: "given" if name in own else told[name]
+            name: "given" if name in own else told.get(name) or _ELSE_FROM[name]
             for name in _CATALOGUE_FIELDS
-            if getattr(self, name) is not None and (name in own or name in told)
+            if getattr(self, name) is not None
+            and (name in own or name in told or name in _ELSE_FROM)
         }
 
     @property
@@ -302,6 +311,15 @@ class Bearing(Record):
         """Return a new bearing with the given fields changed; see `Record.replace`."""
         with self.looked_up():
             return super().replace(**changes)
+
+    @property
+    def from_given_ratings(self) -> bool:
+        """Whether the balls are inferred from ratings of the case, not of a list."""
+        return self.told is not None and self.told.from_given_ratings
+
+    def looked_up_again(self) -> Self:
+        """Return the bearing of the same designation in the catalogue that now is asked."""
+        return type(self)(**{name: getattr(self, name) for name in self.model_fields_set})
 
     def looked_up(self) -> AbstractContextManager[object]:
         """Return a block in which the designation is found where this bearing found it."""
@@ -358,6 +376,8 @@ class Bearing(Record):
         if (self.designation or self.rows) is None or not at_the_border(info.context):
             return fields
         told = _CATALOGUE_FIELDS.keys() - self.model_fields_set
+        if self.told is None or "ball_material" not in self.told.fields:
+            told -= {"ball_material"}
         return {name: value for name, value in fields.items() if name not in told}
 
     @model_validator(mode="after")
@@ -376,10 +396,10 @@ class Bearing(Record):
             raise InputError(
                 said(
                     "must be greater than the ball diameter, {ball_diameter}",
-                    ball_diameter=from_si(self.ball_diameter, "length"),
+                    ball_diameter=readable(self.ball_diameter, "length"),
                 ),
                 field="pitch_diameter",
-                value=from_si(self.pitch_diameter, "length"),
+                value=readable(self.pitch_diameter, "length"),
                 example='pitch_diameter = "125.26 mm"',
             )
         if not balls_fit(self.ball_count, self.ball_diameter, self.pitch_diameter):
@@ -389,8 +409,8 @@ class Bearing(Record):
                 said(
                     "balls of {ball_diameter} do not fit on a pitch circle of "
                     "{pitch_diameter}: there is room for {room}",
-                    ball_diameter=from_si(self.ball_diameter, "length"),
-                    pitch_diameter=from_si(self.pitch_diameter, "length"),
+                    ball_diameter=readable(self.ball_diameter, "length"),
+                    pitch_diameter=readable(self.pitch_diameter, "length"),
                     room=room,
                 ),
                 field="ball_count",
@@ -418,7 +438,7 @@ class Bearing(Record):
             raise InputError(
                 said("is of four-point bearings only"),
                 field="shim_angle",
-                value=from_si(self.shim_angle, "angle"),
+                value=readable(self.shim_angle, "angle"),
                 example='kind = "four_point"',
             )
         if self.kind == "self_aligning":
@@ -433,7 +453,7 @@ class Bearing(Record):
             raise InputError(
                 said('must be less than 90 deg, unless kind = "thrust"'),
                 field="contact_angle",
-                value=from_si(self.contact_angle, "angle"),
+                value=readable(self.contact_angle, "angle"),
                 example='contact_angle = "40 deg"',
             )
 
@@ -442,7 +462,7 @@ class Bearing(Record):
             raise InputError(
                 said("is not a quantity of a thrust bearing"),
                 field="diametral_clearance",
-                value=from_si(self.diametral_clearance, "length"),
+                value=readable(self.diametral_clearance, "length"),
                 example='contact_angle = "90 deg"',
             )
         assert self.contact_angle is not None  # filled in
@@ -450,7 +470,7 @@ class Bearing(Record):
             raise InputError(
                 said("of a thrust bearing must be greater than 45 deg"),
                 field="contact_angle",
-                value=from_si(self.contact_angle, "angle"),
+                value=readable(self.contact_angle, "angle"),
                 example='contact_angle = "90 deg"',
             )
 
@@ -473,7 +493,7 @@ class Bearing(Record):
             raise InputError(
                 said("of a self-aligning bearing must be greater than 0 deg"),
                 field="contact_angle",
-                value=from_si(self.contact_angle, "angle"),
+                value=readable(self.contact_angle, "angle"),
                 example='contact_angle = "10 deg"',
             )
         if self.diametral_clearance is not None and self.spacing is None:
@@ -486,7 +506,7 @@ class Bearing(Record):
             raise InputError(
                 said("cannot be combined with the contact angle: each follows from the other"),
                 field="spacing",
-                value=from_si(self.spacing, "length"),
+                value=readable(self.spacing, "length"),
                 example='contact_angle = "10 deg" without spacing',
             )
 
@@ -516,7 +536,7 @@ class Bearing(Record):
             raise InputError(
                 said("cannot be combined with the contact angle: each follows from the other"),
                 field="diametral_clearance",
-                value=from_si(self.diametral_clearance, "length"),
+                value=readable(self.diametral_clearance, "length"),
                 example='diametral_clearance = "0.015 mm" without contact_angle',
             )
 
@@ -536,7 +556,7 @@ class Bearing(Record):
                     most=most,
                 ),
                 field="diametral_clearance",
-                value=from_si(self.diametral_clearance, "length"),
+                value=readable(self.diametral_clearance, "length"),
                 example='diametral_clearance = "0.015 mm"',
             )
 
@@ -550,7 +570,7 @@ class Bearing(Record):
                         ball_diameter=_rounded_length(self.ball_diameter / 2),
                     ),
                     field=name,
-                    value=from_si(height, "length"),
+                    value=readable(height, "length"),
                     example=f'{name} = "{_rounded_length(0.2 * self.ball_diameter)}"',
                 )
 
@@ -614,7 +634,7 @@ def _of_catalogue(
     if own.intersection(_PLAY):
         missing -= set(_PLAY)
     if "rows" in own:
-        missing -= {"arrangement", "spacing"}
+        missing -= {"arrangement", "spacing", "preload"}
     if "contact_angle" in own and geometry.fields.get("kind") == "self_aligning":
         missing -= {"spacing"}
     if missing.issuperset(_PLAY) and not geometry.fields.keys() & set(_PLAY):
@@ -622,10 +642,31 @@ def _of_catalogue(
             geometry.lack_of_play, field="designation", value=geometry.designation.text
         )
     found: dict[str, Any] = {}
-    for name in missing & geometry.fields.keys():
-        value, dimension = geometry.fields[name], _CATALOGUE_FIELDS[name]
-        found[name] = from_si(value, dimension) if in_file and dimension else value
+    told = dict(geometry.fields)
+    arrangement = given.get("arrangement") or told.get("arrangement")
+    if isinstance(arrangement, str):
+        told = {"spacing": geometry.width, **told}
+        if len(set(ARRANGEMENTS.get(cast("Arrangement", arrangement), ()))) > 1:
+            told["preload"] = _listed_preload(geometry, given)
+    for name in missing & told.keys():
+        value, dimension = told[name], _CATALOGUE_FIELDS[name]
+        if value is not None:
+            found[name] = from_si(value, dimension) if in_file and dimension else value
     return found
+
+
+def _listed_preload(geometry: InternalGeometry, given: Mapping[str, Any]) -> dict[str, Any] | None:
+    """Return the preload that the letters name, if a maker lists it for this bearing."""
+    level = geometry.designation.letters.preload_level
+    angle = geometry.fields.get("contact_angle")
+    if level is None or given.get("contact_angle") is not None:
+        return None
+    listed = geometry.bearing.designation
+    for name in (listed, _WRITTEN_ANGLE.sub("", listed)):
+        with suppress(InputError):
+            listed_preload(name, cast("Level", level), angle)
+            return {"level": level, "designation": name}
+    return None
 
 
 def _of_first_row(given: Mapping[str, Any]) -> dict[str, Any]:
@@ -673,14 +714,16 @@ def _places(bearing: Bearing) -> tuple[RowPlace, ...]:
     if rows is None:
         return (RowPlace(bearing, 1.0, 0.0, 0.0),)
     plain: dict[str, Any] = dict.fromkeys(_SET_FIELDS)
-    if bearing.designation is None:  # of the first row
-        told = _CATALOGUE_FIELDS.keys() - bearing.model_fields_set - plain.keys()
-        plain.update({name: getattr(bearing, name) for name in told})
-    elif "arrangement" not in bearing.model_fields_set and bearing.rows is None:
-        # a double row by its designation, which would fill the arrangement in again
+    told = bearing.told
+    if told is not None and "arrangement" in told.fields and bearing.rows is None:
+        # a row alone is no such bearing, and the designation would fill the arrangement in again
         one = bearing.model_copy(update=plain)
         signs = ((row, 1.0 if row.orientation == "+" else -1.0) for row in rows)
         return tuple(RowPlace(one, sign, row.position, row.phase) for row, sign in signs)
+    if told is None or "arrangement" in told.fields:
+        names = _CATALOGUE_FIELDS.keys() - bearing.model_fields_set - plain.keys()
+        values = {name: getattr(bearing, name) for name in names}
+        plain.update({"designation": None, **values})  # of the first row
     places = []
     for index, row in enumerate(rows):
         try:
@@ -727,4 +770,4 @@ def _rows(bearing: Bearing) -> tuple[RowOfElements, ...] | None:
 
 
 def _rounded_length(value: float) -> str:
-    return from_si(float(f"{value:.4g}"), "length")
+    return readable(float(f"{value:.4g}"), "length")

@@ -7,13 +7,14 @@
 
 from __future__ import annotations
 
-from rolamento.catalogue.designation import ClearanceClass, Designation, parse_designation
+from rolamento.catalogue.designation import Designation, parse_designation
 from rolamento.catalogue.geometry import (
     ASSUMED_CONFORMITY,
     InternalGeometry,
     Origin,
     ambiguity_axis,
     geometry_of,
+    with_ratings,
 )
 from rolamento.catalogue.inference import (
     Candidate,
@@ -23,6 +24,7 @@ from rolamento.catalogue.inference import (
     inferred_geometry,
     practice_of,
 )
+from rolamento.catalogue.letters import ClearanceClass, Letters, Part
 from rolamento.catalogue.records import CatalogueBearing
 from rolamento.catalogue.rolling import RollingBearing, rolling_bearings
 from rolamento.catalogue.search import (
@@ -43,7 +45,9 @@ __all__ = [
     "Designation",
     "Found",
     "InternalGeometry",
+    "Letters",
     "Origin",
+    "Part",
     "Practice",
     "RollingBearing",
     "ambiguity_axis",
@@ -58,4 +62,5 @@ __all__ = [
     "parse_designation",
     "practice_of",
     "rolling_bearings",
+    "with_ratings",
 ]

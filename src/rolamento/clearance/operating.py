@@ -25,16 +25,16 @@ from rolamento.clearance.chain import Assembly, Chain, ChainResult, Temperatures
 from rolamento.clearance.measuring_load import usual_measuring_load
 from rolamento.clearance.standards import (
     BEARING_TOLERANCE_SOURCE,
-    CLEARANCE_SOURCE,
     TOLERANCE_SOURCE,
     Band,
     Limit,
+    clearance_source,
 )
 from rolamento.errors import InputError
 from rolamento.geometry import ring_geometry
 from rolamento.numerics import FloatArray
 from rolamento.numerics.percentiles import percentile
-from rolamento.units import from_si
+from rolamento.units import readable
 from rolamento.words import Note, said
 
 
@@ -127,7 +127,7 @@ def bearing_with_clearance(bearing: Bearing, clearance: float) -> Bearing:
         If the clearance closes the bearing, or opens it too far.
     """
     distance = ring_geometry(bearing).groove_centre_distance
-    shown = from_si(float(f"{clearance:.4g}"), "length")
+    shown = readable(float(f"{clearance:.4g}"), "length")
     angular = bearing.contact_angle is not None and bearing.contact_angle > 0.0
     if not clearance_fits(clearance, distance) or (angular and clearance < 0.0):
         if clearance >= 0.0:
@@ -300,7 +300,8 @@ def _chain_steps(chain: Chain, result: ChainResult) -> tuple[Step, ...]:
 def _origin_of_clearance(assembly: Assembly) -> Note:
     named = assembly.mounting.clearance_class or assembly.bearing.clearance_class
     if named is not None:
-        return Note("source_clearance_class", {"standard": CLEARANCE_SOURCE, "name": named})
+        source = clearance_source(named)
+        return Note("source_clearance_class", {"standard": source, "name": named})
     return Note("source_own_clearance")
 
 

@@ -14,7 +14,7 @@ from typing import Any, Final, Literal, NamedTuple, NoReturn, get_args
 
 from rolamento._data import toml_of
 from rolamento.errors import InputError
-from rolamento.units import MICROMETRE, MILLIMETRE, from_si
+from rolamento.units import MICROMETRE, MILLIMETRE, readable
 from rolamento.words import said
 
 Limit = Literal["minimum", "mean", "maximum"]
@@ -73,15 +73,24 @@ def step_of(diameter: float, limits: Sequence[float], *, field: str, standard: s
                 most=limits[-1],
             ),
             field=field,
-            value=from_si(diameter, "length") if isfinite(diameter) else diameter,
+            value=readable(diameter, "length") if isfinite(diameter) else diameter,
             example=f'{field} = "25 mm"',
         )
     return found
 
 
-ClearanceClass = Literal["C2", "CN", "C3", "C4", "C5"]
-CLEARANCE_CLASSES: Final[tuple[ClearanceClass, ...]] = get_args(ClearanceClass)
+ClearanceClass = Literal["C2", "CN", "C3", "C4", "C5", "CM"]
+CLEARANCE_CLASSES: Final[tuple[ClearanceClass, ...]] = get_args(ClearanceClass)[:-1]
+"""Of ISO 5753-1, rising."""
+MOTOR_CLASS: Final = "CM"
+"""Of NSK and NTN for electric motors: a narrow range within CN and below."""
 CLEARANCE_SOURCE: Final = "ISO 5753-1:2009"
+MOTOR_CLASS_SOURCE: Final = "NSK, Rolling Bearings (CAT. No. E1102e), table 9.13.1"
+
+
+def clearance_source(clearance_class: str) -> str:
+    """Return the source of a class's ranges."""
+    return MOTOR_CLASS_SOURCE if clearance_class == MOTOR_CLASS else CLEARANCE_SOURCE
 
 
 def class_clearance(bore: float, clearance_class: str) -> Band:
@@ -92,16 +101,16 @@ def class_clearance(bore: float, clearance_class: str) -> Band:
     bore
         d, in m; over 2.5 mm, at most 500 mm.
     clearance_class
-        ``"C2"``, ``"CN"``, ``"C3"``, ``"C4"`` or ``"C5"``.
+        ``"C2"``, ``"CN"``, ``"C3"``, ``"C4"``, ``"C5"`` or ``"CM"``.
 
     Raises
     ------
     InputError
-        If there is no such class, or the standard has none for this bore.
+        If there is no such class, or its source has none for this bore.
     """
-    if clearance_class not in CLEARANCE_CLASSES:
+    if clearance_class not in get_args(ClearanceClass):
         raise InputError(
-            said("must be one of {known}", known=", ".join(CLEARANCE_CLASSES)),
+            said("must be one of {known}", known=", ".join(get_args(ClearanceClass))),
             field="clearance_class",
             value=clearance_class,
             example='clearance_class = "C3"',
@@ -109,14 +118,22 @@ def class_clearance(bore: float, clearance_class: str) -> Band:
     data = toml_of("iso5753", "rolamento.clearance")
     step = step_of(bore, data["bore_mm"], field="bore", standard=CLEARANCE_SOURCE)
     pair = data["classes"][clearance_class][step]
-    if not pair:
-        minimum = from_si(data["bore_mm"][step + 1] * MILLIMETRE, "length")
-        raise InputError(
-            said(
+    begin = data["from_mm"].get(clearance_class, 0.0) * MILLIMETRE * (1.0 - _ROUNDING)
+    if not pair or bore < begin:
+        if clearance_class == MOTOR_CLASS:
+            rule = said(
+                "has no range for a bore of {bore} in {clearance_source}",
+                bore=readable(bore, "length"),
+                clearance_source=MOTOR_CLASS_SOURCE,
+            )
+        else:
+            rule = said(
                 "has no range for bores up to {least} in {clearance_source}",
-                least=minimum,
+                least=readable(data["bore_mm"][step + 1] * MILLIMETRE, "length"),
                 clearance_source=CLEARANCE_SOURCE,
-            ),
+            )
+        raise InputError(
+            rule,
             field="clearance_class",
             value=clearance_class,
             example='clearance_class = "C3"',
@@ -167,7 +184,7 @@ def _bearing_deviations(ring: str, diameter: float, field: str, tolerance_class:
             said(
                 "has no table for {field} = {diameter}",
                 field=field,
-                diameter=from_si(diameter, "length"),
+                diameter=readable(diameter, "length"),
             ),
             field="tolerance_class",
             value=tolerance_class,

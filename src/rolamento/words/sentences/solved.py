@@ -298,6 +298,36 @@ def _unsupported_one_sided(values: Values) -> str:
     )
 
 
+def _designation_without_effect(values: Values) -> str:
+    parts = [
+        said("{part}: {meaning}", part=part, meaning=said(meaning))
+        for part, meaning in values["parts"]
+    ]
+    return said(
+        "Parts of {designation} that are understood and have no effect on the results: {parts}.",
+        designation=values["designation"],
+        parts="; ".join(parts),
+    )
+
+
+def _designation_preload(values: Values) -> str:
+    return said(
+        "{designation} names a preload ({part}: {meaning}) whose force is in no list here: without"
+        " bearing.preload the rows are set without one.",
+        designation=values["designation"],
+        part=values["part"],
+        meaning=said(values["meaning"]),
+    )
+
+
+def _designation_not_understood(values: Values) -> str:
+    return said(
+        "Parts of {designation} that are not recognised, and not taken into account: {parts}.",
+        designation=values["designation"],
+        parts=", ".join(values["parts"]),
+    )
+
+
 SENTENCES: Final[dict[str, Sentence]] = {
     "text": lambda values: str(values["text"]),  # of files of an earlier release
     # notes
@@ -354,6 +384,18 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "The internal geometry of {designation} is not published; it is estimated from the load"
         " ratings, and no other standard ball size reproduces them."
     ),
+    "geometry_estimated_from_given": marked(
+        "The internal geometry of {designation} is not published; it is estimated from the load"
+        " ratings that are given (life.dynamic_rating, life.static_rating), which {count}"
+        " geometries reproduce (rolamento catalogue show): the best match is used."
+    ),
+    "designation_listed_as": marked(
+        "{designation} is looked up as {maker} {listed}, which has the same type, boundary"
+        " dimensions and contact angle."
+    ),
+    "designation_without_effect": _designation_without_effect,
+    "designation_preload": _designation_preload,
+    "designation_not_understood": _designation_not_understood,
     "preload_nearly_lost": marked(
         "Row {row} is about to lose its preload: it lifts off the inner ring at {factor:.3} times"
         " this load. More preload keeps it in contact."
