@@ -79,7 +79,7 @@ def test_page_and_json_name_the_neighbour(of_6310: Path, language: str) -> None:
     assert found.lookalikes is not None
     nearest = found.lookalikes.found[0].designation
     verdict, notes = page.split("motor", 1)
-    assert f"{nearest} (0" in verdict
+    assert f"{nearest} (" in verdict
     assert f"{nearest}: " in notes
     mapping = found.to_mapping()
     assert mapping["lookalikes"]["count"] == len(mapping["lookalikes"]["bearings"])

@@ -66,7 +66,9 @@ class Analysis:
         mapping = self.solved.to_mapping()
         film = None if self.film is None else self.film.to_mapping()
         friction = None if self.friction is None else self.friction.to_mapping()
-        notes = [*mapping.pop("notes"), *(note.to_mapping() for note in self.notes)]
+        nowhere = () if self.friction is None else self.friction.without_model(self.solved)
+        own = (note.to_mapping() for note in (*self.notes, *nowhere))
+        notes = [*mapping.pop("notes"), *own]
         case = mapping.pop("case")
         life = None if self.life is None else self.life.to_mapping()
         turns = None if self.frequencies is None else self.frequencies.to_mapping()
@@ -129,8 +131,7 @@ def analyse(
         return Analysis(solved)
     life, why_not = _life(solved)
     film, friction = _film_and_friction(solved, life, (model, hysteresis, compare), threads)
-    nowhere = friction.without_model(solved) if friction and len(solved) == 1 else ()
-    return Analysis(solved, film, friction, life, (*_missing(solved), *why_not, *nowhere))
+    return Analysis(solved, film, friction, life, (*_missing(solved), *why_not))
 
 
 def _film_and_friction(

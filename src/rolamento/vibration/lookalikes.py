@@ -13,7 +13,7 @@ from typing import Any, Final
 
 from rolamento.catalogue.rolling import RollingBearing
 from rolamento.vibration.diagnosis import COMPONENTS, Component, Diagnosis, FaultOrders
-from rolamento.vibration.frequencies import line_orders, turns_of
+from rolamento.vibration.frequencies import LineName, line_orders, turns_of
 from rolamento.words import Note
 
 __all__ = ["Lookalike", "Lookalikes", "lookalikes", "orders_of"]
@@ -25,10 +25,22 @@ _ALIKE: Final = 1e-6
 """Part within which two orders are the same: no record tells them apart."""
 
 
+_LINE_OF: Final[Mapping[Component, LineName]] = {
+    "outer_race": "ball_pass_outer",
+    "inner_race": "ball_pass_inner",
+    "ball": "ball_spin_twice",
+    "cage": "cage",
+}
+
+
+def _lines_of(bearing: RollingBearing, inner: float, outer: float) -> dict[LineName, float]:
+    turns = turns_of(bearing.diameter_ratio, bearing.contact_angle, inner, outer)
+    return {name: abs(order) for name, order in line_orders(turns, bearing.ball_count).items()}
+
+
 def orders_of(bearing: RollingBearing, inner: float = 1.0, outer: float = 0.0) -> FaultOrders:
     """Return the orders of a bearing's faults by its geometry, for speeds over the shaft's."""
-    turns = turns_of(bearing.diameter_ratio, bearing.contact_angle, inner, outer)
-    lines = {name: abs(order) for name, order in line_orders(turns, bearing.ball_count).items()}
+    lines = _lines_of(bearing, inner, outer)
     return FaultOrders(
         outer_race=lines["ball_pass_outer"] or None,
         inner_race=lines["ball_pass_inner"] or None,
@@ -194,6 +206,9 @@ def lookalikes(
         if bearing.designation == designation:
             continue
         compared += 1
+        lines = _lines_of(bearing, *ratios)
+        if not all(_near(lines[_LINE_OF[p]], found[p], diagnosis, freedom) for p in found):
+            continue
         orders = orders_of(bearing, *ratios)
         if all(_has(orders, part, order, diagnosis, freedom) for part, order in found.items()):
             differences = {
@@ -218,6 +233,11 @@ def lookalikes(
 def _balls(orders: FaultOrders) -> int:
     """The number of balls, which the orders of both races add up to, whatever the slip."""
     return round((orders.outer_race or 0.0) + (orders.inner_race or 0.0))
+
+
+def _near(order: float, found: float, diagnosis: Diagnosis, freedom: float) -> bool:
+    """Whether a line is worth a closer look: no part's may move farther than the cage's."""
+    return abs(found - order) <= (diagnosis.tolerance + freedom) * order + diagnosis.resolution
 
 
 def _has(
