@@ -91,6 +91,11 @@ def test_a_table_takes_the_place_of_the_whole(pair: Case) -> None:
     assert found[AS_GIVEN] is pair
 
 
+def test_an_empty_table_takes_it_away(pair: Case) -> None:
+    tandem = read_variant("tandem:bearing.arrangement=DT,bearing.preload={}").of(pair)
+    assert (tandem.bearing.arrangement, tandem.bearing.preload) == ("DT", None)
+
+
 def test_a_variant_without_changes_names_the_case(pair: Case) -> None:
     assert list(cases_compared(pair, read_variants([SPRING, "rigid:"]))) == ["spring", "rigid"]
 

@@ -216,7 +216,8 @@ def study_map(
 
 def nothing_to_draw(axes: Axes, study: StudyData) -> Axes:
     """Draw an empty frame with the reason that most cases give."""
-    return empty_frame(axes, no_result(common_failure(study)))
+    failure = common_failure(study)
+    return empty_frame(axes, no_result(failure) if failure else said("No case has this number"))
 
 
 class _Table(NamedTuple):
