@@ -142,7 +142,8 @@ def compared_lines(
         As `study_lines`, or if the studies do not fit: naming what differs.
     """
     tables = _fitting(studies, variable, over)
-    if any(table.along == SAMPLE and not table.others for table in tables.values()):
+    several = len(tables) > 1
+    if any(t.along == SAMPLE and (several or not t.others) for t in tables.values()):
         raise InputError(
             said("cannot show a study of samples alone"), field="kind", value="lines",
             example="histogram or scatter",
