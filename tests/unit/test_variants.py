@@ -91,6 +91,11 @@ def test_a_table_takes_the_place_of_the_whole(pair: Case) -> None:
     assert found[AS_GIVEN] is pair
 
 
+def test_an_empty_table_takes_it_away(pair: Case) -> None:
+    tandem = read_variant("tandem:bearing.arrangement=DT,bearing.preload={}").of(pair)
+    assert (tandem.bearing.arrangement, tandem.bearing.preload) == ("DT", None)
+
+
 def test_a_variant_without_changes_names_the_case(pair: Case) -> None:
     assert list(cases_compared(pair, read_variants([SPRING, "rigid:"]))) == ["spring", "rigid"]
 
@@ -305,6 +310,11 @@ def test_studies_that_do_not_fit_are_refused(tmp_path: Path) -> None:
     a, other = of_speed([0.0, 1.0], [1.0, 2.0]), of_speed([0.0, 1.0], [1.0, 2.0], "N")
     with pytest.raises(InputError, match=r"not the same in a \(N/m\) and b \(N\)"):
         compared_lines({"a": a, "b": other}, "stiffness_xx")
+    drawn_speeds = a.rename({"inner_speed": "sample"}).assign_coords(
+        inner_speed=("sample", [0.0, 1.0], {"units": "rad/s"})
+    )
+    with pytest.raises(InputError, match="cannot show a study of samples alone"):
+        compared_lines({"a": a, "b": drawn_speeds}, "stiffness_xx")
     loads = a.rename({"inner_speed": "fx"})
     with pytest.raises(InputError, match="is not an axis"):
         compared_lines({"a": a, "b": loads}, "stiffness_xx")

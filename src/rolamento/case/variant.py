@@ -48,8 +48,8 @@ class Variant(Record):
     changes
         By dotted field, such as ``{"bearing.preload.spring": "500 N"}``: values as in a case file,
         in Python SI numbers and records too. A table takes the place of the whole one,
-        ``{"bearing.preload": {"spring": "500 N"}}``; a field that of its rival. Empty for the case
-        as it is.
+        ``{"bearing.preload": {"spring": "500 N"}}``, an empty one takes it away; a field takes the
+        place of its rival. Empty for the case as it is.
 
     Raises
     ------
@@ -81,7 +81,10 @@ class Variant(Record):
         InputError
             If the two do not go together.
         """
-        return with_changes(case, self.changes) if self.changes else case
+        if not self.changes:
+            return case
+        taken = {name: None if value == {} else value for name, value in self.changes.items()}
+        return with_changes(case, taken)
 
 
 def with_the_case(variants: Sequence[Variant]) -> tuple[Variant, ...]:

@@ -13,7 +13,7 @@ from typing import Any, Final
 
 _NAMES_OF_MODULES: Final = {
     "anderon": ("noise_bands", "noise_figure", "noise_trend_figure"),
-    "balls": ("ball_loads", "contact_angles", "load_rosette", "pressures"),
+    "balls": ("ball_loads", "compared_states", "contact_angles", "load_rosette", "pressures"),
     "cage_turn": ("cage_turn_figure",),
     "curves": ("contact_angle_over_speed", "load_displacement", "stiffness_over_speed"),
     "ellipses": ("contact_ellipses", "ellipses_of_both_races"),
@@ -31,7 +31,14 @@ _NAMES_OF_MODULES: Final = {
     "saving": ("save_figure",),
     "severity": ("severity_figure", "severity_trend_figure", "zone_bars"),
     "slip": ("slip_map", "slip_maps"),
-    "sweep": ("study_histogram", "study_lines", "study_map", "study_scatter"),
+    "sweep": (
+        "compared_histograms",
+        "compared_lines",
+        "study_histogram",
+        "study_lines",
+        "study_map",
+        "study_scatter",
+    ),
     "tolerance": ("tolerance_figure",),
     "trend": ("trend_figure",),
     "vibration": (

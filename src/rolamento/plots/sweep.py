@@ -142,7 +142,8 @@ def compared_lines(
         As `study_lines`, or if the studies do not fit: naming what differs.
     """
     tables = _fitting(studies, variable, over)
-    if any(table.along == SAMPLE and not table.others for table in tables.values()):
+    several = len(tables) > 1
+    if any(t.along == SAMPLE and (several or not t.others) for t in tables.values()):
         raise InputError(
             said("cannot show a study of samples alone"), field="kind", value="lines",
             example="histogram or scatter",
@@ -216,7 +217,8 @@ def study_map(
 
 def nothing_to_draw(axes: Axes, study: StudyData) -> Axes:
     """Draw an empty frame with the reason that most cases give."""
-    return empty_frame(axes, no_result(common_failure(study)))
+    failure = common_failure(study)
+    return empty_frame(axes, no_result(failure) if failure else said("No case has this number"))
 
 
 class _Table(NamedTuple):

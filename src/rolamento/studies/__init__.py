@@ -8,6 +8,7 @@ From the inside out: `fields` (what may vary), `axes` and `scatter` (how), `samp
 `store` (what is kept), `writing` (files), `runner` (all together).
 """
 
+from rolamento.case.variant import Variant
 from rolamento.studies.axes import Axis
 from rolamento.studies.runner import Interrupted, OutputRange, Summary, run, run_to_file
 from rolamento.studies.scatter import Correlation, Distribution, Scatter
@@ -22,6 +23,7 @@ __all__ = [
     "Scatter",
     "Study",
     "Summary",
+    "Variant",
     "load_result",
     "load_study",
     "parse_study",

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
         remaining_study,
         replacement_study,
     )
-    from rolamento.tasks.report import CaseReport, Report, report_on
+    from rolamento.tasks.report import CaseReport, Report, compare_variants, report_on
     from rolamento.tasks.severity import SeverityResult, severity_of
     from rolamento.tasks.studies import Sweep, sweep, tolerance
     from rolamento.tasks.synthesis import SynthesisResult, Unsolved, synthesise
@@ -57,7 +57,7 @@ _NAMES_OF_MODULES: Final = {
         "remaining_study",
         "replacement_study",
     ),
-    "report": ("CaseReport", "Report", "report_on"),
+    "report": ("CaseReport", "Report", "compare_variants", "report_on"),
     "severity": ("SeverityResult", "severity_of"),
     "studies": ("Sweep", "sweep", "tolerance"),
     "synthesis": ("SynthesisResult", "Unsolved", "synthesise"),
@@ -101,6 +101,7 @@ __all__ = [
     "TrendStudy",
     "Unsolved",
     "anderons",
+    "compare_variants",
     "demonstration_study",
     "diagnose",
     "draw",
