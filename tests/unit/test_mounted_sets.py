@@ -496,9 +496,7 @@ def test_the_preload_of_a_batch_is_that_of_each_mounted_case() -> None:
     at_speed, at_rest = (preload_at(batch, running=which) for which in (True, False))
     factor = first_lift_off(batch).factor
     for index, interference in enumerate((0.0, 4e-6)):
-        alone = case.with_(
-            {"mounting.shaft_interference": interference, "duty.inner_speed": 800.0}
-        )
+        alone = case.with_({"mounting.shaft_interference": interference, "duty.inner_speed": 800.0})
         stages = {one.name: one.preload[1] for one in preload_stages(alone)}
         assert at_speed[index] == pytest.approx(stages["at_speed"], rel=1e-6)
         assert at_rest[index] == pytest.approx(stages["warm"], rel=1e-6)

@@ -77,9 +77,7 @@ class RemainingStudy(_Study):
 
     def to_mapping(self) -> dict[str, Any]:
         """Give it as plain values, in the unit that it names."""
-        return self._plain(
-            "remaining_life", self.found
-        )
+        return self._plain("remaining_life", self.found)
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,9 +92,7 @@ class ReplacementStudy(_Study):
 
     def to_mapping(self) -> dict[str, Any]:
         """Give it as plain values, in the units that it names."""
-        plain = self._plain(
-            "age_replacement", self.found
-        )
+        plain = self._plain("age_replacement", self.found)
         return {**plain, "currency": self.currency}
 
 
@@ -123,9 +119,7 @@ class FleetStudy(_Study):
     def to_mapping(self) -> dict[str, Any]:
         """Give it as plain values, in the unit that it names."""
         return {
-            **self._plain(
-                "fleet_forecast", self.found
-            ),
+            **self._plain("fleet_forecast", self.found),
             "names": list(self.names),
             "from": None if self.begin is None else self.begin.isoformat(),
             "until": None if self.end is None else self.end.isoformat(),
