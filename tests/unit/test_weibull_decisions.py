@@ -221,7 +221,7 @@ class TestFleet:
 
     def test_what_cannot_be_is_refused(self) -> None:
         law = LifeDistribution.given(2.0, scale=1.0)
-        with pytest.raises(InputError, match="renewals"):
+        with pytest.raises(InputError, match="failures at each place"):
             fleet_forecast(law, Fleet.of([0.0], 1e6), renewed=True)
         for ages, ahead, counts in (([-1.0], 1.0, [1]), ([1.0], np.nan, [1]), ([1.0], 1.0, [0])):
             with pytest.raises(InputError):

@@ -33,6 +33,7 @@ from rolamento.weibull._checks import (
     sample_count,
     shape_of,
     share,
+    time_of,
 )
 from rolamento.weibull.estimates import ENDED_BY_FAILURES, fixed_shape, maximum_likelihood
 from rolamento.weibull.fit import Outcome
@@ -43,6 +44,8 @@ from rolamento.words import Note, said
 __all__ = ["Interval", "LifeDistribution"]
 
 _SAMPLES: Final = 10_000
+_LEAST_SHAPE: Final = 0.1
+"""Of a distribution that is given: below it the mean is beyond all use."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,6 +128,9 @@ class LifeDistribution(Outcome):
             For neither or both of scale and L10, or a number that cannot be.
         """
         beta = shape_of(shape)
+        if beta < _LEAST_SHAPE:
+            rule = said("must be at least {least:.6g}", least=_LEAST_SHAPE)
+            raise InputError(rule, field="shape", value=shape, example="1.5")
         if (scale is None) == (l10 is None):
             raise InputError(
                 said("or l10 must be given, and not both"), field="scale", example="12000.0"
@@ -132,7 +138,7 @@ class LifeDistribution(Outcome):
         if scale is None:
             assert l10 is not None
             scale = positive(l10, "l10", "5000.0") * exp(-log(-log(0.9)) / beta)
-        eta = positive(scale, "scale", "12000.0")
+        eta = time_of(scale, "scale")
         nothing = np.empty(0)
         return cls("converged", beta, eta, unit, "given", 0, 0, nothing, nothing)
 

@@ -59,7 +59,9 @@ MAXIMUM_UNITS: Final = 1_000_000
 _MAXIMUM_ROWS: Final = 10_000
 _NODES, _MOST_NODES = 400, 8000
 """Steps of the renewal integral: in a life η, and at most."""
-_MOST_LIVES: Final = 100_000
+_WHOLE: Final = 1.0 - 1e-9
+_RENEWED_DRAWS: Final = 2000
+_MOST_LIVES: Final = 10_000
 """One after the other at one place, in a draw."""
 _RISKIEST: Final = 5
 _MOST_DRAWN: Final = 20_000_000
@@ -276,10 +278,13 @@ def renewals(shape: float, scale: float, ages: FloatArray, ahead: FloatArray) ->
     # steps fine enough for the lives, all rows on one grid
     steps = int(min(_NODES * max(1.0, longest / scale), _MOST_NODES))
     grid = np.linspace(0.0, longest, steps + 1)
-    at_ends = -np.expm1(-((grid / scale) ** shape))
-    at_middles = -np.expm1(-(((grid[1:] - 0.5 * grid[1]) / scale) ** shape))
+    with np.errstate(over="ignore"):
+        at_ends = -np.expm1(-((grid / scale) ** shape))
+        at_middles = -np.expm1(-(((grid[1:] - 0.5 * grid[1]) / scale) ** shape))
     m, rises = np.zeros(steps + 1), np.zeros(steps + 1)
     first = float(at_middles[0])
+    if first > _WHOLE:  # a life is shorter than a step
+        return np.full(len(ages), np.inf)
     for i in range(1, steps + 1):
         before = float(rises[1:i] @ at_middles[i - 1 : 0 : -1])
         m[i] = (at_ends[i] + before - first * m[i - 1]) / (1.0 - first)
@@ -330,9 +335,9 @@ def fleet_forecast(
     random = generator(seed)
     notes: tuple[Note, ...] = () if law.uncertain else (Note("fleet_without_uncertainty"),)
     probability = _failing(law.shape, law.scale, fleet)
+    expected = _expected(law, fleet, parts, renewed)
     if renewed:
-        _check_renewals(law, fleet)
-    expected = [_expected(law, fleet.part(part), renewed) for part in parts]
+        _check_renewals(float(expected[-1]), fleet)
     drawn = _counted(law, fleet, parts, renewed, random)
     tail = 0.5 * (1.0 - confidence)
     lower, upper = np.quantile(drawn, [tail, 1.0 - tail], axis=0, method="inverted_cdf")
@@ -349,7 +354,8 @@ def fleet_forecast(
     else:
         none = float(np.mean(drawn[:, -1] == 0))
     order = np.argsort(-probability, kind="stable")[:_RISKIEST]
-    now = -np.expm1(-((fleet.ages / law.scale) ** law.shape))
+    with np.errstate(over="ignore"):
+        now = -np.expm1(-((fleet.ages / law.scale) ** law.shape))
     return FleetForecast(
         law,
         fleet,
@@ -382,14 +388,21 @@ def _chances(
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
         before = (ages / eta) ** beta
         longer = before * np.expm1(beta * np.log1p(ahead / np.maximum(ages, 1e-300)))
-        risk = np.where(ages > 0.0, longer, (ahead / eta) ** beta)
+        whole = ((ages + ahead) / eta) ** beta  # where a power is beyond any number
+        risk = np.where((ages > 0.0) & np.isfinite(longer), longer, whole)
     return np.asarray(-np.expm1(-np.where(ahead > 0.0, risk, 0.0)))
 
 
-def _expected(law: LifeDistribution, fleet: Fleet, renewed: bool) -> float:
+def _expected(law: LifeDistribution, fleet: Fleet, parts: FloatArray, renewed: bool) -> FloatArray:
+    """Expected failures at the parts of the way; (parts,)."""
+    ahead = np.outer(parts, fleet.ahead)
     if renewed:
-        return float(fleet.counts @ renewals(law.shape, law.scale, fleet.ages, fleet.ahead))
-    return float(fleet.counts @ _failing(law.shape, law.scale, fleet))
+        ages = np.broadcast_to(fleet.ages, ahead.shape).ravel()
+        each = renewals(law.shape, law.scale, ages, ahead.ravel()).reshape(ahead.shape)
+    else:
+        one = np.array([law.shape]), np.array([law.scale])
+        each = np.stack([_chances(*one, fleet.ages, row)[0] for row in ahead])
+    return np.asarray(each @ fleet.counts)
 
 
 def _limits_of(cumulated: FloatArray, tail: float) -> tuple[float, float]:
@@ -399,16 +412,13 @@ def _limits_of(cumulated: FloatArray, tail: float) -> tuple[float, float]:
     return float(low), float(min(high, len(cumulated) - 1))
 
 
-def _check_renewals(law: LifeDistribution, fleet: Fleet) -> None:
+def _check_renewals(expected: float, fleet: Fleet) -> None:
     """Refuse more lives one after the other than can be followed."""
-    from scipy.special import gamma
-
-    mean = law.scale * float(gamma(1.0 + 1.0 / law.shape))
-    many = float(fleet.ahead.max()) / mean
-    if many > _MOST_RENEWALS:
+    many = expected / fleet.size
+    if not many <= _MOST_RENEWALS:
         raise InputError(
             said(
-                "is {many:.3} mean lives; at most {most:.6g} renewals can be followed",
+                "brings {many:.3} failures at each place; at most {most:.6g} can be followed",
                 many=many,
                 most=_MOST_RENEWALS,
             ),
@@ -427,6 +437,7 @@ def _counted(
     """Cumulated failures at the parts of the way, in draws of the distribution: (draws, parts)."""
     width = (fleet.size if renewed else len(fleet.ages)) * len(parts)
     count = len(law.shapes) if law.uncertain else 10_000
+    count = min(count, _RENEWED_DRAWS) if renewed else count
     count = max(min(count, _MOST_DRAWN // width), min(_FEWEST_DRAWS, count))
     shapes = law.shapes[:count] if law.uncertain else np.full(count, law.shape)
     scales = law.scales[:count] if law.uncertain else np.full(count, law.scale)

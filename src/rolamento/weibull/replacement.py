@@ -243,6 +243,7 @@ def age_replacement(
     if law.uncertain and np.isfinite(best):
         rates = cost_rate(np.array([[best], [np.inf]]), law.shapes, law.scales, c_p, c_f)
         saved = 1.0 - rates[0] / rates[1]
+    saving = 1.0 - least / on_failure if code == "optimum" else 0.0
     one = (law.shape, law.scale)
     failed = -float(np.expm1(-((best / law.scale) ** law.shape))) if np.isfinite(best) else 1.0
     mean_cost = c_p * (1.0 - failed) + c_f * failed
@@ -255,10 +256,10 @@ def age_replacement(
         law.interval(best, drawn, confidence),
         least,
         on_failure,
-        law.interval(1.0 - least / on_failure, saved, confidence),
+        law.interval(saving, saved, confidence),
         float(np.mean(~np.isfinite(drawn))) if len(drawn) else np.nan,
         failed,
-        mean_cost / least,
+        mean_cost / least if least > 0.0 else np.inf,
         _near(best, least, *one, c_p, c_f) if np.isfinite(best) else (np.nan, np.nan),
         _if_shape(law, best, c_p, c_f) if np.isfinite(best) else (),
     )

@@ -50,7 +50,9 @@ def _more_risk(
     with np.errstate(over="ignore", invalid="ignore"):
         if age == 0.0:
             return np.asarray((x / eta) ** beta)
-        return np.asarray((age / eta) ** beta * np.expm1(beta * np.log1p(x / age)))
+        longer = (age / eta) ** beta * np.expm1(beta * np.log1p(x / age))
+        whole = ((age + x) / eta) ** beta  # where a power is beyond any number
+        return np.asarray(np.where(np.isnan(longer) & ~np.isnan(x), whole, longer))
 
 
 def residual_life(
