@@ -28,8 +28,21 @@ __all__ = ["app"]
 _MOST: Final = 40
 _MOST_OF_ALL: Final = 1000
 
+
+class _Shown(GroupedCommands):
+    """What is no command, and has a figure in it, is a designation to be shown."""
+
+    def resolve_command(self, ctx: Any, args: list[str]) -> tuple[str | None, Any, list[str]]:
+        """Take ``catalogue 3206`` for ``catalogue show 3206``."""
+        name = args[0]
+        is_designation = not name.startswith("-") and any(sign.isdecimal() for sign in name)
+        if is_designation and self.get_command(ctx, name) is None:
+            args = ["show", *args]
+        return super().resolve_command(ctx, args)
+
+
 app = typer.Typer(
-    cls=GroupedCommands,
+    cls=_Shown,
     no_args_is_help=True,
     rich_markup_mode=None,
 )
