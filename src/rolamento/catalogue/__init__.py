@@ -7,13 +7,14 @@
 
 from __future__ import annotations
 
-from rolamento.catalogue.designation import ClearanceClass, Designation, parse_designation
+from rolamento.catalogue.designation import Designation, parse_designation
 from rolamento.catalogue.geometry import (
     ASSUMED_CONFORMITY,
     InternalGeometry,
     Origin,
     ambiguity_axis,
     geometry_of,
+    with_ratings,
 )
 from rolamento.catalogue.inference import (
     Candidate,
@@ -23,6 +24,7 @@ from rolamento.catalogue.inference import (
     inferred_geometry,
     practice_of,
 )
+from rolamento.catalogue.letters import ClearanceClass, Letters, Part
 from rolamento.catalogue.records import CatalogueBearing
 from rolamento.catalogue.search import (
     Catalogue,
@@ -42,7 +44,9 @@ __all__ = [
     "Designation",
     "Found",
     "InternalGeometry",
+    "Letters",
     "Origin",
+    "Part",
     "Practice",
     "ambiguity_axis",
     "ball_name",
@@ -55,4 +59,5 @@ __all__ = [
     "listed",
     "parse_designation",
     "practice_of",
+    "with_ratings",
 ]

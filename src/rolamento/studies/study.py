@@ -244,7 +244,8 @@ class Study(Record):
         if not at_the_border(info.context):
             return table
         if "ball_material" not in self.case.bearing.model_fields_set:
-            del table["case"]["bearing"]["ball_material"]  # it goes on following the rings'
+            # it goes on following the rings', or the designation
+            table["case"]["bearing"].pop("ball_material", None)
         kept = {key: value for key, value in table.items() if value not in ("", (), [], None)}
         return {
             key: list(value) if isinstance(value, tuple) else value for key, value in kept.items()
