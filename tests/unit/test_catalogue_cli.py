@@ -71,6 +71,14 @@ def test_a_misspelt_command_is_no_designation() -> None:
     assert "Did you mean search" in run("serch", "62").stderr
 
 
+@pytest.mark.parametrize("designation", ["QJ 210", "FAG 3206", "6205 C3"])
+def test_a_designation_of_several_words_needs_no_quotes(designation: str) -> None:
+    shown = run("show", designation).stdout
+    assert shown
+    assert run(*designation.split()).stdout == shown
+    assert run("show", *designation.split()).stdout == shown
+
+
 def test_show_of_a_published_inside() -> None:
     result = run("show", "S 6012 C")
     assert result.exit_code == 0
