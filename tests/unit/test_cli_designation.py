@@ -98,6 +98,7 @@ def test_a_study_takes_one(folder: Path) -> None:
     ("arguments", "told"),
     [
         (("solve", "6310"), "6310: duty.load: is missing: nothing loads the bearing"),
+        (("clearance", "6310"), "example: --set mounting.shaft_tolerance=k5 --set mounting.hous"),
         (("solve", "6310", "--fr", "5"), '--fr: "5": needs a unit of force'),
         (("solve", "6310", "--fr", "5 mm"), '--fr: "5 mm"'),
         (("solve", "6310", *LOAD, "--set", "duty.load.fz=1 kN"), "--set duty.load.fz too"),

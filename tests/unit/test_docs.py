@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import re
+import shlex
 import shutil
 from pathlib import Path
 
 import pytest
+from typer.testing import CliRunner
+
+from rolamento.cli.app import app
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 BLOCKS = [
@@ -25,3 +29,51 @@ def test_example_runs(
     shutil.copy(examples / "218_combined.toml", tmp_path / "case.toml")
     monkeypatch.chdir(tmp_path)
     exec(compile(block, "example", "exec"), {})
+
+
+ROOT = DOCS.parent
+FRONT_PAGES = ("README.md", "README.pt-BR.md")
+
+
+def links_of(page: Path) -> set[str]:
+    """The files of the project that a page leads to, without their sections."""
+    found = re.findall(r"\]\(([^)#\s]+)", page.read_text("utf-8"))
+    return {link for link in found if "://" not in link}
+
+
+def test_both_front_pages_lead_to_the_same_pages() -> None:
+    english, portuguese = (links_of(ROOT / page) for page in FRONT_PAGES)
+    assert english - {"README.pt-BR.md"} == portuguese - {"README.md"}
+    assert all((ROOT / link).exists() for link in english | portuguese)
+
+
+def test_both_front_pages_have_the_same_sections_and_commands() -> None:
+    shapes = []
+    for page in FRONT_PAGES:
+        text = (ROOT / page).read_text("utf-8")
+        commands = re.findall(r"^ {4}(?:\.venv/bin/)?rolamento (\w+)", text, re.M)
+        shapes.append((len(re.findall(r"^## ", text, re.M)), commands))
+        for way in ("pipx install .", ".venv\\Scripts\\pip install .", "%pip install ."):
+            assert way in text
+    assert shapes[0] == shapes[1]
+
+
+def test_every_guide_is_reached_from_the_front_pages_and_the_index() -> None:
+    guides = {path.name for path in DOCS.glob("*.md")} - {"index.md"}
+    assert {f"docs/{name}" for name in guides} <= links_of(ROOT / "README.md")
+    assert guides <= links_of(DOCS / "index.md")
+
+
+@pytest.mark.parametrize("page", FRONT_PAGES)
+def test_a_bearing_by_its_designation_as_the_front_page_has_it(
+    page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    text = (ROOT / page).read_text("utf-8")
+    block = re.search(r"((?:^ {4}rolamento .*\n)+)", text, re.M)
+    assert block is not None
+    for line in block[1].splitlines():
+        words = shlex.split(line, comments=True)
+        result = CliRunner().invoke(app, words[1:], env={"LC_ALL": "C.UTF-8"})
+        assert result.exit_code == 0, result.output
+    assert (tmp_path / "6310-C3.toml").is_file()

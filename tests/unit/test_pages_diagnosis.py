@@ -181,16 +181,16 @@ class TestPage:
         found = damaged()
         part = found.diagnosis.of("outer_race")
         row = next(
-            line for line in page(found, "en").splitlines() if line.startswith("  outer race  ")
+            line for line in page(found, "en").splitlines() if line.startswith("  outer race BPFO")
         )
         cells = row.split()
         expected = part.nominal_order * found.diagnosis.shaft_frequency
-        assert cells[2] == f"{expected:.2f}"
+        assert cells[3] == f"{expected:.2f}"
         assert expected == pytest.approx(FREQUENCIES.ball_pass_outer.frequency, rel=2e-3)
-        assert cells[3] == f"{part.frequency:.2f}"
-        assert cells[5] == f"{100 * part.depth:.0f}"
-        assert cells[6] == f"{part.evidence:.1f}"
-        assert cells[7] == "damaged"
+        assert cells[4] == f"{part.frequency:.2f}"
+        assert cells[6] == f"{100 * part.depth:.0f}"
+        assert cells[7] == f"{part.evidence:.1f}"
+        assert cells[8] == "damaged"
 
     def test_reasons_of_faults(self) -> None:
         text = squeezed(page(damaged(), "en"))

@@ -36,7 +36,7 @@ from rolamento.case.quantity import Line, Quantity, Ratio, Replaces, at_the_bord
 from rolamento.case.record import Record
 from rolamento.errors import InputError
 from rolamento.geometry import free_contact_angle, sphere_conformity
-from rolamento.units import Dimension, from_si
+from rolamento.units import Dimension, from_si, readable
 from rolamento.words import said
 
 if TYPE_CHECKING:
@@ -396,10 +396,10 @@ class Bearing(Record):
             raise InputError(
                 said(
                     "must be greater than the ball diameter, {ball_diameter}",
-                    ball_diameter=from_si(self.ball_diameter, "length"),
+                    ball_diameter=readable(self.ball_diameter, "length"),
                 ),
                 field="pitch_diameter",
-                value=from_si(self.pitch_diameter, "length"),
+                value=readable(self.pitch_diameter, "length"),
                 example='pitch_diameter = "125.26 mm"',
             )
         if not balls_fit(self.ball_count, self.ball_diameter, self.pitch_diameter):
@@ -409,8 +409,8 @@ class Bearing(Record):
                 said(
                     "balls of {ball_diameter} do not fit on a pitch circle of "
                     "{pitch_diameter}: there is room for {room}",
-                    ball_diameter=from_si(self.ball_diameter, "length"),
-                    pitch_diameter=from_si(self.pitch_diameter, "length"),
+                    ball_diameter=readable(self.ball_diameter, "length"),
+                    pitch_diameter=readable(self.pitch_diameter, "length"),
                     room=room,
                 ),
                 field="ball_count",
@@ -438,7 +438,7 @@ class Bearing(Record):
             raise InputError(
                 said("is of four-point bearings only"),
                 field="shim_angle",
-                value=from_si(self.shim_angle, "angle"),
+                value=readable(self.shim_angle, "angle"),
                 example='kind = "four_point"',
             )
         if self.kind == "self_aligning":
@@ -453,7 +453,7 @@ class Bearing(Record):
             raise InputError(
                 said('must be less than 90 deg, unless kind = "thrust"'),
                 field="contact_angle",
-                value=from_si(self.contact_angle, "angle"),
+                value=readable(self.contact_angle, "angle"),
                 example='contact_angle = "40 deg"',
             )
 
@@ -462,7 +462,7 @@ class Bearing(Record):
             raise InputError(
                 said("is not a quantity of a thrust bearing"),
                 field="diametral_clearance",
-                value=from_si(self.diametral_clearance, "length"),
+                value=readable(self.diametral_clearance, "length"),
                 example='contact_angle = "90 deg"',
             )
         assert self.contact_angle is not None  # filled in
@@ -470,7 +470,7 @@ class Bearing(Record):
             raise InputError(
                 said("of a thrust bearing must be greater than 45 deg"),
                 field="contact_angle",
-                value=from_si(self.contact_angle, "angle"),
+                value=readable(self.contact_angle, "angle"),
                 example='contact_angle = "90 deg"',
             )
 
@@ -493,7 +493,7 @@ class Bearing(Record):
             raise InputError(
                 said("of a self-aligning bearing must be greater than 0 deg"),
                 field="contact_angle",
-                value=from_si(self.contact_angle, "angle"),
+                value=readable(self.contact_angle, "angle"),
                 example='contact_angle = "10 deg"',
             )
         if self.diametral_clearance is not None and self.spacing is None:
@@ -506,7 +506,7 @@ class Bearing(Record):
             raise InputError(
                 said("cannot be combined with the contact angle: each follows from the other"),
                 field="spacing",
-                value=from_si(self.spacing, "length"),
+                value=readable(self.spacing, "length"),
                 example='contact_angle = "10 deg" without spacing',
             )
 
@@ -536,7 +536,7 @@ class Bearing(Record):
             raise InputError(
                 said("cannot be combined with the contact angle: each follows from the other"),
                 field="diametral_clearance",
-                value=from_si(self.diametral_clearance, "length"),
+                value=readable(self.diametral_clearance, "length"),
                 example='diametral_clearance = "0.015 mm" without contact_angle',
             )
 
@@ -556,7 +556,7 @@ class Bearing(Record):
                     most=most,
                 ),
                 field="diametral_clearance",
-                value=from_si(self.diametral_clearance, "length"),
+                value=readable(self.diametral_clearance, "length"),
                 example='diametral_clearance = "0.015 mm"',
             )
 
@@ -570,7 +570,7 @@ class Bearing(Record):
                         ball_diameter=_rounded_length(self.ball_diameter / 2),
                     ),
                     field=name,
-                    value=from_si(height, "length"),
+                    value=readable(height, "length"),
                     example=f'{name} = "{_rounded_length(0.2 * self.ball_diameter)}"',
                 )
 
@@ -770,4 +770,4 @@ def _rows(bearing: Bearing) -> tuple[RowOfElements, ...] | None:
 
 
 def _rounded_length(value: float) -> str:
-    return from_si(float(f"{value:.4g}"), "length")
+    return readable(float(f"{value:.4g}"), "length")

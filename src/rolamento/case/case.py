@@ -35,7 +35,7 @@ from rolamento.case.report import ReportHead
 from rolamento.case.surface import Surface
 from rolamento.case.temperature import Temperature
 from rolamento.errors import FileError, InputError, nearest
-from rolamento.units import from_si, to_si
+from rolamento.units import from_si, readable, to_si
 from rolamento.words import said
 
 if TYPE_CHECKING:
@@ -186,10 +186,11 @@ class Case(Record):
             if shift is not None and abs(shift) > limit:
                 raise InputError(
                     said(
-                        "must be at most the ball diameter, {limit}", limit=from_si(limit, "length")
+                        "must be at most the ball diameter, {limit}",
+                        limit=readable(limit, "length"),
                     ),
                     field=f"duty.displacement.{axis}",
-                    value=from_si(shift, "length"),
+                    value=readable(shift, "length"),
                     example=f'{axis} = "0.01 mm"',
                 )
         return self
@@ -204,7 +205,7 @@ class Case(Record):
                     raise InputError(
                         said("has no effect without [mounting]"),
                         field=f"temperature.{part}",
-                        value=from_si(warm, "temperature"),
+                        value=readable(warm, "temperature"),
                         example='[mounting] with bore = "25 mm" and outside_diameter = "62 mm"',
                     )
         return self
@@ -259,7 +260,7 @@ class Case(Record):
             return self
         for table, names in (
             ("temperature", ("inner_spacer", "outer_spacer")),
-            ("mounting", ("width", "inner_spacer_material", "outer_spacer_material")),
+            ("mounting", ("inner_spacer_material", "outer_spacer_material")),
         ):
             for name in names:
                 if getattr(getattr(self, table), name, None) is not None:
@@ -563,12 +564,12 @@ def _check_catalogue_sizes(bearing: Bearing, mounting: Mounting) -> None:
             raise InputError(
                 said(
                     "must be {told}, the value of {designation}",
-                    told=from_si(told, "length"),
+                    told=readable(told, "length"),
                     designation=bearing.designation,
                 ),
                 field=f"mounting.{name}",
-                value=from_si(own, "length"),
-                example=f'leave it out, or {name} = "{from_si(told, "length")}"',
+                value=readable(own, "length"),
+                example=f'leave it out, or {name} = "{readable(told, "length")}"',
             )
 
 

@@ -9,7 +9,7 @@ from pydantic import Field, model_validator
 from rolamento.case.quantity import Quantity, Replaces
 from rolamento.case.record import Record
 from rolamento.errors import InputError
-from rolamento.units import from_si
+from rolamento.units import readable
 from rolamento.words import said
 
 __all__ = ["AXES", "LOADS", "Displacement", "Duty", "Load"]
@@ -127,7 +127,7 @@ class Duty(Record):
                         name=name,
                     ),
                     field=f"displacement.{axis}",
-                    value=from_si(shift, "length" if len(axis) == 1 else "angle"),
+                    value=readable(shift, "length" if len(axis) == 1 else "angle"),
                     example=f"{axis} without load.{name}",
                 )
         return self

@@ -9,7 +9,7 @@ from pydantic import Field, model_validator
 from rolamento.case.quantity import Quantity
 from rolamento.case.record import Record
 from rolamento.errors import InputError
-from rolamento.units import from_si
+from rolamento.units import readable
 from rolamento.words import said
 
 __all__ = ["FilmModel", "Starvation", "Supply", "ThermalReduction"]
@@ -80,8 +80,8 @@ class FilmModel(Record):
         bore, outside = self.bore, self.outside_diameter
         if bore is not None and outside is not None and bore >= outside:
             raise InputError(
-                said("must be greater than the bore, {bore}", bore=from_si(bore, "length")),
+                said("must be greater than the bore, {bore}", bore=readable(bore, "length")),
                 field="outside_diameter",
-                value=from_si(outside, "length"),
+                value=readable(outside, "length"),
                 example='outside_diameter = "62 mm"',
             )

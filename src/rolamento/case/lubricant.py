@@ -12,7 +12,7 @@ from rolamento.case.named import NamedRecord
 from rolamento.case.quantity import Line, Quantity, Ratio, Replaces
 from rolamento.case.record import Record
 from rolamento.errors import InputError
-from rolamento.units import from_si
+from rolamento.units import readable
 from rolamento.words import marked, said
 
 __all__ = [
@@ -297,7 +297,7 @@ class Lubricant(NamedRecord):
             raise InputError(
                 said("are both at the same temperature; two are needed"),
                 field="viscosities",
-                value=from_si(cool.temperature, "temperature"),
+                value=readable(cool.temperature, "temperature"),
             )
         if isnan(hot.viscosity):
             raise InputError(
@@ -310,8 +310,8 @@ class Lubricant(NamedRecord):
                 example='viscosity_100 = "8.6 mm^2/s"',
             )
         if hot.viscosity >= cool.viscosity:
-            most = from_si(cool.viscosity, "kinematic_viscosity")
-            at = from_si(cool.temperature, "temperature")
+            most = readable(cool.viscosity, "kinematic_viscosity")
+            at = readable(cool.temperature, "temperature")
             raise InputError(
                 said(
                     "must be less than {most}, the viscosity at {at}: an oil thins as it warms",
@@ -319,7 +319,7 @@ class Lubricant(NamedRecord):
                     at=at,
                 ),
                 field="viscosities" if self.viscosities is not None else "viscosity_100",
-                value=from_si(hot.viscosity, "kinematic_viscosity"),
+                value=readable(hot.viscosity, "kinematic_viscosity"),
                 example='viscosity_40 = "68 mm^2/s" and viscosity_100 = "8.6 mm^2/s"',
             )
 
@@ -332,7 +332,7 @@ class Lubricant(NamedRecord):
             raise InputError(
                 said("cannot be combined with its estimate"),
                 field="pressure_viscosity",
-                value=from_si(self.pressure_viscosity, "pressure_viscosity_coefficient"),
+                value=readable(self.pressure_viscosity, "pressure_viscosity_coefficient"),
                 example="pressure_viscosity without pressure_viscosity_method",
             )
 
@@ -340,9 +340,9 @@ class Lubricant(NamedRecord):
         least, most = self.minimum_temperature, self.maximum_temperature
         if least is not None and most is not None and least >= most:
             raise InputError(
-                said("must be less than the maximum, {most}", most=from_si(most, "temperature")),
+                said("must be less than the maximum, {most}", most=readable(most, "temperature")),
                 field="minimum_temperature",
-                value=from_si(least, "temperature"),
+                value=readable(least, "temperature"),
                 example='minimum_temperature = "-20 degC"',
             )
 

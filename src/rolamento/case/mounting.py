@@ -10,7 +10,7 @@ from rolamento.case.named import NamedRecord
 from rolamento.case.quantity import Line, Quantity, Ratio, Replaces
 from rolamento.case.record import Record, refuse_rivals
 from rolamento.errors import InputError
-from rolamento.units import from_si
+from rolamento.units import readable
 from rolamento.words import marked, said
 
 __all__ = ["Mounting", "SeatMaterial"]
@@ -103,11 +103,12 @@ class Mounting(Record):
     shaft_roughness, housing_roughness
         Sum of Rz of seat and ring, in m, by DIN 7190-1. Nothing is lost if neither is given.
     width
-        B of one bearing of a set, in m: its rings and the spacers between them then make the
+        B of one bearing, in m. In a set its rings and the spacers between them then make the
         distance of the rows; where it is not given (nor told by a designation), shaft and housing
-        do. For sets only, as the next.
+        do. It also goes into the thermal reference speed.
     inner_spacer_material, outer_spacer_material
-        A `SeatMaterial`, its name or its table; that of shaft and housing if not given.
+        A `SeatMaterial`, its name or its table; that of shaft and housing if not given. For sets
+        only.
     ring_expansion, ball_expansion
         Coefficients of expansion, in 1/K; those on file for the bearing's materials if not given.
     assembly_temperature
@@ -193,7 +194,7 @@ class Mounting(Record):
             raise InputError(
                 said("needs the clearance that was measured"),
                 field="measuring_load",
-                value=from_si(self.measuring_load, "force"),
+                value=readable(self.measuring_load, "force"),
                 example='measured_clearance = "0.026 mm"',
             )
         self._check_diameters()
@@ -216,8 +217,8 @@ class Mounting(Record):
                     said(
                         "must be less than {limit}, {outer}",
                         limit=limit,
-                        outer=from_si(outer, "length"),
+                        outer=readable(outer, "length"),
                     ),
                     field=field,
-                    value=from_si(inner, "length"),
+                    value=readable(inner, "length"),
                 )

@@ -26,6 +26,7 @@ from rolamento.catalogue.inference import (
 )
 from rolamento.catalogue.letters import ClearanceClass, Letters, Part
 from rolamento.catalogue.records import CatalogueBearing
+from rolamento.catalogue.rolling import RollingBearing, rolling_bearings
 from rolamento.catalogue.search import (
     Catalogue,
     Found,
@@ -48,6 +49,7 @@ __all__ = [
     "Origin",
     "Part",
     "Practice",
+    "RollingBearing",
     "ambiguity_axis",
     "ball_name",
     "ball_sizes",
@@ -59,5 +61,6 @@ __all__ = [
     "listed",
     "parse_designation",
     "practice_of",
+    "rolling_bearings",
     "with_ratings",
 ]

@@ -24,7 +24,7 @@ from rolamento.catalogue.search import (
 )
 from rolamento.errors import InputError
 from rolamento.ratings import SELF_ALIGNING_CONFORMITY, THRUST_CONFORMITY
-from rolamento.units import MILLIMETRE, from_si
+from rolamento.units import MILLIMETRE, readable
 from rolamento.words import said
 
 Origin = Literal["published", "inferred", "assumed", "designation"]
@@ -124,7 +124,7 @@ class InternalGeometry:
             "has class {class_}, for which ISO 5753-1 has no range at a bore of {bore}: give"
             " diametral_clearance",
             class_=self.clearance_class,
-            bore=from_si(self.bearing.bore, "length"),
+            bore=readable(self.bearing.bore, "length"),
         )
 
     @property

@@ -45,7 +45,7 @@ from rolamento.clearance.standards import (
 from rolamento.errors import InputError
 from rolamento.geometry import clearance_of_angle, groove_places
 from rolamento.numerics import FloatArray
-from rolamento.units import from_si
+from rolamento.units import readable
 from rolamento.words import marked, said
 
 _WARMEST: Final = 1000.0
@@ -455,9 +455,9 @@ def _check_rings_between_seats(mounting: Mounting, inner: float, outer: float) -
     ):
         if value <= 0.0:
             raise InputError(
-                said(rule, limit=from_si(float(f"{limit:.5g}"), "length")),
+                said(rule, limit=readable(float(f"{limit:.5g}"), "length")),
                 field=f"mounting.{field}",
-                value=from_si(getattr(mounting, field), "length"),
+                value=readable(getattr(mounting, field), "length"),
             )
 
 

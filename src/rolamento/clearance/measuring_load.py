@@ -22,7 +22,7 @@ from rolamento.clearance.standards import step_of
 from rolamento.errors import InputError
 from rolamento.static import radial_load
 from rolamento.static.radial import Distribution
-from rolamento.units import MILLIMETRE, from_si
+from rolamento.units import MILLIMETRE, readable
 from rolamento.words import said
 
 # Campanha 2008, table 3.2
@@ -125,10 +125,10 @@ def clearance_from_reading(
             said(
                 "is less than the elastic approach under the load alone, {deflection}: "
                 "the bearing has an interference, which this reading cannot show",
-                deflection=from_si(float(f"{elastic:.3g}"), "length"),
+                deflection=readable(float(f"{elastic:.3g}"), "length"),
             ),
             field="measured_clearance",
-            value=from_si(reading, "length"),
+            value=readable(reading, "length"),
             example='measured_clearance = "0.02 mm"',
         )
     low, high = 0.0, reading

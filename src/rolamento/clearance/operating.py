@@ -34,7 +34,7 @@ from rolamento.errors import InputError
 from rolamento.geometry import ring_geometry
 from rolamento.numerics import FloatArray
 from rolamento.numerics.percentiles import percentile
-from rolamento.units import from_si
+from rolamento.units import readable
 from rolamento.words import Note, said
 
 
@@ -127,7 +127,7 @@ def bearing_with_clearance(bearing: Bearing, clearance: float) -> Bearing:
         If the clearance closes the bearing, or opens it too far.
     """
     distance = ring_geometry(bearing).groove_centre_distance
-    shown = from_si(float(f"{clearance:.4g}"), "length")
+    shown = readable(float(f"{clearance:.4g}"), "length")
     angular = bearing.contact_angle is not None and bearing.contact_angle > 0.0
     if not clearance_fits(clearance, distance) or (angular and clearance < 0.0):
         if clearance >= 0.0:

@@ -14,7 +14,7 @@ from typing import Any, Final, Literal, NamedTuple, NoReturn, get_args
 
 from rolamento._data import toml_of
 from rolamento.errors import InputError
-from rolamento.units import MICROMETRE, MILLIMETRE, from_si
+from rolamento.units import MICROMETRE, MILLIMETRE, readable
 from rolamento.words import said
 
 Limit = Literal["minimum", "mean", "maximum"]
@@ -73,7 +73,7 @@ def step_of(diameter: float, limits: Sequence[float], *, field: str, standard: s
                 most=limits[-1],
             ),
             field=field,
-            value=from_si(diameter, "length") if isfinite(diameter) else diameter,
+            value=readable(diameter, "length") if isfinite(diameter) else diameter,
             example=f'{field} = "25 mm"',
         )
     return found
@@ -123,13 +123,13 @@ def class_clearance(bore: float, clearance_class: str) -> Band:
         if clearance_class == MOTOR_CLASS:
             rule = said(
                 "has no range for a bore of {bore} in {clearance_source}",
-                bore=from_si(bore, "length"),
+                bore=readable(bore, "length"),
                 clearance_source=MOTOR_CLASS_SOURCE,
             )
         else:
             rule = said(
                 "has no range for bores up to {least} in {clearance_source}",
-                least=from_si(data["bore_mm"][step + 1] * MILLIMETRE, "length"),
+                least=readable(data["bore_mm"][step + 1] * MILLIMETRE, "length"),
                 clearance_source=CLEARANCE_SOURCE,
             )
         raise InputError(
@@ -184,7 +184,7 @@ def _bearing_deviations(ring: str, diameter: float, field: str, tolerance_class:
             said(
                 "has no table for {field} = {diameter}",
                 field=field,
-                diameter=from_si(diameter, "length"),
+                diameter=readable(diameter, "length"),
             ),
             field="tolerance_class",
             value=tolerance_class,

@@ -6,11 +6,14 @@ from typing import Annotated, Final
 
 import typer
 
+import rolamento
 from rolamento.cli.case_options import NOTHING_GIVEN, CaseOptions, with_case
 from rolamento.cli.common import SOLVED, plain_endings
 from rolamento.cli.options import JsonOption, LanguageOption, SeedOption
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.streams import put_json
+from rolamento.errors import InputError
+from rolamento.words import said
 
 _SCHEMA: Final = 2
 
@@ -40,13 +43,20 @@ def clearance(
     outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
 ) -> None:
-    """Show the clearance that is left in operation, and the preload of a set.
+    """Show the clearance in operation, and the preload of a set.
 
     After fits, temperatures, speed and wear, step by step.
     """
     with plain_endings(lang), given.in_force():
         outputs.check({"--json": json}, case)
         loaded = given.case(case)
+        if loaded.mounting is None and rolamento.case.is_designation(case):
+            raise InputError(
+                said("is missing: without it the bearing runs at its own clearance"),
+                source=case,
+                field="mounting",
+                example="--set mounting.shaft_tolerance=k5 --set mounting.housing_tolerance=H7",
+            )
         from rolamento.tasks.clearance import mounted_clearance, mounted_samples
 
         found = mounted_clearance(loaded)

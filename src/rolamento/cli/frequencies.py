@@ -78,7 +78,7 @@ def frequencies(
 ) -> None:
     """Show the fault frequencies of a bearing, also under load.
 
-    From its geometry, and from its loaded balls if the case has a load.
+    BPFO, BPFI, BSF and FTF, from its geometry, and from its loaded balls if the case has a load.
     """
     with plain_endings(lang), given.in_force(), in_options(frequencies):
         outputs.check({"--json": json}, bearing)

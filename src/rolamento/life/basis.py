@@ -11,7 +11,11 @@ from numpy.typing import ArrayLike
 from rolamento.case import Bearing
 from rolamento.errors import InputError
 from rolamento.life.conditions import LifeConditions
-from rolamento.life.contamination import ContaminationClass, contamination_factor
+from rolamento.life.contamination import (
+    ContaminationClass,
+    ContaminationLevel,
+    contamination_factor,
+)
 from rolamento.life.equivalent_load import (
     MAXIMUM_ANGLE,
     equivalent_load,
@@ -210,7 +214,7 @@ class Basis:
         given = self.given.contamination
         if given is None:
             return None
-        if not isinstance(given, ContaminationClass):
+        if not isinstance(given, ContaminationClass | ContaminationLevel):
             return over_cases(given, "contamination", len(self))
         pitch = self.solved.rows.pitch_diameter.min(axis=1)
         return contamination_factor(given, viscosity_ratio, pitch)

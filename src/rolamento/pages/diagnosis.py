@@ -24,7 +24,7 @@ from rolamento.document import (
 )
 from rolamento.pages.frequencies import balls_of, contact_angle, failure
 from rolamento.vibration.diagnosis import DAMAGE, SEVERE, ComponentVerdict, Diagnosis
-from rolamento.vibration.frequencies import FaultFrequencies
+from rolamento.vibration.frequencies import ABBREVIATIONS, FAULTS, FaultFrequencies
 from rolamento.words import ABSENT, manner, said, said_in
 from rolamento.words.naming import one_line, part_name
 
@@ -232,6 +232,11 @@ def _parts(diagnosis: Diagnosis) -> Section:
     bands = [part.band or (None, None) for part in parts]
     columns = (
         Column(head="", values=[part_name(part.component) for part in parts], key="part"),
+        Column(
+            head="",
+            values=[ABBREVIATIONS[FAULTS[part.component]] for part in parts],
+            key="abbreviation",
+        ),
         Column(
             head=said_in("frequency", "expected"),
             values=[part.nominal_order * diagnosis.shaft_frequency for part in parts],

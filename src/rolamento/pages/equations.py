@@ -185,7 +185,7 @@ def _classes(case: CaseReport) -> bool:
     life = case.analysis.life
     return (
         life is not None
-        and hasattr(life.conditions.contamination, "name")
+        and hasattr(life.conditions.contamination, "c1")
         and (life.viscosity_ratio is not None)
     )
 
@@ -604,8 +604,8 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     Law(
         key="equivalent_load_thrust",
         name=marked("Dynamic equivalent axial load"),
-        latex=r"P_a = X F_r + F_a,\quad X = 1.25\tan\alpha_0"
-        r"\left(1 - \frac{2}{3}\sin\alpha_0\right),\quad 90^{\circ}:\; P_a = F_a",
+        latex=r"P_a = X F_r + F_a,\quad X = 1.25\tan\alpha_0\left(1 - \frac{2}{3}\sin\alpha_0"
+        r"\right),\quad 90^{\circ}:\; P_a = F_a",
         plain="P_a = X F_r + F_a,  X = 1.25 tan α_0 (1 − 2/3 sin α_0);  90°: P_a = F_a",
         symbols=("P", "XY", "F_ra", "alpha_0"),
         source=marked("ISO 281:2007, 5.2.2 and table 5"),
@@ -717,8 +717,8 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         key="a_iso_thrust",
         name=marked("Modified rating life"),
         latex=r"L_{nm} = a_1\,a_{ISO}\,L_{10},\quad a_{ISO} = 0.1\left[1 - \left(2.5671"
-        r" - \frac{c}{\kappa^{p}}\right)^{0.83}"
-        r"\left(\frac{e_C C_u}{3 P_a}\right)^{1/3}\right]^{-9.3}",
+        r" - \frac{c}{\kappa^{p}}\right)^{0.83}\left(\frac{e_C C_u}{3 P_a}\right)^{1/3}"
+        r"\right]^{-9.3}",
         plain="L_nm = a_1 a_ISO L_10;  a_ISO = 0.1 [1 − (2.5671 − c/κ^p)^0.83 (e_C"
         " C_u/(3 P_a))^(1/3)]^−9.3 ≤ 50",
         symbols=("a_ISO", "a_1", "kappa", "e_C", "C", "P"),

@@ -22,7 +22,7 @@ from rolamento.document import (
 from rolamento.pages.data import in_files
 from rolamento.pages.given import reason
 from rolamento.solved import Solved
-from rolamento.vibration.frequencies import FAULTS, FaultFrequencies, LineName
+from rolamento.vibration.frequencies import ABBREVIATIONS, FAULTS, FaultFrequencies, LineName
 from rolamento.vibration.frequency_band import Alternative
 from rolamento.words import marked, said, said_in
 from rolamento.words.naming import PARTS, part_name
@@ -54,7 +54,8 @@ def frequencies_page(found: FrequencyResult) -> Document:
 
 
 _COLUMNS: Final = {
-    "source": "", "row": "", "line": "", "harmonic": "", "sideband": "", "order": "",
+    "source": "", "row": "", "line": "", "abbreviation": "", "harmonic": "",
+    "sideband": "", "order": "",
     "frequency": "Hz", "order_low": "", "order_high": "", "frequency_low": "Hz",
     "frequency_high": "Hz",
 }  # fmt: skip
@@ -72,12 +73,14 @@ def _every_line(found: FrequencyResult) -> Iterator[tuple[CellContent, ...]]:
                 if band is None
                 else (band.order_low, band.order_high, band.frequency_low, band.frequency_high)
             )
-            yield one.source, one.row, name, 1, 0, line.order, line.frequency, *ends
+            called = (name, ABBREVIATIONS[name])
+            yield one.source, one.row, *called, 1, 0, line.order, line.frequency, *ends
         for kind, name in FAULTS.items():
+            called = (name, ABBREVIATIONS[name])
             for extra in one.harmonics(kind, found.harmonics, found.sidebands):
                 if (extra.harmonic, extra.sideband) != (1, 0):
-                    own = (name, extra.harmonic, extra.sideband, extra.order, extra.frequency)
-                    yield one.source, one.row, *own, *[None] * 4
+                    own = (extra.harmonic, extra.sideband, extra.order, extra.frequency)
+                    yield one.source, one.row, *called, *own, *[None] * 4
 
 
 def balls_of(bearing: Bearing) -> str:
@@ -128,6 +131,7 @@ def _lines(found: FrequencyResult, one: FaultFrequencies) -> Section:
     lines = list(one.lines.values())
     columns = [
         Column(head="", values=[said(_LINES[name]) for name in one.lines], key="line"),
+        Column(head="", values=[ABBREVIATIONS[name] for name in one.lines], key="abbreviation"),
         Column(head=said("order"), values=[line.order for line in lines], form=".4f", key="order"),
         Column(
             head=said("frequency"),
@@ -224,6 +228,12 @@ def _harmonics(found: FrequencyResult) -> Section:
     rows = [(kind, number) for kind in FAULTS for number in numbers]
     columns = [
         Column(head="", values=[part_name(kind) for kind, _ in rows], key="part", once=True),
+        Column(
+            head="",
+            values=[ABBREVIATIONS[FAULTS[kind]] for kind, _ in rows],
+            key="abbreviation",
+            once=True,
+        ),
         Column(
             head="",
             values=[Number(float(number), ".0f", behind="×") for _, number in rows],

@@ -40,6 +40,7 @@ from rolamento.pages.given import untitled
 from rolamento.pages.preload import STAGE_NAMES
 from rolamento.pages.state import balls_table, rosette_section, stiffness_section
 from rolamento.studies.names import torque_model_name
+from rolamento.vibration.frequencies import ABBREVIATIONS, LineName
 from rolamento.words import Note, counted, in_unit, manner, marked, said
 from rolamento.words.reasons import reason
 from rolamento.words.theories import theory_name
@@ -89,6 +90,40 @@ def report_page(report: Report) -> Document:
         program=said("Rolamento {version}", version=report.version),
         date=report.head.date,
     )
+
+
+def comparison_page(report: Report, title: str = "") -> Document:
+    """Return a page of several cases side by side: what differs in them, and what follows.
+
+    Parameters
+    ----------
+    report
+        Of the cases; the others are compared with the first.
+    title
+        Of the page.
+    """
+    warnings = _warnings(report)
+    differing, *_ = _inputs(report)
+    sections: list[Section | Beside] = [
+        Section("", (Title(title or said("Comparison")),), key="title"),
+        Section(said("Summary"), _summary(report), "summary"),
+        replace(differing, level=2),
+    ]
+    for heading, key, blocks in (
+        (said("Loads and ratings"), "loads", _loads(report)),
+        (said("Lives by theory"), "lives", tuple(_lives(report))),
+        (said("Clearance in operation"), "clearance", tuple(_clearance(report))),
+        (said("Inner ring"), "ring", _ring(report)),
+        (said("Rows and preload"), "rows", _rows(report)),
+        (said("Contact stresses"), "contacts", _contacts(report)),
+        (said("Lubricant film"), "film", _film(report)),
+        (said("Friction"), "friction", _friction(report)),
+        (said("Stiffness"), "stiffness", tuple(_stiffness(report))),
+        (said("Warnings"), "warnings", _warning_blocks(report, warnings)),
+    ):
+        if blocks:
+            sections.append(Section(heading, blocks, key))
+    return Document(title or said("Comparison"), tuple(sections), kind="comparison", main="summary")
 
 
 # --- the head -------------------------------------------------------------------------------------
@@ -1342,7 +1377,7 @@ def _readable(report: Report, paths: Sequence[str], units: Sequence[str]) -> str
 _READABLE: Final = 0.1
 
 
-_LINES: Final = {
+_LINES: Final[dict[LineName, str]] = {
     "cage": marked("cage"),
     "ball_pass_outer": marked("outer race (ball pass)"),
     "ball_pass_inner": marked("inner race (ball pass)"),
@@ -1376,6 +1411,7 @@ def _frequency_table(case: CaseReport) -> tuple[Table, ...]:
     names = list(_LINES)
     columns = (
         Column(head="", values=[said(_LINES[name]) for name in names], key="line"),
+        Column(head="", values=[ABBREVIATIONS[name] for name in names], key="abbreviation"),
         Column(
             head=said("frequency"),
             values=[_number(case, f"{path}.{name}.frequency", ".5 Hz") for name in names],

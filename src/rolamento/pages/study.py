@@ -15,6 +15,7 @@ from rolamento.document import (
     Statement,
     Table,
 )
+from rolamento.plots.axes_units import ANGLES
 from rolamento.words import decimals_for, in_unit, said
 from rolamento.words.reasons import reason
 
@@ -39,7 +40,6 @@ _SHOWN: Final = {
     "1": "",
 }
 """The unit in which people read a quantity; others are shown in SI."""
-_ANGLES: Final = ("contact_angle", "azimuth", "attitude")
 
 
 def study_page(summary: Summary, title: str = "") -> Document:
@@ -124,7 +124,7 @@ def _ranges(ranges: tuple[OutputRange, ...]) -> Table:
 
 def _unit(found: OutputRange) -> str:
     unit = found.output.unit
-    if unit == "rad" and found.output.name.endswith(_ANGLES):
+    if unit == "rad" and found.output.name.endswith(ANGLES):
         return "°"
     return _SHOWN.get(unit, "")
 

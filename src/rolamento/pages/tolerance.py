@@ -131,7 +131,7 @@ def _point(samples: Samples, place: tuple[int, ...]) -> str:
         if not np.issubdtype(np.asarray(value).dtype, np.number):
             parts.append(f"{axis} = {value}")
             continue
-        unit = readable_unit(str(coordinate.attrs.get("units", "")), coordinate.values)
+        unit = readable_unit(str(coordinate.attrs.get("units", "")), coordinate.values, str(axis))
         written = manner().short(float(unit.of(value)))
         parts.append(f"{axis} = {written} {unit.symbol}".removesuffix(" –"))
     return ", ".join(parts)
@@ -157,7 +157,7 @@ def _bands(study: ToleranceStudy, place: tuple[int, ...], suffix: str) -> Sectio
         for inside, label in _at(band, study, place):
             values = [float(band.percentile[(i, *inside)]) for i in shown]
             deviation = float(band.standard_deviation[inside])
-            unit = readable_unit(band.units, band.percentile[(slice(None), *inside)])
+            unit = readable_unit(band.units, band.percentile[(slice(None), *inside)], band.name)
             names.append(f"{band.name}{label}")
             rows.append(_row([*values, deviation], unit))
             units.append("" if unit.symbol == "–" else unit.symbol)

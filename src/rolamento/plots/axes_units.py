@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from rolamento.case.fields import Field
 
 __all__ = [
+    "ANGLES",
     "DEGREE",
     "MEGAPASCAL",
     "MILLIMETRE",
@@ -25,6 +26,8 @@ __all__ = [
     "readable_unit",
 ]
 
+ANGLES: Final = ("contact_angle", "azimuth", "attitude", "shim_angle", "phase")
+"""Ends of the names of what is always read in degrees."""
 _LONGEST_SYMBOL: Final = 24
 
 
@@ -75,7 +78,7 @@ _READABLE: Final[Mapping[str, tuple[tuple[float, ReadableUnit], ...]]] = {
 _RAISED: Final = {"^-1": "⁻¹", "^2": "²", "^3": "³", "^4": "⁴"}
 
 
-def readable_unit(unit: str, values: ArrayLike) -> ReadableUnit:
+def readable_unit(unit: str, values: ArrayLike, name: str = "") -> ReadableUnit:
     """Return the unit in which a person reads values of one axis.
 
     Parameters
@@ -84,6 +87,8 @@ def readable_unit(unit: str, values: ArrayLike) -> ReadableUnit:
         In SI, such as ``"N"``, ``"N*m"``, ``"rad/s"``, ``"kg/m^3"``; ``"1"`` for none.
     values
         In that unit; the greatest magnitude decides between N and kN, and the like.
+    name
+        Of the quantity: contact angles, however small, are read in degrees, tilts in mrad.
 
     Returns
     -------
@@ -94,6 +99,8 @@ def readable_unit(unit: str, values: ArrayLike) -> ReadableUnit:
     choices = _READABLE.get(plain)
     if choices is None:
         return ReadableUnit(_with_raised_powers(plain), 1.0)
+    if plain == "rad" and name.endswith(ANGLES):
+        return DEGREE
     magnitudes = np.abs(np.asarray(values, dtype=np.float64))
     greatest = float(np.max(magnitudes, initial=0.0, where=np.isfinite(magnitudes)))
     return [readable for least, readable in choices if least <= greatest][-1]
@@ -103,7 +110,7 @@ def read_values(field: Field, values: NDArray[np.float64]) -> tuple[NDArray[np.f
     """Return values of a field of a case as a person reads them, and their unit."""
     if field.dimension == "temperature":
         return np.round(values - units.ZERO_CELSIUS, 9), "°C"
-    unit = readable_unit(field.unit, values)
+    unit = readable_unit(field.unit, values, field.name)
     return unit.of(values), unit.symbol
 
 

@@ -236,7 +236,7 @@ def _positions(texts: Sequence[str]) -> tuple[tuple[str, ...], Floats]:
 def _plotted(
     name: str, dims: tuple[str, ...], values: Floats, variable: Variable
 ) -> PlottedVariable:
-    unit = readable_unit(str(variable.attrs.get("units", "1")), values)
+    unit = readable_unit(str(variable.attrs.get("units", "1")), values, name)
     label = unit.label(variable_label(name, variable.attrs))
     return PlottedVariable(name, dims, unit.of(values), label, unit)
 

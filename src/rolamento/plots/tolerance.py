@@ -99,7 +99,7 @@ def _distribution(
     if not there.size:
         empty_frame(axes, said("no sample has a result"))
         return
-    unit = readable_unit(band.units, there)
+    unit = readable_unit(band.units, there, band.name)
     bins = int(np.clip(np.ceil(2.0 * there.size ** (1.0 / 3.0)), *_BINS))
     weights = np.full(there.size, PERCENT.factor / there.size)
     drawn = unit.of(there)

@@ -11,7 +11,7 @@ from rolamento.case import Case, load_case, override
 from rolamento.case.bearing import Bearing
 from rolamento.case.duty import AXES, LOADS, Duty
 from rolamento.errors import InputError
-from rolamento.units import from_si, to_si
+from rolamento.units import from_si, readable, to_si
 from rolamento.words import said
 
 if TYPE_CHECKING:
@@ -79,7 +79,8 @@ def at_speeds(case: Case, inner_speed: float | None, outer_speed: float | None) 
             case = override(case, [f"duty.{field}={given}"])
         except InputError as error:
             example = f'{parameter}="1797 rpm"'
-            raise InputError(error.rule, field=parameter, value=given, example=example) from None
+            value = readable(speed, "angular_speed")
+            raise InputError(error.rule, field=parameter, value=value, example=example) from None
     return case
 
 

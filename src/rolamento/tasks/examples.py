@@ -124,7 +124,7 @@ EXAMPLES: Final = {
         ("studies/218_scatter.toml", "218_combined.toml"),
     ),
     "life_test": Example(
-        marked("life test of 22 bearings: Weibull evaluation"),
+        marked("life test of deep-groove bearings: Weibull evaluation"),
         "rolamento weibull life_test_campanha_2008.csv",
         ("life_test_campanha_2008.csv",),
         (("life_test_campanha_2008.csv", "weibull/data/campanha_2008.csv"),),

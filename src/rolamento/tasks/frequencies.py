@@ -20,7 +20,12 @@ from rolamento.tasks.bearing import (
     name_of,
 )
 from rolamento.tasks.parameters import speed_of
-from rolamento.vibration.frequencies import FAULTS, FaultFrequencies, frequencies_of
+from rolamento.vibration.frequencies import (
+    ABBREVIATIONS,
+    FAULTS,
+    FaultFrequencies,
+    frequencies_of,
+)
 from rolamento.vibration.frequency_band import (
     Alternative,
     Tolerances,
@@ -93,6 +98,7 @@ class FrequencyResult:
             "schema": SCHEMA,
             "kind": "frequencies",
             "title": self.title,
+            "abbreviations": dict(ABBREVIATIONS),
             "nominal": self.nominal.to_mapping(),
             "loaded": None if self.loaded is None else self.loaded.to_mapping(),
             "harmonics": tables,

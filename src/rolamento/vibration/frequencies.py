@@ -52,6 +52,15 @@ FAULTS: Final[dict[FaultKind, LineName]] = {
 }
 """What is damaged, and the line that shows it."""
 
+ABBREVIATIONS: Final[dict[LineName, str]] = {
+    "cage": "FTF",
+    "ball_pass_outer": "BPFO",
+    "ball_pass_inner": "BPFI",
+    "ball_spin": "BSF",
+    "ball_spin_twice": "2×BSF",
+}
+"""What the lines are called on the shop floor, in every language."""
+
 _MOST_LINES: Final = 10_000
 
 
