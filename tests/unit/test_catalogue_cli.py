@@ -50,6 +50,35 @@ def test_show_tells_that_the_inside_is_inferred() -> None:
     assert "NSK, Rolling Bearings" in result.stdout
 
 
+@pytest.mark.parametrize(
+    ("designation", "kind", "figure"),
+    [
+        ("3206", "double-row angular-contact ball bearing", "distance of the rows"),
+        ("QJ 210", "four-point contact ball bearing", "dynamic axial load rating Ca  57 000"),
+        ("1210", "self-aligning ball bearing", "clearance class CN"),
+        ("51210", "single-direction thrust ball bearing", "dynamic axial load rating Ca   49 000"),
+    ],
+)
+def test_kinds_are_shown_without_the_word_show(designation: str, kind: str, figure: str) -> None:
+    result = run(designation)
+    assert result.exit_code == 0
+    assert kind in result.stdout
+    assert figure in result.stdout
+    assert result.stdout == run("show", designation).stdout
+
+
+def test_a_misspelt_command_is_no_designation() -> None:
+    assert "Did you mean search" in run("serch", "62").stderr
+
+
+@pytest.mark.parametrize("designation", ["QJ 210", "FAG 3206", "6205 C3"])
+def test_a_designation_of_several_words_needs_no_quotes(designation: str) -> None:
+    shown = run("show", designation).stdout
+    assert shown
+    assert run(*designation.split()).stdout == shown
+    assert run("show", *designation.split()).stdout == shown
+
+
 def test_show_of_a_published_inside() -> None:
     result = run("show", "S 6012 C")
     assert result.exit_code == 0

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import itertools
 from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
@@ -30,15 +31,28 @@ _MOST_OF_ALL: Final = 1000
 
 
 class _Commands(GroupedCommands):
-    """A designation where a command is expected is shown."""
+    """A designation where a command is expected is shown, also one of several words."""
 
     def resolve_command(self, ctx: Any, args: list[str]) -> Any:
-        """Take the first word for a designation if it is no command and has a figure."""
+        """Take the first words for a designation if they are no command and have a figure.
+
+        Letters before the figure, as of ``QJ 210``, are then capitals; other words are misspelt
+        commands.
+        """
         first = args[0] if args else ""
-        is_designation = first not in self.commands and not first.startswith("-")
-        if is_designation and any(sign.isdigit() for sign in first):
-            args = ["show", *args]
+        if first not in self.commands and not first.startswith("-"):
+            has_figure = any(sign.isdigit() for sign in first)
+            if has_figure or (first.isupper() and any(s.isdigit() for s in "".join(args[1:2]))):
+                args = ["show", *args]
+        if args and args[0] == "show":
+            args = ["show", *_with_one_designation(args[1:])]
         return super().resolve_command(ctx, args)
+
+
+def _with_one_designation(args: list[str]) -> list[str]:
+    """Arguments with the words before the first option as one."""
+    words = list(itertools.takewhile(lambda word: not word.startswith("-"), args))
+    return [" ".join(words), *args[len(words) :]] if words else args
 
 
 app = typer.Typer(

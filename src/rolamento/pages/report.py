@@ -720,17 +720,34 @@ def _missing(report: Report) -> tuple[Remark, ...]:
 
 def _loads(report: Report) -> tuple[Table, ...]:
     life = "analysis.life"
+    lives = [case.analysis.life for case in report.cases if case.analysis.life is not None]
+    axial = bool(lives) and all(found.ratings.is_axial for found in lives)
     rating = (
-        ("dynamic", said("basic dynamic load rating C")),
-        ("static", said("basic static load rating C_0")),
+        (
+            "dynamic",
+            said("basic dynamic axial load rating C_a")
+            if axial
+            else said("basic dynamic load rating C"),
+        ),
+        (
+            "static",
+            said("basic static axial load rating C_0a")
+            if axial
+            else said("basic static load rating C_0"),
+        ),
         ("fatigue", said("fatigue load limit C_u")),
     )
+    dynamic, static = (
+        (said("dynamic equivalent axial load P_a"), said("static equivalent axial load P_0a"))
+        if axial
+        else (said("dynamic equivalent load P"), said("static equivalent load P_0"))
+    )
     rows = [
-        _Row(said("dynamic equivalent load P"), f"{life}.loads.equivalent", ".4 N"),
+        _Row(dynamic, f"{life}.loads.equivalent", ".4 N"),
         _Row(said("radial load factor X"), f"{life}.loads.radial_factor"),
         _Row(said("axial load factor Y"), f"{life}.loads.axial_factor"),
         _Row(said("axial load limit e"), f"{life}.loads.load_ratio_limit"),
-        _Row(said("static equivalent load P_0"), f"{life}.loads.static_equivalent", ".4 N"),
+        _Row(static, f"{life}.loads.static_equivalent", ".4 N"),
         _Row(said("load of the reference life P_ref"), "extremes.reference_load", ".4 N"),
     ]
     ratings = [_Row(label, f"{life}.ratings.{name}", ".5 N") for name, label in rating]
