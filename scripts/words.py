@@ -72,13 +72,32 @@ def of_commands() -> Iterator[tuple[str, str | None]]:
         pending += getattr(command, "commands", {}).values()
 
 
+_TABLES = (
+    "prefixes",
+    "spindle_prefixes",
+    "spindle_designs",
+    "suffixes",
+    "patterns",
+    "clearance_halves",
+    "sets",
+    "universal",
+    "preloads",
+    "rings",
+    "inserts",
+    "insert_housings",
+    "phrases",
+)
+"""Of designations, whose values are meanings."""
+
+
 def of_data() -> Iterator[tuple[str, str | None]]:
     """Return what stands in data files and is said, each with its context."""
     with (SOURCE / "data" / "designations.toml").open("rb") as file:
         data = tomllib.load(file)
     for kind in data["type"]:
         yield from ((kind[name], None) for name in ("name", "advice") if name in kind)
-    for table in ("prefixes", "suffixes", "inserts", "insert_housings", "phrases"):
+    yield from ((kind["name"], None) for kind in data["spindle"])
+    for table in _TABLES:
         yield from ((meaning, None) for meaning in data[table].values())
 
 

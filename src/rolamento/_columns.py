@@ -50,7 +50,10 @@ NAMES: Final = {
         " datetime data data_da_medicao data_medicao data_da_leitura data_leitura medido_em"
         " data_hora data_e_hora"
     ),
-    "status": "status state event outcome estado situacao evento resultado",
+    "status": (
+        "status state event outcome f_s f_c failed_suspended failure_suspension estado situacao"
+        " evento resultado falha_suspenso falha_suspensao falha_censura falha_censurado"
+    ),
     "failed": "failed failure fail is_failed broken falhou falha falhado avaria avariado quebrou",
     "suspended": (
         "suspended suspension censored censoring right_censored runout survived unfailed suspenso"

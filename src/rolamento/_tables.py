@@ -39,6 +39,13 @@ _MOST_COLUMNS: Final = 1000
 _LONGEST_NUMBER: Final = 40
 _LARGEST: Final = 5_000_000
 _MARK: Final = "decimal mark"
+_IN_PORTUGUESE: Final = {
+    "título": "title", "titulo": "title", "fonte": "source", "unidade": "unit", "datas": "dates",
+    "separador decimal": _MARK, "marca decimal": _MARK,
+}  # fmt: skip
+"""Names of comments, and those that are read."""
+_GROUPED: Final = re.compile(r"[+-]?\d{1,3}(?:[ \u00a0\u2009\u202f]\d{3})+(?!\d)")
+"""A number whose thousands are parted by spaces, as these pages write it."""
 
 _EXPONENT: Final = r"(?:[eE][+-]?\d{1,3})?"
 _PLAIN: Final = re.compile(rf"[+-]?(?:\d+(?:\.\d*)?|\.\d+){_EXPONENT}")
@@ -81,15 +88,17 @@ class Numerals:
         text = cell
         if len(text) > _LONGEST_NUMBER:
             return None
+        if grouped := _GROUPED.match(text):
+            text = "".join(grouped[0].split()) + text[grouped.end() :]
         if self.commas and self.mark == "comma":
             text = text.translate(_POINTS_AND_COMMAS)
         if self.commas and "," in text:
             # 1,234.5 in thousands; else the comma is the decimal one, as there is no other mark
-            grouped = text.translate(_POINTS_AND_COMMAS)
+            turned = text.translate(_POINTS_AND_COMMAS)
             if self.mark is not None or "." in text:
-                text = text.replace(",", "") if _IN_THOUSANDS.fullmatch(grouped) else ""
+                text = text.replace(",", "") if _IN_THOUSANDS.fullmatch(turned) else ""
             else:
-                text = grouped
+                text = turned
         return text if _PLAIN.fullmatch(text) else None
 
     def readings(self) -> tuple[float, float]:
@@ -296,7 +305,8 @@ def _rewritten(cell: str, numerals: Numerals) -> str:
 def mark_said(line: str) -> str | None:
     """Return what a comment above a table says of its decimal mark; None if it says nothing."""
     name, colon, value = line.lstrip("#% \t").partition(":")
-    return value.strip() if colon and name.strip().casefold() == _MARK else None
+    folded = name.strip().casefold()
+    return value.strip() if colon and _IN_PORTUGUESE.get(folded, folded) == _MARK else None
 
 
 def checked_mark(mark: object, source: str = "") -> DecimalMark:
@@ -382,7 +392,8 @@ def parse_table(
         if line.lstrip().startswith("#"):
             name, colon, value = line.lstrip("# \t").partition(":")
             if colon and not found:
-                told.setdefault(name.strip().casefold(), value.strip()[:_LONGEST_CELL])
+                folded = name.strip().casefold()
+                told.setdefault(_IN_PORTUGUESE.get(folded, folded), value.strip()[:_LONGEST_CELL])
             continue
         if not line.strip(" \t;,"):
             continue

@@ -80,7 +80,7 @@ def notes_on(solved: Solved) -> tuple[Note, ...]:
     checks = (
         _lost_rows, _lost_contacts, _pressures, _past_edge, _shoulders, _speeds, _tilts,
         _free_directions, _free_tilt, _control, _gyroscopic_slip, _gyroscopic_left_out, _arches,
-        _rolling, _estimated_geometry, _nearly_lost,
+        _rolling, _estimated_geometry, _letters, _nearly_lost,
     )  # fmt: skip
     return tuple(note for check in checks for note in check(solved))
 
@@ -163,7 +163,7 @@ def _shoulders(solved: Solved) -> Iterator[Note]:
         ends = np.array([acos(float(edge_cosine(bearing, race))) for bearing in bearings])[row]
         if race == "outer" and solved.case.bearing.kind == "self_aligning":
             continue  # a sphere has no shoulder
-        bottom = _bottom(solved)
+        bottom = solved.case.bearing.groove_bottom
         reach = np.abs(contacts.contact_angle - bottom) + contacts.semi_major / (
             contacts.conformity * contacts.ball_diameter
         )
@@ -182,12 +182,6 @@ def _shoulders(solved: Solved) -> Iterator[Note]:
                     **_balls(solved, over),
                 },
             )
-
-
-def _bottom(solved: Solved) -> float:
-    """The contact angle (rad) of the grooves' deepest point, from which their shoulders count."""
-    bearing = solved.case.bearing
-    return bearing.row_angle if bearing.kind == "thrust" else 0.0
 
 
 def _arches(solved: Solved) -> Iterator[Note]:
@@ -373,10 +367,33 @@ def _estimated_geometry(solved: Solved) -> Iterator[Note]:
     if told is None or "inferred" not in bearing.origins.values():
         return
     alike = sum(one.reproduces for one in told.candidates)
-    if alike > 1:
+    if bearing.from_given_ratings:
+        yield Note("geometry_estimated_from_given", {"designation": name, "count": alike})
+    elif alike > 1:
         yield Note("geometry_estimated", {"designation": name, "count": alike})
     else:
         yield Note("geometry_estimated_uniquely", {"designation": name})
+
+
+def _letters(solved: Solved) -> Iterator[Note]:
+    """What of a designation changes nothing, or is not understood."""
+    bearing = solved.case.bearing
+    name, told = bearing.designation, bearing.told
+    if told is None:
+        return
+    letters, listed = told.designation.letters, told.bearing
+    if told.stands_in:
+        known = {"maker": listed.maker, "listed": listed.designation}
+        yield Note("designation_listed_as", {"designation": name, **known})
+    if told.idle:
+        parts = [list(part) for part in told.idle]
+        yield Note("designation_without_effect", {"designation": name, "parts": parts})
+    if letters.preload is not None and bearing.preload is None:
+        values = {"part": letters.preload.text, "meaning": letters.preload.meaning}
+        yield Note("designation_preload", {"designation": name, **values})
+    if letters.unknown:
+        unknown = list(letters.unknown)
+        yield Note("designation_not_understood", {"designation": name, "parts": unknown})
 
 
 def _nearly_lost(solved: Solved) -> Iterator[Note]:
@@ -459,7 +476,7 @@ def _out_of_the_washers(solved: Solved) -> Note:
     """
     rows = solved.rows
     bearing = solved.case.bearing
-    deepest = bearing.row_angle
+    deepest = bearing.groove_bottom
     lowest = max(deepest - _edge(solved.case, "outer"), radians(0.1))
     orbit = nominal_orbit(
         float(rows.ball_diameter[0, 0] / rows.pitch_diameter[0, 0]) * np.cos(deepest),
@@ -485,9 +502,7 @@ def _no_equilibrium(case: Case, axis: int, axial_load: float) -> Note:
     """Name the direction that nothing supports, and what would."""
     bearing = case.bearing
     if bearing.kind == "thrust":
-        return Note(
-            "thrust_unsupported" if axis == 0 else "thrust_pushed_aside", {"axis": AXES[axis]}
-        )
+        return Note("thrust_pushed_aside" if axial_load > 0.0 else "thrust_unsupported")
     if bearing.kind == "self_aligning" and axis > 2:
         return Note("sphere_holds_no_moment", {"axis": AXES[axis]})
     if bearing.kind is not None:

@@ -137,7 +137,9 @@ def _solve_mounted_set(case: Case) -> Solved:
         return solved
     preload = preload_of(running)
     if preload is not None and stages:
-        at_rest = stages[1].preload[LIMITS.index(mounting.limit)]
+        by_name = {stage.name: stage for stage in stages}
+        warm = by_name.get("warm", by_name["mounted"])
+        at_rest = warm.preload[LIMITS.index(mounting.limit)]
         kind = preload.kind if case.bearing.preload is None else case.bearing.preload.kind
         preload = replace(preload, kind=kind, at_rest=at_rest, stages=stages)
     return replace(solved, preload=preload)

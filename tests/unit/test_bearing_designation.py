@@ -100,7 +100,7 @@ def test_balls_of_ones_own_need_no_ratings() -> None:
     assert bearing.contact_angle == pytest.approx(np.radians(40.0))
     assert bearing.origins["ball_count"] == "given"
     with pytest.raises(InputError, match="has no load rating to estimate the balls from: give"):
-        Bearing.named("7205B", ball_count=13)
+        Bearing.named("7230C", ball_count=13)
 
 
 @pytest.mark.parametrize(
@@ -109,7 +109,8 @@ def test_balls_of_ones_own_need_no_ratings() -> None:
         ("6255", r"line 2: bearing\.designation = \"6255\": is in no catalogue; did you mean 62"),
         ("6305/C9", "no clearance class"),
         ("", "1 to 60 characters"),
-        ("7205", "no load rating"),
+        ("7205", "does not say its contact angle: write 7205C"),
+        ("7230C", "no load rating"),
         ("x" * 250, "1 to 60 characters"),
     ],
 )

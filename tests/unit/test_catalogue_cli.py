@@ -58,12 +58,12 @@ def test_show_of_a_published_inside() -> None:
 
 
 def test_show_without_ratings_and_with_given_ones() -> None:
-    without = run("show", "7205B")
+    without = run("show", "7230B")
     assert without.exit_code == 1
     assert "--dynamic and --static" in without.stdout
-    given = run("show", "7205B", "--dynamic", "14.8 kN", "--static", "9.4 kN")
+    given = run("show", "7230B", "--dynamic", "250 kN", "--static", "280 kN")
     assert given.exit_code == 0
-    assert re.search("14 800 +N", given.stdout)
+    assert re.search("250 000 +N", given.stdout)
     assert "Candidates that fit the ratings" in given.stdout
 
 
@@ -130,8 +130,8 @@ def test_pages_in_every_language_and_encoding(language: str, encoding: str) -> N
     inside = geometry_of("6815")
     with speaking(language):
         documents = (
-            bearing_page(inside, inside.bearing),
-            bearing_page(None, catalogue().find("7205B").bearing),
+            bearing_page(inside),
+            bearing_page(geometry_of("7014 ACE/HCP4ADBA", with_balls=False)),
             search_page(catalogue().search("EX"), is_all=False),
         )
     page = "".join(terminal(document, Medium(encoding=encoding)) for document in documents)
@@ -147,5 +147,26 @@ def test_every_meaning_is_translated() -> None:
     inside = geometry_of("6305ZZ/C3")
     with speaking("pt"):
         assert [meaning for meaning in meanings - {"flange"} if said(meaning) == meaning] == []
-        page = terminal(bearing_page(inside, inside.bearing))
-    assert "ZZ: placas de proteção dos dois lados; classe de folga C3" in page
+        page = terminal(bearing_page(inside))
+    text = " ".join(page.split())
+    assert "ZZ: placas de proteção dos dois lados; classe de folga C3" in text
+
+
+def test_a_designation_alone_is_shown() -> None:
+    short, long = run("7014C", "--lang", "en"), run("show", "7014C", "--lang", "en")
+    assert (short.exit_code, short.stdout) == (0, long.stdout)
+    assert "S 6014 C" in short.stdout  # one of the same size with published balls
+    assert "No such command: serch" in run("serch", "62").stderr
+
+
+def test_a_bearing_without_balls_shows_those_of_its_size() -> None:
+    shown = run("7014 ACE/HCP4ADB", "--lang", "en")
+    assert shown.exit_code == 1
+    text = " ".join(shown.stdout.split())
+    assert "Neither balls nor load ratings are published" in text
+    assert "VEX 70 25deg" in text
+    assert "HC: ceramic balls" in text
+    found = json.loads(run("7014 ACE/HCP4ADB", "--json").stdout)
+    assert found["inside"] is None
+    assert found["same_size"][0]["designation"] == "VEX 70 25deg"
+    assert found["without_effect"] == ["P4A"]

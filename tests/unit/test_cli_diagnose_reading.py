@@ -71,7 +71,8 @@ def test_rates_that_disagree_name_the_option(run: Run) -> None:
     code, _, error = run("a.mat", "--speed", "1500 rpm")
     assert code == 2
     assert '"sr" says 12 000 Hz and "rate" says 51 200 Hz; give it, in Hz' in error
-    assert "--rate: is ambiguous" in error
+    assert "sampling rate: is ambiguous" in error
+    assert "example: --rate 51200.0" in error
     code, out, _ = run("a.mat", "--speed", "1500 rpm", "--rate", "12 kHz", "--json")
     choices = json.loads(out)["signal"]["reading_notes"]
     assert "rate_over_doubt" in [note["key"] for note in choices]

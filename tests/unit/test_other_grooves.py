@@ -413,7 +413,7 @@ def test_balls_that_leave_the_grooves_are_named_with_the_load_that_keeps_them() 
         (0.0, {"fx": -10.0}, "thrust_unsupported"),
         (0.0, {"fz": 100.0}, "thrust_unsupported"),
         (100.0, {}, "thrust_unsupported"),
-        (0.0, {"fx": 100.0, "fz": 1e3}, "thrust_pushed_aside"),
+        (0.0, {"fx": 100.0, "my": 20.0}, "thrust_pushed_aside"),
     ],
 )
 def test_what_a_thrust_bearing_cannot_hold_is_named(
@@ -424,6 +424,17 @@ def test_what_a_thrust_bearing_cannot_hold_is_named(
     assert solved.advice[0] is not None
     assert solved.advice[0].key == key
     assert np.isnan(solved.inner.load).all()
+
+
+def test_a_radial_load_climbs_the_grooves_to_their_end() -> None:
+    """A half circle would carry it; a groove with shoulders does not."""
+    deep = solve(case_of(THRUST, fx=1e3, fz=2e3))
+    assert deep.converged[0]
+    assert deep.inner.contact_angle[0, 0] < radians(60.0)
+    shallow = THRUST | {"inner_shoulder_height": 2e-3, "outer_shoulder_height": 2e-3}
+    lost = solve(case_of(shallow, fx=1e3, fz=2e3))
+    assert lost.status.code[0] == "over_shoulder"
+    assert "half circle" in said(lost.advice[0])
 
 
 def test_without_any_load_a_thrust_bearing_just_lies_there() -> None:

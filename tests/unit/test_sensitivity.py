@@ -316,7 +316,7 @@ def test_a_study_of_another_kind_is_refused(
     from rolamento.studies import parse_study
 
     study_given = parse_study(STUDY, folder=examples)
-    fields = ("scatter", "axes", "outputs", "case", "seed")
+    fields = ("scatter", "axes", "variants", "outputs", "case", "seed")
     stand_in = SimpleNamespace(**{name: getattr(study_given, name) for name in fields} | changes)
     with pytest.raises(InputError, match=words):
         sobol(stand_in)  # type: ignore[arg-type]

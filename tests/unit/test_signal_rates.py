@@ -126,8 +126,13 @@ def test_thousands_point_of_a_collector(tmp_path: Path) -> None:
     table(path, "Fs: 25.600 Hz")
     with pytest.raises(InputError) as caught:
         read_signal(path, channel=1)
-    assert '"Fs: 25.600" with a decimal point says 25.6 Hz' in str(caught.value)
-    assert '"Fs: 25.600" with a thousands point says 25 600 Hz' in str(caught.value)
+    told = str(caught.value)
+    assert 'a.csv, line 1: Fs = "25.600": is 25.6 if the point is the decimal mark' in told
+    assert "and 25600 if it separates thousands" in told
+    assert 'decimal_mark="comma" for 25600' in told
+    assert "rate=" not in told
+    (over,) = open_signal(path, channel=1, rate=25600.0).notes
+    assert '"Fs: 25.600" says 25.6 Hz or 25 600 Hz, by its point' in over.text
     assert read_signal(path, channel=1, rate=25600.0).rate == 25600.0
     assert read_signal(path, channel=1, decimal_mark="point").rate == 25.6
     table(path, "Fs: 25.6 kHz\nSpeed: 1797 rpm")

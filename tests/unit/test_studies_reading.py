@@ -174,7 +174,7 @@ class TestNames:
 @pytest.mark.parametrize(
     ("text", "field", "line", "says"),
     [
-        (CASE, "axes", None, "give axes, a scatter, or both"),
+        (CASE, "axes", None, "give axes, a scatter, or variants"),
         (AXIS, "case", None, "is missing"),
         ("case = 3\n" + AXIS, "case", 1, "name of a case file"),
         (CASE + "axes = 3\n", "axes", 2, "must be a list"),

@@ -239,6 +239,25 @@ def test_a_column_of_counts_by_another_name(run: Run) -> None:
     assert notes[0]["values"] == {"columns": ["unidades"]}
 
 
+def test_status_in_letters() -> None:
+    """F and S under any name are no remark: else all bearings would count as failed."""
+    assert list(parse_life_test("horas;F/S\n10;F\n20;S\n").failed) == [True, False]
+    assert list(parse_life_test("horas;Falha/Suspensão\n10;F\n20;C\n").failed) == [True, False]
+    with pytest.raises(InputError, match="Cod: seems to say what failed"):
+        parse_life_test("horas;Cod\n10;F\n20;S\n")
+
+
+def test_comments_in_portuguese_and_thousands_with_spaces() -> None:
+    text = "# título: Bombas\n# unidade: km\n# separador decimal: vírgula\nvida;status\n12.500;f\n"
+    test = parse_life_test(text)
+    assert (test.title, test.unit, list(test.times)) == ("Bombas", "km", [12_500.0])
+    assert parse_trend("# datas: dia primeiro\ndata;valor\n03/04/2024;1\n").start == "2024-04-03"
+    numerals = Numerals(commas=True, mark="comma")
+    assert numerals.number("12\u202f500,5") == 12_500.5
+    assert numerals.number("1 234 567") == 1_234_567.0
+    assert numerals.number("12 50") is None
+
+
 def test_a_table_without_names_is_told_so() -> None:
     for text in ("12500;falha\n8200;falha\n", "12.500;falha\n8.200;falha\n"):
         with pytest.raises(InputError, match=r"header = .*names of the columns must be"):

@@ -129,7 +129,8 @@ def analyse(
         return Analysis(solved)
     life, why_not = _life(solved)
     film, friction = _film_and_friction(solved, life, (model, hysteresis, compare), threads)
-    return Analysis(solved, film, friction, life, (*_missing(solved), *why_not))
+    nowhere = friction.without_model(solved) if friction and len(solved) == 1 else ()
+    return Analysis(solved, film, friction, life, (*_missing(solved), *why_not, *nowhere))
 
 
 def _film_and_friction(

@@ -145,8 +145,9 @@ class Preload(Record):
         Constant axial force, in N, by which springs push the outer rings of the rows that
         face ``-``, together and free to slide, into their balls.
     level
-        ``"light"``, ``"medium"`` or ``"heavy"`` as a maker lists it for pairs of the bearing
-        named by `designation`; the rings are clamped with the offset of such a pair.
+        ``"light"``, ``"medium"`` or ``"heavy"`` (of NSK also ``"extra_light"``) as a maker lists
+        it for pairs of the bearing named by `designation`; the rings are clamped with the offset of
+        such a pair.
     designation
         In the makers' lists (`rolamento.case.preload_classes`), such as ``"S 6012 C"``.
 

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping
-from contextlib import AbstractContextManager, nullcontext
+from contextlib import AbstractContextManager, nullcontext, suppress
 from functools import lru_cache
 from typing import TYPE_CHECKING, Annotated, Any, Final, Literal, NamedTuple, Self, cast
 
@@ -30,6 +31,7 @@ from rolamento.case.arrangement import (
     RowOfElements,
 )
 from rolamento.case.material import DEFAULT_MATERIAL, Material, MaterialField
+from rolamento.case.preload_classes import Level, listed_preload
 from rolamento.case.quantity import Line, Quantity, Ratio, Replaces, at_the_border
 from rolamento.case.record import Record
 from rolamento.errors import InputError
@@ -43,6 +45,8 @@ if TYPE_CHECKING:
 __all__ = ["Bearing", "RowPlace", "balls_fit", "clearance_fits"]
 
 MOST_ROWS: Final = 32
+_WRITTEN_ANGLE: Final = re.compile(r"\s*\d+deg$")
+"""Of designations that tell their contact angle so, which lists of preloads do not."""
 _SET_FIELDS: Final = ("arrangement", "spacing", "rows", "preload")
 _BALL_FIELDS: Final = ("ball_count", "ball_diameter", "pitch_diameter")
 _PLAY: Final = ("contact_angle", "diametral_clearance")
@@ -58,8 +62,12 @@ _CATALOGUE_FIELDS: Final[Mapping[str, Dimension | None]] = {
     "shim_angle": "angle",
     "arrangement": None,
     "spacing": "length",
+    "ball_material": None,
+    "preload": None,
 }
 """What a designation fills in, by the dimension."""
+_ELSE_FROM: Final = {"spacing": "assumed", "preload": "designation"}
+"""Where a field comes from that the catalogue tells only together with what is given."""
 
 _Conformity = Annotated[float, Ratio(at_least=0.501, at_most=1.0, varies=True)]
 
@@ -247,9 +255,10 @@ class Bearing(Record):
             return {}
         own, told = self.model_fields_set, self.told.origins
         return {
-            name: "given" if name in own else told[name]
+            name: "given" if name in own else told.get(name) or _ELSE_FROM[name]
             for name in _CATALOGUE_FIELDS
-            if getattr(self, name) is not None and (name in own or name in told)
+            if getattr(self, name) is not None
+            and (name in own or name in told or name in _ELSE_FROM)
         }
 
     @property
@@ -303,6 +312,15 @@ class Bearing(Record):
         with self.looked_up():
             return super().replace(**changes)
 
+    @property
+    def from_given_ratings(self) -> bool:
+        """Whether the balls are inferred from ratings of the case, not of a list."""
+        return self.told is not None and self.told.from_given_ratings
+
+    def looked_up_again(self) -> Self:
+        """Return the bearing of the same designation in the catalogue that now is asked."""
+        return type(self)(**{name: getattr(self, name) for name in self.model_fields_set})
+
     def looked_up(self) -> AbstractContextManager[object]:
         """Return a block in which the designation is found where this bearing found it."""
         if not self._listed:
@@ -310,6 +328,11 @@ class Bearing(Record):
         from rolamento.catalogue import listed
 
         return listed(self._listed)
+
+    @property
+    def groove_bottom(self) -> float:
+        """The contact angle of the grooves' deepest point, from which shoulders count; rad."""
+        return self.row_angle if self.kind == "thrust" else 0.0
 
     @property
     def ball_rows(self) -> tuple[RowPlace, ...]:
@@ -353,6 +376,8 @@ class Bearing(Record):
         if (self.designation or self.rows) is None or not at_the_border(info.context):
             return fields
         told = _CATALOGUE_FIELDS.keys() - self.model_fields_set
+        if self.told is None or "ball_material" not in self.told.fields:
+            told -= {"ball_material"}
         return {name: value for name, value in fields.items() if name not in told}
 
     @model_validator(mode="after")
@@ -609,7 +634,7 @@ def _of_catalogue(
     if own.intersection(_PLAY):
         missing -= set(_PLAY)
     if "rows" in own:
-        missing -= {"arrangement", "spacing"}
+        missing -= {"arrangement", "spacing", "preload"}
     if "contact_angle" in own and geometry.fields.get("kind") == "self_aligning":
         missing -= {"spacing"}
     if missing.issuperset(_PLAY) and not geometry.fields.keys() & set(_PLAY):
@@ -617,10 +642,31 @@ def _of_catalogue(
             geometry.lack_of_play, field="designation", value=geometry.designation.text
         )
     found: dict[str, Any] = {}
-    for name in missing & geometry.fields.keys():
-        value, dimension = geometry.fields[name], _CATALOGUE_FIELDS[name]
-        found[name] = from_si(value, dimension) if in_file and dimension else value
+    told = dict(geometry.fields)
+    arrangement = given.get("arrangement") or told.get("arrangement")
+    if isinstance(arrangement, str):
+        told = {"spacing": geometry.width, **told}
+        if len(set(ARRANGEMENTS.get(cast("Arrangement", arrangement), ()))) > 1:
+            told["preload"] = _listed_preload(geometry, given)
+    for name in missing & told.keys():
+        value, dimension = told[name], _CATALOGUE_FIELDS[name]
+        if value is not None:
+            found[name] = from_si(value, dimension) if in_file and dimension else value
     return found
+
+
+def _listed_preload(geometry: InternalGeometry, given: Mapping[str, Any]) -> dict[str, Any] | None:
+    """Return the preload that the letters name, if a maker lists it for this bearing."""
+    level = geometry.designation.letters.preload_level
+    angle = geometry.fields.get("contact_angle")
+    if level is None or given.get("contact_angle") is not None:
+        return None
+    listed = geometry.bearing.designation
+    for name in (listed, _WRITTEN_ANGLE.sub("", listed)):
+        with suppress(InputError):
+            listed_preload(name, cast("Level", level), angle)
+            return {"level": level, "designation": name}
+    return None
 
 
 def _of_first_row(given: Mapping[str, Any]) -> dict[str, Any]:
@@ -668,14 +714,16 @@ def _places(bearing: Bearing) -> tuple[RowPlace, ...]:
     if rows is None:
         return (RowPlace(bearing, 1.0, 0.0, 0.0),)
     plain: dict[str, Any] = dict.fromkeys(_SET_FIELDS)
-    if bearing.designation is None:  # of the first row
-        told = _CATALOGUE_FIELDS.keys() - bearing.model_fields_set - plain.keys()
-        plain.update({name: getattr(bearing, name) for name in told})
-    elif "arrangement" not in bearing.model_fields_set and bearing.rows is None:
-        # a double row by its designation, which would fill the arrangement in again
+    told = bearing.told
+    if told is not None and "arrangement" in told.fields and bearing.rows is None:
+        # a row alone is no such bearing, and the designation would fill the arrangement in again
         one = bearing.model_copy(update=plain)
         signs = ((row, 1.0 if row.orientation == "+" else -1.0) for row in rows)
         return tuple(RowPlace(one, sign, row.position, row.phase) for row, sign in signs)
+    if told is None or "arrangement" in told.fields:
+        names = _CATALOGUE_FIELDS.keys() - bearing.model_fields_set - plain.keys()
+        values = {name: getattr(bearing, name) for name in names}
+        plain.update({"designation": None, **values})  # of the first row
     places = []
     for index, row in enumerate(rows):
         try:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from math import isclose
-from typing import Any, Final, Self
+from typing import TYPE_CHECKING, Any, Final, Self
 
-from pydantic import Field, ValidationInfo, model_validator
+from pydantic import Field, ModelWrapValidatorHandler, ValidationInfo, model_validator
 
 from rolamento._reading import (
     TextFormat,
@@ -35,8 +35,11 @@ from rolamento.case.report import ReportHead
 from rolamento.case.surface import Surface
 from rolamento.case.temperature import Temperature
 from rolamento.errors import FileError, InputError, nearest
-from rolamento.units import from_si, readable
+from rolamento.units import from_si, readable, to_si
 from rolamento.words import said
+
+if TYPE_CHECKING:
+    from rolamento.catalogue import CatalogueBearing
 
 __all__ = [
     "Case",
@@ -53,6 +56,8 @@ __all__ = [
 
 _SIZES: Final = ("bore", "outside_diameter")
 _ROUNDING: Final = 1e-9
+_MOST_FORCE: Final = 1e9
+"""N, of a rating."""
 
 
 class Case(Record):
@@ -102,13 +107,22 @@ class Case(Record):
     life: LifeModel | None = Field(None, examples=["[life] as a table"])
     report: ReportHead | None = Field(None, examples=["[report] as a table"])
 
-    @model_validator(mode="before")
+    @model_validator(mode="wrap")
     @classmethod
-    def _with_sizes(cls, given: Any, info: ValidationInfo) -> Any:
-        """Fill in bore and outside diameter that a designation tells."""
+    def _with_catalogue(
+        cls, given: Any, handler: ModelWrapValidatorHandler[Self], info: ValidationInfo
+    ) -> Self:
+        """Fill in sizes that a designation tells, and tell it the ratings that are given."""
         if not isinstance(given, Mapping):
-            return given
-        return _with_catalogue_sizes(given, in_file=at_the_border(info.context))
+            return handler(given)
+        from rolamento.catalogue import listed
+
+        with listed(_rated_bearing(given)):
+            filled = dict(_with_catalogue_sizes(given, in_file=at_the_border(info.context)))
+            bearing = filled.get("bearing")
+            if isinstance(bearing, Bearing) and bearing.from_given_ratings:
+                filled["bearing"] = bearing.looked_up_again()
+            return handler(filled)
 
     @model_validator(mode="after")
     def _sizes_agree(self) -> Self:
@@ -155,7 +169,7 @@ class Case(Record):
         mapping = self.to_mapping()
         follows = "ball_material" not in self.bearing.model_fields_set
         if follows and not any(change.startswith("bearing.ball_material") for change in changes):
-            del mapping["bearing"]["ball_material"]
+            mapping["bearing"].pop("ball_material", None)
         return mapping
 
     @property
@@ -246,7 +260,7 @@ class Case(Record):
             return self
         for table, names in (
             ("temperature", ("inner_spacer", "outer_spacer")),
-            ("mounting", ("width", "inner_spacer_material", "outer_spacer_material")),
+            ("mounting", ("inner_spacer_material", "outer_spacer_material")),
         ):
             for name in names:
                 if getattr(getattr(self, table), name, None) is not None:
@@ -559,6 +573,47 @@ def _check_catalogue_sizes(bearing: Bearing, mounting: Mounting) -> None:
             )
 
 
+def _rated_bearing(given: Mapping[str, Any]) -> Sequence[CatalogueBearing]:
+    """Return the bearing of the designation with the ratings of the life table, where it has none.
+
+    Nothing of what is wrong: others refuse it.
+    """
+    from rolamento.catalogue import with_ratings
+
+    bearing, life = given.get("bearing"), given.get("life")
+    if isinstance(bearing, Bearing) and not bearing.from_given_ratings:
+        return ()  # it knows its balls
+    designation = _designation_of(bearing)
+    ratings = [_force(_entry(life, name)) for name in ("dynamic_rating", "static_rating")]
+    if designation is None:
+        return ()
+    try:
+        return with_ratings(designation, *ratings)
+    except InputError:
+        return ()
+
+
+def _entry(table: Any, name: str) -> Any:
+    return table.get(name) if isinstance(table, Mapping) else getattr(table, name, None)
+
+
+def _force(value: Any) -> float | None:
+    """A rating in N, of a number or a text with its unit; None of anything else."""
+    try:
+        found = to_si(value, "force") if isinstance(value, str) else value
+    except InputError:
+        return None
+    is_number = isinstance(found, int | float) and not isinstance(found, bool)
+    return float(found) if is_number and 0.0 < found < _MOST_FORCE else None
+
+
+def _designation_of(bearing: Any) -> str | None:
+    designation = _entry(bearing, "designation")
+    if isinstance(designation, int) and not isinstance(designation, bool):
+        return str(designation)
+    return designation if isinstance(designation, str) else None
+
+
 def _needs_sizes(name: str, table: Mapping[str, Any]) -> bool:
     return name == "mounting" or table.get("starvation") == "replenishment"
 
@@ -568,10 +623,8 @@ def _sizes_of(bearing: Any) -> dict[str, float]:
     if isinstance(bearing, Bearing):
         known = bearing.published
         return {} if known is None else {name: getattr(known, name) for name in _SIZES}
-    designation: Any = bearing.get("designation") if isinstance(bearing, Mapping) else None
-    if isinstance(designation, int) and not isinstance(designation, bool):
-        designation = str(designation)
-    if not isinstance(designation, str):
+    designation = _designation_of(bearing) if isinstance(bearing, Mapping) else None
+    if designation is None:
         return {}
     from rolamento.catalogue import catalogue
 

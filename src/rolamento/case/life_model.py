@@ -4,16 +4,33 @@ from __future__ import annotations
 
 from typing import Annotated, Final, Literal, Self
 
-from pydantic import AfterValidator, Field, model_validator
+from pydantic import AfterValidator, BeforeValidator, Field, model_validator
 
+from rolamento._columns import folded_name
 from rolamento.case.quantity import Line, Quantity, Ratio, Replaces
 from rolamento.case.record import Record, refuse_rivals
-from rolamento.errors import InputError
+from rolamento.errors import InputError, guess
 from rolamento.iso4406 import cleanliness_numbers
 from rolamento.words import said
 
 __all__ = ["DIRT", "LifeModel", "TallianFactors"]
 
+LEVELS: Final = {
+    "extreme": "extreme_cleanliness limpeza_extrema extrema",
+    "high": "high_cleanliness limpeza_alta alta_limpeza limpeza_elevada alta",
+    "normal": "normal_cleanliness limpeza_normal",
+    "slight": "slight_contamination contaminacao_leve leve_contaminacao leve",
+    "typical": "typical_contamination contaminacao_tipica tipica",
+    "severe": "severe_contamination contaminacao_severa contaminacao_grave severa grave",
+    "very_severe": (
+        "very_severe_contamination contaminacao_muito_severa contaminacao_muito_grave"
+        " muito_severa muito_grave"
+    ),
+}
+"""Levels of cleanliness in words, and what else they are called; folded."""
+_LEVEL_OF: Final = {
+    name: level for level, names in LEVELS.items() for name in (level, *names.split())
+}
 DIRT: Final = ("contamination", "cleanliness", "filter_size", "grease_cleanliness")
 """Of these a case takes one: how dirty the lubricant is."""
 
@@ -22,7 +39,24 @@ _Factor = Annotated[float, Ratio(above=0.0, at_most=1000.0, varies=True)]
 _TallianFactor = Annotated[float, Ratio(above=0.0, at_most=1e300)]
 
 
-def _a_code(text: str) -> str:
+def _level(word: object) -> object:
+    """Return the name of a level by what it is called in either language; else the word itself."""
+    return _LEVEL_OF.get(folded_name(word), word) if isinstance(word, str) else word
+
+
+def _a_code_or_level(text: str) -> str:
+    """Return a code as it is, and a level of cleanliness by its name."""
+    if _level(text) in LEVELS:
+        return str(_level(text))
+    if not any(sign.isdecimal() for sign in text):
+        raise InputError(
+            said(
+                "is neither an ISO 4406 code nor a level of cleanliness; {guess}",
+                guess=guess(folded_name(text), LEVELS),
+            ),
+            value=text,
+            example='"-/17/14"',
+        )
     try:
         cleanliness_numbers(text)
     except InputError as error:
@@ -96,7 +130,9 @@ class LifeModel(Record):
     contamination
         e_C, 0 (dirt decides) to 1 (clean); or
     cleanliness
-        the oil's ISO 4406 code, such as ``"-/17/14"``, with
+        the oil's level in words, ``"extreme"``, ``"high"``, ``"normal"`` (cleanliness),
+        ``"slight"``, ``"typical"``, ``"severe"`` or ``"very_severe"`` (contamination), in
+        Portuguese too; or its ISO 4406 code, such as ``"-/17/14"``, with
     oil_supply
         ``"circulating"`` (filtered in the line before the bearing) or ``"bath"``; or
     filter_size, filter_ratio
@@ -144,7 +180,7 @@ class LifeModel(Record):
         Replaces(*DIRT, "oil_supply", "filter_ratio"),
     ] = Field(None, examples=[0.5])
     cleanliness: Annotated[
-        Annotated[Line, AfterValidator(_a_code)] | None, Replaces(*DIRT, "filter_ratio")
+        Annotated[Line, AfterValidator(_a_code_or_level)] | None, Replaces(*DIRT, "filter_ratio")
     ] = Field(None, examples=["-/17/14"])
     oil_supply: Literal["circulating", "bath"] | None = Field(None, examples=["bath"])
     filter_size: Annotated[
@@ -156,6 +192,7 @@ class LifeModel(Record):
     )
     grease_cleanliness: Annotated[
         Literal["high", "normal", "slight", "severe", "very_severe"] | None,
+        BeforeValidator(_level),
         Replaces(*DIRT, "oil_supply", "filter_ratio"),
     ] = Field(None, examples=["normal"])
     additives: bool = Field(False, strict=True, examples=[False])
@@ -191,7 +228,8 @@ class LifeModel(Record):
                 example="1.0",
             )
         refuse_rivals(self)
-        self._check_pair("cleanliness", "oil_supply", 'oil_supply = "bath"', '"-/17/14"')
+        if self.cleanliness not in LEVELS:  # which are the same however the oil is supplied
+            self._check_pair("cleanliness", "oil_supply", 'oil_supply = "bath"', '"-/17/14"')
         self._check_pair("filter_size", "filter_ratio", "filter_ratio = 200", '"12 um"')
         return self
 

@@ -80,7 +80,7 @@ class Mounting(Record):
     bore, outside_diameter
         d and D of the bearing, in m.
     clearance_class
-        C2, CN, C3, C4 or C5; or
+        C2, CN, C3, C4, C5, or CM of electric motors; or
     measured_clearance
         What a gauge shows, in m, under
     measuring_load
@@ -103,11 +103,12 @@ class Mounting(Record):
     shaft_roughness, housing_roughness
         Sum of Rz of seat and ring, in m, by DIN 7190-1. Nothing is lost if neither is given.
     width
-        B of one bearing of a set, in m: its rings and the spacers between them then make the
+        B of one bearing, in m. In a set its rings and the spacers between them then make the
         distance of the rows; where it is not given (nor told by a designation), shaft and housing
-        do. For sets only, as the next.
+        do. It also goes into the thermal reference speed.
     inner_spacer_material, outer_spacer_material
-        A `SeatMaterial`, its name or its table; that of shaft and housing if not given.
+        A `SeatMaterial`, its name or its table; that of shaft and housing if not given. For sets
+        only.
     ring_expansion, ball_expansion
         Coefficients of expansion, in 1/K; those on file for the bearing's materials if not given.
     assembly_temperature
@@ -131,7 +132,7 @@ class Mounting(Record):
     bore: _Diameter = Field(examples=["25 mm"])
     outside_diameter: _Diameter = Field(examples=["62 mm"])
     clearance_class: Annotated[
-        Literal["C2", "CN", "C3", "C4", "C5"] | None, Replaces("measured_clearance")
+        Literal["C2", "CN", "C3", "C4", "C5", "CM"] | None, Replaces("measured_clearance")
     ] = Field(None, examples=["C3"])
     measured_clearance: Annotated[
         Annotated[float, Quantity("length", above="0 mm", at_most="5 mm")] | None,

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from functools import lru_cache
 from math import degrees
-from typing import Any, Final, Literal
+from typing import Any, Final, Literal, get_args
 
 from rolamento._data import toml_of
 from rolamento.errors import InputError, nearest
@@ -16,7 +16,7 @@ from rolamento.words import said
 
 __all__ = ["Level", "listed_designations", "listed_preload"]
 
-Level = Literal["light", "medium", "heavy"]
+Level = Literal["extra_light", "light", "medium", "heavy"]
 
 _SAME_ANGLE: Final = 1.5
 """Degrees by which a bearing's contact angle may differ from the listed nominal one."""
@@ -37,7 +37,7 @@ def listed_preload(designation: str, level: Level, contact_angle: float | None) 
     Raises
     ------
     InputError
-        If no list has the designation, or not at this angle.
+        If no list has the designation, or not at this angle, or not this class.
     """
     records = _records().get(_folded(designation))
     if records is None:
@@ -53,6 +53,13 @@ def listed_preload(designation: str, level: Level, contact_angle: float | None) 
     given = None if contact_angle is None else degrees(contact_angle)
     for record in records:
         if given is not None and abs(record["angle"] - given) <= _SAME_ANGLE:
+            if level not in record:
+                raise InputError(
+                    said("has no such class of preload in its maker's list"),
+                    field="level",
+                    value=level,
+                    example='level = "light"',
+                )
             return float(record[level])
     angles = ", ".join(f"{record['angle']:g} deg" for record in records)
     raise InputError(
@@ -81,7 +88,9 @@ def _records() -> dict[str, list[dict[str, Any]]]:
             record = {
                 "designation": line["designation"],
                 "angle": degrees(to_si(line["contact_angle"], "angle")),
-                **{level: to_si(line[level], "force") for level in ("light", "medium", "heavy")},
+                **{
+                    level: to_si(line[level], "force") for level in get_args(Level) if level in line
+                },
             }
             found.setdefault(_folded(line["designation"]), []).append(record)
     return found

@@ -7,13 +7,14 @@
 
 from __future__ import annotations
 
-from rolamento.catalogue.designation import ClearanceClass, Designation, parse_designation
+from rolamento.catalogue.designation import Designation, parse_designation
 from rolamento.catalogue.geometry import (
     ASSUMED_CONFORMITY,
     InternalGeometry,
     Origin,
     ambiguity_axis,
     geometry_of,
+    with_ratings,
 )
 from rolamento.catalogue.inference import (
     Candidate,
@@ -23,7 +24,9 @@ from rolamento.catalogue.inference import (
     inferred_geometry,
     practice_of,
 )
+from rolamento.catalogue.letters import ClearanceClass, Letters, Part
 from rolamento.catalogue.records import CatalogueBearing
+from rolamento.catalogue.rolling import RollingBearing, rolling_bearings
 from rolamento.catalogue.search import (
     Catalogue,
     Found,
@@ -42,8 +45,11 @@ __all__ = [
     "Designation",
     "Found",
     "InternalGeometry",
+    "Letters",
     "Origin",
+    "Part",
     "Practice",
+    "RollingBearing",
     "ambiguity_axis",
     "ball_name",
     "ball_sizes",
@@ -55,4 +61,6 @@ __all__ = [
     "listed",
     "parse_designation",
     "practice_of",
+    "rolling_bearings",
+    "with_ratings",
 ]

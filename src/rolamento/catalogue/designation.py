@@ -7,18 +7,23 @@ they are is known.
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
-from functools import lru_cache, partial
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from math import radians
-from typing import Any, Final, Literal, NamedTuple, cast
+from typing import Any, Final, NamedTuple, cast
 
-from rolamento._data import toml_of
+from rolamento.catalogue.letters import (
+    ClearanceClass,
+    Letters,
+    Part,
+    designation_data,
+    groups_of,
+    letters_before,
+    letters_behind,
+)
 from rolamento.errors import InputError
 from rolamento.units import MILLIMETRE
 from rolamento.words import said
-
-designation_data = partial(toml_of, "designations")
-"""What the parts of designations mean."""
 
 _INSERT: Final = re.compile(
     r"(?P<letters>[A-Z]{2,7})-?(?P<series>[23X])(?P<bore>\d\d)(?:-(?P<sixteenths>\d{1,2})(?![A-Z\d]))?"
@@ -140,23 +145,23 @@ def _other_type_sentence(kind: dict[str, Any]) -> str:
     )
 
 
-ClearanceClass = Literal["C2", "CN", "C3", "C4", "C5"]
-
 _LONGEST: Final = 60
 _NUMBER: Final = re.compile(
     r"(?P<prefix>[A-Z0-9]*?[A-Z]|E2)?\|?"
-    r"(?P<series>6[02389]|61[89]|7[0239]|71[89]|[35][23]|[12][23]|51[1-4])\|?"
+    r"(?P<series>6[02389]|61[89]|7[02389]|71[89]|[35][23]|[12][23]|51[1-4])\|?"
     r"(?P<bore>\d{2})"
     r"(?P<rest>(?:\|?2[RZ]|\D).*)?"
 )
+"""Of a text whose blanks, hyphens, strokes and points are one stroke each."""
 _FOUR_POINT: Final = re.compile(
     r"(?P<series>QJF?\|?(?:2|3|10))(?P<bore>\d{2})(?P<rest>(?:\|?2[RZ]|\D).*)?"
 )
-"""Of a text whose blanks, hyphens, strokes and points are one stroke each."""
+"""Likewise."""
 _ANGLE: Final = re.compile(r"(?<=[\s/-])(?P<angle>\d{1,2}(?:\.\d+)?)\s*(?:DEG|°)(?![A-Z])")
-_CLASS: Final = re.compile(r"C[0-9N]")
-_MOST_LETTERS: Final = 2
-"""Suffixes of one letter in a row; more of them are a word that nobody meant so."""
+_DESIGN: Final = re.compile(r"(?P<angle>AC|C|F)(?P<design>[DEB])(?=G[ABC]?(?:\||$)|\||$)")
+"""SKF's letters of contact angle and internal design, behind the number of a spindle bearing."""
+_SPINDLE_SERIES: Final = ("70", "718", "719")
+_MILLIMETRES_A_CODE: Final = 5
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -179,16 +184,10 @@ class Designation:
         Whether it is an insert bearing or a unit with one, with the inside of that number.
     bore
         In m, by the code; None likewise.
-    dimension_series
-        The deep-groove series of the same boundary dimensions, ``"62"`` for 7218.
     contact_angle
         In rad, by its letters or as ``"25deg"``; None if it says none.
-    clearance_class
-        By ISO 5753-1; None if it says none, which means normal, CN.
-    meanings
-        Each prefix and suffix that is understood, with its meaning.
-    unknown
-        What is not understood.
+    letters
+        What the letters before and behind the number say.
     """
 
     text: str
@@ -198,11 +197,28 @@ class Designation:
     series: str = ""
     insert: bool = False
     bore: float | None = None
-    dimension_series: str = ""
     contact_angle: float | None = None
-    clearance_class: ClearanceClass | None = None
-    meanings: tuple[tuple[str, str], ...] = ()
-    unknown: tuple[str, ...] = ()
+    letters: Letters = field(default_factory=Letters)
+
+    @property
+    def clearance_class(self) -> ClearanceClass | None:
+        """By ISO 5753-1, or CM; None if it says none, which means normal, CN."""
+        return self.letters.clearance_class
+
+    @property
+    def of_maker(self) -> Letters:
+        """What a maker's name beside the designation says."""
+        return Letters(parts=(Part(self.maker, _phrase("maker")),) if self.maker else ())
+
+    @property
+    def meanings(self) -> tuple[Part, ...]:
+        """Each prefix and suffix that is understood, with its meaning."""
+        return self.letters.parts
+
+    @property
+    def unknown(self) -> tuple[str, ...]:
+        """What is not understood."""
+        return self.letters.unknown
 
     @property
     def is_angular_contact(self) -> bool:
@@ -217,25 +233,34 @@ class Designation:
     @property
     def equivalents(self) -> tuple[str, ...]:
         """Numbers by which makers list a bearing of the same type and size, the nearest first."""
-        own = [
-            self.number + letters
-            for letters in designation_data()["listed_as"].get(self.series, ())
-        ]
+        letters = designation_data()["listed_as"].get(self.series, ())
+        own = [self.number + letter for letter in letters]
         other = designation_data()["same_size"].get(self.series)
         return (*own, other + self.number[-2:]) if other else tuple(own)
 
     @property
     def keys(self) -> tuple[str, ...]:
         """What to look for in a catalogue, folded, the most telling first."""
+        keys = [self.text, self.name]
+        for number in self._numbers:
+            if self.contact_angle is None:
+                keys.append(number)
+            keys += [number + letter for letter in self.angle_letters]
+        return tuple(dict.fromkeys(key for key in map(folded, keys) if key))
+
+    @property
+    def angle_letters(self) -> tuple[str, ...]:
+        """The letters by which makers tell this contact angle."""
         angle = self.contact_angle
-        keys = [folded(self.text), folded(self.name)]
-        if self.number:
-            letters = [
-                key for key, value in _angles_of(self.kind).items() if angle == radians(value)
-            ]
-            keys += [folded(self.number + letter) for letter in letters] if angle else []
-            keys += [folded(self.number)] if angle is None else []
-        return tuple(dict.fromkeys(key for key in keys if key))
+        angles = _angles_of(self.kind).items()
+        return tuple(letters for letters, value in angles if angle == radians(value))
+
+    @property
+    def _numbers(self) -> tuple[str, ...]:
+        """The number, and that of other makers for the same boundary dimensions."""
+        same = "" if self.kind else designation_data()["same_size"].get(self.series)
+        numbers = (self.number, f"{same}{self.number[-2:]}" if same else "")
+        return tuple(number for number in numbers if number)
 
 
 def folded(text: str) -> str:
@@ -264,59 +289,86 @@ def parse_designation(text: str) -> Designation:
             example='designation = "6205"',
         )
     name, maker = _without_maker(text.strip())
-    meanings = [(maker, designation_data()["phrases"]["maker"])] if maker else []
+    known: dict[str, Any] = {"text": text.strip(), "name": name, "maker": maker}
+    whole = Designation(**known).of_maker
     given = name.upper()
     written = _ANGLE.search(given)
     plain = given if written is None else given[: written.start()] + given[written.end() :]
     angle = None if written is None else radians(float(written["angle"]))
-    grouped = "|".join(suffix_groups(plain))
-    arched = _FOUR_POINT.fullmatch(grouped)
-    parts = arched or _NUMBER.fullmatch(grouped)
+    joined = "|".join(groups_of(plain))
+    arched = _FOUR_POINT.fullmatch(joined)
+    parts = arched or _NUMBER.fullmatch(joined)
     prefix = "" if parts is None or arched else parts["prefix"] or ""
-    if parts is None or (prefix and prefix not in designation_data()["prefixes"]):
+    before = letters_before(prefix, spindle=parts is not None and parts["series"][0] == "7")
+    if parts is None or (prefix and not before.parts):
         insert = insert_of(plain)
-        if insert is None:
-            return _of_another_system(text, name, maker, plain, angle)
-        suffixes = _suffixes(suffix_groups(insert.rest), text)
-        return Designation(
-            text=text.strip(),
-            name=name,
-            maker=maker,
-            number=insert.number,
-            series=insert.number[:2],
-            insert=True,
-            bore=_bore(insert.number[2:]),
-            dimension_series=insert.number[:2],
-            clearance_class=suffixes.clearance or cast("ClearanceClass", insert.clearance_class),
-            meanings=(*meanings, *insert.meanings, *suffixes.meanings),
-            unknown=suffixes.unknown,
+        if insert is not None:
+            meanings = tuple(Part(*meaning) for meaning in insert.meanings)
+            supplied = cast("ClearanceClass", insert.clearance_class)
+            whole += Letters(clearance_class=supplied, parts=meanings)
+            return Designation(
+                **known,
+                number=insert.number,
+                series=insert.number[:2],
+                insert=True,
+                bore=_bore(insert.number[2:]),
+                letters=whole + letters_behind(groups_of(insert.rest), text),
+            )
+        return _spindle(known, joined, angle, whole) or _of_another_system(
+            known, plain, angle, whole
         )
-    if prefix:
-        meanings.append((prefix, designation_data()["prefixes"][prefix]))
-    groups = suffix_groups(parts["rest"] or "")
-    series = "QJ" + re.sub(r"\D", "", parts["series"]) if arched else parts["series"]
+    series, rest = parts["series"], parts["rest"] or ""
+    if arched:
+        series = "QJ" + re.sub(r"\D", "", series)
     kind = designation_data()["kinds"].get(series, "")
-    if angle is None and (series.startswith("7") or kind == "double_row") and groups:
-        angle, groups[0] = _angle(groups[0], kind)
-    suffixes = _suffixes(groups, text)
+    whole += before
+    angular = series.startswith("7")
+    if angle is None and (angular or kind == "double_row"):
+        angle, design, rest = _angle(rest.lstrip("|"), series, kind)
+        whole += design
     return Designation(
-        text=text.strip(),
-        name=name,
-        maker=maker,
+        **known,
         number=series + parts["bore"],
         series=series,
         bore=_bore(parts["bore"]),
-        dimension_series=designation_data()["dimension_series"].get(series, series),
         contact_angle=angle,
-        clearance_class=suffixes.clearance,
-        meanings=(*meanings, *suffixes.meanings),
-        unknown=suffixes.unknown,
+        letters=whole + letters_behind(groups_of(rest), text, angular=angular),
     )
 
 
-def suffix_groups(text: str) -> list[str]:
-    """Return what blanks, hyphens, strokes and points part in a designation."""
-    return [group for group in re.split(r"[\s\-/.|]+", text) if group]
+def _phrase(key: str) -> str:
+    return str(designation_data()["phrases"][key])
+
+
+def _spindle(
+    known: Mapping[str, Any], joined: str, angle: float | None, before: Letters
+) -> Designation | None:
+    """A spindle bearing of a maker's own numbers, such as NSK's 70BNR10; None of anything else."""
+    prefix, _, behind = joined.partition("|")
+    ahead = letters_before(prefix, spindle=True) if behind else Letters()
+    number = behind if ahead.parts else joined
+    for kind in designation_data()["spindle"]:
+        found = re.fullmatch(kind["begins"], number)
+        if found is None:
+            continue
+        told = found.groupdict()
+        code = told.get("bore") or _code_of(int(told["bore_mm"]))
+        if code is None:
+            continue
+        letters = before + ahead
+        letters += Letters(design="E", parts=(Part(number[: found.start("rest")], kind["name"]),))
+        if told.get("balls"):
+            letters += letters_before(told["balls"])
+        series = kind["series"][told["series"]]
+        return Designation(
+            **known,
+            number=series + code,
+            series=series,
+            bore=_bore(code),
+            contact_angle=angle or radians(kind["type"][told["type"]]),
+            letters=letters + letters_behind(groups_of(told["rest"]), known["text"], angular=True),
+        )
+    return None
 
 
 def _without_maker(text: str) -> tuple[str, str]:
@@ -336,16 +388,13 @@ def _without_maker(text: str) -> tuple[str, str]:
 
 
 def _of_another_system(
-    text: str, name: str, maker: str, plain: str, angle: float | None
+    known: Mapping[str, Any], plain: str, angle: float | None, whole: Letters
 ) -> Designation:
     """Makers' own numbers: only an angle and a class at the end are understood."""
-    given = re.search(r"[/\s-](C[2-5N])\s*$", plain)
-    clearance: ClearanceClass | None = (
-        None if given is None else designation_data()["clearance"][given[1]]
-    )
-    return Designation(
-        text=text.strip(), name=name, maker=maker, contact_angle=angle, clearance_class=clearance
-    )
+    given = re.search(r"[/\s-](C[2-5NM])\s*$", plain)
+    if given is not None:
+        whole += Letters(clearance_class=designation_data()["clearance"][given[1]])
+    return Designation(**known, contact_angle=angle, letters=whole)
 
 
 def _bore(code: str) -> float:
@@ -357,78 +406,28 @@ def _angles_of(kind: str) -> dict[str, float]:
     return dict(designation_data()["angles_of_double_rows" if kind == "double_row" else "angles"])
 
 
-def _angle(rest: str, kind: str) -> tuple[float | None, str]:
+def _code_of(millimetres: int) -> str | None:
+    """The bore code of a bore; None if it has none of two figures."""
+    for code, bore in designation_data()["bore_codes"].items():
+        if bore == millimetres:
+            return str(code)
+    code, off = divmod(millimetres, _MILLIMETRES_A_CODE)
+    return f"{code:02d}" if not off and code in range(4, 100) else None
+
+
+def _angle(rest: str, series: str, kind: str) -> tuple[float | None, Letters, str]:
     """Return the contact angle that the letters behind the number tell, and what is left."""
-    for letters, angle in _angles_of(kind).items():
-        if rest.startswith(letters) and not _CLASS.match(rest):
-            return radians(angle), rest[len(letters) :]
-    return None, rest
-
-
-class _Suffixes(NamedTuple):
-    """What suffixes say."""
-
-    clearance: ClearanceClass | None
-    meanings: tuple[tuple[str, str], ...]
-    unknown: tuple[str, ...]
-
-
-def _suffixes(groups: list[str], text: str) -> _Suffixes:
-    """Take suffixes apart, group by group."""
-    classes, known = designation_data()["clearance"], designation_data()["suffixes"]
-    clearance: ClearanceClass | None = None
-    meanings: list[tuple[str, str]] = []
-    unknown: list[str] = []
-    for group in groups:
-        parts = _known_suffixes(group)
-        if parts is None:  # what is not understood is one word, not some of its letters
-            parts = tuple(re.findall(_known_suffix_pattern(), group))
-        for part in parts:
-            if _CLASS.fullmatch(part):
-                if part not in classes:
-                    raise InputError(
-                        said(
-                            "names no clearance class of ISO 5753-1 with {part}; the classes are "
-                            "C2, CN, C3, C4 and C5",
-                            part=part,
-                        ),
-                        field="designation",
-                        value=text,
-                        example='designation = "6205/C3"',
-                    )
-                clearance = classes[part]
-            elif part in known:
-                meanings.append((part, known[part]))
-            else:
-                unknown.append(part)
-    return _Suffixes(clearance, tuple(meanings), tuple(unknown))
-
-
-@lru_cache(maxsize=1024)
-def _known_suffixes(group: str, letters: int = 0) -> tuple[str, ...] | None:
-    """Known suffixes that make up a group, the longest first; None if none do.
-
-    letters: how many suffixes of one letter stand before it.
-    """
-    if not group:
-        return ()
-    if _CLASS.match(group):
-        rest = _known_suffixes(group[2:])
-        return None if rest is None else (group[:2], *rest)
-    known = designation_data()["suffixes"]
-    for length in range(len(group), 0, -1):
-        if group[:length] in known and (length > 1 or letters < _MOST_LETTERS):
-            rest = _known_suffixes(group[length:], letters + 1 if length == 1 else 0)
-            if rest is not None:
-                return (group[:length], *rest)
-    return None
-
-
-@lru_cache(maxsize=1)
-def _known_suffix_pattern() -> re.Pattern[str]:
-    """Classes and suffixes of more than one sign, and what is between them."""
-    known = sorted(
-        (re.escape(s) for s in designation_data()["suffixes"] if len(s) > 1), key=len, reverse=True
-    )
-    named = "|".join(("C[0-9N]", *known))
-    return re.compile(rf"{named}|(?:(?!{named}).)+")
+    data = designation_data()
+    spindle = None if kind else _DESIGN.match(rest)
+    if spindle is not None and (series in _SPINDLE_SERIES or spindle["design"] == "D"):
+        design = Part(spindle["design"], data["spindle_designs"][spindle["design"]])
+        angle = radians(data["spindle_angles"][spindle["angle"]])
+        return angle, Letters(design=design.text, parts=(design,)), rest[spindle.end() :]
+    if rest.startswith("U") and not kind:
+        for letters, degrees in data["angles_after_u"].items():
+            if rest.startswith(letters, 1):
+                return radians(degrees), Letters(), rest[1 + len(letters) :]
+    for letters, degrees in _angles_of(kind).items():
+        if rest.startswith(letters) and not re.match(r"C[0-9NM]", rest):
+            return radians(degrees), Letters(), rest[len(letters) :]
+    return None, Letters(), rest

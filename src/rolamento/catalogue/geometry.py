@@ -3,28 +3,31 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import pairwise
 from math import asin, radians, sin, tan
 from typing import Any, Final, Literal
 
 from rolamento._data import toml_of
-from rolamento.catalogue.designation import ClearanceClass, Designation
+from rolamento.catalogue.designation import Designation, folded
 from rolamento.catalogue.inference import Candidate, inferred_geometry
+from rolamento.catalogue.letters import ClearanceClass, Letters, Part
 from rolamento.catalogue.records import CatalogueBearing
 from rolamento.catalogue.search import (
     Catalogue,
+    Found,
     catalogue,
     catalogue_with,
     is_built_in,
+    standard_width,
 )
 from rolamento.errors import InputError
 from rolamento.ratings import SELF_ALIGNING_CONFORMITY, THRUST_CONFORMITY
 from rolamento.units import MILLIMETRE, readable
 from rolamento.words import said
 
-Origin = Literal["published", "inferred", "assumed"]
+Origin = Literal["published", "inferred", "assumed", "designation"]
 
 ASSUMED_CONFORMITY: Final = 0.52
 """Of both races where nothing is published: what ISO 281 supposes of its ratings."""
@@ -46,6 +49,8 @@ _LEAST_ANGLE: Final = radians(1.0)
 _HALF_MICROMETRES: Final = 2e6
 """In a metre."""
 _ROUNDING: Final = 1e-9
+GIVEN: Final = "given"
+"""Source of the ratings that a user gives."""
 _TAPERED: Final = "tapered bore"
 
 
@@ -64,11 +69,15 @@ class InternalGeometry:
         contact angle or the diametral clearance where there is one, and what its kind has beside
         them: shim angle, arrangement, spacing of the rows.
     origins
-        Of each field: ``"published"``, ``"inferred"`` from the ratings, or ``"assumed"``.
+        Of each field: ``"published"``, ``"inferred"`` from the ratings, ``"assumed"``, or
+        ``"designation"``: its letters say so.
     candidates
         All insides that the ratings allow, the best first; empty if nothing was inferred.
     records
         What has to be known beside the built-in catalogue to find the same again.
+    sisters
+        Of an angular-contact bearing whose balls are not published: those of the same boundary
+        dimensions and about the same contact angle whose balls are.
     """
 
     bearing: CatalogueBearing
@@ -77,11 +86,34 @@ class InternalGeometry:
     origins: Mapping[str, Origin]
     candidates: tuple[Candidate, ...] = ()
     records: tuple[CatalogueBearing, ...] = ()
+    sisters: tuple[CatalogueBearing, ...] = ()
 
     @property
     def is_inferred(self) -> bool:
         """Whether the balls are inferred."""
-        return "inferred" in self.origins.values()
+        return self.origins.get("ball_count") == "inferred"
+
+    @property
+    def from_given_ratings(self) -> bool:
+        """Whether they are inferred from ratings that are the user's, not a list's."""
+        return self.is_inferred and GIVEN in self.bearing.sources.values()
+
+    @property
+    def stands_in(self) -> bool:
+        """Whether the catalogue has the bearing by another number than that of the designation."""
+        number, listed = self.designation.number, folded(self.bearing.designation)
+        return bool(number) and not self.designation.insert and not listed.startswith(number)
+
+    @property
+    def idle(self) -> tuple[Part, ...]:
+        """Parts of the designation that are understood and change no result."""
+        return self.designation.letters.idle
+
+    @property
+    def width(self) -> float | None:
+        """B in m, published or by ISO 15; None if neither tells."""
+        bearing = self.bearing
+        return bearing.width or standard_width(bearing.bore, bearing.outside_diameter)
 
     @property
     def lack_of_play(self) -> str:
@@ -141,8 +173,12 @@ def _geometry_in(
     fields: dict[str, Any] = {}
     origins: dict[str, Origin] = {}
     candidates: tuple[Candidate, ...] = ()
+    sisters = known.sisters(bearing, found.designation.letters.design)
     if with_balls:
-        candidates = _add_balls(bearing, rank, fields, origins)
+        try:
+            candidates = _add_balls(bearing, rank, fields, origins)
+        except InputError as error:
+            raise _without_balls(error, found, sisters) from None
     for name in ("inner_conformity", "outer_conformity"):
         if bearing.kind == "self_aligning" and name == "outer_conformity":
             continue  # its race is a sphere
@@ -151,6 +187,7 @@ def _geometry_in(
         origins[name] = "assumed" if own is None else "published"
     _add_play(bearing, found.designation, fields, origins)
     _add_kind(bearing, found.designation, fields, origins)
+    _add_letters(bearing, found.designation, fields, origins)
     return InternalGeometry(
         bearing=bearing,
         designation=found.designation,
@@ -158,6 +195,96 @@ def _geometry_in(
         origins=origins,
         candidates=candidates,
         records=() if known is catalogue_with(()) or is_built_in(bearing) else (bearing,),
+        sisters=() if bearing.ball_count and bearing.ball_diameter else sisters,
+    )
+
+
+def _without_balls(
+    error: InputError, found: Found, sisters: Sequence[CatalogueBearing]
+) -> InputError:
+    """Say of what was asked for what it lacks, and what may stand in for it."""
+    bearing, text = found.bearing, found.designation.text
+    if error.field != "designation":
+        return error
+    if bearing.rated != (None, None):
+        return error.with_details(value=text)
+    if bearing.kind == "angular_contact" and bearing.contact_angle is None:
+        number = found.designation.number
+        rule = said(
+            "does not say its contact angle: write {number}C (15°), {number}AC (25°),"
+            " {number}A (30°) or {number}B (40°)",
+            number=number,
+        )
+        example = f'designation = "{number}C"'
+    elif sisters:
+        sister = sisters[0]
+        rule = said(
+            "has neither published balls nor load ratings here. {maker} {sister}, of the same bore"
+            " and outside diameter and a contact angle of {angle:.0f °}, has {count} balls of"
+            " {ball:.5 mm}: give it if it may stand in, or give life.dynamic_rating and"
+            " life.static_rating, or ball_count, ball_diameter and pitch_diameter",
+            maker=sister.maker,
+            sister=sister.designation,
+            angle=sister.contact_angle,
+            count=sister.ball_count,
+            ball=sister.ball_diameter,
+        )
+        example = f'designation = "{_with_letters(sister, found.designation.letters)}"'
+    else:
+        rule = said(
+            "has no load rating to estimate the balls from: give life.dynamic_rating and"
+            " life.static_rating, or ball_count, ball_diameter and pitch_diameter"
+        )
+        example = 'life.dynamic_rating = "14 kN"'
+    return InputError(rule, field="designation", value=text, example=example)
+
+
+def _with_letters(bearing: CatalogueBearing, letters: Letters) -> str:
+    """A bearing's designation with what else was asked for: ceramic balls, arrangement, preload."""
+    preload = letters.preload.text if letters.preload and letters.preload_level else ""
+    in_set = f"{letters.arrangement or 'U'}{preload}" if letters.arrangement or preload else ""
+    ceramic = "HC" if letters.ball_material else ""
+    return " ".join(part for part in (bearing.designation, ceramic, in_set) if part)
+
+
+def with_ratings(
+    designation: str, dynamic_rating: float | None, static_rating: float | None
+) -> tuple[CatalogueBearing, ...]:
+    """Return the bearing of a designation with ratings that are given, to infer its balls from.
+
+    Parameters
+    ----------
+    designation
+        Such as ``"7014A5"``.
+    dynamic_rating, static_rating
+        C and C_0 of one row, in N; None is not given.
+
+    Returns
+    -------
+    tuple
+        For `rolamento.catalogue.listed`; empty where the catalogue has balls or ratings of its
+        own, or nothing is given.
+
+    Raises
+    ------
+    InputError
+        If the designation is not known.
+    """
+    asked = {"dynamic_rating": dynamic_rating, "static_rating": static_rating}
+    given = {name: value for name, value in asked.items() if value is not None}
+    known = catalogue()
+    if not given and known is catalogue_with(()):
+        return ()
+    bearing = known.find(designation).bearing
+    own = (bearing.ball_count, *bearing.rated)
+    before = GIVEN in bearing.sources.values()
+    if not before and (not given or any(value is not None for value in own)):
+        return ()
+    sources = {**bearing.sources, **dict.fromkeys(given, GIVEN)}
+    return (
+        replace(
+            bearing, dynamic_rating=dynamic_rating, static_rating=static_rating, sources=sources
+        ),
     )
 
 
@@ -213,6 +340,9 @@ def middle_clearance(bore: float, clearance_class: str, table: str = "") -> floa
     for step, (over, to) in enumerate(pairwise(limits)):
         if over * (1.0 + _ROUNDING) < bore <= to * (1.0 + _ROUNDING):
             pair = data["classes"].get(clearance_class, {step: None})[step]
+            begin = MILLIMETRE * data.get("from_mm", {}).get(clearance_class, 0.0)
+            if bore < begin * (1.0 - _ROUNDING):
+                return None
             return sum(pair) / _HALF_MICROMETRES if pair else None
     return None
 
@@ -284,6 +414,25 @@ def _add_play(
         if clearance is not None:
             fields["diametral_clearance"] = clearance
             origins["diametral_clearance"] = "assumed"
+
+
+def _add_letters(
+    bearing: CatalogueBearing,
+    designation: Designation,
+    fields: dict[str, Any],
+    origins: dict[str, Origin],
+) -> None:
+    """Add what the letters say: balls of another material, the arrangement."""
+    letters = designation.letters
+    if letters.ball_material is not None:
+        fields["ball_material"], origins["ball_material"] = letters.ball_material, "designation"
+    if bearing.kind not in ("deep_groove", "angular_contact"):
+        return
+    if letters.arrangement is not None:
+        fields["arrangement"], origins["arrangement"] = letters.arrangement, "designation"
+        width = bearing.width or standard_width(bearing.bore, bearing.outside_diameter)
+        if width is not None:  # of bearings side by side
+            fields["spacing"], origins["spacing"] = width, "assumed"
 
 
 def _add_kind(

@@ -170,7 +170,7 @@ _DIMENSIONS: Final[Mapping[str, Dimension]] = {
     **dict.fromkeys(_LENGTHS, "length"),
     **dict.fromkeys(_FORCES, "force"),
     "contact_angle": "angle",
-    "limiting_speed": "speed",
+    "limiting_speed": "angular_speed",
 }
 _LIMITS: Final[Mapping[str, tuple[float, float]]] = {
     **dict.fromkeys(_LENGTHS, (1e-5, 20.0)),
@@ -368,6 +368,6 @@ def _plain_number(value: object, name: str) -> float:
 
 def _example_quantity(dimension: Dimension) -> str:
     examples: dict[str, str] = {
-        "length": "25 mm", "force": "14 kN", "angle": "40 deg", "speed": "9000 rpm"
+        "length": "25 mm", "force": "14 kN", "angle": "40 deg", "angular_speed": "9000 rpm"
     }  # fmt: skip
     return examples[dimension]

@@ -12,27 +12,35 @@ from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from importlib import resources
 from itertools import chain, islice
-from typing import Final
+from math import degrees, radians
+from typing import Final, NamedTuple
 
+from rolamento._data import toml_of
 from rolamento._reading import read_text
 from rolamento._tables import table_text
-from rolamento.catalogue.designation import (
-    Designation,
-    folded,
-    other_type,
-    parse_designation,
-    suffix_groups,
+from rolamento.catalogue.designation import Designation, folded, other_type, parse_designation
+from rolamento.catalogue.letters import (
+    Letters,
+    designation_data,
+    groups_of,
+    letters_before,
+    letters_behind,
 )
 from rolamento.catalogue.records import CatalogueBearing, records_of_csv, records_of_toml
 from rolamento.errors import FileError, InputError
+from rolamento.units import MILLIMETRE
 from rolamento.words import said
 
 _MOST_RESULTS: Final = 1000
 _NEAREST: Final = 3
-_BOUNDARY: Final = ("bore", "outside_diameter", "width")
 _SIZES: Final = re.compile(r"\d+(?:\.\d+)?(?:[x×]\d+(?:\.\d+)?){1,2}")
-_ISO_15: Final = "ISO 15, dimension series of {}"
+_OF_SKF: Final = "SNFA"
+_QUICK: Final = ("E", "B")
+"""Internal designs with smaller balls than those of the bearing that makers list by the number."""
+_ISO_15: Final = "ISO 15, dimension series {}"
 _ROUNDING: Final = 1e-6
+_SISTER_ANGLE: Final = radians(5.0)
+"""By which the contact angle of a bearing that may stand in for another differs at most."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,6 +49,49 @@ class Found:
 
     bearing: CatalogueBearing
     designation: Designation
+
+
+def _snfa_key(designation: Designation) -> str:
+    """The key of SNFA's bearing that SKF sells by such a designation; empty if none."""
+    names = designation_data()["snfa_names"].get(designation.letters.design, {})
+    name, angle = names.get(designation.series), designation.contact_angle
+    if name is None or angle is None or designation.bore is None:
+        return ""
+    bore = round(designation.bore / MILLIMETRE)
+    return folded(f"{name.format(bore=bore)} {round(degrees(angle))}deg")
+
+
+class Dimensions(NamedTuple):
+    """Outside diameter and width, in m, and where they are from."""
+
+    outside_diameter: float
+    width: float
+    source: str
+
+
+def dimensions_of(designation: Designation) -> Dimensions | None:
+    """Return the boundary dimensions that ISO 15 gives a number; None of what it does not know."""
+    data = toml_of("iso15")
+    series = data["numbers"].get(designation.series)
+    if series is None or designation.bore is None:
+        return None
+    for table in ("series", "beyond"):
+        found = data[table][series].get(f"{designation.bore / MILLIMETRE:.6g}")
+        if found is not None:
+            outside, width = (size * MILLIMETRE for size in found)
+            return Dimensions(outside, width, _ISO_15.format(series))
+    return None
+
+
+def standard_width(bore: float, outside_diameter: float) -> float | None:
+    """Return the width (m) that ISO 15 gives a bore and an outside diameter (m); None without."""
+    data = toml_of("iso15")
+    for table in ("series", "beyond"):
+        for sizes in data[table].values():
+            found = sizes.get(f"{bore / MILLIMETRE:.6g}")
+            if found is not None and abs(found[0] * MILLIMETRE - outside_diameter) < _ROUNDING:
+                return float(found[1] * MILLIMETRE)
+    return None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -135,18 +186,19 @@ class Catalogue:
             If nothing is known of it; the message names the nearest designations.
         """
         own = self._by_key.get(folded(text))
-        if own is not None:
+        if own is not None and not self._is_displaced(own, text):
             return self._own(own, text)
         designation = parse_designation(text)
         named = self._by_shorter_name(designation)
         if named is not None:
-            return Found(named, replace(designation, contact_angle=named.contact_angle))
-        for key in designation.keys:
-            if key in self._by_key:
-                return Found(self._by_key[key], designation)
-        plain = self._by_key.get(folded(designation.number))
+            return named
+        quick = designation.letters.design in _QUICK
+        plain = None if quick else self._by_key.get(folded(designation.number))
         if plain is not None and _same_angle(plain, designation):
             return Found(plain, designation)
+        for key in (_snfa_key(designation), *(() if quick else designation.keys)):
+            if key in self._by_key:
+                return Found(self._by_key[key], designation)
         for number in designation.equivalents:
             like = self._by_key.get(folded(number))
             if like is not None and (
@@ -158,6 +210,14 @@ class Catalogue:
             return Found(by_sizes, designation)
         raise self._unknown(text)
 
+    def _is_displaced(self, bearing: CatalogueBearing, text: str) -> bool:
+        """Whether a bearing of the built-in catalogue is a user's own by its plain number."""
+        if not is_built_in(bearing):
+            return False
+        designation = parse_designation(text)
+        plain = self._by_key.get(folded(designation.number))
+        return plain is not None and plain is not bearing and _same_angle(plain, designation)
+
     def _own(self, bearing: CatalogueBearing, text: str) -> Found:
         """A bearing that is listed by that very text: its letters need not mean what others do."""
         plain = Designation(text=text.strip(), name=text.strip())
@@ -165,21 +225,28 @@ class Catalogue:
             plain = parse_designation(text)
         return Found(bearing, replace(plain, contact_angle=bearing.contact_angle))
 
-    def _by_shorter_name(self, designation: Designation) -> CatalogueBearing | None:
-        """The bearing whose whole name stands before the last suffixes, as ``Q-17`` in Q-17/C3.
+    def _by_shorter_name(self, designation: Designation) -> Found | None:
+        """The bearing whose whole name stands among the letters, as ``Q-17`` in Q-17/C3.
 
         A plain number is none: its letters may tell another contact angle.
         """
-        groups = suffix_groups(designation.name)
-        for count in range(len(groups) - 1, 0, -1):
-            key = folded("".join(groups[:count]))
-            found = self._by_key.get(key)
-            if found is None or key == folded(designation.number):
-                continue
-            if designation.number or designation.contact_angle is None:
-                return found
-            if _same_angle(found, designation):
-                return found
+        groups = groups_of(designation.name.upper())
+        first = "" if designation.number or not groups else groups[0]
+        before = letters_before(first, spindle=True)
+        for start in (0, 1) if before.parts else (0,):
+            for end in range(len(groups) - 1 + start, start, -1):
+                key = folded("".join(groups[start:end]))
+                bearing = self._by_key.get(key)
+                if bearing is None or key == folded(designation.number):
+                    continue
+                alike = _same_angle(bearing, designation)
+                if not (designation.number or designation.contact_angle is None or alike):
+                    continue
+                angular = bearing.kind == "angular_contact"
+                letters = designation.of_maker + (before if start else Letters())
+                letters += letters_behind(groups[end:], designation.text, angular=angular)
+                found = replace(designation, contact_angle=bearing.contact_angle, letters=letters)
+                return Found(bearing, found)
         return None
 
     def _of_sizes(self, sizes: list[float]) -> tuple[CatalogueBearing, ...]:
@@ -193,24 +260,64 @@ class Catalogue:
         )
 
     def _of_dimension_series(self, designation: Designation) -> CatalogueBearing | None:
-        if not designation.number or designation.kind:
+        """A bearing of which only the boundary dimensions are known, by its number."""
+        found = dimensions_of(designation)
+        if found is None or designation.bore is None or designation.kind:
             return None
-        number = designation.dimension_series + designation.number[-2:]
-        like = self._by_key.get(folded(number))
-        if like is None:
-            return None
-        source = _ISO_15.format(like.designation)
-        angular = designation.is_angular_contact
+        sources = dict.fromkeys(("bore", "outside_diameter", "width"), found.source)
+        if designation.contact_angle is not None:
+            sources["contact_angle"] = "designation letters"
         return CatalogueBearing(
             designation=min(designation.keys, key=len).upper(),
-            kind="angular_contact" if angular else "deep_groove",
-            bore=like.bore,
-            outside_diameter=like.outside_diameter,
-            width=like.width,
+            kind="angular_contact" if designation.is_angular_contact else "deep_groove",
+            bore=designation.bore,
+            outside_diameter=found.outside_diameter,
+            width=found.width,
             contact_angle=designation.contact_angle,
-            sources=dict.fromkeys(_BOUNDARY, source)
-            | ({"contact_angle": "designation letters"} if designation.contact_angle else {}),
+            sources=sources,
         )
+
+    def sisters(self, bearing: CatalogueBearing, design: str = "") -> tuple[CatalogueBearing, ...]:
+        """Return bearings of the same boundary dimensions whose balls are published.
+
+        Parameters
+        ----------
+        bearing
+            Angular-contact, else there are none.
+        design
+            Its internal design, as of `Letters`.
+
+        Returns
+        -------
+        tuple
+            Those of a like design first, then by the contact angle; none that is off by more than
+            5 degrees.
+        """
+        angle, width = bearing.contact_angle, bearing.width
+        if bearing.kind != "angular_contact" or angle is None:
+            return ()
+
+        def off(other: CatalogueBearing) -> float:
+            return abs((other.contact_angle or 0.0) - angle)
+
+        sizes = [bearing.bore, bearing.outside_diameter]
+        alike = (
+            other
+            for other in self._of_sizes(sizes)
+            if other.kind == bearing.kind
+            and other.ball_count is not None
+            and other.ball_diameter is not None
+            and off(other) <= _SISTER_ANGLE
+            and other.designation != bearing.designation
+            and (not other.width or not width or abs(other.width - width) < _ROUNDING)
+        )
+
+        def rank(other: CatalogueBearing) -> tuple[bool, float, bool]:
+            quick = other.designation.startswith(tuple(designation_data()["high_speed"]["names"]))
+            of_skf = bool(design) and other.maker == _OF_SKF
+            return quick != (design in _QUICK), off(other), not of_skf
+
+        return tuple(sorted(alike, key=rank))
 
     def _unknown(self, text: str) -> InputError:
         other = other_type(parse_designation(text).name)

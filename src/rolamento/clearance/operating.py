@@ -25,10 +25,10 @@ from rolamento.clearance.chain import Assembly, Chain, ChainResult, Temperatures
 from rolamento.clearance.measuring_load import usual_measuring_load
 from rolamento.clearance.standards import (
     BEARING_TOLERANCE_SOURCE,
-    CLEARANCE_SOURCE,
     TOLERANCE_SOURCE,
     Band,
     Limit,
+    clearance_source,
 )
 from rolamento.errors import InputError
 from rolamento.geometry import ring_geometry
@@ -300,7 +300,8 @@ def _chain_steps(chain: Chain, result: ChainResult) -> tuple[Step, ...]:
 def _origin_of_clearance(assembly: Assembly) -> Note:
     named = assembly.mounting.clearance_class or assembly.bearing.clearance_class
     if named is not None:
-        return Note("source_clearance_class", {"standard": CLEARANCE_SOURCE, "name": named})
+        source = clearance_source(named)
+        return Note("source_clearance_class", {"standard": source, "name": named})
     return Note("source_own_clearance")
 
 

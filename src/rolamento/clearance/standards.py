@@ -79,9 +79,18 @@ def step_of(diameter: float, limits: Sequence[float], *, field: str, standard: s
     return found
 
 
-ClearanceClass = Literal["C2", "CN", "C3", "C4", "C5"]
-CLEARANCE_CLASSES: Final[tuple[ClearanceClass, ...]] = get_args(ClearanceClass)
+ClearanceClass = Literal["C2", "CN", "C3", "C4", "C5", "CM"]
+CLEARANCE_CLASSES: Final[tuple[ClearanceClass, ...]] = get_args(ClearanceClass)[:-1]
+"""Of ISO 5753-1, rising."""
+MOTOR_CLASS: Final = "CM"
+"""Of NSK and NTN for electric motors: a narrow range within CN and below."""
 CLEARANCE_SOURCE: Final = "ISO 5753-1:2009"
+MOTOR_CLASS_SOURCE: Final = "NSK, Rolling Bearings (CAT. No. E1102e), table 9.13.1"
+
+
+def clearance_source(clearance_class: str) -> str:
+    """Return the source of a class's ranges."""
+    return MOTOR_CLASS_SOURCE if clearance_class == MOTOR_CLASS else CLEARANCE_SOURCE
 
 
 def class_clearance(bore: float, clearance_class: str) -> Band:
@@ -92,16 +101,16 @@ def class_clearance(bore: float, clearance_class: str) -> Band:
     bore
         d, in m; over 2.5 mm, at most 500 mm.
     clearance_class
-        ``"C2"``, ``"CN"``, ``"C3"``, ``"C4"`` or ``"C5"``.
+        ``"C2"``, ``"CN"``, ``"C3"``, ``"C4"``, ``"C5"`` or ``"CM"``.
 
     Raises
     ------
     InputError
-        If there is no such class, or the standard has none for this bore.
+        If there is no such class, or its source has none for this bore.
     """
-    if clearance_class not in CLEARANCE_CLASSES:
+    if clearance_class not in get_args(ClearanceClass):
         raise InputError(
-            said("must be one of {known}", known=", ".join(CLEARANCE_CLASSES)),
+            said("must be one of {known}", known=", ".join(get_args(ClearanceClass))),
             field="clearance_class",
             value=clearance_class,
             example='clearance_class = "C3"',
@@ -109,14 +118,22 @@ def class_clearance(bore: float, clearance_class: str) -> Band:
     data = toml_of("iso5753", "rolamento.clearance")
     step = step_of(bore, data["bore_mm"], field="bore", standard=CLEARANCE_SOURCE)
     pair = data["classes"][clearance_class][step]
-    if not pair:
-        minimum = readable(data["bore_mm"][step + 1] * MILLIMETRE, "length")
-        raise InputError(
-            said(
+    begin = data["from_mm"].get(clearance_class, 0.0) * MILLIMETRE * (1.0 - _ROUNDING)
+    if not pair or bore < begin:
+        if clearance_class == MOTOR_CLASS:
+            rule = said(
+                "has no range for a bore of {bore} in {clearance_source}",
+                bore=readable(bore, "length"),
+                clearance_source=MOTOR_CLASS_SOURCE,
+            )
+        else:
+            rule = said(
                 "has no range for bores up to {least} in {clearance_source}",
-                least=minimum,
+                least=readable(data["bore_mm"][step + 1] * MILLIMETRE, "length"),
                 clearance_source=CLEARANCE_SOURCE,
-            ),
+            )
+        raise InputError(
+            rule,
             field="clearance_class",
             value=clearance_class,
             example='clearance_class = "C3"',

@@ -32,6 +32,7 @@ from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import (
     CaseArgument,
     LanguageOption,
+    VariantsOption,
     json_option,
 )
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
@@ -40,17 +41,19 @@ from rolamento.cli.replace import app as replace_app
 from rolamento.cli.report import report
 from rolamento.cli.reproduce import reproduce
 from rolamento.cli.severity import SeverityCommand, severity
-from rolamento.cli.streams import STANDARD_STREAM, end_of_output, print_text, put
+from rolamento.cli.speed import speed_command
+from rolamento.cli.streams import STANDARD_STREAM, complain, end_of_output, print_text, put
 from rolamento.cli.sweep import sweep
 from rolamento.cli.synthesise import SynthesiseCommand, synthesise
 from rolamento.cli.tolerance import tolerance
 from rolamento.cli.trend import trend
 from rolamento.cli.turn import turn
 from rolamento.cli.verify import verify
-from rolamento.cli.waiting import waiting
+from rolamento.cli.waiting import progress_of, waiting
 from rolamento.cli.weibull import WeibullCommand, weibull
 from rolamento.cli.weibull_plan import app as weibull_plan_app
 from rolamento.words import said
+from rolamento.words.reasons import reason
 
 if TYPE_CHECKING:
     pass
@@ -61,7 +64,7 @@ COMMANDS: Final[Groups] = {
     "Inside the bearing": ("solve", "turn", "friction", "report"),
     "Life and life tests": ("life", "weibull", "weibull-plan", "replace", "trend"),
     "Vibration": ("frequencies", "diagnose", "severity", "synthesise", "anderon"),
-    "Catalogue and clearance": ("catalogue", "clearance"),
+    "Catalogue and clearance": ("catalogue", "clearance", "speed"),
     "Studies and figures": ("sweep", "tolerance", "plot"),
     "Verification": ("verify", "reproduce"),
 }
@@ -122,23 +125,51 @@ def rolamento_command(
     cls=JsonCommand,
     epilog="Examples: solve 6310/C3 --fr '5 kN' --speed '1480 rpm'; solve case.toml --json;"
     " solve case.toml --set duty.load.fz='10 kN'; solve case.toml --report state.pdf"
-    " --csv stiffness.csv --table stiffness.",
+    " --csv stiffness.csv --table stiffness; solve case.toml --variant"
+    " 'spring:bearing.preload={ spring = \"500 N\" }'.",
 )
 @with_outputs
 @with_case
 def solve(
     case: CaseArgument,
     given: CaseOptions = NOTHING_GIVEN,
+    variants: VariantsOption = None,
     json: Annotated[str | None, json_option("Write the state as JSON, in SI units")] = None,
     outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
 ) -> None:
-    """Show the internal state of a bearing under its duty."""
+    """Show the internal state of a bearing under its duty.
+
+    With variants, all cases side by side, and their differences from the first.
+    """
     with plain_endings(lang), given.in_force():
         outputs.check({"--json": json}, case)
-        analysis = _analysed(given.case(case, needs_load=True), lang)
-        _show(analysis, json, outputs, lang)
-    raise typer.Exit(SOLVED if analysis.solved.converged[0] else NO_RESULT)
+        loaded = given.case(case, needs_load=True)
+        if variants:
+            solved = _compare(loaded, variants, json, outputs)
+        else:
+            analysis = _analysed(loaded, lang)
+            _show(analysis, json, outputs, lang)
+            solved = bool(analysis.solved.converged[0])
+    raise typer.Exit(SOLVED if solved else NO_RESULT)
+
+
+def _compare(case: rolamento.Case, variants: list[str], json: str | None, outputs: Outputs) -> bool:
+    """Show a case and its variants; tell whether all have a result."""
+    from rolamento.case.variant import read_variants
+    from rolamento.pages.report import comparison_page
+    from rolamento.tasks.report import compare_variants
+
+    with progress_of(said("cases analysed")) as progress:
+        found = compare_variants(case, read_variants(variants), progress=progress)
+    if json is not None:
+        put(found.to_json() + "\n", json)
+    outputs.show(lambda: comparison_page(found, case.title), json)
+    if STANDARD_STREAM in (json, outputs.csv):
+        for one in found.cases:
+            if not one.converged:
+                complain(f"{one.name}: {reason(str(one.analysis.solved.status.code[0]))}")
+    return found.converged
 
 
 @app.command(cls=JsonCommand)
@@ -221,6 +252,12 @@ app.command(
     " report old.toml new.toml -o comparison.html; report 6305 --fr '2 kN'.",
 )(report)
 app.command(cls=JsonCommand, epilog="Example: clearance case.toml --samples 10000.")(clearance)
+app.command(
+    "speed",
+    cls=JsonCommand,
+    epilog="Examples: speed 6210 --fr '2 kN' --speed '6000 rpm' --lubricant 'ISO VG 32'"
+    " --temperature '70 degC'; speed case.toml --json.",
+)(speed_command)
 app.command(
     cls=JsonCommand,
     epilog="Examples: frequencies 6205 --speed '1797 rpm'; frequencies case.toml --json.",

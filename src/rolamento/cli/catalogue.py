@@ -28,8 +28,21 @@ __all__ = ["app"]
 _MOST: Final = 40
 _MOST_OF_ALL: Final = 1000
 
+
+class _Commands(GroupedCommands):
+    """A designation where a command is expected is shown."""
+
+    def resolve_command(self, ctx: Any, args: list[str]) -> Any:
+        """Take the first word for a designation if it is no command and has a figure."""
+        first = args[0] if args else ""
+        is_designation = first not in self.commands and not first.startswith("-")
+        if is_designation and any(sign.isdigit() for sign in first):
+            args = ["show", *args]
+        return super().resolve_command(ctx, args)
+
+
 app = typer.Typer(
-    cls=GroupedCommands,
+    cls=_Commands,
     no_args_is_help=True,
     rich_markup_mode=None,
 )
@@ -111,15 +124,15 @@ def show(
         known = _catalogue(files)
         if dynamic or static:
             known = _with_ratings(known, designation, dynamic, static)
-        bearing = known.find(designation).bearing
-        geometry = _geometry(known, designation, bearing)
-        if axis and geometry is not None:
+        geometry = _geometry(known, designation)
+        has_balls = "ball_count" in geometry.fields
+        if axis and has_balls:
             from rolamento.tasks.catalogue import axis_toml
 
             print_text(axis_toml(geometry))
         else:
-            _show_one(geometry, bearing, json, outputs)
-    raise typer.Exit(NO_RESULT if geometry is None else SOLVED)
+            _show_one(geometry, json, outputs)
+    raise typer.Exit(SOLVED if has_balls else NO_RESULT)
 
 
 def _catalogue(files: list[str] | None) -> Catalogue:
@@ -155,15 +168,14 @@ def _with_ratings(
     return Catalogue((*known.bearings, own))
 
 
-def _geometry(
-    known: Catalogue, designation: str, bearing: CatalogueBearing
-) -> InternalGeometry | None:
+def _geometry(known: Catalogue, designation: str) -> InternalGeometry:
+    """What is inside; without balls where neither they nor ratings are published."""
     from rolamento.catalogue import geometry_of
 
+    bearing = known.find(designation).bearing
     rated = bearing.rated != (None, None)
-    if not rated and (bearing.ball_count is None or bearing.ball_diameter is None):
-        return None
-    return geometry_of(designation, catalogue_of=known)
+    with_balls = rated or (bearing.ball_count is not None and bearing.ball_diameter is not None)
+    return geometry_of(designation, catalogue_of=known, with_balls=with_balls)
 
 
 def _show_list(
@@ -179,17 +191,12 @@ def _show_list(
     outputs.show(lambda: search_page(found, is_all=is_all), json)
 
 
-def _show_one(
-    geometry: InternalGeometry | None,
-    bearing: CatalogueBearing,
-    json: str | None,
-    outputs: Outputs,
-) -> None:
+def _show_one(geometry: InternalGeometry, json: str | None, outputs: Outputs) -> None:
     from rolamento.pages.catalogue import bearing_page
     from rolamento.tasks.catalogue import bearing_mapping
 
     if json is not None:
         from rolamento._json import dumps
 
-        put(dumps(bearing_mapping(geometry, bearing)) + "\n", json)
-    outputs.show(lambda: bearing_page(geometry, bearing), json)
+        put(dumps(bearing_mapping(geometry)) + "\n", json)
+    outputs.show(lambda: bearing_page(geometry), json)

@@ -43,7 +43,7 @@ def clearance(
     outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
 ) -> None:
-    """Show the clearance that is left in operation, and the preload of a set.
+    """Show the clearance in operation, and the preload of a set.
 
     After fits, temperatures, speed and wear, step by step.
     """

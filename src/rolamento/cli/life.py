@@ -87,6 +87,15 @@ def life(
         float | None,
         typer.Option("--reliability", metavar="S", help="Reliability of the life, such as 0.95."),
     ] = None,
+    cleanliness: Annotated[
+        str | None,
+        typer.Option(
+            "--cleanliness",
+            metavar="LEVEL",
+            help="Cleanliness of the oil or grease in words: extreme, high, normal, slight,"
+            " typical, severe or very_severe (contamination).",
+        ),
+    ] = None,
     json: Annotated[str | None, json_option("Write everything as JSON")] = None,
     outputs: Outputs = NOWHERE,
     plot: CurvesPlotOption = None,
@@ -104,6 +113,8 @@ def life(
         _check_files(read, json, plot, outputs, over)
         wanted = [] if reliability is None else [_setting_of(reliability)]
         cases = [given.case(one, *wanted, needs_load=over is None) for one in case]
+        if cleanliness is not None:
+            cases = [_with_cleanliness(one, cleanliness) for one in cases]
         tables = {"nsk_table": nsk_table, "decimal_mark": decimal_mark}
         if over is not None:
             curves = _curves(cases[0], over, points, log, variants or [], tables, lang)
@@ -115,6 +126,19 @@ def life(
         else:
             solved = _one(cases[0], tables, json, outputs, lang)
     raise typer.Exit(SOLVED if solved else NO_RESULT)
+
+
+def _with_cleanliness(case: rolamento.Case, level: str) -> rolamento.Case:
+    """Return the case with a level of cleanliness in words, of its oil or grease."""
+    grease = case.lubricant is not None and case.lubricant.kind == "grease"
+    name = "grease_cleanliness" if grease else "cleanliness"
+    try:
+        return rolamento.override(case, [f"life.{name}={level}"])
+    except InputError as error:
+        if not error.field.startswith("life."):
+            raise
+        example = "--cleanliness normal"
+        raise error.with_details(field="--cleanliness", source="", example=example) from None
 
 
 def _setting_of(reliability: float) -> str:

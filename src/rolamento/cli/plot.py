@@ -12,20 +12,21 @@ from rolamento.cli.common import (
     SOLVED,
     plain_endings,
 )
-from rolamento.cli.options import LanguageOption
+from rolamento.cli.options import LanguageOption, VariantsOption
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text
+from rolamento.cli.waiting import waiting
 from rolamento.tasks.drawing import Kind, draw
 from rolamento.words import marked, said
 
 
 def plot(
-    result: Annotated[
-        str,
+    results: Annotated[
+        list[str],
         typer.Argument(
-            metavar="RESULT",
+            metavar="RESULT...",
             help="What to draw: the JSON of a state (solve --json), - for standard input, or the "
-            "NetCDF file of a study.",
+            "NetCDF file of a study; several of one or the other share a figure.",
         ),
     ],
     kind: Annotated[
@@ -45,6 +46,15 @@ def plot(
         str | None,
         typer.Option(metavar="NAME", help="Input of a study along the horizontal axis."),
     ] = None,
+    label: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--label",
+            metavar="TEXT",
+            help="What the legend calls a file; once for each. By default titles or names.",
+        ),
+    ] = None,
+    variants: VariantsOption = None,
     output: Annotated[
         str | None,
         typer.Option(
@@ -57,20 +67,29 @@ def plot(
     ] = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Draw a result: a state, its life, or a study.
+    """Draw a result: a state, its life, or a study; several in one figure.
 
     Ball loads, angles, pressures, ellipses, life, sweeps, distributions.
     """
     with plain_endings(lang):
+        from rolamento.case.variant import read_variants
         from rolamento.plots.frame import no_result
         from rolamento.plots.saving import check_name, save_figure
 
-        target = _default_name(result) if output is None else output
+        target = _default_name(results[0]) if output is None else output
         check_name(target)
         check_outputs(
-            {"--output": target}, result, rule=marked("is the result itself; choose another name")
+            {"--output": target}, *results, rule=marked("is the result itself; choose another name")
         )
-        drawing = draw(result, kind, variable=variable, over=over)
+        with waiting(lang):
+            drawing = draw(
+                results,
+                kind,
+                variable=variable,
+                over=over,
+                labels=label or (),
+                variants=read_variants(variants or ()),
+            )
         save_figure(drawing.figure, target)
         print_text(said("Wrote {path}", path=target) + "\n")
         if drawing.failure is not None:

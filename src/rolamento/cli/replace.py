@@ -62,7 +62,7 @@ class ReplaceCommand(JsonCommand):
 
     def headings(self) -> Groups:
         """Return its groups, without what other commands of the kind have."""
-        names = {*(str(parameter.name) for parameter in self.params), "help"}
+        names = {"help", *(str(parameter.name) for parameter in self.params)}
         return {
             heading: tuple(name for name in group if name in names)
             for heading, group in self.groups.items()
@@ -121,7 +121,7 @@ JsonOption = Annotated[str | None, json_option("Write everything as JSON, in the
 
 @app.callback()
 def replace(lang: LanguageOption = None) -> None:
-    """Decide whether to keep or replace bearings.
+    """Plan to keep or to replace bearings.
 
     Remaining life, replacement at least cost, expected failures of a fleet.
     """
@@ -227,7 +227,7 @@ def age_command(
     outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
 ) -> None:
-    """Find the age of replacement at least cost per hour.
+    """Plan the age of replacement at least cost per hour.
 
     Planned replacement against replacement on failure.
     """

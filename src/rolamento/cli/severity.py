@@ -42,7 +42,7 @@ class SeverityCommand(JsonCommand):
     groups: ClassVar[Groups] = {
         "Machine": ("speed", "power", "support", "group", "machine_class"),
         "Signal": ("channel", "rate", "unit", "scale", "start", "duration", "decimal_mark"),
-        "Alarm and trend": ("baseline", "hours", "limit", "growth", "confidence"),
+        "Alarm and trend": ("baseline", "hours", "dates", "limit", "growth", "confidence"),
         "Output": ("plot", "record", "json", *OUTPUT_OPTIONS, "lang", "help"),
     }
 
@@ -126,6 +126,14 @@ def severity(
             help="Running hours at which the signals were recorded, such as 0,500,1000.",
         ),
     ] = None,
+    dates: Annotated[
+        str | None,
+        typer.Option(
+            "--dates",
+            metavar="DATE,DATE,…",
+            help="Dates of the signals instead, such as 2026-01-31,2026-02-28.",
+        ),
+    ] = None,
     limit: Annotated[
         str | None,
         typer.Option(
@@ -166,9 +174,11 @@ def severity(
             files, *signals, rule=marked("is one of the signal files; choose another name")
         )
         for option, value in (("--record", record), ("--limit", limit), ("--growth", growth)):
-            if value is not None and hours is None:
+            if value is not None and hours is None and dates is None:
                 raise InputError(
-                    said("needs the hours of each signal"), source=option, example="--hours 0,500"
+                    said("needs the hours or dates of each signal"),
+                    source=option,
+                    example="--hours 0,500",
                 )
         from rolamento import tasks
         from rolamento.cli.quantities import number_given
@@ -186,6 +196,7 @@ def severity(
             law=checked_growth(growth),
             confidence=confidence,
             hours=None if hours is None else hours_of(hours),
+            dates=None if dates is None else dates.split(","),
             channel=channel,
             rate=number_given(rate, "--rate", "frequency", "--rate '50 kHz'"),
             unit=unit,

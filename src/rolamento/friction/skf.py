@@ -99,9 +99,9 @@ class SkfConstants:
 
     kind: Kind
     r1: float
+    r2: float
     s1: float
-    r2: float = 0.0
-    s2: float = 0.0
+    s2: float
     r3: float = 0.0
     s3: float = 0.0
     k_z: float = 3.1
@@ -172,7 +172,7 @@ def thrust_constants() -> SkfConstants:
     """Return the constants of thrust ball bearings."""
     data = toml_of("skf_friction")
     row = data["thrust"]
-    return SkfConstants("thrust", **_geometry_constants(row), k_z=data["K_Z"]["thrust"])
+    return SkfConstants("thrust", row["R1"], 0.0, row["S1"], 0.0, k_z=data["K_Z"]["thrust"])
 
 
 def _geometry_constants(row: Mapping[str, Any]) -> dict[str, float]:

@@ -14,6 +14,7 @@ from rolamento.errors import InputError
 from rolamento.friction.closed_forms import DEFAULT_HYSTERESIS
 from rolamento.friction.machine import MachineBearing
 from rolamento.friction.model import (
+    REMARKS,
     ContactLoss,
     ControlChoice,
     ModelValidity,
@@ -37,7 +38,7 @@ from rolamento.lubrication.films import film, has_film, oil_of
 from rolamento.numerics import FloatArray
 from rolamento.numerics.blocks import in_blocks
 from rolamento.solved import Solved, refuse_other
-from rolamento.words import said
+from rolamento.words import Note, said
 
 HYSTERESIS: Final = "hysteresis"
 ROLLING_RESISTANCE: Final = "rolling_resistance"
@@ -89,6 +90,30 @@ class Friction:
         """Name the models that are valid for a case."""
         return tuple(found.model for found in self.validity if found.valid[case])
 
+    def without_model(self, solved: Solved, case: int = 0) -> tuple[Note, ...]:
+        """Say that no model is valid for a case, and why; nothing where one is.
+
+        Parameters
+        ----------
+        solved
+            What the friction is of: friction control may give the torque too.
+        case
+            Which of the cases.
+        """
+        controlled = solved.rolling is not None and self.regime[case] != "full_film"
+        if controlled or self.valid_models(case) or not solved.converged[case]:
+            return ()
+        reasons: dict[str, list[str]] = {}
+        for found in self.validity:
+            for note in found.notes_of(case):
+                if note.key not in REMARKS:
+                    reasons.setdefault(note.key, []).append(TORQUE_MODELS[found.model].title)
+        one = Note("no_valid_torque_model", {"reasons": reasons})
+        if solved.case.bearing.is_set:
+            return (one, no_friction_control())
+        inertia = "inertia" in reasons and solved.rolling is None
+        return (one, Note("friction_control_has_inertia")) if inertia else (one,)
+
     def to_mapping(self, case: int = 0) -> dict[str, Any]:
         """Give one case as plain mappings and lists in SI units, NaN as None."""
         mapping: dict[str, Any] = plain(
@@ -116,6 +141,11 @@ class Friction:
             }
         )
         return mapping
+
+
+def no_friction_control() -> Note:
+    """Say that the rows of a set have no friction control."""
+    return Note("no_friction_control_of_sets")
 
 
 def friction(

@@ -11,7 +11,11 @@ from numpy.typing import ArrayLike
 from rolamento.case import Bearing
 from rolamento.errors import InputError
 from rolamento.life.conditions import LifeConditions
-from rolamento.life.contamination import ContaminationClass, contamination_factor
+from rolamento.life.contamination import (
+    ContaminationClass,
+    ContaminationLevel,
+    contamination_factor,
+)
 from rolamento.life.equivalent_load import (
     MAXIMUM_ANGLE,
     equivalent_load,
@@ -210,7 +214,7 @@ class Basis:
         given = self.given.contamination
         if given is None:
             return None
-        if not isinstance(given, ContaminationClass):
+        if not isinstance(given, ContaminationClass | ContaminationLevel):
             return over_cases(given, "contamination", len(self))
         pitch = self.solved.rows.pitch_diameter.min(axis=1)
         return contamination_factor(given, viscosity_ratio, pitch)
@@ -358,10 +362,7 @@ def _angle_of_radial(rows: Rows) -> FloatArray:
     steep = angle > MAXIMUM_ANGLE * (1.0 + _SAME)
     if steep.size and np.all(steep.any(axis=1)):
         raise InputError(
-            said(
-                "is that of a thrust bearing, which is rated for axial load: give it"
-                ' kind = "thrust"'
-            ),
+            said('is above 45°: such a bearing is rated for axial load; give it kind = "thrust"'),
             field="bearing.contact_angle",
             value=f"{float(np.degrees(angle.max())):.4g} deg",
             example='kind = "thrust"',

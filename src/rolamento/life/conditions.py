@@ -10,14 +10,16 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.case import Case
-from rolamento.case.life_model import LifeModel, TallianFactors
+from rolamento.case.life_model import LEVELS, LifeModel, TallianFactors
 from rolamento.errors import InputError
 from rolamento.life._figures import positive, within
 from rolamento.life.contamination import (
     ContaminationClass,
+    ContaminationLevel,
     class_of_code,
     class_of_filter,
     class_of_grease,
+    level_of,
 )
 from rolamento.life.ioannides_harris import FATIGUE_LIMIT, Depth
 from rolamento.life.l_able import FactorTable
@@ -101,7 +103,7 @@ class LifeConditions:
     edition: Edition = "2007"
     viscosity: ArrayLike | None = None
     viscosity_ratio: ArrayLike | None = None
-    contamination: ContaminationClass | ArrayLike | None = None
+    contamination: ContaminationClass | ContaminationLevel | ArrayLike | None = None
     additives: bool = False
     fatigue_load_limit: FatigueLoad | ArrayLike = "contacts"
     temperature: ArrayLike | None = None
@@ -131,7 +133,7 @@ class LifeConditions:
                 field="viscosity_ratio",
                 example="viscosity_ratio = 1.5",
             )
-        if not isinstance(self.contamination, ContaminationClass | None):
+        if not isinstance(self.contamination, ContaminationClass | ContaminationLevel | None):
             within(self.contamination, "contamination", 0.0, 1.0, "contamination = 0.5")
         if isinstance(self.fatigue_load_limit, str):
             if self.fatigue_load_limit not in ("contacts", "estimate"):
@@ -217,9 +219,11 @@ def _hottest(case: Case, varied: Mapping[str, FloatArray]) -> FloatArray | None:
     return np.asarray(np.max(np.broadcast_arrays(*found), axis=0)) if found else None
 
 
-def _class_of(model: LifeModel) -> ContaminationClass | None:
-    """Class of cleanliness that the model names, if it does."""
+def _class_of(model: LifeModel) -> ContaminationClass | ContaminationLevel | None:
+    """Class or level of cleanliness that the model names, if it does."""
     try:
+        if model.cleanliness in LEVELS:
+            return level_of(model.cleanliness)
         if model.cleanliness is not None and model.oil_supply is not None:
             return class_of_code(model.cleanliness, model.oil_supply)
         if model.filter_size is not None and model.filter_ratio is not None:

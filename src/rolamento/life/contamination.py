@@ -6,7 +6,10 @@ Grease of slight contamination has c2 = 1.677 from D_pw = 500 mm on, 1.887 below
 The standard gives c1 and c2 for a few classes of oil, by their ISO 4406 codes, and of grease. An
 oil between two of them counts as the dirtier one; one dirtier than the last has no factor.
 
-Sources: ISO 281:2007, annex A; ISO 4406.
+Of a level in words, such as normal cleanliness, the standard gives a range of e_C by D_pw alone;
+the middle of it is taken.
+
+Sources: ISO 281:2007, annex A and table 13 (levels in words); ISO 4406.
 """
 
 from __future__ import annotations
@@ -28,6 +31,8 @@ OilSupply = Literal["circulating", "bath"]
 
 _LARGE: Final = 500.0 * (1.0 - 1e-9)
 """Pitch diameter from which grease of slight contamination has a c2 of its own; mm, as rounded."""
+_LARGE_OF_LEVELS: Final = 100.0 * (1.0 - 1e-9)
+"""Pitch diameter from which levels in words have ranges of their own; mm, as rounded."""
 _EXAMPLE = 'cleanliness = "-/17/14"'
 
 
@@ -43,6 +48,44 @@ class ContaminationClass:
     c1: float
     c2: float
     c2_of_large: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class ContaminationLevel:
+    """A level of cleanliness in words, and the range of e_C that it stands for.
+
+    small, large: the dirtier and the cleaner end for pitch diameters below 100 mm, and from there.
+    """
+
+    name: str
+    small: tuple[float, float]
+    large: tuple[float, float]
+
+    def range_at(self, pitch_diameter: ArrayLike) -> tuple[FloatArray, FloatArray]:
+        """Return the dirtier and the cleaner end of e_C; pitch diameter in m."""
+        large = positive(pitch_diameter, "pitch_diameter") * 1e3 >= _LARGE_OF_LEVELS
+        low, high = (np.where(large, *ends) for ends in zip(self.large, self.small, strict=True))
+        return low, high
+
+
+def level_of(name: str) -> ContaminationLevel:
+    """Return a level of cleanliness: extreme, high, normal, slight, typical, severe, very_severe.
+
+    Raises
+    ------
+    InputError
+        For another word.
+    """
+    rows = {row["name"]: row for row in figures()["contamination"]["level"]}
+    if name not in rows:
+        raise InputError(
+            said("is an unknown class; {guess}", guess=guess(str(name), rows)),
+            field="cleanliness",
+            value=name,
+            example='cleanliness = "normal"',
+        )
+    row = rows[name]
+    return ContaminationLevel(name, tuple(row["small"]), tuple(row["large"]))
 
 
 def class_of_code(code: str, supply: OilSupply) -> ContaminationClass:
@@ -123,18 +166,23 @@ def class_of_grease(level: str) -> ContaminationClass:
 
 
 def contamination_factor(
-    found: ContaminationClass, viscosity_ratio: ArrayLike, pitch_diameter: ArrayLike
+    found: ContaminationClass | ContaminationLevel,
+    viscosity_ratio: ArrayLike,
+    pitch_diameter: ArrayLike,
 ) -> FloatArray:
     """Contamination factor e_C, 0 (severe contamination) to 1 (clean).
 
     Parameters
     ----------
-    found : the class.
+    found : the class; of a level in words the middle of its range, whatever κ is.
     viscosity_ratio : array, κ.
     pitch_diameter : array that broadcasts with it; m.
 
-    ISO 281:2007, annex A.
+    ISO 281:2007, annex A, table 13.
     """
+    if isinstance(found, ContaminationLevel):
+        low, high = found.range_at(pitch_diameter)
+        return np.asarray(np.broadcast_arrays(0.5 * (low + high), viscosity_ratio)[0])
     ratio = positive(viscosity_ratio, "viscosity_ratio", zero=True)
     diameter = positive(pitch_diameter, "pitch_diameter") * 1e3
     film = np.minimum(found.c1 * ratio**0.68 * diameter**0.55, 1.0)

@@ -25,6 +25,7 @@ from rolamento._reach import numbers
 from rolamento.contact.hertz import elliptical_contact
 from rolamento.geometry import Race, race_curvature
 from rolamento.life._figures import figures, positive
+from rolamento.life.contamination import ContaminationLevel
 from rolamento.life.theory import (
     CLEANLINESS,
     OF_BEARING,
@@ -234,6 +235,8 @@ def modification(
     factor = bounded_modification_factor(ratio, clean, limit, load, additives=basis.given.additives)
     notes = modification_notes(ratio, clean)
     notes["no_fatigue_load_limit"] = np.isnan(limit) & ~notes["viscosity_ratio_too_small"]
+    if isinstance(basis.given.contamination, ContaminationLevel):
+        notes["cleanliness_in_words"] = (clean > 0.0) & (clean < 1.0)
     factors = {
         "a_1": basis.reliability_factor,
         "a_iso": factor,

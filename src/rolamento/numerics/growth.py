@@ -121,8 +121,8 @@ class Growth:
         """Limits of the line at times, each by itself; arrays."""
         away = np.asarray(time) - self.mean_time
         line = self.level + self.slope * away
-        half = self._quantile(confidence) * self.scatter
-        half = half * np.sqrt(1.0 / self.count + away**2 / self.spread)
+        width = self._quantile(confidence) * self.scatter
+        half = width * np.sqrt(1.0 / self.count + away**2 / self.spread)
         low, high = line - half, line + half
         return (np.exp(low), np.exp(high)) if self.law == "exponential" else (low, high)
 

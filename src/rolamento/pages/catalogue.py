@@ -60,6 +60,7 @@ _NAMES: Final = {
     "inner_conformity": marked("inner conformity"),
     "outer_conformity": marked("outer conformity"),
     "diametral_clearance": marked("diametral clearance"),
+    "ball_material": marked("material of the balls"),
     "shim_angle": marked("shim angle α_s"),
     "arrangement": marked("arrangement of the rows"),
     "spacing": marked("distance of the rows"),
@@ -83,6 +84,7 @@ _ORIGINS: Final[dict[Origin, str]] = {
     "published": marked("published"),
     "inferred": marked("inferred"),
     "assumed": marked("assumed"),
+    "designation": marked("designation"),
 }
 
 
@@ -126,24 +128,27 @@ def _balls(bearing: CatalogueBearing) -> str:
     return f"{bearing.ball_count} × {diameter}"
 
 
-def bearing_page(geometry: InternalGeometry | None, bearing: CatalogueBearing) -> Document:
+def bearing_page(geometry: InternalGeometry) -> Document:
     """Return the page of one bearing.
 
     Parameters
     ----------
     geometry
-        Its internal geometry; None if nothing is known of it.
-    bearing
-        What the catalogue holds.
+        Its internal geometry; without balls if nothing is known of them.
     """
+    bearing = geometry.bearing
     named = " ".join(part for part in (bearing.maker, bearing.designation) if part)
     title = f"{named}  {said(_KINDS[bearing.kind])}"
     head: list[Block] = [Title(title)]
     meanings = _meanings(geometry)
-    if meanings:
-        head.append(KeyValues((Entry(said("designation"), "; ".join(meanings)),)))
+    entries = [Entry(said("designation"), "; ".join(meanings))] if meanings else []
+    if geometry.idle:
+        idle = ", ".join(part for part, _ in geometry.idle)
+        entries.append(Entry(said("no effect on results"), idle))
+    if entries:
+        head.append(KeyValues(tuple(entries)))
     sections = [Section(blocks=tuple(head), key="head"), _published(bearing)]
-    if geometry is None:
+    if "ball_count" not in geometry.fields:
         text = said(
             "Neither balls nor load ratings are published: give ball_count, ball_diameter and"
             " pitch_diameter, or the ratings with --dynamic and --static."
@@ -153,13 +158,34 @@ def bearing_page(geometry: InternalGeometry | None, bearing: CatalogueBearing) -
         sections.append(_internal(geometry))
         if geometry.candidates:
             sections.append(_candidates(geometry.candidates))
+    if geometry.sisters:
+        sections.append(_sisters(geometry.sisters))
     return Document(named, tuple(sections), "catalogue")
 
 
-def _meanings(geometry: InternalGeometry | None) -> list[str]:
+def _sisters(sisters: Sequence[CatalogueBearing]) -> Section:
+    """Bearings of the same size whose balls are published, and how to take one."""
+    columns = (
+        Column(head="", key="designation", values=[b.designation for b in sisters], tone="strong"),
+        Column(head="", key="maker", values=[bearing.maker for bearing in sisters]),
+        _column(sisters, "contact_angle", "α", "°"),
+        Column(head="Z", key="ball_count", values=[b.ball_count for b in sisters], align="right"),
+        _column(sisters, "ball_diameter", "D", "mm"),
+        _column(sisters, "pitch_diameter", "d_m", "mm"),
+        _column(sisters, "dynamic_rating", "C", "N"),
+        _column(sisters, "static_rating", "C0", "N"),
+    )
+    legend = said(
+        "Same bore, outside diameter and width, and about the same contact angle: to calculate with"
+        ' one of them, give its designation, such as designation = "{name}".',
+        name=sisters[0].designation,
+    )
+    table = Table(columns=columns, key="sisters", legends=(legend,))
+    return Section(said("Bearings of the same size with published balls"), (table,), "sisters")
+
+
+def _meanings(geometry: InternalGeometry) -> list[str]:
     """Say what the parts of the designation mean."""
-    if geometry is None:
-        return []
     designation = geometry.designation
     parts = [f"{part}: {said(meaning)}" for part, meaning in designation.meanings]
     if geometry.clearance_class:

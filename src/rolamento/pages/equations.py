@@ -152,6 +152,21 @@ def _rating(name: str, source: str) -> Used:
     return used
 
 
+def _radial(used: Used) -> Used:
+    """Of bearings that are rated for radial load."""
+    return lambda case: used(case) and not _is_axial(case)
+
+
+def _axial(used: Used) -> Used:
+    """Of thrust bearings."""
+    return lambda case: used(case) and _is_axial(case)
+
+
+def _is_axial(case: CaseReport) -> bool:
+    life = case.analysis.life
+    return life is not None and life.ratings.is_axial
+
+
 def _edition(year: str) -> Used:
     def used(case: CaseReport) -> bool:
         life = case.analysis.life
@@ -170,7 +185,7 @@ def _classes(case: CaseReport) -> bool:
     life = case.analysis.life
     return (
         life is not None
-        and hasattr(life.conditions.contamination, "name")
+        and hasattr(life.conditions.contamination, "c1")
         and (life.viscosity_ratio is not None)
     )
 
@@ -504,8 +519,21 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         symbols=("C", "f_c", "rows", "Z", "D", "alpha_0"),
         source=marked("ISO 281:2007, equations 1 and 2"),
         references=("iso_281_2007",),
-        used=_rating("dynamic", "geometry"),
+        used=_radial(_rating("dynamic", "geometry")),
         valid=marked("D up to 25.4 mm; D cos α/d_m from 0.01 to 0.40"),
+    ),
+    Law(
+        key="dynamic_rating_thrust",
+        name=marked("Basic dynamic axial load rating"),
+        latex=r"C_a = b_m\,f_c\,(\cos\alpha_0)^{0.7}\tan\alpha_0\,Z^{2/3}\,D^{1.8},"
+        r"\quad 90^{\circ}:\; b_m\,f_c\,Z^{2/3}\,D^{1.8}",
+        plain="C_a = b_m f_c (cos α_0)^0.7 tan α_0 Z^(2/3) D^1.8;  90°: b_m f_c Z^(2/3) D^1.8"
+        "  (N, mm)",
+        symbols=("C", "f_c", "Z", "D", "alpha_0"),
+        source=marked("ISO 281:2007, equations 5 to 8"),
+        references=("iso_281_2007",),
+        used=_axial(_rating("dynamic", "geometry")),
+        valid=marked("D up to 25.4 mm; D/d_m from 0.01 to 0.40"),
     ),
     Law(
         key="static_rating",
@@ -515,7 +543,18 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         symbols=("C", "f_c", "rows", "Z", "D", "alpha_0"),
         source=marked("ISO 76:2006, equation 1"),
         references=("iso_76_2006",),
-        used=_rating("static", "geometry"),
+        used=_radial(_rating("static", "geometry")),
+        valid=marked("steel balls"),
+    ),
+    Law(
+        key="static_rating_thrust",
+        name=marked("Basic static axial load rating"),
+        latex=r"C_{0a} = f_0\,Z\,D^2\sin\alpha_0",
+        plain="C_0a = f_0 Z D² sin α_0",
+        symbols=("C", "f_c", "Z", "D", "alpha_0"),
+        source=marked("ISO 76:2006, 5.2"),
+        references=("iso_76_2006",),
+        used=_axial(_rating("static", "geometry")),
         valid=marked("steel balls"),
     ),
     Law(
@@ -526,7 +565,18 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         symbols=("C", "Z", "rows", "alpha_0"),
         source=marked("ISO 281:2007, annex B.3.2"),
         references=("iso_281_2007",),
-        used=_rating("fatigue", "contacts"),
+        used=_radial(_rating("fatigue", "contacts")),
+        valid=marked("Q_u load of a contact at 1500 MPa; times (100 mm/d_m)^0.5 above 100 mm"),
+    ),
+    Law(
+        key="fatigue_load_limit_thrust",
+        name=marked("Fatigue load limit"),
+        latex=r"C_u = Z\,Q_u\sin\alpha_0",
+        plain="C_u = Z Q_u sin α_0",
+        symbols=("C", "Z", "alpha_0"),
+        source=marked("ISO 281:2007, annex B.3.2"),
+        references=("iso_281_2007",),
+        used=_axial(_rating("fatigue", "contacts")),
         valid=marked("Q_u load of a contact at 1500 MPa; times (100 mm/d_m)^0.5 above 100 mm"),
     ),
     Law(
@@ -548,8 +598,20 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         symbols=("P", "XY", "F_ra"),
         source=marked("ISO 281:2007, 5.1.2 and table 3"),
         references=("iso_281_2007",),
-        used=_theory("iso281"),
+        used=_radial(_theory("iso281")),
         valid=marked("one row, rows in tandem, or a facing pair; P up to C/2 and C_0"),
+    ),
+    Law(
+        key="equivalent_load_thrust",
+        name=marked("Dynamic equivalent axial load"),
+        latex=r"P_a = X F_r + F_a,\quad X = 1.25\tan\alpha_0\left(1 - \frac{2}{3}\sin\alpha_0"
+        r"\right),\quad 90^{\circ}:\; P_a = F_a",
+        plain="P_a = X F_r + F_a,  X = 1.25 tan α_0 (1 − 2/3 sin α_0);  90°: P_a = F_a",
+        symbols=("P", "XY", "F_ra", "alpha_0"),
+        source=marked("ISO 281:2007, 5.2.2 and table 5"),
+        references=("iso_281_2007",),
+        used=_axial(_theory("iso281")),
+        valid=marked("F_a/F_r above 1.25 tan α_0; P_a up to C_a/2 and C_0a"),
     ),
     Law(
         key="static_equivalent_load",
@@ -559,7 +621,18 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         symbols=("P", "XY", "F_ra", "S_0", "C"),
         source=marked("ISO 76:2006, table 2"),
         references=("iso_76_2006",),
-        used=_life,
+        used=_radial(_life),
+    ),
+    Law(
+        key="static_equivalent_load_thrust",
+        name=marked("Static equivalent axial load and static safety"),
+        latex=r"P_{0a} = 2.3\,F_r\tan\alpha_0 + F_a,\quad S_0 = \frac{C_{0a}}{P_{0a}},"
+        r"\quad 90^{\circ}:\; P_{0a} = F_a",
+        plain="P_0a = 2.3 F_r tan α_0 + F_a,  S_0 = C_0a/P_0a;  90°: P_0a = F_a",
+        symbols=("P", "F_ra", "S_0", "C", "alpha_0"),
+        source=marked("ISO 76:2006, 5.2.2"),
+        references=("iso_76_2006",),
+        used=_axial(_life),
     ),
     Law(
         key="basic_life",
@@ -637,7 +710,21 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         symbols=("a_ISO", "a_1", "kappa", "e_C", "C", "P"),
         source=marked("ISO 281:2007, 9.3.3"),
         references=("iso_281_2007",),
-        used=_theory("iso281_modified", "iso16281_modified"),
+        used=_radial(_theory("iso281_modified", "iso16281_modified")),
+        valid=marked("κ from 0.1, counted as 4 above 4; e_C above 0; P up to C/2 and C_0"),
+    ),
+    Law(
+        key="a_iso_thrust",
+        name=marked("Modified rating life"),
+        latex=r"L_{nm} = a_1\,a_{ISO}\,L_{10},\quad a_{ISO} = 0.1\left[1 - \left(2.5671"
+        r" - \frac{c}{\kappa^{p}}\right)^{0.83}\left(\frac{e_C C_u}{3 P_a}\right)^{1/3}"
+        r"\right]^{-9.3}",
+        plain="L_nm = a_1 a_ISO L_10;  a_ISO = 0.1 [1 − (2.5671 − c/κ^p)^0.83 (e_C"
+        " C_u/(3 P_a))^(1/3)]^−9.3 ≤ 50",
+        symbols=("a_ISO", "a_1", "kappa", "e_C", "C", "P"),
+        source=marked("ISO 281:2007, 9.3.3"),
+        references=("iso_281_2007",),
+        used=_axial(_theory("iso281_modified", "iso16281_modified")),
         valid=marked("κ from 0.1, counted as 4 above 4; e_C above 0; P up to C/2 and C_0"),
     ),
     Law(
@@ -660,7 +747,19 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         symbols=("Q_c", "C", "Z", "alpha_0", "rows"),
         source=marked("ISO/TS 16281:2008, 4.3"),
         references=("iso_ts_16281", "lundberg_palmgren_1947"),
-        used=_theory("iso16281"),
+        used=_radial(_theory("iso16281")),
+    ),
+    Law(
+        key="race_rating_thrust",
+        name=marked("Dynamic load rating of a race"),
+        latex=r"Q_{ci} = \frac{C_a}{Z\sin\alpha_0}\left(1+T^{10/3}\right)^{3/10},"
+        r"\quad Q_{co} = \frac{C_a}{Z\sin\alpha_0}\left(1+T^{-10/3}\right)^{3/10}",
+        plain="Q_ci = C_a/(Z sin α_0) (1 + T^(10/3))^(3/10);  Q_co = C_a/(Z sin α_0) (1 +"
+        " T^(−10/3))^(3/10)",
+        symbols=("Q_c", "C", "Z", "alpha_0"),
+        source=marked("ISO/TS 16281:2008, 4.3"),
+        references=("iso_ts_16281", "lundberg_palmgren_1947"),
+        used=_axial(_theory("iso16281")),
     ),
     Law(
         key="reference_life",

@@ -219,4 +219,5 @@ def _models(solved: Solved, friction: Friction) -> Section:
         ),
     )
     table = Table(columns=columns, key="models")
-    return Section(said("Friction torque by model"), (table,), key="models")
+    nowhere = [Statement(n.text, "warning", indent=2) for n in friction.without_model(solved)]
+    return Section(said("Friction torque by model"), (table, *nowhere), key="models")

@@ -19,6 +19,7 @@ from rolamento.document import (
     Table,
     Title,
 )
+from rolamento.friction.summary import no_friction_control
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.pages.across import field_column, place_text
 from rolamento.pages.friction import torque_unit
@@ -89,9 +90,8 @@ def _valid_torques(curve: FrictionCurve) -> dict[str, tuple[FloatArray, BoolArra
         for validity in curve.friction.validity
     }
     torque = curve.controlled_torque
-    if curve.controlled is not None and np.isfinite(torque).any():
-        film = curve.friction.regime == "full_film"
-        found[_CONTROLLED] = (torque, np.isfinite(torque) & ~film)
+    if np.isfinite(torque).any():
+        found[_CONTROLLED] = (torque, curve.controlled_valid)
     return found
 
 
@@ -145,9 +145,18 @@ def _failures(curve: FrictionCurve) -> Iterator[Block]:
     if any(not validity.valid.all() for validity in validities):
         yield Statement(said("* the model is not valid there"), "faint", indent=2)
     for (key, place), models in why.items():
-        every = len(models) == len(validities)
-        named = said("all models except friction control") if every else "; ".join(models)
+        named = "; ".join(models)
+        if len(models) == len(validities):
+            beside = np.isfinite(curve.controlled_torque).any()
+            named = said("all models except friction control") if beside else said("all models")
         yield Statement(said(_REASONS[key], place=place, models=named), "faint", indent=4)
+    nowhere = curve.without_model
+    if nowhere.any():
+        place = place_text(curve.field, curve.values, nowhere)
+        text = said("No model is valid {place}.", place=place)
+        yield Statement(text, "warning", indent=2)
+        if curve.controlled is None:
+            yield Statement(no_friction_control().text, "faint", indent=4)
     failed = curve.status[curve.status != "converged"]
     if failed.size:
         text = said(
@@ -215,8 +224,8 @@ def _points(curves: Sequence[FrictionCurve]) -> Table:
 
     for model in models:
         add(f"torque_{model}", "N·m", (curve.torque(model) for curve in curves))
-    for place, model in enumerate(models):
-        valid = [curve.friction.validity[place].valid for curve in curves]
+    for model in models:
+        valid = [curve.valid(model) for curve in curves]
         words = ["yes" if holds else "no" for part in valid for holds in part]
         columns.append(Column(head=f"valid_{model}", values=words, key=f"valid_{model}"))
     for source in sources:

@@ -175,7 +175,12 @@ def _preload(preload: Preload | None, contact_angle: float | None) -> list[str]:
     if preload is None:
         return []
     if preload.level is not None:
-        level = {"light": said("light"), "medium": said("medium"), "heavy": said("heavy")}
+        level = {
+            "extra_light": said("extra light"),
+            "light": said("light"),
+            "medium": said("medium"),
+            "heavy": said("heavy"),
+        }
         text = said(
             "preload class {level} of {name} ({force} in a pair), clamped",
             level=level[preload.level],

@@ -92,6 +92,40 @@ def report_page(report: Report) -> Document:
     )
 
 
+def comparison_page(report: Report, title: str = "") -> Document:
+    """Return a page of several cases side by side: what differs in them, and what follows.
+
+    Parameters
+    ----------
+    report
+        Of the cases; the others are compared with the first.
+    title
+        Of the page.
+    """
+    warnings = _warnings(report)
+    differing, *_ = _inputs(report)
+    sections: list[Section | Beside] = [
+        Section("", (Title(title or said("Comparison")),), key="title"),
+        Section(said("Summary"), _summary(report), "summary"),
+        replace(differing, level=2),
+    ]
+    for heading, key, blocks in (
+        (said("Loads and ratings"), "loads", _loads(report)),
+        (said("Lives by theory"), "lives", tuple(_lives(report))),
+        (said("Clearance in operation"), "clearance", tuple(_clearance(report))),
+        (said("Inner ring"), "ring", _ring(report)),
+        (said("Rows and preload"), "rows", _rows(report)),
+        (said("Contact stresses"), "contacts", _contacts(report)),
+        (said("Lubricant film"), "film", _film(report)),
+        (said("Friction"), "friction", _friction(report)),
+        (said("Stiffness"), "stiffness", tuple(_stiffness(report))),
+        (said("Warnings"), "warnings", _warning_blocks(report, warnings)),
+    ):
+        if blocks:
+            sections.append(Section(heading, blocks, key))
+    return Document(title or said("Comparison"), tuple(sections), kind="comparison", main="summary")
+
+
 # --- the head -------------------------------------------------------------------------------------
 
 

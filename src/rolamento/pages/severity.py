@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from math import isfinite
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from rolamento.document import (
     Block,
@@ -66,7 +67,7 @@ def severity_page(found: SeverityResult) -> Document:
         _classes(found),
     ]
     if found.forecast is not None:
-        sections.append(limit_section([("", found.forecast)], "mm/s", "h"))
+        sections.append(limit_section([("", found.forecast)], "mm/s", found.time_unit, found.start))
     sections += [_notes(found), Section("", (_figure(found),), key="figures")]
     return Document(title, tuple(sections), kind="severity", main="signals")
 
@@ -76,7 +77,7 @@ def severity_statement(found: SeverityResult) -> str:
     worst = found.worst
     if worst is None:
         return said("No severity: the sampling rate does not contain the band.")
-    values = {"velocity": worst.severity.velocity}
+    values: dict[str, Any] = {"velocity": worst.severity.velocity}
     zone = found.zone
     if zone is None:
         return said(
@@ -162,25 +163,13 @@ def _facts(found: SeverityResult) -> tuple[Entry, ...]:
 
 def _signals(found: SeverityResult) -> Section:
     signals = [one.severity for one in found.measured]
-    hours = [one.hours for one in found.measured]
     columns = [
         Column(
             head=said("signal"),
             values=[one_line(one.title, _LONGEST_NAME) for one in found.measured],
             key="signal",
         ),
-        *(
-            [
-                Column(
-                    head=said("time"),
-                    values=[HOUR * time for time in hours],
-                    unit="h",
-                    form=".6 [h]",
-                    key="hours",
-                )
-            ]
-            * any(map(isfinite, hours))
-        ),
+        *_time_columns(found),
         Column(
             head="RMS", values=[one.velocity for one in signals], unit="mm/s", key="velocity",
             form=".3 [mm/s]",
@@ -215,6 +204,16 @@ def _signals(found: SeverityResult) -> Section:
     )
     table = Table(columns=tuple(columns), key="signals", legends=(legend,))
     return Section(said("Signals"), (table,), key="signals")
+
+
+def _time_columns(found: SeverityResult) -> Iterator[Column]:
+    """Dates or running hours, if they are given."""
+    if found.start:
+        dates = [found.date_of(one) for one in found.measured]
+        yield Column(head=said("date"), values=dates, key="date")
+    elif any(isfinite(one.hours) for one in found.measured):
+        times = [HOUR * one.hours for one in found.measured]
+        yield Column(head=said("time"), values=times, unit="h", form=".6 [h]", key="hours")
 
 
 def _classes(found: SeverityResult) -> Section:
@@ -325,8 +324,9 @@ def trend_picture(found: SeverityResult) -> Picture:
     assert found.forecast is not None
     series: list[MeasuredSeverity] = [one for one in found.measured if one.severity.measured]
     return severity_trend_figure(
-        [one.hours for one in series],
+        [one.hours / found.time_scale for one in series],
         [1e3 * one.severity.velocity for one in series],
         found.forecast,
         found.machine,
+        start=found.start,
     )

@@ -55,6 +55,8 @@ class _Slot:
     semi_major: float
     semi_minor: float
     groove_radius: float
+    bottom: float
+    """Contact angle of the groove's deepest point (rad)."""
     edge: float
     """Of the ball's groove, from its bottom."""
     shoulder: bool
@@ -152,7 +154,7 @@ def _draw(axes: Axes, groups: Sequence[list[_Slot]], race: Race, scale: _Scale) 
     _label(axes, slots, race)
     radii = {slot.groove_radius for slot in slots}
     if len(radii) == 1:
-        _angle_axis(axes, radii.pop())
+        _angle_axis(axes, radii.pop(), slots[0].bottom)
     legend_above(axes, handles=handles)
     return axes
 
@@ -211,10 +213,11 @@ def _slots(solved: Solved, race: Race) -> list[_Slot]:
             _Slot(
                 row=row,
                 azimuth=float(solved.elements.azimuth[0, ball]),
-                across=float(radius * angle[ball]),
+                across=float(radius * (angle[ball] - bearing.groove_bottom)),
                 semi_major=float(1e3 * semi_major[ball]),
                 semi_minor=float(1e3 * semi_minor[ball]),
                 groove_radius=radius,
+                bottom=bearing.groove_bottom,
                 edge=radius * acos(float(edge_cosine(bearing, race))),
                 shoulder=getattr(bearing, f"{race}_shoulder_height") is not None,
             )
@@ -324,15 +327,15 @@ def _label(axes: Axes, slots: Sequence[_Slot], race: Race) -> None:
         axes.annotate(name, (begin, 0.03), xycoords=("data", "axes fraction"), fontsize=8.0)
 
 
-def _angle_axis(axes: Axes, radius: float) -> None:
+def _angle_axis(axes: Axes, radius: float, bottom: float) -> None:
     """Put the contact angle on the right: distance from the bottom over the groove's radius."""
-    degrees_per_mm = DEGREE.factor / radius
+    degrees_per_mm, begin = DEGREE.factor / radius, DEGREE.factor * bottom
 
     def to_angle(across: ArrayLike) -> ArrayLike:
-        return np.asarray(across) * degrees_per_mm
+        return begin + np.asarray(across) * degrees_per_mm
 
     def from_angle(angle: ArrayLike) -> ArrayLike:
-        return np.asarray(angle) / degrees_per_mm
+        return (np.asarray(angle) - begin) / degrees_per_mm
 
     angles = axes.secondary_yaxis("right", functions=(to_angle, from_angle))
     angles.spines["right"].set_visible(True)

@@ -46,6 +46,8 @@ Floats = NDArray[np.float64]
 _NO_SPIN: Final = 1e-9
 """Spin-to-roll ratio below which it is rounding."""
 _CONTROLLED: Final = "friction_control"
+_OF_CONTROL: Final = "#6a3d9a"
+"""Colour of friction control: there are as many models as colours of series."""
 _WIDE: Final = 30.0
 """Maximum over minimum torque from which on both axes become logarithmic, not only the field's."""
 _VARIANTS: Final[tuple[Any, ...]] = ("-", "--", ":", "-.", (0, (5, 1, 1, 1)), (0, (7, 2)))
@@ -148,19 +150,20 @@ def _lines(
         name = torque_model_name(found.model)
         look = series(index).keywords()
         lines.append((own.torque(found.model), found.valid, name, look))
-    controlled = own.is_speed and own.controlled is not None
+    torque = own.controlled_torque
+    controlled = bool(np.isfinite(torque).any())
     if controlled:
-        torque = own.controlled_torque
         name = torque_model_name(_CONTROLLED)
-        look = series(len(lines)).keywords()
-        lines.append((torque, own.friction.regime != "full_film", name, look))
+        look = {"color": _OF_CONTROL, "linestyle": "-"}
+        lines.append((torque, own.controlled_valid, name, look))
     for number, curve in enumerate(curves[1:], start=1):
-        look = {"color": "#000000", "linestyle": _VARIANTS[number % len(_VARIANTS)]}
+        colour = _OF_CONTROL if controlled else "#000000"
+        look = {"color": colour, "linestyle": _VARIANTS[number % len(_VARIANTS)]}
         model = _CONTROLLED if controlled else curve.friction.model
         if controlled:
-            torque, valid = curve.controlled_torque, curve.friction.regime != "full_film"
+            torque, valid = curve.controlled_torque, curve.controlled_valid
         else:
-            torque, valid = curve.torque(model), curve.friction.validity[0].valid
+            torque, valid = curve.torque(model), curve.valid(model)
         name = f"{torque_model_name(model)}, {setting_name(curve.label)}"
         lines.append((torque, np.asarray(valid), name, look))
     return lines

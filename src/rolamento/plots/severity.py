@@ -106,29 +106,32 @@ def _velocities(axes: Axes, measured: Sequence[tuple[str, Severity]], rows: int)
 
 
 def severity_trend_figure(
-    hours: Sequence[float],
+    times: Sequence[float],
     velocities: Sequence[float],
     found: Forecast,
     machine: MachineClass | None,
     *,
+    start: str = "",
     title: str = "",
 ) -> Figure:
     """Draw velocities over time with their trend, on the zones of the machine.
 
     Parameters
     ----------
-    hours, velocities
-        Measured; h and mm/s.
+    times, velocities
+        Measured; h, or days from the start, and mm/s.
     found
         Of `rolamento.numerics.growth.forecast`.
     machine
         Class, if it is known.
+    start
+        Date from which the times count as days, if they do.
     title
         Of the figure.
     """
     with styled():
         figure, axes = new_figure(height=95.0)
-        growth_lines(axes, hours, velocities, found, limit_name=said("limit"))
+        growth_lines(axes, times, velocities, found, limit_name=said("limit"))
         top = axes.get_ylim()[1]
         if machine is not None:
             edges = [0.0, *(_MILLI * edge for edge in machine.velocity), 1e9]
@@ -139,7 +142,12 @@ def severity_trend_figure(
                               va="center", color="#404040",
                               transform=axes.get_yaxis_transform())  # fmt: skip
         axes.set_ylim(0.0, top)
-        label_x(axes, said("Running time ({unit})", unit="h"))
+        label_x(
+            axes,
+            said("Days from {date}", date=start)
+            if start
+            else said("Running time ({unit})", unit="h"),
+        )
         label_y(axes, said("RMS velocity (mm/s)"))
         if title:
             add_title(figure, title)

@@ -537,27 +537,96 @@ def study_histogram(
     InputError
         If there is no such output, or it does not vary along samples alone.
     """
-    output = _along_samples(study, variable, "histogram")
+    return compared_histograms({"": study}, variable, axes)
+
+
+@in_style
+def compared_histograms(
+    studies: Mapping[str, StudyData], variable: str = "", axes: Axes | None = None
+) -> Axes:
+    """Draw how an output is distributed over the samples of several studies, or of variants.
+
+    Parameters
+    ----------
+    studies
+        Datasets by what the legend is to call them; of a single one the name may be empty.
+    variable, axes
+        As of `study_histogram`.
+
+    Raises
+    ------
+    InputError
+        As `study_histogram`, or if there are more than can be told apart.
+    """
+    first = next(iter(studies.values()))
+    name = variable or most_telling(first)
+    columns = {
+        label: column
+        for own, study in studies.items()
+        for label, column in _samples_by_label(own, study, name)
+    }
+    if len(columns) > MOST_LINES:
+        raise InputError(
+            said(
+                "would draw {count} distributions; more than {most} cannot be told apart",
+                count=len(columns),
+                most=MOST_LINES,
+            ),
+            field="kind",
+            value="histogram",
+        )
     axes = new_figure()[1] if axes is None else axes
-    values = output.values[np.isfinite(output.values)]
+    output = _joined(list(columns.values()))
+    shown = {label: _shown(column, output) for label, column in columns.items()}
+    values = np.concatenate(list(shown.values()))
+    values = values[np.isfinite(values)]
     if not values.size:
-        return nothing_to_draw(axes, study)
-    bins = int(np.clip(np.ceil(2.0 * values.size ** (1.0 / 3.0)), _FEWEST_BINS, _MOST_BINS))
-    weights = np.full(values.size, PERCENT.factor / values.size)
-    axes.hist(
-        values,
-        bins=bins,
-        weights=weights,
-        facecolor="#9FC6DF",
-        edgecolor=series(0).color,
-        linewidth=0.6,
-    )
-    _draw_percentiles(axes, values, output.unit, upright=True)
-    _count_missing(axes, output.values)
+        return nothing_to_draw(axes, first)
+    fewest = min(int(np.isfinite(own).sum()) for own in shown.values()) or 1
+    bins = int(np.clip(np.ceil(2.0 * fewest ** (1.0 / 3.0)), _FEWEST_BINS, _MOST_BINS))
+    edges = np.histogram_bin_edges(values, bins)
+    for index, (label, own) in enumerate(shown.items()):
+        there = own[np.isfinite(own)]
+        weights = np.full(there.size, PERCENT.factor / max(there.size, 1))
+        if len(shown) == 1:
+            axes.hist(
+                there,
+                bins=edges.tolist(),
+                weights=weights,
+                facecolor="#9FC6DF",
+                edgecolor=series(0).color,
+                linewidth=0.6,
+            )
+            _draw_percentiles(axes, there, output.unit, upright=True)
+            continue
+        look = series(index)
+        middle = number(percentile(there, 50.0), 5) if there.size else no_result()
+        median = said("median {value} {unit}", value=middle, unit=output.unit.symbol)
+        axes.hist(
+            there, bins=edges.tolist(), weights=weights, histtype="step", color=look.color,
+            linestyle=look.linestyle, linewidth=1.4,
+            label=f"{label}: {median}".removesuffix(f" {NONE.symbol}"),
+        )  # fmt: skip
+    _count_missing(axes, np.concatenate(list(shown.values())))
     label_x(axes, output.label)
     label_y(axes, PERCENT.label(said("Share of the samples")))
     legend_above(axes)
     return axes
+
+
+def _samples_by_label(
+    label: str, study: StudyData, name: str
+) -> Iterator[tuple[str, PlottedVariable]]:
+    """Return an output over the samples; of variants each by its name."""
+    output = output_of(study, name)
+    if set(output.dims) != {VARIANT, SAMPLE}:
+        yield label, _along_samples(study, name, "histogram")
+        return
+    place = output.dims.index(VARIANT)
+    for index, own in enumerate(_labels(study, VARIANT, output, alone=True)):
+        called = ", ".join(part for part in (label, own) if part)
+        values = np.take(output.values, index, axis=place)
+        yield called, replace(output, dims=(SAMPLE,), values=values)
 
 
 @in_style

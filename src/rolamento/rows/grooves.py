@@ -178,10 +178,11 @@ class GrooveRow:
     def sizes(self) -> RowSizes:
         """For the assembly."""
         n = self.numbers
+        reach = n.inner.length + n.outer.length
         return RowSizes(
             arm=n.arm,
             diameter=n.diameter,
-            reach=n.inner.length + n.outer.length,
+            reach=reach,
             stiffness=_both(n),
             sine=np.sin(n.angle),
         )
@@ -210,6 +211,9 @@ class GrooveRow:
         ball = _taken(n, of_ball)
         centres = centre.reshape(-1, 2)
         line = (share * centre).reshape(-1, 2)
+        if len(self.flanks) == 1:  # two flanks are even about the middle
+            line[:, 0] += np.repeat(share.ravel() * (n.inner.shift + n.outer.shift), balls)
+            line[:, 0] -= ball.outer.shift
         gripped = [_flank(ball, k, centres, line)[0].load > ball.force for k in self.flanks]
         loose = (ball.rest[:, 1] > 0.0) & ~np.any(gripped, axis=0)
         start = np.where(loose[:, np.newaxis], ball.rest, line)
@@ -599,9 +603,12 @@ def _polynomial(coefficients: FloatArray, cosine: FloatArray) -> FloatArray:
 
 
 def _with_slope(race: _Race, cosine: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """K and dK/d cos α, both of the same Chebyshev polynomials T_k = cos(k α)."""
-    angle = np.arccos(np.clip(cosine, -1.0, 1.0))
-    basis = np.cos(np.arange(TERMS)[:, np.newaxis] * angle)
+    """K and dK/d cos α, both of the same Chebyshev polynomials T_k = 2 cos α T_k-1 - T_k-2."""
+    basis = np.empty((TERMS, len(cosine)))
+    basis[0], basis[1] = 1.0, cosine
+    twice = 2.0 * cosine
+    for k in range(2, TERMS):
+        basis[k] = twice * basis[k - 1] - basis[k - 2]
     slope = np.einsum("kn,kn->n", race.slope, basis[:-1])
     return np.einsum("kn,kn->n", race.stiffness, basis), slope
 

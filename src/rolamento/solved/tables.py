@@ -486,7 +486,7 @@ class Preloading:
         "force", "offset" or "level" where the rings are clamped, "spring"
     at_rest
         axial force between the rows that face each other, without external load, at rest (N); of
-        a mounted set after the fits, before temperatures
+        a mounted set after the fits, at its temperatures
     at_speed
         the same at the duty's speeds (N)
     lift_factor

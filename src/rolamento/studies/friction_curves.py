@@ -14,10 +14,15 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from rolamento.analysis.needs import has_life
 from rolamento.case import Case
 from rolamento.errors import InputError
-from rolamento.friction import Friction, friction
+from rolamento.friction import Friction, MachineBearing, friction, machine_of
 from rolamento.friction.model import relative_speed
+from rolamento.friction.models import TORQUE_MODELS
+from rolamento.life import conditions_of
+from rolamento.life.basis import Basis
+from rolamento.lubrication.films import film, has_film
 from rolamento.numerics.blocks import joined
 from rolamento.solution import solve
 from rolamento.solved import Solved
@@ -105,8 +110,35 @@ class FrictionCurve:
         return np.asarray(friction.torque - friction.models[friction.model].total)
 
     def torque(self, model: str) -> Floats:
-        """Running torque of all sources by a model of the contacts; (points,), N·m."""
-        return np.asarray(self.friction.models[model].total + self.beside_contacts)
+        """Running torque of all sources by a model, NaN where it is not evaluated; (points,), N·m.
+
+        Models of lubricated machine bearings have all sources in them.
+        """
+        found = self.friction.models.get(model)
+        if found is None:
+            return np.full(len(self), np.nan)
+        if not TORQUE_MODELS[model].of_contacts:
+            return np.asarray(found.total)
+        return np.asarray(found.total + self.beside_contacts)
+
+    def valid(self, model: str) -> NDArray[np.bool_]:
+        """Where a model is valid; (points,)."""
+        found = [own.valid for own in self.friction.validity if own.model == model]
+        return found[0] if found else np.zeros(len(self), dtype=np.bool_)
+
+    @property
+    def controlled_valid(self) -> NDArray[np.bool_]:
+        """Where friction control is valid; (points,)."""
+        found = np.isfinite(self.controlled_torque)
+        return np.asarray(found & (self.friction.regime != "full_film"))
+
+    @property
+    def without_model(self) -> NDArray[np.bool_]:
+        """Where no model is valid though there is a result; (points,)."""
+        valid = [own.valid for own in self.friction.validity]
+        return np.asarray(
+            (self.status == "converged") & ~np.any([*valid, self.controlled_valid], axis=0)
+        )
 
     @property
     def controlled_torque(self) -> Floats:
@@ -191,7 +223,15 @@ def friction_curve(
             example="--coefficient 0.1",
         )
     solutions = _solutions(case, over)
-    found = joined([friction(solved, hysteresis=hysteresis, compare=True) for solved in solutions])
+    machines = [_machine(solved) for solved in solutions]
+    if None in machines:  # the models of all points are the same
+        machines = [None] * len(solutions)
+    found = joined(
+        [
+            friction(solved, hysteresis=hysteresis, compare=True, machine=machine)
+            for solved, machine in zip(solutions, machines, strict=True)
+        ]
+    )
     return FrictionCurve(
         case=case,
         label=label,
@@ -210,6 +250,19 @@ def _solutions(case: Case, over: Range) -> list[Solved]:
         return [solve(case, {name: values})]
     refuse_many_singles(len(values))
     return [solve(base_case(case, {name: float(value)})) for value in values]
+
+
+def _machine(solved: Solved) -> MachineBearing | None:
+    """What the models of lubricated machine bearings need; None where the case does not give it."""
+    if not (has_life(solved.case) and has_film(solved)):
+        return None
+    try:
+        basis = Basis.of(solved, conditions_of(solved))
+    except InputError as error:
+        if error.field in ("bearing.contact_angle", "dynamic_rating"):  # as for its life: none
+            return None
+        raise
+    return machine_of(solved.case, film(solved), basis.ratings.static_of_set, basis.loads.static)
 
 
 def _controlled(solved: Solved) -> Controlled:

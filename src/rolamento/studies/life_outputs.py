@@ -59,10 +59,7 @@ def refuse_lifeless(case: Case, varied: frozenset[str]) -> None:
         return
     if np.any(angle > MAXIMUM_ANGLE * (1.0 + 1e-9)):
         raise InputError(
-            said(
-                "is that of a thrust bearing, which is rated for axial load: give it"
-                ' kind = "thrust"'
-            ),
+            said('is above 45°: such a bearing is rated for axial load; give it kind = "thrust"'),
             field="case.bearing.contact_angle",
             value=f"{float(np.degrees(angle.max())):.4g} deg",
             example='kind = "thrust"',

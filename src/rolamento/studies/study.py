@@ -145,7 +145,7 @@ class Study(Record):
                 raise InputError(said("occurs twice"), field="outputs", value=name)
         if not self.axes and self.scatter is None and not self.variants:
             raise InputError(
-                said("is missing: give axes, a scatter, or both"),
+                said("is missing: give axes, a scatter, or variants"),
                 field="axes",
                 example='[[axes]] with field = "duty.inner_speed", values = ["0 rpm", "9000 rpm"]',
             )
@@ -185,7 +185,8 @@ class Study(Record):
         for name in varied:
             if varied.count(name) > 1:
                 raise InputError(said("is varied twice"), field=self._place(name), value=name)
-        fields.refuse_rivals(varied, at=self._place(varied[-1]))
+        if varied:
+            fields.refuse_rivals(varied, at=self._place(varied[-1]))
         for name in self.scatter.fields if self.scatter is not None else ():
             if name not in array_fields():
                 raise InputError(
@@ -244,7 +245,8 @@ class Study(Record):
         if not at_the_border(info.context):
             return table
         if "ball_material" not in self.case.bearing.model_fields_set:
-            del table["case"]["bearing"]["ball_material"]  # it goes on following the rings'
+            # it goes on following the rings', or the designation
+            table["case"]["bearing"].pop("ball_material", None)
         kept = {key: value for key, value in table.items() if value not in ("", (), [], None)}
         return {
             key: list(value) if isinstance(value, tuple) else value for key, value in kept.items()

@@ -46,30 +46,25 @@ def search_mapping(found: Sequence[CatalogueBearing]) -> dict[str, Any]:
     return {"schema": 1, "kind": "catalogue", "bearings": [_bearing_mapping(b) for b in found]}
 
 
-def bearing_mapping(geometry: InternalGeometry | None, bearing: CatalogueBearing) -> dict[str, Any]:
+def bearing_mapping(geometry: InternalGeometry) -> dict[str, Any]:
     """Give one bearing as plain values, in SI; ``inside`` is None if nothing is known of it."""
-    mapping: dict[str, Any] = {
+    has_balls = "ball_count" in geometry.fields
+    inside = {
+        name: {"value": value, "origin": geometry.origins[name]}
+        for name, value in geometry.fields.items()
+    }
+    return {
         "schema": 1,
         "kind": "bearing",
-        "bearing": _bearing_mapping(bearing),
-        "clearance_class": None,
-        "meanings": {},
-        "unknown": [],
-        "inside": None,
-        "candidates": [],
+        "bearing": _bearing_mapping(geometry.bearing),
+        "clearance_class": geometry.clearance_class,
+        "meanings": dict(geometry.designation.meanings),
+        "unknown": list(geometry.designation.unknown),
+        "without_effect": [part for part, _ in geometry.idle],
+        "inside": inside if has_balls else None,
+        "candidates": [_candidate_mapping(one) for one in geometry.candidates],
+        "same_size": [_bearing_mapping(one) for one in geometry.sisters],
     }
-    if geometry is not None:
-        mapping |= {
-            "clearance_class": geometry.clearance_class,
-            "meanings": dict(geometry.designation.meanings),
-            "unknown": list(geometry.designation.unknown),
-            "inside": {
-                name: {"value": value, "origin": geometry.origins[name]}
-                for name, value in geometry.fields.items()
-            },
-            "candidates": [_candidate_mapping(one) for one in geometry.candidates],
-        }
-    return mapping
 
 
 def _bearing_mapping(bearing: CatalogueBearing) -> dict[str, Any]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import asdict, dataclass, replace
 from functools import cached_property
 from math import ceil, inf, isfinite, pi
@@ -11,6 +12,7 @@ from typing import Any, Final, Literal, Unpack
 
 from rolamento.case import Case
 from rolamento.case.bearing import Bearing
+from rolamento.catalogue import catalogue, rolling_bearings
 from rolamento.errors import InputError
 from rolamento.solution import solve
 from rolamento.solved import Solved
@@ -29,6 +31,7 @@ from rolamento.vibration.diagnosis import (
 )
 from rolamento.vibration.diagnosis.blocks import MOST_SAMPLES
 from rolamento.vibration.frequencies import FaultFrequencies, frequencies_of, nominal_frequencies
+from rolamento.vibration.lookalikes import Lookalikes, lookalikes
 from rolamento.vibration.noise_floor import LOWEST_LINE
 from rolamento.vibration.reading import open_signal
 from rolamento.vibration.signal import Signal
@@ -79,6 +82,8 @@ class DiagnosisResult:
         whether the orders of all loaded balls were looked for
     other_rows
         rows, counted from 0, whose balls have orders that were not
+    lookalikes
+        bearings of the catalogue that share what was found; None if nothing was
     """
 
     title: str
@@ -96,6 +101,7 @@ class DiagnosisResult:
     slip: float | None = None
     covers_balls: bool = True
     other_rows: tuple[int, ...] = ()
+    lookalikes: Lookalikes | None = None
 
     @cached_property
     def indicators(self) -> Indicators:
@@ -161,8 +167,13 @@ class DiagnosisResult:
 
     @property
     def advice(self) -> tuple[Note, ...]:
-        """What to do, and the evidence against the verdict; empty where there is none."""
-        return () if self.verdict == "no_verdict" else self.diagnosis.advice
+        """What to do, the evidence against the verdict, and which bearings it may be about."""
+        if self.verdict == "no_verdict":
+            return ()
+        return (*self.diagnosis.advice, *self._shared())
+
+    def _shared(self) -> tuple[Note, ...]:
+        return () if self.lookalikes is None else (self.lookalikes.shared,)
 
     @property
     def notes(self) -> tuple[Note, ...]:
@@ -173,6 +184,8 @@ class DiagnosisResult:
         faults = [part for part in self.diagnosis.components if part.verdict == "fault"]
         if self.verdict in ("nothing_found", "watch"):
             yield Note("not_a_certificate")
+        if self.lookalikes is not None and self.lookalikes.found:
+            yield self.lookalikes.telling
         if any(_highest_line(part) < _CLEAR for part in faults):
             yield Note("weak_peaks")
         if self.speed is not None and self.speed.lost:
@@ -202,7 +215,8 @@ class DiagnosisResult:
                 for part, frequency in diagnosis.undecided
             ],
             "statement": _mappings(self.statement),
-            "advice": _mappings(diagnosis.advice),
+            "advice": _mappings((*diagnosis.advice, *self._shared())),
+            "lookalikes": None if self.lookalikes is None else self.lookalikes.to_mapping(),
             "components": [part.to_mapping() for part in diagnosis.components],
             "unexplained": [asdict(line) for line in diagnosis.unexplained],
             "false_alarm": diagnosis.false_alarm,
@@ -424,7 +438,26 @@ def diagnose(
             slip=wide.slip,
             covers_balls=wide.covers_balls,
             other_rows=wide.other_rows,
+            lookalikes=_lookalikes(found, frequencies, case.bearing, wide.settings),
         )
+
+
+def _lookalikes(
+    found: Diagnosis, frequencies: FaultFrequencies, bearing: Bearing, settings: DiagnosisSettings
+) -> Lookalikes | None:
+    """Return the bearings of the catalogue that share what was found, the sought one left out."""
+    name = ""
+    if bearing.designation is not None:
+        with suppress(InputError):  # one that only the file of its case knows
+            name = catalogue().find(bearing.designation).bearing.designation
+    return lookalikes(
+        found,
+        FaultOrders.of(frequencies),
+        rolling_bearings(),
+        speed_tolerance=settings.speed_tolerance,
+        ratios=(frequencies.turns.inner, frequencies.turns.outer),
+        designation=name,
+    )
 
 
 def _case_sought(bearing: BearingLike, settings: Sequence[str]) -> Case:

@@ -9,9 +9,9 @@ from typing import Final, TypeVar
 
 from rolamento.errors import InputError
 
-_VALUE: Final = r'("[^"]*"|\["[^"]*"\]|True|[-+.\d]+(?:e-?\d+)?|…)(?:, (?=([a-z_]+)=))?'
-_IN_RULE: Final = re.compile(r"(?<![\w.])([a-z_]+)=" + _VALUE)
-_IN_EXAMPLE: Final = re.compile(r"(?<![\w.])([a-z_]+)(?:=| = )" + _VALUE)
+_VALUE: Final = r'("[^"]*"|\["[^"]*"\]|True|[-+.\d]+(?:e-?\d+)?|…)(?:, (?=([a-z_][a-z_0-9]*)=))?'
+_IN_RULE: Final = re.compile(r"(?<![\w.])([a-z_][a-z_0-9]*)=" + _VALUE)
+_IN_EXAMPLE: Final = re.compile(r"(?<![\w.])([a-z_][a-z_0-9]*)(?:=| = )" + _VALUE)
 """A parameter with a value, and the name of another one that follows after a comma."""
 _SPEED_EXAMPLE: Final = 'speed="1797 rpm"'
 

@@ -55,13 +55,16 @@ class _Study:
     title: str
     notes: tuple[Note, ...]
 
-    def _plain(self, kind: str, found: Mapping[str, Any] | None) -> dict[str, Any]:
+    def _plain(
+        self, kind: str, found: RemainingLife | AgeReplacement | FleetForecast | None
+    ) -> dict[str, Any]:
+        lives = {"distribution": self.distribution.to_mapping()}
         return {
             "schema": SCHEMA,
             "kind": kind,
             "unit": self.distribution.unit,
             "title": self.title,
-            **({"distribution": self.distribution.to_mapping()} if found is None else found),
+            **(lives if found is None else found.to_mapping()),
             "study_notes": [note.to_mapping() for note in self.notes],
         }
 
@@ -74,7 +77,7 @@ class RemainingStudy(_Study):
 
     def to_mapping(self) -> dict[str, Any]:
         """Give it as plain values, in the unit that it names."""
-        return self._plain("remaining_life", self.found and self.found.to_mapping())
+        return self._plain("remaining_life", self.found)
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,7 +92,7 @@ class ReplacementStudy(_Study):
 
     def to_mapping(self) -> dict[str, Any]:
         """Give it as plain values, in the units that it names."""
-        plain = self._plain("age_replacement", self.found and self.found.to_mapping())
+        plain = self._plain("age_replacement", self.found)
         return {**plain, "currency": self.currency}
 
 
@@ -116,7 +119,7 @@ class FleetStudy(_Study):
     def to_mapping(self) -> dict[str, Any]:
         """Give it as plain values, in the unit that it names."""
         return {
-            **self._plain("fleet_forecast", self.found and self.found.to_mapping()),
+            **self._plain("fleet_forecast", self.found),
             "names": list(self.names),
             "from": None if self.begin is None else self.begin.isoformat(),
             "until": None if self.end is None else self.end.isoformat(),
@@ -319,7 +322,7 @@ def lives_of(
             )
         field = "l10" if scale is None else "scale"
         life, unit = _life_with_unit(l10 if scale is None else scale, field)
-        law = LifeDistribution.given(shape, **{field: life}, unit=unit)  # type: ignore[arg-type]
+        law = LifeDistribution.given(shape, **{field: life}, unit=unit)
         return law, "", None, ()
     for field, value in (("scale", scale), ("l10", l10)):
         if value is not None:

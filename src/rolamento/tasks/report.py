@@ -23,11 +23,13 @@ from rolamento.case.fields import Field, fields_of
 from rolamento.case.film_model import FilmModel
 from rolamento.case.life_model import LifeModel
 from rolamento.case.report import ReportHead
+from rolamento.case.variant import Variant, cases_compared, with_the_case
 from rolamento.errors import InputError
 from rolamento.life.iso281 import MAXIMUM_LOAD
 from rolamento.lubrication.film_thickness import COMPUTED_RANGE
 from rolamento.notes import SPEED_LIMIT, STATIC_PRESSURE_LIMIT, TILT_LIMIT
 from rolamento.solved import RACES
+from rolamento.studies.names import setting_name
 from rolamento.tasks.bearing import BearingLike, case_of
 from rolamento.units import Dimension
 from rolamento.words import said
@@ -40,6 +42,7 @@ __all__ = [
     "Origin",
     "Report",
     "checksum_of",
+    "compare_variants",
     "inputs_of",
     "report_on",
 ]
@@ -123,7 +126,7 @@ class CaseReport:
     Attributes
     ----------
     name
-        A, B, C …
+        A, B, C …; of a variant its own
     source
         the file, or the designation, that it was read from; empty of a `Case`
     case
@@ -276,6 +279,8 @@ def report_on(
     head: ReportHead | Mapping[str, str] | None = None,
     settings: Sequence[str] = (),
     *,
+    names: Sequence[str] = (),
+    changed: Sequence[Set[str]] = (),
     progress: Callable[[int, int], None] | None = None,
 ) -> Report:
     """Analyse cases, and gather what a report of them shows.
@@ -288,6 +293,10 @@ def report_on(
         Of the title block, over what the ``[report]`` of the first case says.
     settings
         ``KEY=VALUE`` over every case.
+    names
+        Of the cases; A, B, C … if not given.
+    changed
+        Of each case the dotted names of what was set in it.
     progress
         Is told how many cases are done, and of how many.
 
@@ -313,14 +322,48 @@ def report_on(
     for done, one in enumerate(read):
         if progress is not None:
             progress(done, len(read))
-        inputs = inputs_of(one.case, one.given, given_over, shown)
+        own = given_over | changed[done] if changed else given_over
+        inputs = inputs_of(one.case, one.given, own, shown)
         try:
-            cases.append(_case_report(chr(ord("A") + done), one, inputs))
+            name = names[done] if names else chr(ord("A") + done)
+            cases.append(_case_report(name, one, inputs))
         except InputError as error:
             raise error if error.source else error.with_details(source=one.source) from None
     if progress is not None:
         progress(len(read), len(read))
     return Report(_head(head, [one.case for one in cases]), tuple(cases), __version__)
+
+
+def compare_variants(
+    case: Case,
+    variants: Sequence[Variant],
+    *,
+    progress: Callable[[int, int], None] | None = None,
+) -> Report:
+    """Analyse a case and its variants, side by side.
+
+    Parameters
+    ----------
+    case
+        What the variants begin from; the first of the report, unless a variant without changes
+        stands elsewhere.
+    variants
+        At least one.
+    progress
+        As of `report_on`.
+
+    Raises
+    ------
+    InputError
+        If a variant is none of this case, or there are too many.
+    """
+    found = cases_compared(case, variants)
+    return report_on(
+        list(found.values()),
+        names=[setting_name(name) for name in found],
+        changed=[frozenset(_keys(one.changes, "")) for one in with_the_case(variants)],
+        progress=progress,
+    )
 
 
 def _difference(first: float | None, own: float | None) -> tuple[float | None, float | None]:

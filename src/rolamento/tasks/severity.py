@@ -6,6 +6,7 @@ import csv
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass
+from datetime import date, timedelta
 from functools import cached_property
 from io import StringIO
 from math import isfinite, nan
@@ -13,6 +14,7 @@ from typing import Any, Final, Unpack
 
 import numpy as np
 
+from rolamento._columns import folded_name
 from rolamento._json import csv_number
 from rolamento.errors import InputError
 from rolamento.numerics.growth import Forecast, Law, forecast
@@ -41,6 +43,10 @@ SCHEMA: Final = 1
 _MOST_SIGNALS: Final = 500
 _MOST_HOURS: Final = 1e9
 _MILLI: Final = 1e-3
+_SUPPORTS: Final = {"rigido": "rigid", "rigida": "rigid", "flexivel": "flexible"}
+"""As a Brazilian calls them."""
+_DAY: Final = 24.0
+"""h."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -98,6 +104,8 @@ class SeverityResult:
         of growth, if one was asked for
     confidence
         of the interval of the time to the limit
+    start
+        date from which the hours count, if the signals have dates; "" otherwise
     """
 
     measured: tuple[MeasuredSeverity, ...]
@@ -106,6 +114,23 @@ class SeverityResult:
     limit: float | None = None
     law: Law | None = None
     confidence: float = 0.9
+    start: str = ""
+
+    @property
+    def time_unit(self) -> str:
+        """Of the trend: days where the signals have dates, hours otherwise."""
+        return "d" if self.start else "h"
+
+    @property
+    def time_scale(self) -> float:
+        """Hours in that unit."""
+        return _DAY if self.start else 1.0
+
+    def date_of(self, one: MeasuredSeverity) -> str:
+        """Date of a signal, as 2026-01-31; "" without."""
+        if not self.start:
+            return ""
+        return (date.fromisoformat(self.start) + timedelta(hours=one.hours)).isoformat()
 
     @property
     def machine(self) -> MachineClass | None:
@@ -149,12 +174,12 @@ class SeverityResult:
 
     @cached_property
     def forecast(self) -> Forecast | None:
-        """When the velocity reaches the limit: hours and mm/s; None without hours or limit."""
+        """When the velocity reaches the limit, in `time_unit` and mm/s; None without times."""
         series = [one for one in self.measured if one.severity.measured]
         if len(series) < 2 or self.goal is None or not all(isfinite(one.hours) for one in series):
             return None
         return forecast(
-            np.array([one.hours for one in series]),
+            np.array([one.hours for one in series]) / self.time_scale,
             np.array([one.severity.velocity for one in series]) / _MILLI,
             self.goal / _MILLI,
             confidence=self.confidence,
@@ -173,7 +198,7 @@ class SeverityResult:
         return tuple(notes)
 
     def to_mapping(self) -> dict[str, Any]:
-        """Return everything as plain data, in SI units; the trend in hours and mm/s."""
+        """Return everything as plain data, in SI units; the trend in `time_unit` and mm/s."""
         setting = self.setting
         return {
             "schema": SCHEMA,
@@ -195,6 +220,8 @@ class SeverityResult:
             "alarm": None if setting is None else setting.alarm,
             "trip": None if setting is None else setting.trip,
             "limit": self.goal,
+            "start": self.start or None,
+            "time_unit": self.time_unit,
             "signals": [self._signal(one) for one in self.measured],
             "trend": None if self.forecast is None else self.forecast.to_mapping(),
             "notes": [note.to_mapping() for note in self.notes],
@@ -215,10 +242,12 @@ class SeverityResult:
         text = StringIO(newline="")
         writer = csv.writer(text, lineterminator="\n")
         text.write(f"# title: {said('Severity of vibration')}\n")
-        writer.writerow(("time (h)", "bearing", "velocity (mm/s)"))
+        time = "date" if self.start else "time (h)"
+        writer.writerow((time, "bearing", "velocity (mm/s)"))
         for one in self.measured:
             velocity = one.severity.velocity / _MILLI
-            writer.writerow((csv_number(one.hours), "1", csv_number(velocity)))
+            at = self.date_of(one) or csv_number(one.hours)
+            writer.writerow((at, "1", csv_number(velocity)))
         return text.getvalue()
 
 
@@ -235,6 +264,7 @@ def severity_of(
     law: Law | None = None,
     confidence: float = 0.9,
     hours: Sequence[float] | None = None,
+    dates: Sequence[str] | None = None,
     start: float = 0.0,
     duration: float | None = None,
     stages: Stages = quietly,
@@ -259,8 +289,8 @@ def severity_of(
         "linear" or "exponential", of that trend; by default the likelier one.
     confidence
         Of the interval of the time to the limit.
-    hours
-        At which the signals were recorded.
+    hours, dates
+        At which the signals were recorded: running hours, or days such as "2026-01-31".
     start, duration
         Of the part of each signal; s.
     stages
@@ -282,11 +312,17 @@ def severity_of(
     if not 0.0 < confidence < 1.0:
         rule = said("must be between 0 and 1, exclusive")
         raise InputError(rule, field="confidence", value=confidence, example="confidence=0.9")
+    if support is not None:
+        support = _SUPPORTS.get(folded_name(support), support)
     classes = classes_of(
         group=group, support=support, power=_power(power), machine_class=machine_class
     )
     usual, goal = _velocity(baseline, "baseline"), _velocity(limit, "limit")
-    times = _hours(hours, len(files))
+    times, first = _hours(hours, len(files)), ""
+    if dates is not None:
+        if hours is not None:
+            raise InputError(said("cannot be combined with hours"), field="dates")
+        times, first = _days(dates, len(files))
     shaft = speed_of(speed, "speed")
     measured = []
     for path, time in zip(files, times, strict=True):
@@ -316,9 +352,9 @@ def severity_of(
                         source.choices,
                     )
                 )
-    if hours is not None:
+    if hours is not None or dates is not None:
         measured.sort(key=lambda one: one.hours)
-    return SeverityResult(tuple(measured), classes, usual, goal, law, confidence)
+    return SeverityResult(tuple(measured), classes, usual, goal, law, confidence, first)
 
 
 def _power(given: str | float | None) -> float | None:
@@ -359,3 +395,19 @@ def _hours(hours: Sequence[float] | None, count: int) -> list[float]:
             rule, field="hours", value=", ".join(map(str, times)), example="hours=[60, 120, 180]"
         )
     return times
+
+
+def _days(given: Sequence[str], count: int) -> tuple[list[float], str]:
+    """Hours from the first of some dates, and that date."""
+    from rolamento._columns import dates_of
+
+    texts = [text.strip() for text in given]
+    read = dates_of(texts)
+    read.check("dates")
+    days = [read.day(text) for text in texts]
+    if len(days) != count or not all(days):
+        rule = said("must be a date for each signal, here {count}", count=count)
+        example = 'dates=["2026-01-31", "2026-02-28"]'
+        raise InputError(rule, field="dates", value=", ".join(texts), example=example)
+    known = [day for day in days if day is not None]
+    return [_DAY * (day - min(known)).days for day in known], min(known).isoformat()

@@ -57,7 +57,7 @@ SHAPES: Final = (0.8, 1.0, 1.2, 1.5, 2.0, 2.5, 3.0)
 """Shapes of which it is told what the same test would show."""
 _OTHER_FAILURES: Final = (0, 1, 2)
 """Failures allowed in the tests that stand beside the one that is planned."""
-_LIMIT: Final = re.compile(r"([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,3})?)\s*(.{0,20})")
+_LIMIT: Final = re.compile(r"([+-]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][+-]?\d{1,3})?)\s*(.{0,20})")
 _SAMPLES, _FEWEST_SAMPLES = 10_000, 1000
 _MAXIMUM_DRAWN: Final = 5_000_000
 """Bearings in all drawn tests together, if it is left to the program."""
@@ -471,7 +471,7 @@ def _limit_of(trend: Trend, given: float | str) -> tuple[int, float]:
         )
     unit = trend.units[place]
     match = _LIMIT.fullmatch(text.strip())
-    value = float(match[1]) if match else float("nan")
+    value = float(match[1].replace(",", ".")) if match else float("nan")
     if not rule and not (match and 0.0 < value < float("inf")):
         rule = said("must be a positive number")
     if not rule and match and match[2] and spelled(match[2]) != spelled(unit):

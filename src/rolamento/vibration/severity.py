@@ -129,7 +129,8 @@ class MachineClass:
 
 
 def _zone(value: float, boundaries: tuple[float, ...]) -> Zone:
-    return ZONES[sum(value > boundary for boundary in boundaries)]
+    zone: Zone = ZONES[sum(value > boundary for boundary in boundaries)]
+    return zone
 
 
 @cache

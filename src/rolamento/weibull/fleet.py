@@ -370,7 +370,8 @@ def fleet_forecast(
 
 def _failing(shape: float, scale: float, fleet: Fleet) -> FloatArray:
     """Probability that each bearing fails on the way ahead; (rows,)."""
-    return _chances(np.array([shape]), np.array([scale]), fleet.ages, fleet.ahead)[0]
+    chances = _chances(np.array([shape]), np.array([scale]), fleet.ages, fleet.ahead)
+    return np.asarray(chances[0])
 
 
 def _chances(
@@ -432,12 +433,9 @@ def _counted(
     if renewed:
         rows = np.repeat(np.arange(len(fleet.ages)), fleet.counts)
         ages, ahead = fleet.ages[rows], fleet.ahead[rows]
-        return np.array(
-            [
-                _renewed(float(shape), float(scale), ages, ahead, parts, random)
-                for shape, scale in zip(shapes, scales, strict=True)
-            ]
-        )
+        lives = zip(shapes.tolist(), scales.tolist(), strict=True)
+        each = [_renewed(shape, scale, ages, ahead, parts, random) for shape, scale in lives]
+        return np.asarray(np.stack(each))
     found = np.empty((count, len(parts)))
     block = max(_MOST_DRAWN // (20 * len(fleet.ages)), 1)
     for first in range(0, count, block):

@@ -366,7 +366,11 @@ def check_status(header: Header, rows: Sequence[Sequence[str]]) -> None:
         return
     known = {word for word in _FAILED | _SUSPENDED if len(word) > 1 and not word.isdecimal()}
     for place, title in enumerate(header.titles):
-        if title in header.passed_over and {folded_name(row[place]) for row in rows} <= known:
+        if title not in header.passed_over:
+            continue
+        words = {folded_name(row[place]) for row in rows}
+        letters = words <= {"f", "s", "c"} and "f" in words and len(words) > 1
+        if words <= known or letters:
             raise InputError(
                 said(
                     "seems to say what failed, but by an unknown name; choose it as the "

@@ -396,5 +396,5 @@ def chance(evidence: float, trials: int) -> tuple[float, float]:
 
     At most the number of trials times the probability of one; never over 1.
     """
-    exponent = max(evidence - log(trials), 0.0)
+    exponent = max(evidence - log(max(trials, 1)), 0.0)
     return exp(-exponent), exponent / log(10.0)

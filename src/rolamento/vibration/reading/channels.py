@@ -15,10 +15,11 @@ from typing import Any, Final, NamedTuple, Self
 
 import numpy as np
 
+from rolamento._tables import Numerals
 from rolamento.errors import FileError, InputError, nearest
 from rolamento.numerics import FloatArray
 from rolamento.vibration._checks import checked_number
-from rolamento.vibration.reading.metadata import SAME_RATE, RateClaim, short_name
+from rolamento.vibration.reading.metadata import SAME_RATE, RateClaim, TwoWays, short_name
 from rolamento.vibration.reading.units import (
     SPEED_UNITS,
     checked_scale,
@@ -30,7 +31,7 @@ from rolamento.vibration.reading.units import (
     speed_unit_in,
 )
 from rolamento.vibration.signal import SI_UNITS, Quantity, unit_scale
-from rolamento.words import Note, said
+from rolamento.words import Note, marked, said
 from rolamento.words.sentences.reading import claimed
 
 __all__ = [
@@ -77,6 +78,8 @@ class Channel:
         it may be the speed of the shaft
     rate_aside
         name and value of a number that could be the rate, and is taken for something else
+    rate_two_ways
+        the line of the file that says its rate, if its point may be either mark
     """
 
     name: str
@@ -87,6 +90,7 @@ class Channel:
     speed: float | None = None
     rate_doubt: tuple[RateClaim, ...] = ()
     rate_aside: tuple[str, float] | None = None
+    rate_two_ways: TwoWays | None = None
 
 
 class Source(ABC):
@@ -237,12 +241,19 @@ def _example(channels: tuple[Channel, ...], number: int) -> str:
 
 def _rate(channel: Channel, given: float | None) -> float:
     """Sampling rate by the user, or else by the file if it is sure of it."""
+    if given is None and channel.rate_two_ways is not None:
+        name, text, line = channel.rate_two_ways
+        try:
+            Numerals(commas=True, doubt=text).check(name)
+        except InputError as error:
+            raise error.with_details(line=line) from None
     if given is None and channel.rate is None:
-        rule = said("is not in the file; give it, in Hz")
+        rule, field = said("is not in the file; give it, in Hz"), "rate"
         if channel.rate_doubt:
             doubt = claimed(channel.rate_doubt)
             rule = said("is ambiguous: in the file {doubt}; give it, in Hz", doubt=doubt)
-        raise InputError(rule, field="rate", example="rate=51200.0")
+            field = marked("sampling rate")
+        raise InputError(rule, field=field, example="rate=51200.0")
     rate = channel.rate if given is None else given
     return checked_number(rate, "rate", above=0.0, most=_HIGHEST_RATE, example="rate=51200.0")
 

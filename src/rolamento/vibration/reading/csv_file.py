@@ -23,6 +23,7 @@ from rolamento.vibration.reading.metadata import (
     RateClaim,
     RateClaims,
     Timeline,
+    TwoWays,
     label_parts,
     rate_of,
     rates_among,
@@ -125,6 +126,7 @@ class CsvSource(Source):
             speed_among(named),
             rate.doubt,
             rate.aside,
+            rate.two_ways,
         )
 
     def _block(self, start: int, count: int, columns: list[int]) -> FloatArray:
@@ -155,18 +157,18 @@ class CsvSource(Source):
 def _claims(layout: CsvLayout, times: float | None) -> RateClaims:
     """Sampling rates above the table; of one that is two, that which the times bear out."""
     found = rates_among([layout.numbers])
-    doubtful = []
-    for name, (text, *readings) in layout.two_ways.items():
-        for value, reading in zip(readings, ("decimal", "thousands"), strict=True):
-            claims = rates_among([{name: value}])
+    doubtful: list[RateClaim] = []
+    two_ways = None
+    for line in layout.two_ways:
+        for value in Numerals(commas=True, doubt=line.text).readings():
+            claims = rates_among([{line.name: value}])
             if times is not None and rate_of(claims, times).value is not None:
-                doubtful = [*claims.clear]
+                doubtful, two_ways = [*claims.clear], None
                 break
-            doubtful += [
-                RateClaim(f'"{name}: {text}" with a {reading} point', claim.value)
-                for claim in (*claims.clear, *claims.loose)
-            ]
-    return RateClaims((*found.clear, *doubtful), found.loose)
+            for claim in (*claims.clear, *claims.loose):
+                doubtful.append(RateClaim(f'"{line.name}: {line.text}"', claim.value))
+                two_ways = line
+    return RateClaims((*found.clear, *doubtful), found.loose, two_ways)
 
 
 class _Rows:
@@ -285,8 +287,7 @@ class CsvLayout:
     number_units
         of those that have one: Hz or rpm
     two_ways
-        what a number above the table is with a decimal point, and with a decimal comma, by name and
-        text, if nothing shows which
+        lines above the table whose number nothing shows how to read
     numerals
         how the numbers of the table are written
     """
@@ -299,7 +300,7 @@ class CsvLayout:
     dates: tuple[bool, ...]
     numbers: dict[str, float]
     number_units: dict[str, str]
-    two_ways: dict[str, tuple[str, float, float]]
+    two_ways: tuple[TwoWays, ...]
     numerals: Numerals
 
     def plain(self, content: bytes) -> bytes:
@@ -367,7 +368,7 @@ def layout_of(head: bytes, source: str, mark: DecimalMark | None = None) -> CsvL
     comma = numerals.mark == "comma" or (
         numerals.commas and mark is None and any("," in cell for row in rows for cell in row)
     )
-    numbers, number_units, two_ways = _pairs(above, "comma" if comma else mark)
+    numbers, number_units, two_ways = _pairs(lines[:number], "comma" if comma else mark)
     return CsvLayout(
         separator=separator,
         offset=sum(len(line) + 1 for line in raw[:number]),
@@ -450,16 +451,16 @@ def _headings(
 
 def _pairs(
     above: Sequence[str], mark: DecimalMark | None
-) -> tuple[dict[str, float], dict[str, str], dict[str, tuple[str, float, float]]]:
+) -> tuple[dict[str, float], dict[str, str], tuple[TwoWays, ...]]:
     """Numbers given by name above the table, units of some, and those that nobody can be sure of.
 
     mark: the decimal one, if the table or the user gives it.
     """
     found: dict[str, float] = {}
     units: dict[str, str] = {}
-    two_ways: dict[str, tuple[str, float, float]] = {}
-    for line in above[:100]:
-        match = _PAIR.fullmatch(line[:200])
+    two_ways: list[TwoWays] = []
+    for number, line in enumerate(above[:200], start=1):
+        match = _PAIR.fullmatch(line.lstrip("#% ")[:200])
         if not match:
             continue
         name, text, unit = match[1].strip(), match[2].rstrip(","), (match[3] or "").lower()
@@ -469,10 +470,9 @@ def _pairs(
         if value is None:
             continue
         if numerals.doubt and unit != "khz":
-            point, comma = numerals.readings()
-            two_ways[name] = (text, point, comma)
+            two_ways.append(TwoWays(name, text, number))
         else:
             found[name] = scale * value
         if unit in ("hz", "khz", "rpm"):
             units[name] = unit.removeprefix("k")
-    return found, units, two_ways
+    return found, units, tuple(two_ways)

@@ -26,6 +26,7 @@ __all__ = [
     "RateClaim",
     "RateClaims",
     "Timeline",
+    "TwoWays",
     "label_parts",
     "positive",
     "rate_of",
@@ -119,11 +120,20 @@ class RateClaim(NamedTuple):
     value: float
 
 
+class TwoWays(NamedTuple):
+    """A line of a file's header whose number may be read in two ways: "Fs: 25.600"; line from 1."""
+
+    name: str
+    text: str
+    line: int
+
+
 class RateClaims(NamedTuple):
     """Numbers of a file that are sampling rates, and such as may be something else; Hz."""
 
     clear: tuple[RateClaim, ...] = ()
     loose: tuple[RateClaim, ...] = ()
+    two_ways: TwoWays | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,11 +148,14 @@ class FileRate:
         the ways, if there is more than one, or the only one if it may be of something else
     aside
         number that is taken for something else, with its name; None if there is none
+    two_ways
+        the only line that says it, if it may be read in two ways
     """
 
     value: float | None = None
     doubt: tuple[RateClaim, ...] = ()
     aside: RateClaim | None = None
+    two_ways: TwoWays | None = None
 
 
 def rates_among(levels: Sequence[Mapping[str, float]]) -> RateClaims:
@@ -199,7 +212,9 @@ def rate_of(claims: RateClaims, times: float | None = None) -> FileRate:
             rivals.append(claim)
     if rivals:
         first = next(claim for claim in stated if _same(claim.value, value))
-        return FileRate(None, (first, *rivals))
+        doubt = (first, *rivals)
+        alone = len({claim.name for claim in doubt}) == 1
+        return FileRate(None, doubt, two_ways=claims.two_ways if alone else None)
     return FileRate(value, (), aside)
 
 

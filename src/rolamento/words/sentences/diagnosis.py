@@ -119,6 +119,56 @@ def _doubts(values: Values) -> str:
     return said("Evidence against: {doubts}", doubts=doubts)
 
 
+def _shared_lines(values: Values) -> str:
+    nearest = ", ".join(
+        said("{name} ({difference:.2f %} apart)", name=one["designation"],
+             difference=one["difference"])
+        for one in values["nearest"]
+    )  # fmt: skip
+    return counted(
+        "These peaks do not show which bearing it is: {n} other of the {compared} in the catalogue"
+        " has them too, within slip and speed: {nearest}. The evidence speaks against noise, not"
+        " against another bearing: check the designation.",
+        "These peaks do not show which bearing it is: {n} others of the {compared} in the catalogue"
+        " have them too, within slip and speed; nearest: {nearest}. The evidence speaks against"
+        " noise, not against another bearing: check the designation.",
+        values["count"],
+        compared=values["compared"],
+        nearest=nearest,
+    )
+
+
+def _telling(values: Values) -> str:
+    """Say by which lines two bearings differ, and what it takes to see that."""
+    lines = said(
+        "Greatest difference from {other}: {part}, {own} Hz against {others} Hz"
+        " ({difference:.2f %}).",
+        other=values["other"], part=part_name(values["best_part"]),
+        own=hertz(values["best_frequency"]), others=hertz(values["best_other_frequency"]),
+        difference=values["best_difference"],
+    )  # fmt: skip
+    needed = said(
+        "To tell the two apart by it, speed and slip must be known to within {within:.2f %}, and"
+        " one spectrum must cover at least {duration:.3 s}.",
+        within=values["known_within"], duration=values["duration"],
+    )  # fmt: skip
+    sentences = [lines, needed]
+    if values["best_difference"] < values["slip"]:
+        sentences.append(
+            said("Slip of up to {slip:.3 %} is usual and hides that.", slip=values["slip"])
+        )
+    own, other = values["balls"]
+    if own != other:
+        sentences.append(
+            said(
+                "They have {own} and {other} balls: the orders of both races add up to that number,"
+                " whatever the slip.",
+                own=own, other=other,
+            )
+        )  # fmt: skip
+    return " ".join(sentences)
+
+
 # --- reasons ---------------------------------------------------------------------------------
 
 
@@ -359,6 +409,11 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "find_speed": marked(
         "Recommendation: determine the speed of the shaft and give it with --speed."
     ),
+    "lines_of_other_bearings": _shared_lines,
+    "lines_of_no_other_bearing": marked(
+        "None of the {compared} other bearings in the catalogue has these peaks within slip and"
+        " speed."
+    ),
     "doubts": _doubts,
     "no_doubts": marked("Evidence against: none in this record."),
     # reasons
@@ -430,6 +485,10 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " all beside a damaged one."
     ),
     # notes
+    "what_tells_bearings": _telling,
+    "no_line_tells_bearings": marked(
+        "No frequency tells the bearing from {other}: all of them are the same."
+    ),
     "few_revolutions": marked(
         "The record covers {revolutions:.3} revolutions of the shaft; with more, weaker faults can"
         " be detected."

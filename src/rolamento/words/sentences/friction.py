@@ -2,12 +2,35 @@
 
 from __future__ import annotations
 
-from typing import Final
+from collections.abc import Mapping
+from typing import Any, Final
 
 from rolamento.words.sentences import Sentence
-from rolamento.words.speaking import marked
+from rolamento.words.speaking import marked, said
 
 __all__ = ["SENTENCES"]
+
+_WHY: Final = {
+    "inertia": marked("The inertia of the balls is not negligible: {models}."),
+    "full_film": marked("A full film leaves no Coulomb friction: {models}."),
+    "no_film": marked("There is no lubricant film: {models}."),
+    "other_angle": marked("The constants are for another contact angle: {models}."),
+    "torque_at_rest": marked("Nothing rotates: {models}."),
+    "torque_unknown": marked("No result: {models}."),
+}
+
+
+def _no_model(values: Mapping[str, Any]) -> str:
+    given = values["reasons"]
+    every = len({title for titles in given.values() for title in titles})
+    reasons = []
+    for key, titles in given.items():
+        all_of_them = len(titles) == every > 1
+        names = said("all models") if all_of_them else "; ".join(said(title) for title in titles)
+        reasons.append(said(_WHY[key], models=names))
+    first = said("No model of the friction torque is valid here: the torque is an estimate.")
+    return " ".join([first, *reasons])
+
 
 SENTENCES: Final[dict[str, Sentence]] = {
     "inertia": marked(
@@ -29,4 +52,13 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     "torque_at_rest": marked("Nothing rotates: the torque is that of the first motion."),
     "torque_unknown": marked("The state, or the model, has no result."),
+    "no_valid_torque_model": _no_model,
+    "no_friction_control_of_sets": marked(
+        "Friction control, which includes the inertia of the balls, is not available for sets of"
+        " rows: solve one bearing alone with its share of the load."
+    ),
+    "friction_control_has_inertia": marked(
+        "Friction control includes the inertia of the balls: solve with model.raceway_control ="
+        ' "friction".'
+    ),
 }

@@ -27,6 +27,10 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "The contamination factor is 0: wear, not fatigue, ends the life, before 10 % of the basic"
         " rating life."
     ),
+    "cleanliness_in_words": marked(
+        "A level of cleanliness in words stands for a range of the contamination factor, of which"
+        " the middle is taken: an ISO 4406 code, or the filter, determines it better."
+    ),
     "too_hot_for_steel": marked(
         "Rings, balls or lubricant exceed 120 °C, the limit of standard bearing steel: hardness and"
         " dimensions change, and the load rating decreases. Specify dimensionally stabilised rings."

@@ -19,10 +19,19 @@ _TIMES: Final = marked("the column of times")
 
 def claimed(claims: Iterable[Sequence[Any]]) -> str:
     """Say what a file gives for its sampling rate: names and numbers (Hz)."""
+    numbers: dict[str, list[float]] = {}
+    for name, value in claims:
+        numbers.setdefault(name, []).append(value)
     texts = [
-        said("{name} says {value:.9 Hz}", name=said(name), value=value) for name, value in claims
-    ]
-    if len(texts) == 1:
+        said("{name} says {value:.9 Hz}", name=said(name), value=values[0])
+        if len(values) == 1
+        else said(
+            "{name} says {value:.9 Hz} or {other:.9 Hz}, by its point",
+            name=said(name), value=values[0], other=values[1],
+        )
+        for name, values in numbers.items()
+    ]  # fmt: skip
+    if len(texts) == 1 and len(next(iter(numbers.values()))) == 1:
         return said("{claim}, which may be the speed of the shaft as well", claim=texts[0])
     return listed(texts)
 

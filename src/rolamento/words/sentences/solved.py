@@ -180,15 +180,6 @@ def _thrust_over_shoulder(values: Values) -> str:
     )
 
 
-def _thrust_pushed_aside(values: Values) -> str:
-    return said(
-        "The axial load does not hold the inner ring {direction}: a thrust bearing bears that only"
-        " as far as its contact angles change. Add axial load, or hold this degree of freedom with"
-        " a displacement, as a radial bearing on the shaft does.",
-        direction=_along(values["axis"]),
-    )
-
-
 def _sphere_holds_no_moment(values: Values) -> str:
     return said(
         "A self-aligning bearing bears no moment: nothing supports the inner ring {direction}. Take"
@@ -307,6 +298,36 @@ def _unsupported_one_sided(values: Values) -> str:
     )
 
 
+def _designation_without_effect(values: Values) -> str:
+    parts = [
+        said("{part}: {meaning}", part=part, meaning=said(meaning))
+        for part, meaning in values["parts"]
+    ]
+    return said(
+        "Parts of {designation} that are understood and have no effect on the results: {parts}.",
+        designation=values["designation"],
+        parts="; ".join(parts),
+    )
+
+
+def _designation_preload(values: Values) -> str:
+    return said(
+        "{designation} names a preload ({part}: {meaning}) whose force is in no list here: without"
+        " bearing.preload the rows are set without one.",
+        designation=values["designation"],
+        part=values["part"],
+        meaning=said(values["meaning"]),
+    )
+
+
+def _designation_not_understood(values: Values) -> str:
+    return said(
+        "Parts of {designation} that are not recognised, and not taken into account: {parts}.",
+        designation=values["designation"],
+        parts=", ".join(values["parts"]),
+    )
+
+
 SENTENCES: Final[dict[str, Sentence]] = {
     "text": lambda values: str(values["text"]),  # of files of an earlier release
     # notes
@@ -363,6 +384,18 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "The internal geometry of {designation} is not published; it is estimated from the load"
         " ratings, and no other standard ball size reproduces them."
     ),
+    "geometry_estimated_from_given": marked(
+        "The internal geometry of {designation} is not published; it is estimated from the load"
+        " ratings that are given (life.dynamic_rating, life.static_rating), which {count}"
+        " geometries reproduce (rolamento catalogue show): the best match is used."
+    ),
+    "designation_listed_as": marked(
+        "{designation} is looked up as {maker} {listed}, which has the same type, boundary"
+        " dimensions and contact angle."
+    ),
+    "designation_without_effect": _designation_without_effect,
+    "designation_preload": _designation_preload,
+    "designation_not_understood": _designation_not_understood,
     "preload_nearly_lost": marked(
         "Row {row} is about to lose its preload: it lifts off the inner ring at {factor:.3} times"
         " this load. More preload keeps it in contact."
@@ -393,7 +426,12 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " shaft toward +x only, and needs some to keep its balls in their grooves. Reverse the"
         " load, add axial load (duty.load.fx), or hold the ring with duty.displacement.x."
     ),
-    "thrust_pushed_aside": _thrust_pushed_aside,
+    "thrust_pushed_aside": marked(
+        "The axial load does not hold the balls in their grooves against the radial load or the"
+        " moment: a thrust bearing bears these only as far as its contact angles change and its"
+        " balls stay loaded. Add axial load, or hold the ring with duty.displacement, as a radial"
+        " bearing on the shaft does."
+    ),
     "sphere_holds_no_moment": _sphere_holds_no_moment,
     "unheld_ball": marked(
         "This raceway control cannot hold a ball that a race loads too lightly to bear its"

@@ -1,0 +1,146 @@
+"""The page of `speed`: how fast a bearing may run, and what load its balls need."""
+
+from __future__ import annotations
+
+from math import isfinite, pi
+from typing import TYPE_CHECKING, Final
+
+from rolamento.document import (
+    Column,
+    Document,
+    Entry,
+    KeyValues,
+    Number,
+    Section,
+    Table,
+    Title,
+    Tone,
+)
+from rolamento.pages.state import notes_section
+from rolamento.words import marked, said
+from rolamento.words.sentences.speeds import LIMIT_NAMES
+
+if TYPE_CHECKING:
+    from rolamento.tasks.speed import MinimumLoad, SpeedLimit, SpeedLimits
+
+__all__ = ["speed_page"]
+
+_RPM: Final = 30.0 / pi
+_LOADS: Final = {
+    "share": marked("equivalent load P"),
+    "radial": marked("radial load F_r"),
+    "axial": marked("axial load F_a"),
+    "thrust": marked("axial load F_a"),
+}
+
+
+def speed_page(found: SpeedLimits) -> Document:
+    """Return the limits of the speed and the minimum loads.
+
+    Parameters
+    ----------
+    found
+        What `rolamento.tasks.speed.speed_limits` gives.
+    """
+    title = found.title or said("Limiting speeds")
+    sections = [Section("", (Title(title),), key="head"), _given(found)]
+    if found.limits:
+        sections.append(_limits(found))
+    if found.minimum_loads:
+        sections.append(_loads(found.minimum_loads))
+    sections += notes_section(found.notes)
+    return Document(title, tuple(sections), kind="speed")
+
+
+def _given(found: SpeedLimits) -> Section:
+    """What it rests on."""
+    given = found.boundary
+    entries = []
+    if given.series:
+        entries.append(Entry(said("series"), given.series))
+    if given.bore is not None and given.outside_diameter is not None:
+        size = said(
+            "{bore:.6 [mm]} × {outside:.6 mm}", bore=given.bore, outside=given.outside_diameter
+        )
+        if given.width is not None:
+            size = said(
+                "{bore:.6 [mm]} × {outside:.6 [mm]} × {width:.6 mm}",
+                bore=given.bore,
+                outside=given.outside_diameter,
+                width=given.width,
+            )
+        entries.append(Entry(said("size"), size))
+    if given.rows > 1:
+        entries.append(Entry(said("rows"), Number(given.rows)))
+    entries += [
+        Entry("C, C_0", said(
+            "{dynamic:.4 [kN]}, {static:.4 kN}",
+            dynamic=given.dynamic_rating, static=given.static_rating,
+        )),
+        Entry(said("speed"), Number(found.speed, ".6 rpm")),
+        Entry("n·d_m", said("{value:.4} million mm·rpm", value=1e-6 * found.n_dm)),
+    ]  # fmt: skip
+    if found.viscosity is not None:
+        entries.append(Entry("ν", Number(found.viscosity, ".4 mm²/s")))
+    if found.shares is not None:
+        entries.append(Entry("K_L, K_P", said(
+            "{lubricant:.3}, {load:.3}",
+            lubricant=found.shares.lubricant, load=found.shares.load,
+        )))  # fmt: skip
+    return Section(said("Bearing"), (KeyValues(tuple(entries), indent=2),), key="bearing")
+
+
+def _limits(found: SpeedLimits) -> Section:
+    limits = found.limits
+    tones = [_tone(limit) for limit in limits]
+    columns = [
+        Column(
+            head="", values=[said(LIMIT_NAMES[one.name]) for one in limits], key="limit",
+            tones=tones,
+        ),
+        Column(
+            head="n", values=[one.speed for one in limits], unit="rpm", key="speed", figures=4,
+            tones=tones,
+        ),
+        Column(
+            head="n·d_m", values=[1e-3 * _RPM * one.speed * found.mean_diameter for one in limits],
+            key="n_dm", figures=4, tones=tones,
+        ),
+    ]  # fmt: skip
+    if found.speed:
+        shares = [one.share for one in limits]
+        columns.append(
+            Column(head=said("share"), values=shares, unit="%", key="share", figures=3, tones=tones)
+        )
+    legend = said("n·d_m in million mm·rpm; share: the speed of the case over the limit")
+    origins: dict[str, str] = {}
+    for one in limits:
+        thermal = one.name in ("catalogue", "reference", "permissible")
+        name = said(LIMIT_NAMES[one.name]) if thermal else said("limiting speeds")
+        origins.setdefault(name, one.source.text)
+    table = Table(columns=tuple(columns), key="limits", legends=(legend,), rule=True, fixed=1)
+    entries = tuple(Entry(f"{name}:", text, tone="faint") for name, text in origins.items())
+    block = KeyValues(entries, indent=2)
+    return Section(said("Limits of the speed"), (table, block), key="limits")
+
+
+def _loads(loads: tuple[MinimumLoad, ...]) -> Section:
+    tones: list[Tone] = ["" if one.enough or not one.given else "warning" for one in loads]
+    columns = (
+        Column(head="", values=[said(_LOADS[one.name]) for one in loads], key="load", tones=tones),
+        Column(
+            head=said("needed"), values=[one.load for one in loads], unit="N", key="needed",
+            figures=3, tones=tones,
+        ),
+        Column(
+            head=said("of the case"), values=[one.given for one in loads], unit="N", key="given",
+            figures=4, tones=tones,
+        ),
+        Column(head=said("rule"), values=[one.source.text for one in loads], key="rule"),
+    )  # fmt: skip
+    table = Table(columns=columns, key="minimum_loads", rule=True, fixed=1)
+    return Section(said("Minimum load"), (table,), key="minimum_loads")
+
+
+def _tone(limit: SpeedLimit) -> Tone:
+    return "warning" if isfinite(limit.share) and limit.share > 1.0 else ""

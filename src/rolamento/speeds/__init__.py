@@ -1,0 +1,39 @@
+"""What limits the speed of a bearing, and what load its balls need to keep rolling.
+
+A file a question: heat in balance under reference conditions (`reference`) and under one's own
+(`permissible`), a maker's experience (`class_of_maker`), the load that keeps balls from sliding
+(`minimum_load`). See docs/theory/speeds.md.
+"""
+
+from rolamento.speeds.class_of_maker import SpeedClass, speed_class
+from rolamento.speeds.minimum_load import (
+    minimum_axial_load,
+    minimum_axial_load_of_thrust,
+    minimum_load_factors,
+    minimum_radial_load,
+    minimum_share,
+)
+from rolamento.speeds.permissible import HeatShares, heat_shares, speed_ratio
+from rolamento.speeds.reference import (
+    ReferenceCoefficients,
+    reference_coefficients,
+    reference_heat_flow,
+    thermal_reference_speed,
+)
+
+__all__ = [
+    "HeatShares",
+    "ReferenceCoefficients",
+    "SpeedClass",
+    "heat_shares",
+    "minimum_axial_load",
+    "minimum_axial_load_of_thrust",
+    "minimum_load_factors",
+    "minimum_radial_load",
+    "minimum_share",
+    "reference_coefficients",
+    "reference_heat_flow",
+    "speed_class",
+    "speed_ratio",
+    "thermal_reference_speed",
+]

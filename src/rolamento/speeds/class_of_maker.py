@@ -1,0 +1,90 @@
+"""The speed that a maker's experience allows bearings of a series, as n d_m.
+
+Limiting speeds of a catalogue fall with the size so that n d_m hardly changes within a series and a
+contact angle. The class of a series is the mean of n d_m over bearings that the maker lists.
+
+Source: data/speeds.toml (NSK, E1102).
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from math import degrees, pi
+from typing import Any, Final, NamedTuple
+
+from rolamento._data import toml_of
+from rolamento.words import Note
+
+__all__ = ["SpeedClass", "speed_class"]
+
+_SAME_ANGLE: Final = 4.0
+"""Degrees within which a contact angle is that of a class."""
+_TO_SI: Final = pi / 30.0 * 1e-3
+
+
+class SpeedClass(NamedTuple):
+    """n d_m of a series; m/s as ω d_m.
+
+    Attributes
+    ----------
+    series
+        As in a designation.
+    grease, oil_bath
+        Limits of single bearings, as ω d_m.
+    high_speed
+        Limit with oil mist, oil-air or a jet; NaN for matched bearings, of which the maker says
+        nothing.
+    matched
+        Whether the limits are those of bearings side by side.
+    source
+        Where they come from.
+    """
+
+    series: str
+    grease: float
+    oil_bath: float
+    high_speed: float
+    matched: bool
+    source: Note
+
+
+@cache
+def _rows() -> tuple[dict[str, Any], ...]:
+    return tuple(toml_of("speeds")["classes"]["series"])
+
+
+def speed_class(series: str, contact_angle: float | None, *, matched: bool) -> SpeedClass | None:
+    """Return the class of a series; None where the maker lists none.
+
+    Parameters
+    ----------
+    series
+        Such as ``"62"`` or ``"70"``.
+    contact_angle
+        Nominal, of angular-contact bearings; rad, None of others.
+    matched
+        Whether bearings run side by side as a set.
+    """
+    data = toml_of("speeds")["classes"]
+    for row in _rows():
+        angle = row.get("contact_angle_deg")
+        if series not in row["series"]:
+            continue
+        if angle is not None and (
+            contact_angle is None or abs(degrees(contact_angle) - angle) > _SAME_ANGLE
+        ):
+            continue
+        share = data["matched"] if matched else 1.0
+        grease, oil = (share * _mean(row, name) for name in ("grease", "oil"))
+        kind = "deep_groove" if angle is None else "angular_contact"
+        high = float("nan") if matched else oil * data[f"high_speed_{kind}"]
+        bearings = ", ".join(bearing["name"] for bearing in row["bearings"])
+        note = Note("source_speed_class", {"source": data["source"], "bearings": bearings})
+        return SpeedClass(series, grease, oil, high, matched, note)
+    return None
+
+
+def _mean(row: dict[str, Any], name: str) -> float:
+    """Mean of n d_m over the bearings of a series, as ω d_m in m/s."""
+    products = [one[name] * 0.5 * (one["d"] + one["D"]) for one in row["bearings"]]
+    return float(_TO_SI * sum(products) / len(products))

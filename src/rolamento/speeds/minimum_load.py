@@ -1,0 +1,91 @@
+"""The load that keeps balls rolling: below it inertia and the drag of the oil make them slide.
+
+Of any ball bearing P ≥ 0.01 C. Of radial bearings in oil, and of angular-contact bearings,
+
+    F_rm = k_r (ν n/1000)^(2/3) (d_m/100)²  kN,      F_am = (k_a C_0/1000) (n d_m/100 000)²
+
+with ν in mm²/s at the temperature of the bearing, n in r/min, d_m in mm, F_am and C_0 in the same
+unit. Of thrust ball bearings F_am = A (n/1000)², A as the maker lists it.
+
+Source: SKF, Rolling bearings (catalogue 10000 EN).
+"""
+
+from __future__ import annotations
+
+from math import degrees, pi
+from typing import Any, NamedTuple
+
+from rolamento._data import toml_of
+
+__all__ = [
+    "MinimumLoadFactors",
+    "minimum_axial_load",
+    "minimum_axial_load_of_thrust",
+    "minimum_load_factors",
+    "minimum_radial_load",
+    "minimum_share",
+]
+
+_RPM = 30.0 / pi
+_SAME_ANGLE = 4.0
+
+
+class MinimumLoadFactors(NamedTuple):
+    """k_r and k_a of a series; None where there is none."""
+
+    radial: float | None
+    axial: float | None
+
+
+def minimum_share() -> float:
+    """Return P/C that a ball bearing needs."""
+    return float(toml_of("speeds")["minimum_load"]["share"])
+
+
+def minimum_load_factors(series: str, contact_angle: float | None) -> MinimumLoadFactors:
+    """Return k_r and k_a of a series.
+
+    series: such as ``"62"``; contact_angle: nominal, of angular-contact bearings, rad.
+    """
+    data: dict[str, Any] = toml_of("speeds")["minimum_load"]
+    for row in data["radial"]:
+        if series in row["series"]:
+            return MinimumLoadFactors(row["k_r"], None)
+    for row in data["axial"]:
+        near = contact_angle is not None and (
+            abs(degrees(contact_angle) - row["contact_angle_deg"]) <= _SAME_ANGLE
+        )
+        if series in row["series"] and near:
+            return MinimumLoadFactors(row["k_r"], row["k_a"])
+    return MinimumLoadFactors(None, None)
+
+
+def minimum_radial_load(
+    factor: float, viscosity: float, speed: float, mean_diameter: float
+) -> float:
+    """Return F_rm; N.
+
+    factor: k_r; viscosity: ν at the temperature of the bearing, m²/s; speed: rad/s;
+    mean_diameter: d_m = (d + D)/2, m.
+    """
+    product = 1e6 * viscosity * abs(speed) * _RPM / 1000.0
+    return 1e3 * factor * float(product ** (2.0 / 3.0)) * (1e3 * mean_diameter / 100.0) ** 2
+
+
+def minimum_axial_load(
+    factor: float, static_rating: float, speed: float, mean_diameter: float
+) -> float:
+    """Return F_am of an angular-contact bearing; N.
+
+    factor: k_a; static_rating: C_0, N; speed: rad/s; mean_diameter: d_m, m.
+    """
+    product = abs(speed) * _RPM * 1e3 * mean_diameter / 1e5
+    return factor * static_rating / 1000.0 * product**2
+
+
+def minimum_axial_load_of_thrust(factor: float, speed: float) -> float:
+    """Return F_am = A (n/1000)² of a thrust ball bearing; N.
+
+    factor: A as the maker lists it, in N; speed: rad/s.
+    """
+    return factor * (abs(speed) * _RPM / 1000.0) ** 2

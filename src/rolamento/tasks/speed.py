@@ -1,0 +1,495 @@
+"""How fast a bearing may run, and what load its balls need."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from math import degrees, hypot, isfinite, nan, pi
+from typing import Any, Final, Literal
+
+from rolamento._json import plain
+from rolamento.case import Case
+from rolamento.errors import InputError
+from rolamento.friction.palmgren import friction_load
+from rolamento.life.equivalent_load import equivalent_load
+from rolamento.life.equivalent_load import minimum_axial_load as minimum_thrust_load
+from rolamento.lubrication.oil_state import oil_state
+from rolamento.ratings import dynamic_rating, static_rating
+from rolamento.speeds import (
+    heat_shares,
+    minimum_axial_load,
+    minimum_axial_load_of_thrust,
+    minimum_load_factors,
+    minimum_radial_load,
+    minimum_share,
+    reference_coefficients,
+    reference_heat_flow,
+    speed_class,
+    speed_ratio,
+    thermal_reference_speed,
+)
+from rolamento.speeds.permissible import LEAST_PRODUCT, HeatShares
+from rolamento.tasks.bearing import BearingLike, case_of, name_of
+from rolamento.words import Note, said
+
+__all__ = ["Boundary", "MinimumLoad", "SpeedLimit", "SpeedLimits", "speed_limits"]
+
+LimitName = Literal["catalogue", "reference", "permissible", "grease", "oil_bath", "high_speed"]
+_RPM: Final = 30.0 / pi
+_ISO_SERIES: Final = {"60": "70", "62": "72", "63": "73", "69": "719", "68": "718"}
+"""Angular-contact series of the same boundary dimensions as a deep-groove series (ISO 15)."""
+_LIGHT: Final = 1.0 / 12.0
+_PURE: Final = 0.2
+"""P/C and F_a/F_r up to which the maker's limiting speeds stand (NSK E1102, page A37)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Boundary:
+    """What of a bearing limits its speed; m, N, rad; None where nobody tells.
+
+    Attributes
+    ----------
+    designation
+        empty without one
+    series
+        of the designation, or that of the catalogue's bearings of this size
+    bore, outside_diameter, width
+        d, D and B
+    contact_angle
+        nominal, of angular-contact bearings
+    dynamic_rating, static_rating
+        C and C_0 of one row
+    rows
+        side by side
+    """
+
+    designation: str
+    series: str
+    bore: float | None
+    outside_diameter: float | None
+    width: float | None
+    contact_angle: float | None
+    dynamic_rating: float
+    static_rating: float
+    rows: int
+
+    @property
+    def mean_diameter(self) -> float | None:
+        """(d + D)/2; m."""
+        if self.bore is None or self.outside_diameter is None:
+            return None
+        return 0.5 * (self.bore + self.outside_diameter)
+
+
+@dataclass(frozen=True, slots=True)
+class SpeedLimit:
+    """One limit of the speed.
+
+    Attributes
+    ----------
+    name
+        "catalogue" (of this bearing, with oil), "reference" (ISO 15312), "permissible" (DIN 732-2),
+        or of the maker's class "grease", "oil_bath", "high_speed"
+    speed
+        rad/s
+    share
+        the case's speed over it; NaN where it stands still
+    source
+        where it comes from
+    """
+
+    name: LimitName
+    speed: float
+    share: float
+    source: Note
+
+
+@dataclass(frozen=True, slots=True)
+class MinimumLoad:
+    """One rule for the load that balls need.
+
+    Attributes
+    ----------
+    name
+        "share" (P ≥ 0.01 C), "radial", "axial" or "thrust"
+    load
+        that is needed; N
+    given
+        that the case has; N
+    source
+        formula, factor, and where it comes from
+    """
+
+    name: str
+    load: float
+    given: float
+    source: Note
+
+    @property
+    def enough(self) -> bool:
+        """Whether the case has it."""
+        return self.given >= self.load
+
+
+@dataclass(frozen=True, slots=True)
+class SpeedLimits:
+    """How fast a bearing may run, and what load it needs.
+
+    Attributes
+    ----------
+    title
+        of the case, or the designation
+    boundary
+        what they rest on
+    speed
+        of the rings against each other; rad/s
+    mean_diameter
+        (d + D)/2, or the pitch diameter where the sizes are not known; m
+    limits
+        of the speed
+    shares
+        K_L and K_P of DIN 732-2; None without a permissible speed
+    viscosity
+        of the oil at its temperature; m²/s, None where the case does not tell
+    minimum_loads
+        what the balls need at this speed
+    notes
+        what is missing, and what to know
+    """
+
+    title: str
+    boundary: Boundary
+    speed: float
+    mean_diameter: float
+    limits: tuple[SpeedLimit, ...]
+    shares: HeatShares | None
+    viscosity: float | None
+    minimum_loads: tuple[MinimumLoad, ...]
+    notes: tuple[Note, ...]
+
+    @property
+    def speed_factor(self) -> float:
+        """N d_m as ω d_m; m/s."""
+        return self.speed * self.mean_diameter
+
+    @property
+    def n_dm(self) -> float:
+        """N d_m as people say it; mm · r/min."""
+        return 1e3 * _RPM * self.speed_factor
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give everything as plain values; SI, and n_dm in mm · r/min."""
+        boundary = {name: getattr(self.boundary, name) for name in Boundary.__dataclass_fields__}
+        return {
+            "title": self.title,
+            "bearing": plain(boundary),
+            "speed": self.speed,
+            "mean_diameter": self.mean_diameter,
+            "n_dm": self.n_dm,
+            "limits": [
+                {
+                    "name": limit.name,
+                    "speed": plain(limit.speed),
+                    "share": plain(limit.share),
+                    "source": limit.source.to_mapping(),
+                }
+                for limit in self.limits
+            ],
+            "heat_shares": None if self.shares is None else self.shares._asdict(),
+            "viscosity": self.viscosity,
+            "minimum_loads": [
+                {
+                    "name": one.name,
+                    "load": plain(one.load),
+                    "given": plain(one.given),
+                    "enough": one.enough,
+                    "source": one.source.to_mapping(),
+                }
+                for one in self.minimum_loads
+            ],
+            "notes": [note.to_mapping() for note in self.notes],
+        }
+
+
+def speed_limits(
+    bearing: BearingLike,
+    settings: Sequence[str] = (),
+    *,
+    series: str | None = None,
+    width: float | None = None,
+    minimum_load_factor: float | None = None,
+) -> SpeedLimits:
+    """Find how fast a bearing may run, and what load its balls need.
+
+    Parameters
+    ----------
+    bearing
+        A designation, a case file, a `Bearing` or a `Case`.
+    settings
+        ``KEY=VALUE``, over the case.
+    series
+        Such as ``"70"``, in the place of what the designation or the size tells.
+    width
+        B, likewise; m.
+    minimum_load_factor
+        A of a thrust ball bearing, as its maker lists it; N.
+
+    Raises
+    ------
+    InputError, FileError
+        If there is no such bearing, or a number is not above zero.
+    """
+    for field, value in (("width", width), ("minimum_load_factor", minimum_load_factor)):
+        if value is not None and not (isfinite(value) and value > 0.0):
+            raise InputError(said("must be greater than zero"), field=field, value=value)
+    case = case_of(bearing, settings)
+    boundary = _boundary(case)
+    if series is not None:
+        boundary = replace(boundary, series=series.strip())
+    if width is not None:
+        boundary = replace(boundary, width=width)
+    return _Asked(case, boundary, minimum_load_factor).answer(name_of(bearing, case))
+
+
+def _boundary(case: Case) -> Boundary:
+    """Sizes, series and ratings, from the designation, the mounting, the film and the life."""
+    bearing, told = case.bearing, case.bearing.told
+    published = None if told is None else told.bearing
+    sizes: dict[str, float | None] = {}
+    for name in ("bore", "outside_diameter", "width"):
+        given = [getattr(table, name, None) for table in (case.mounting, case.film, published)]
+        sizes[name] = next((one for one in given if one is not None), None)
+    row = bearing.places[0].bearing
+    angle = None
+    if told is not None:
+        angle = told.bearing.contact_angle or told.designation.contact_angle
+    if angle is None and row.contact_angle:
+        angle = row.contact_angle
+    series = "" if told is None else told.designation.series
+    if not series:
+        series = _series_of_size(sizes["bore"], sizes["outside_diameter"], angle is not None)
+    geometry = (row.ball_count, row.ball_diameter, row.pitch_diameter, angle or 0.0)
+    ratings = []
+    for name, rule in (("dynamic_rating", dynamic_rating), ("static_rating", static_rating)):
+        own = None if case.life is None else getattr(case.life, name)
+        listed = None if published is None else getattr(published, name)
+        known = own if own is not None else listed
+        if known is None:
+            known = float(rule(*geometry)) if bearing.kind is None else nan
+        ratings.append(known)
+    return Boundary(
+        bearing.designation or "",
+        series,
+        sizes["bore"],
+        sizes["outside_diameter"],
+        sizes["width"],
+        angle,
+        ratings[0],
+        ratings[1],
+        len(bearing.places),
+    )
+
+
+def _series_of_size(bore: float | None, outside: float | None, angular: bool) -> str:
+    """The series of the catalogue's deep-groove bearings of this size; empty without one."""
+    if bore is None or outside is None:
+        return ""
+    from rolamento.catalogue import catalogue, parse_designation
+
+    for one in catalogue().bearings:
+        if one.kind != "deep_groove" or (one.bore, one.outside_diameter) != (bore, outside):
+            continue
+        found = parse_designation(one.designation).series
+        if found and found != "160":
+            return _ISO_SERIES.get(found, found) if angular else found
+    return ""
+
+
+@dataclass(frozen=True, slots=True)
+class _Asked:
+    case: Case
+    boundary: Boundary
+    thrust_factor: float | None
+
+    @property
+    def speed(self) -> float:
+        """Of the rings against each other; rad/s."""
+        return abs(self.case.duty.inner_speed - self.case.duty.outer_speed)
+
+    @property
+    def mean_diameter(self) -> float:
+        mean = self.boundary.mean_diameter
+        return self.case.bearing.places[0].bearing.pitch_diameter if mean is None else mean
+
+    @property
+    def viscosity(self) -> float | None:
+        """ν at the lubricant's temperature, m²/s; None where the case does not tell."""
+        oil, warm = self.case.lubricant, self.case.lubricant_temperature
+        if oil is None or oil.kind == "dry" or warm is None:
+            return None
+        return float(oil_state(oil, warm).kinematic_viscosity)
+
+    @property
+    def loads(self) -> tuple[float, float]:
+        """F_r and F_a of the duty; N."""
+        load = self.case.duty.load
+        return hypot(load.fy or 0.0, load.fz or 0.0), abs(load.fx or 0.0)
+
+    def answer(self, title: str) -> SpeedLimits:
+        limits: list[SpeedLimit] = []
+        notes: list[Note] = []
+        published = self.case.bearing.published
+        listed = None if published is None else published.limiting_speed
+        if published is not None and listed is not None:
+            where = {"source": published.sources.get("limiting_speed", published.maker)}
+            limits.append(self._limit("catalogue", listed, Note("source_listed_speed", where)))
+        shares = self._thermal(limits, notes)
+        self._of_maker(limits, notes)
+        loads = tuple(self._minimum_loads(notes))
+        notes += self._excess(limits, loads)
+        return SpeedLimits(
+            title, self.boundary, self.speed, self.mean_diameter, tuple(limits), shares,
+            self.viscosity, loads, tuple(notes),
+        )  # fmt: skip
+
+    def _limit(self, name: LimitName, speed: float, source: Note) -> SpeedLimit:
+        share = self.speed / speed if self.speed and speed else nan
+        return SpeedLimit(name, speed, share, source)
+
+    # --- heat -----------------------------------------------------------------------------------
+
+    def _thermal(self, limits: list[SpeedLimit], notes: list[Note]) -> HeatShares | None:
+        """Reference and permissible speed; K_L and K_P."""
+        given = self.boundary
+        if self.case.bearing.kind == "thrust":
+            notes.append(Note("no_reference_speed_of_thrust"))
+            return None
+        found = reference_coefficients(given.series)
+        if found is None:
+            notes.append(Note("no_reference_coefficients", {"series": given.series}))
+            return None
+        if given.bore is None or given.outside_diameter is None or given.width is None:
+            notes.append(Note("no_boundary_dimensions"))
+            return None
+        if not isfinite(given.static_rating):
+            notes.append(Note("no_static_rating_for_speed"))
+            return None
+        sizes = (given.bore, given.outside_diameter, given.width)
+        speed = thermal_reference_speed(*sizes, given.static_rating, found)
+        values = {"f_0r": found.f_0r, "f_1r": found.f_1r}
+        limits.append(self._limit("reference", speed, Note("source_reference_speed", values)))
+        if given.rows > 1:
+            notes.append(Note("reference_speed_of_one_row"))
+        if self.viscosity is None:
+            notes.append(Note("no_permissible_speed"))
+            return None
+        radial, axial = (load / given.rows for load in self.loads)
+        angular = given.contact_angle is not None
+        load = float(
+            friction_load(
+                radial, axial, "angular_contact" if angular else "deep_groove",
+                given.contact_angle or 0.0,
+            )
+        )  # fmt: skip
+        mean = 0.5 * (given.bore + given.outside_diameter)
+        shares = heat_shares(
+            speed, mean, reference_heat_flow(*sizes), viscosity=self.viscosity, load=load,
+            f_0=found.f_0r, f_1=found.f_1r,
+        )  # fmt: skip
+        permissible = speed * speed_ratio(*shares)
+        values = {"viscosity": self.viscosity, "load": load}
+        limits.append(
+            self._limit("permissible", permissible, Note("source_permissible_speed", values))
+        )
+        if 1e6 * self.viscosity * permissible * _RPM < LEAST_PRODUCT:
+            notes.append(Note("permissible_speed_of_thin_oil"))
+        notes.append(Note("heat_flow_of_reference"))
+        return shares
+
+    # --- a maker's experience -------------------------------------------------------------------
+
+    def _of_maker(self, limits: list[SpeedLimit], notes: list[Note]) -> None:
+        given = self.boundary
+        found = speed_class(given.series, given.contact_angle, matched=given.rows > 1)
+        if found is None:
+            if limits and limits[0].name == "catalogue":
+                return
+            angle = None if given.contact_angle is None else degrees(given.contact_angle)
+            notes.append(Note("no_speed_class", {"series": given.series, "angle": angle}))
+            return
+        for name in ("grease", "oil_bath", "high_speed"):
+            product = getattr(found, name)
+            if isfinite(product):
+                limits.append(self._limit(name, product / self.mean_diameter, found.source))
+        radial, axial = self.loads
+        load = max(radial, axial) / given.rows
+        if load > _LIGHT * given.dynamic_rating or axial > _PURE * max(radial, 1e-9):
+            notes.append(Note("speed_class_of_light_load"))
+
+    # --- minimum load ---------------------------------------------------------------------------
+
+    def _equivalent_load(self) -> float:
+        """P of the duty's load by ISO 281; N, NaN beyond 45°."""
+        given, (radial, axial) = self.boundary, self.loads
+        angle = given.contact_angle or 0.0
+        if angle > 0.25 * pi:
+            return nan
+        places = self.case.bearing.places
+        row, facing = places[0].bearing, len({place.sign for place in places}) > 1
+        carrying = 1.0 if facing and angle else float(given.rows)
+        relative = axial / (carrying * row.ball_count * row.ball_diameter**2)
+        found = equivalent_load(radial, axial, angle, relative, double_row=facing)
+        return float(found.load)
+
+    def _minimum_loads(self, notes: list[Note]) -> list[MinimumLoad]:
+        given, (radial, axial) = self.boundary, self.loads
+        found = []
+        share = minimum_share()
+        if isfinite(given.dynamic_rating) and self.case.bearing.kind != "thrust":
+            needed = share * given.dynamic_rating * given.rows**0.7
+            source = Note("source_minimum_share", {"share": share})
+            found.append(MinimumLoad("share", needed, self._equivalent_load(), source))
+        if self.case.bearing.kind == "thrust" and isfinite(given.static_rating):
+            published = self.case.bearing.published
+            listed = None if published is None else published.limiting_speed
+            needed = float(minimum_thrust_load(given.static_rating, self.speed, listed))
+            found.append(MinimumLoad("thrust", needed, axial, Note("source_minimum_of_maker")))
+        if self.thrust_factor is not None:
+            source = Note("source_minimum_thrust", {"factor": self.thrust_factor})
+            needed = minimum_axial_load_of_thrust(self.thrust_factor, self.speed)
+            found.append(MinimumLoad("thrust", needed, axial, source))
+        factors = minimum_load_factors(given.series, given.contact_angle)
+        unchecked = False
+        if factors.radial is not None and self.viscosity is not None and self.speed:
+            source = Note("source_minimum_radial", {"factor": factors.radial})
+            needed = minimum_radial_load(
+                factors.radial, self.viscosity, self.speed, self.mean_diameter
+            )
+            found.append(MinimumLoad("radial", needed * given.rows, radial, source))
+            unchecked = True
+        if factors.axial is not None and self.speed and isfinite(given.static_rating):
+            source = Note("source_minimum_axial", {"factor": factors.axial})
+            needed = minimum_axial_load(
+                factors.axial, given.static_rating, self.speed, self.mean_diameter
+            )
+            found.append(MinimumLoad("axial", needed, axial, source))
+            unchecked = True
+        if unchecked:
+            notes.append(Note("minimum_load_factors_unchecked"))
+        return found
+
+    def _excess(self, limits: Sequence[SpeedLimit], loads: Sequence[MinimumLoad]) -> list[Note]:
+        """What the case exceeds, and what its load does not reach."""
+        notes = []
+        above = [one.name for one in limits if isfinite(one.share) and one.share > 1.0]
+        if above:
+            notes.append(Note("speed_above_limits", {"limits": above}))
+        preloaded = self.case.bearing.preload is not None
+        any_load = any(self.loads)
+        if self.speed and not preloaded and any_load and any(not one.enough for one in loads):
+            notes.append(Note("load_below_minimum"))
+        if preloaded and loads:
+            notes.append(Note("preload_for_minimum_load"))
+        if not any_load and not preloaded:
+            notes.append(Note("no_load_to_compare"))
+        return notes

@@ -1,0 +1,119 @@
+"""What is said of limiting speeds and minimum loads: notes, and where the numbers come from."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, Final
+
+from rolamento.words.naming import listed
+from rolamento.words.speaking import marked, said
+
+if TYPE_CHECKING:
+    from rolamento.words.sentences import Sentence
+
+__all__ = ["LIMIT_NAMES", "SENTENCES"]
+
+LIMIT_NAMES: Final = {
+    "catalogue": marked("limiting speed of the catalogue, oil"),
+    "reference": marked("thermal reference speed"),
+    "permissible": marked("thermally permissible speed"),
+    "grease": marked("limiting speed, grease"),
+    "oil_bath": marked("limiting speed, oil bath"),
+    "high_speed": marked("limiting speed, oil-air, mist or jet"),
+}
+"""Of `rolamento.tasks.speed.SpeedLimit.name`."""
+
+
+def _above(values: Mapping[str, Any]) -> str:
+    names = listed([said(LIMIT_NAMES[name]) for name in values["limits"]])
+    return said("The speed is above: {names}.", names=names)
+
+
+def _no_class(values: Mapping[str, Any]) -> str:
+    if not values["series"]:
+        return said("The series is not known, and so no class of a maker: give --series.")
+    if values["angle"] is None:
+        return said(
+            "No limiting speeds of a maker are on file for the series {series}.",
+            series=values["series"],
+        )
+    return said(
+        "No limiting speeds of a maker are on file for the series {series} at {angle:.3}°.",
+        series=values["series"],
+        angle=values["angle"],
+    )
+
+
+def _no_coefficients(values: Mapping[str, Any]) -> str:
+    if not values["series"]:
+        return said("The series is not known, and so no thermal reference speed: give --series.")
+    return said(
+        "No coefficients of ISO 15312 are on file for the series {series}: there is no thermal"
+        " reference speed.",
+        series=values["series"],
+    )
+
+
+SENTENCES: Final[dict[str, Sentence]] = {
+    "source_listed_speed": lambda values: str(values["source"]),
+    "source_minimum_of_maker": marked(
+        "the greater of (C_0/100) (n/n_max)² and C_0/1000; NSK catalogue E1102"
+    ),
+    "source_reference_speed": marked("ISO 15312:2003, f_0r {f_0r:.3}, f_1r {f_1r:.3}"),
+    "source_permissible_speed": marked(
+        "DIN 732-2, ν {viscosity:.3 mm²/s}, P_1 {load:.4 N}, reference heat flow"
+    ),
+    "source_speed_class": marked("{source}: mean n·d_m of {bearings}"),
+    "source_minimum_share": marked("P ≥ {share:.3} C; SKF catalogue 10000 EN"),
+    "source_minimum_radial": marked(
+        "k_r (ν n/1000)^(2/3) (d_m/100)², k_r {factor:.3}; SKF catalogue 10000 EN"
+    ),
+    "source_minimum_axial": marked(
+        "k_a C_0/1000 (n d_m/100 000)², k_a {factor:.3}; SKF catalogue 10000 EN"
+    ),
+    "source_minimum_thrust": marked("A (n/1000)², A {factor:.4 N} as given"),
+    "no_reference_speed_of_thrust": marked(
+        "ISO 15312 excludes thrust ball bearings: they have no thermal reference speed."
+    ),
+    "no_reference_coefficients": _no_coefficients,
+    "no_boundary_dimensions": marked(
+        "Bore, outside diameter and width are needed for the thermal reference speed: give a"
+        " designation, or mounting.bore, mounting.outside_diameter and --width."
+    ),
+    "no_static_rating_for_speed": marked(
+        "The thermal reference speed needs C_0: give life.static_rating."
+    ),
+    "no_permissible_speed": marked(
+        "The permissible speed needs a lubricant and its temperature: --lubricant, --temperature."
+    ),
+    "reference_speed_of_one_row": marked(
+        "Thermal reference and permissible speed are those of one bearing alone: bearings side by"
+        " side warm each other."
+    ),
+    "permissible_speed_of_thin_oil": marked(
+        "ν n is below 2000 mm²/s·rpm, where the friction of the oil no longer falls: the"
+        " permissible speed is too high."
+    ),
+    "heat_flow_of_reference": marked(
+        "The permissible speed takes the heat flow of the reference conditions (outer ring at"
+        " 70 °C, ambient at 20 °C): oil circulation raises it, a warm machine lowers it."
+    ),
+    "no_speed_class": _no_class,
+    "speed_class_of_light_load": marked(
+        "The maker's limiting speeds are for C/P of 12 and above and F_a/F_r up to 0.2; this load"
+        " lowers them."
+    ),
+    "speed_above_limits": _above,
+    "load_below_minimum": marked(
+        "The load does not reach a minimum load: the balls may slide. Preload them by springs."
+    ),
+    "preload_for_minimum_load": marked(
+        "The set is preloaded, which the loads given here leave out; rolamento solve shows the"
+        " preload at speed."
+    ),
+    "no_load_to_compare": marked("The case has no load: only what its balls need is shown."),
+    "minimum_load_factors_unchecked": marked(
+        "k_r and k_a of the series are from general knowledge of SKF's tables, not checked against"
+        " a print."
+    ),
+}

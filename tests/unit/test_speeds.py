@@ -1,0 +1,198 @@
+"""Limiting speeds and minimum loads: limits, data, the task, the command and its page."""
+
+from __future__ import annotations
+
+import json
+from math import nan, pi
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from rolamento import InputError, parse_case
+from rolamento._data import toml_of
+from rolamento.cli.app import app
+from rolamento.document.terminal import terminal
+from rolamento.pages.speed import speed_page
+from rolamento.speeds import (
+    heat_shares,
+    minimum_axial_load,
+    minimum_axial_load_of_thrust,
+    minimum_load_factors,
+    minimum_radial_load,
+    reference_coefficients,
+    reference_heat_flow,
+    speed_class,
+    speed_ratio,
+    thermal_reference_speed,
+)
+from rolamento.tasks.speed import speed_limits
+
+RPM = pi / 30.0
+WARM = ["lubricant=ISO VG 32", "temperature.lubricant=70 degC"]
+
+
+def test_under_reference_conditions_nothing_is_to_correct() -> None:
+    """K_L + K_P = 1, so that the permissible speed is the reference speed."""
+    coefficients = reference_coefficients("62")
+    assert coefficients is not None
+    speed = thermal_reference_speed(0.05, 0.09, 0.02, 23_200.0, coefficients)
+    shares = heat_shares(
+        speed,
+        0.07,
+        reference_heat_flow(0.05, 0.09, 0.02),
+        viscosity=12e-6,
+        load=0.05 * 23_200.0,
+        f_0=coefficients.f_0r,
+        f_1=coefficients.f_1r,
+    )
+    assert sum(shares) == pytest.approx(1.0, rel=1e-9)
+    assert speed_ratio(*shares) == pytest.approx(1.0, rel=1e-9)
+
+
+@pytest.mark.parametrize(("lubricant", "load"), [(0.3, 0.2), (1e-6, 4.0), (50.0, 0.0), (0.0, 0.5)])
+def test_the_ratio_solves_its_equation(lubricant: float, load: float) -> None:
+    f = speed_ratio(lubricant, load)
+    assert lubricant * f ** (5.0 / 3.0) + load * f == pytest.approx(1.0, rel=1e-12)
+
+
+@pytest.mark.parametrize(("lubricant", "load"), [(0.0, 0.0), (-1.0, 0.5), (nan, 0.5)])
+def test_shares_that_are_none(lubricant: float, load: float) -> None:
+    with pytest.raises(InputError):
+        speed_ratio(lubricant, load)
+
+
+def test_heat_flow_density_falls_on_large_bearings() -> None:
+    """At the knee both forms agree; beyond it the flow grows with A^0.66."""
+    width = 50_000e-6 / (pi * 0.5)
+    knee = reference_heat_flow(0.2, 0.3, width)
+    assert knee == pytest.approx(800.0, rel=1e-9)
+    assert reference_heat_flow(0.2, 0.3, 2.0 * width) == pytest.approx(knee * 2.0**0.66, rel=1e-9)
+
+
+def test_reference_speed_refuses_what_is_no_bearing() -> None:
+    coefficients = reference_coefficients("62")
+    assert coefficients is not None
+    for sizes in ((0.05, 0.04, 0.02, 1e4), (0.0, 0.09, 0.02, 1e4), (0.05, 0.09, 0.02, nan)):
+        with pytest.raises(InputError):
+            thermal_reference_speed(*sizes, coefficients)
+    assert reference_coefficients("70") is None
+
+
+def test_printed_limiting_speeds_lie_near_their_class() -> None:
+    """n d_m is a class only if it hardly changes with the size: within 12 % of the mean."""
+    for row in toml_of("speeds")["classes"]["series"]:
+        angle = row.get("contact_angle_deg")
+        found = speed_class(
+            row["series"][0], None if angle is None else angle * pi / 180.0, matched=False
+        )
+        assert found is not None
+        for one in row["bearings"]:
+            mean = 0.5e-3 * (one["d"] + one["D"])
+            for lubrication, product in (("grease", found.grease), ("oil", found.oil_bath)):
+                assert one[lubrication] * RPM * mean == pytest.approx(product, rel=0.12)
+
+
+def test_classes_of_sets_and_angles() -> None:
+    alone = speed_class("70", 15.0 * pi / 180.0, matched=False)
+    pair = speed_class("70", 15.0 * pi / 180.0, matched=True)
+    steep = speed_class("70", 30.0 * pi / 180.0, matched=False)
+    assert alone is not None
+    assert pair is not None
+    assert steep is not None
+    assert steep.grease < pair.grease < alone.grease < alone.oil_bath < alone.high_speed
+    assert pair.high_speed != pair.high_speed
+    # 7010 C in pairs: 10 000 and 14 000 rpm (NSK E1102, page B54)
+    assert pair.grease / 0.065 / RPM == pytest.approx(10_000, rel=0.05)
+    assert pair.oil_bath / 0.065 / RPM == pytest.approx(14_000, rel=0.05)
+    assert speed_class("70", None, matched=False) is None
+    assert speed_class("99", None, matched=False) is None
+
+
+def test_minimum_loads_by_hand() -> None:
+    # 6310 at 1480 rpm in oil of 50 mm²/s: 0.03 (74)^(2/3) 0.8² kN
+    found = minimum_radial_load(0.03, 50e-6, 1480.0 * RPM, 0.08)
+    assert found == pytest.approx(1e3 * 0.03 * 74.0 ** (2.0 / 3.0) * 0.64, rel=1e-9)
+    # 7210 B: 1.4 · 28 500/1000 (4200 · 70/1e5)² N
+    found = minimum_axial_load(1.4, 28_500.0, 4200.0 * RPM, 0.07)
+    assert found == pytest.approx(1.4 * 28.5 * 2.94**2, rel=1e-9)
+    assert minimum_axial_load_of_thrust(12.0, 2000.0 * RPM) == pytest.approx(48.0)
+    assert minimum_load_factors("63", None).radial == 0.03
+    assert minimum_load_factors("72", 15.0 * pi / 180.0).axial is None
+    assert minimum_load_factors("72", 40.0 * pi / 180.0).axial == 1.4
+
+
+def test_a_designation_is_enough() -> None:
+    found = speed_limits("6210", [*WARM, "duty.inner_speed=6000 rpm", "duty.load.fz=2 kN"])
+    names = [one.name for one in found.limits]
+    assert names == ["reference", "permissible", "grease", "oil_bath", "high_speed"]
+    assert found.n_dm == pytest.approx(420_000.0)
+    assert found.boundary.series == "62"
+    reference = found.limits[0]
+    assert reference.speed / RPM == pytest.approx(8200, rel=0.015)
+    assert reference.share == pytest.approx(6000.0 * RPM / reference.speed)
+    assert all(one.enough for one in found.minimum_loads)
+    light = speed_limits("6210", [*WARM, "duty.inner_speed=6000 rpm", "duty.load.fz=100 N"])
+    assert "load_below_minimum" in {note.key for note in light.notes}
+    fast = speed_limits("6210", [*WARM, "duty.inner_speed=9000 rpm", "duty.load.fz=2 kN"])
+    above = next(note for note in fast.notes if note.key == "speed_above_limits")
+    assert "reference" in above.values["limits"]
+
+
+def test_more_load_and_thicker_oil_lower_the_permissible_speed() -> None:
+    def permissible(*more: str) -> float:
+        found = speed_limits("6210", [*WARM, "duty.load.fz=2 kN", *more])
+        return next(one.speed for one in found.limits if one.name == "permissible")
+
+    assert permissible("duty.load.fz=6 kN") < permissible()
+    assert permissible("lubricant=ISO VG 220") < permissible()
+
+
+PAIR = """
+[bearing]
+ball_count = 20
+ball_diameter = "11.906 mm"
+pitch_diameter = "90 mm"
+contact_angle = "15 deg"
+inner_conformity = 0.52
+outer_conformity = 0.52
+arrangement = "DB"
+spacing = "20 mm"
+preload = "250 N"
+[mounting]
+bore = "70 mm"
+outside_diameter = "110 mm"
+width = "20 mm"
+[duty]
+inner_speed = "15000 rpm"
+"""
+
+
+def test_a_set_by_its_size(tmp_path: Path) -> None:
+    found = speed_limits(parse_case(PAIR))
+    assert found.boundary.series == "70"  # as 6014 has this size
+    assert found.n_dm == pytest.approx(1.35e6)
+    assert [one.name for one in found.limits] == ["grease", "oil_bath"]
+    keys = {note.key for note in found.notes}
+    assert {"no_reference_coefficients", "speed_above_limits", "preload_for_minimum_load"} <= keys
+    page = terminal(speed_page(found))
+    assert "1.35 million mm·rpm" in page
+    path = tmp_path / "pair.toml"
+    path.write_text(PAIR, encoding="utf-8")
+    result = CliRunner().invoke(app, ["speed", str(path), "--json", "-"])
+    assert result.exit_code == 0
+    mapping = json.loads(result.stdout)
+    assert mapping["n_dm"] == pytest.approx(1.35e6)
+    assert mapping["limits"][0]["share"] > 2.0
+
+
+def test_the_command_takes_what_nobody_tells() -> None:
+    run = CliRunner().invoke
+    result = run(app, ["speed", "6210", "--speed", "6000 rpm", "--fr", "2 kN"])
+    assert result.exit_code == 0
+    assert "thermal reference speed" in result.stdout
+    assert "--lubricant" in result.stdout  # what the permissible speed lacks
+    result = run(app, ["speed", "6210", "--width", "-3 mm"])
+    assert (result.exit_code, "greater than zero" in result.stderr) == (2, True)
+    result = run(app, ["speed", "6210", "--width", "3 kg"])
+    assert (result.exit_code, "--width" in result.stderr) == (2, True)
