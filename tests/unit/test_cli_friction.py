@@ -352,7 +352,7 @@ def test_the_guide_names_every_option() -> None:
         for option in parameter.opts
         if option.startswith("--") and option != "--help"
     }
-    assert options == set(re.findall(r"[|,] `(--\w+)", GUIDE))
+    assert options == set(re.findall(r"[|,] `(--[\w-]+)", GUIDE))
 
 
 def test_the_commands_of_the_guide_run(run: Run, tmp_path: Path) -> None:

@@ -103,6 +103,16 @@ EXAMPLES: Final = {
         marked("fixed side of a spindle, row by row: two in tandem against one"),
         "solve 6012_triple.toml",
     ),
+    "qj210_both_ways": _case(
+        "qj210_both_ways",
+        marked("four-point-contact bearing that locates a shaft in both directions"),
+        "solve qj210_both_ways.toml",
+    ),
+    "51210_turntable": _case(
+        "51210_turntable",
+        marked("thrust ball bearing below a turntable"),
+        "solve 51210_turntable.toml --set 'duty.displacement.ry=0.02 deg'",
+    ),
     "ricci_fleury": _case(
         "ricci_fleury",
         marked("space mechanism: three balls, boundary lubrication, friction torque"),
