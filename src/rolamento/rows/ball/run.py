@@ -5,6 +5,7 @@ from __future__ import annotations
 import logging
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from threading import Event
 from typing import Any, Final, Self
 
 import numpy as np
@@ -26,6 +27,9 @@ MOST_WORK: Final = 4e5
 """Evaluations of a ball that a case may cost beside the fast path: some 50 ms."""
 PLAIN_WORK: Final = 1e4
 """The same without the compiler: a second or so, then it is worth loading."""
+_hard_cases: Final = Event()
+"""Set where a case took the safe path in plain Python: the next may be as slow, so that compiled
+kernels are loaded if they are on disk."""
 LEAST_INERTIA: Final = 1e-7
 """Approach under a ball's own centrifugal force, over the groove's offset, that still counts."""
 
@@ -150,8 +154,11 @@ def _run_threads(
     cases = p.shape[1]
     p, control = np.ascontiguousarray(p), np.ascontiguousarray(control, dtype=np.float64)
     (cosines, sines), out = directions(balls), solution.arrays()
-    if cases <= FEW and not solve_cases.is_loaded:
+    plain = not (_hard_cases.is_set() and solve_cases.is_cached)
+    if cases <= FEW and not solve_cases.is_loaded and plain:
         if _interpret(p, control, cosines, sines, moving, 0, cases, False, PLAIN_WORK, out):
+            if solution.safe.any():
+                _hard_cases.set()
             return
         solution.put(np.arange(cases), Solution.empty(cases, balls))
     if not solve_cases.is_cached:
