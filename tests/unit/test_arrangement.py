@@ -103,7 +103,7 @@ def test_a_plain_bearing_is_its_own_row() -> None:
     plain = Bearing(**GEOMETRY)
     assert not plain.is_set
     (place,) = plain.places
-    assert place == (plain, 1.0, 0.0, 0.0)
+    assert place == (plain, 1.0, 0.0, 0.0, None)
 
 
 def test_rows_take_from_the_set_what_they_do_not_have() -> None:

@@ -193,7 +193,7 @@ class TestBadFiles:
         with pytest.raises(FileError, match="is not a valid file name"):
             load_case("a\0b")
         with pytest.raises(FileError, match="cannot be opened"):
-            load_case("a" * 10_000)
+            load_case("a" * 10_000 + ".toml")
 
     @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no named pipes on this system")
     def test_a_pipe_does_not_hang(self, tmp_path: Path) -> None:
@@ -262,11 +262,11 @@ class TestOverrides:
         [
             ("nonsense", "must be KEY=VALUE"),
             ("=3", "must be KEY=VALUE"),
-            ("title=" + "x" * 1000, "must be KEY=VALUE"),
+            ("title=" + "x" * 3000, "must be KEY=VALUE"),
             ("duty.load.fz=10", "duty.load.fz = 10: needs a unit"),
             ("duty.load.fz=", 'duty.load.fz = ""'),
             ("duty.load.fzz=10 N", "did you mean fz"),
-            ("duty.load=3", "is a table; set one of its fields: fx"),
+            ("duty.load=3", "is a table; set all of it, or one of its fields: fx"),
             ("duty.load.fz.x=3", "duty.load.fz is not a table"),
             ("duty..fz=3", "known: inner_speed"),
             ("bearing.ball_count=16.5", "must be an integer"),

@@ -104,7 +104,7 @@ def test_what_is_wrong_with_a_command_line(arguments: tuple[str, ...], text: str
         ("bearing.ball_diameter=22", "precisa de uma unidade de comprimento, escrita como texto"),
         ("bearing.ball_diameter=2 kg", '"kg" não é uma unidade de comprimento'),
         ("bearing.bal_count=3", "é uma chave desconhecida; você quis dizer ball_count?"),
-        ("duty.load=3", "é uma tabela; defina um de seus campos: fx, fy, fz, my, mz"),
+        ("duty.load=3", "é uma tabela; defina-a inteira ou um de seus campos: fx, fy, fz, my, mz"),
         ("bearing.ball_material=wood", "é um nome desconhecido (material); conhecidos: 100Cr6"),
         ("model.raceway_control=x", "deve ser um de: outer, inner, jones, none, friction"),
         ("duty.load.fx=1e9 kN", "deve ser no mínimo -1e6 kN e no máximo 1e6 kN"),

@@ -41,7 +41,7 @@ def test_a_page_goes_to_the_terminal_and_to_files() -> None:
     assert "29.95" in done.stdout
     assert Path("a.html").read_text("utf-8").startswith("<!DOCTYPE html>")
     assert "lines" in openpyxl.load_workbook("a.xlsx").sheetnames
-    assert Path("a.csv").read_bytes().startswith(b"source,row,line,harmonic,")
+    assert Path("a.csv").read_bytes().startswith(b"source,row,line,abbreviation,harmonic,")
 
 
 def test_csv_is_written_with_the_marks_that_are_asked_for() -> None:

@@ -493,7 +493,8 @@ def test_scalars_and_the_case_s_own_values_fill_up() -> None:
     [
         ({"fxx": [1.0]}, UnknownKeyError, "fx"),
         ({"inner_sped": [1.0]}, UnknownKeyError, "inner_speed"),
-        ({"load": [1.0]}, UnknownKeyError, "not a field that can vary; known: inner_speed, .*fx"),
+        ({"weight": [1.0]}, UnknownKeyError, "not a field that can vary; known: inner_speed, .*fx"),
+        ({"load": [1.0]}, UnknownKeyError, "did you mean duty.load.fz"),
         ({"fx": [1.0, 2.0], "fz": [1.0]}, InputError, "one length"),
         ({"fx": [[1.0, 2.0]]}, InputError, "one-dimensional"),
         ({"fx": [1.0], "x": [0.0]}, InputError, r"displacement\.x: cannot be combined .*load\.fx"),

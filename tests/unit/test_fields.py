@@ -58,6 +58,7 @@ def test_every_field_has_a_label_of_its_own_in_every_language() -> None:
         assert len(labels) == len(FIELDS)
     assert set(LABELS) <= set(FIELDS)
     parts = ("bearing.ring_", "bearing.ball_", "mounting.shaft_", "mounting.housing_", "life.tall")
+    parts += ("mounting.inner_spacer_material.", "mounting.outer_spacer_material.")
     assert all(name in LABELS or name.startswith(parts) for name in FIELDS)
 
 

@@ -124,7 +124,7 @@ def test_a_failed_state_has_no_life_to_draw(kind: str, run: Run) -> None:
     ("file", "kind", "message"),
     [
         ("state.json", "sn", "case.life: is missing"),
-        ("steep.json", "sn", "is that of a thrust bearing"),
+        ("steep.json", "sn", "such a bearing is rated for axial load"),
         ("angular.json", "zone", "needs a single radial-contact bearing given by its clearance"),
         ("oilless.json", "aiso", '--kind = "aiso": needs a viscosity ratio'),
         ("bare.json", "helps", "case = None: must be a table"),

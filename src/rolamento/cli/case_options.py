@@ -52,7 +52,9 @@ class CaseOptions:
     temperature: Annotated[
         str | None,
         typer.Option(
-            "--temperature", metavar="TEMP", help="Temperature of the lubricant, such as '70 degC'."
+            "--temperature",
+            metavar="TEMPERATURE",
+            help="Temperature of the lubricant, such as '70 degC'.",
         ),
     ] = None
     lubricant: Annotated[

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import TYPE_CHECKING, Final
 
-from rolamento.case.variant import AS_GIVEN, cases_compared
 from rolamento.errors import InputError
 from rolamento.words import said
 
@@ -207,6 +206,8 @@ def _of_states(
         if len(read) == 1 and not variants:
             states[name] = solved
             continue
+        from rolamento.case.variant import AS_GIVEN, cases_compared
+
         compared = cases_compared(solved.case, variants) or {AS_GIVEN: solved.case}
         for variant, case in compared.items():
             parts = [name if len(read) > 1 else "", setting_name(variant) if variants else ""]
