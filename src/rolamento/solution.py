@@ -17,10 +17,12 @@ from rolamento.case.varied import DutyFields, bounded, varied_arrays
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.numerics.threads import thread_count
-from rolamento.solved import Solved
+from rolamento.solved import Delivered, Solved
 from rolamento.words import Note, said
 
 __all__ = ["solve"]
+
+_TELLS_ANGLE = frozenset({"contact_angle", "diametral_clearance"})
 
 
 def solve(
@@ -89,12 +91,35 @@ def solve(
         from rolamento.assembly.mounted import mounted_cases
 
         solved = solve_cases(mounted_cases(case, bounded(given), threads=threads))
-        return replace(solved, case=case, varied=_spread_over(len(solved), given))
+        delivered = _delivered(solved, case, given)
+        varied = _spread_over(len(solved), given)
+        return replace(solved, case=case, varied=varied, before_mounting=delivered)
     from rolamento.clearance import operating_batch
 
     running, of_running = operating_batch(case, bounded(given))
     solved = _solve_many(running, dict(of_running), threads)
-    return replace(solved, varied={**_spread_over(len(solved), given), **solved.varied})
+    return replace(
+        solved,
+        varied={**_spread_over(len(solved), given), **solved.varied},
+        before_mounting=_delivered(solved, case, given),
+    )
+
+
+def _delivered(solved: Solved, case: Case, given: Mapping[str, ArrayLike]) -> Delivered:
+    """The bearing before its mounting, with the nominal contact angle of every case and row."""
+    running = solved.rows.free_contact_angle
+    angle = running.copy()
+    rows = case.bearing.rows
+    for index, place in enumerate(case.bearing.places):
+        own = rows is not None and rows[index].own.keys() & _TELLS_ANGLE
+        if not own and "bearing.diametral_clearance" in given:
+            angle[:, index] = 0.0
+        elif not own and "bearing.contact_angle" in given:
+            angle[:, index] = np.asarray(given["bearing.contact_angle"], np.float64)
+        else:
+            angle[:, index] = place.bearing.contact_angle or 0.0
+    possible = (angle >= 0.0) & (angle <= 0.5 * np.pi)
+    return Delivered(case, np.where(possible, angle, running))
 
 
 def _spread_over(cases: int, arrays: Mapping[str, ArrayLike]) -> dict[str, FloatArray]:
@@ -114,6 +139,7 @@ def _solve_one(case: Case) -> Solved:
     if case.mounting is not None and case.bearing.is_set:
         return _solve_mounted_set(case)
     notes: tuple[Note, ...] = ()
+    given = case
     if case.mounting is not None:
         from rolamento.clearance import clearance_notes, clearance_of_case, operating_case
 
@@ -122,6 +148,8 @@ def _solve_one(case: Case) -> Solved:
     solved = _solve_many(case, {}, threads=1)
     if case.bearing.preload is not None and solved.converged[0]:
         solved = replace(solved, preload=preload_of(case))
+    if given.mounting is not None:
+        solved = replace(solved, before_mounting=_delivered(solved, given, {}))
     return replace(solved, first_notes=notes) if notes else solved
 
 
@@ -132,7 +160,9 @@ def _solve_mounted_set(case: Case) -> Solved:
     assert mounting is not None
     running = running_set(case)
     stages = preload_stages(case)
-    solved = replace(_solve_many(running, {}, threads=1), first_notes=notes_on_set(case, stages))
+    solved = _solve_many(running, {}, threads=1)
+    delivered = _delivered(solved, case, {})
+    solved = replace(solved, first_notes=notes_on_set(case, stages), before_mounting=delivered)
     if running.bearing.preload is None or not solved.converged[0]:
         return solved
     preload = preload_of(running)

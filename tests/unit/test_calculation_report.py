@@ -208,6 +208,24 @@ def test_origins_of_inputs() -> None:
     assert origins["lubricant.viscosity_40"] == "data"
 
 
+def test_what_the_letters_of_a_designation_tell_has_its_origin() -> None:
+    report = report_on(
+        ["7014CTYNDBLP4"], settings=["duty.load.fz=2 kN", "duty.inner_speed=2000 rpm"]
+    )
+    origins = {one.field: one.origin for one in report.cases[0].inputs}
+    assert origins["bearing.arrangement"] == "designation"
+    assert origins["bearing.preload.level"] == "designation"
+    assert "designation" in "".join(terminal(report_page(report)))
+
+
+def test_constants_of_a_material_come_from_where_it_does() -> None:
+    set_by_hand = ["bearing.ball_material=Si3N4", "duty.load.fz=2 kN", "duty.inner_speed=2000 rpm"]
+    for case, settings in (("7014C", set_by_hand), ("HCB7014-C-T-P4S", set_by_hand[1:])):
+        found = {one.field: one for one in report_on([case], settings=settings).cases[0].inputs}
+        modulus = found["bearing.ball_material.youngs_modulus"]
+        assert (modulus.origin, bool(modulus.source)) == ("data", True), case
+
+
 def test_a_designation_is_enough() -> None:
     report = report_on(["6305"], settings=["duty.load.fz=2 kN", "duty.inner_speed=2000 rpm"])
     origins = {one.field: one.origin for one in report.cases[0].inputs}

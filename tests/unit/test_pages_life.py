@@ -190,6 +190,14 @@ def test_without_lubrication_it_says_what_is_missing() -> None:
     assert "life.cleanliness" in text
 
 
+def test_with_its_oil_only_the_cleanliness_is_missing() -> None:
+    oil = ["lubricant.base_oil=ISO VG 32", "temperature.lubricant=45 degC"]
+    state = solve(override(load_case(EXAMPLES / "218_combined.toml"), oil))
+    text = " ".join(terminal(life_page(state, life(state))).split())
+    assert "not included: the case needs the cleanliness" in text
+    assert "needs the viscosity" not in text
+
+
 def test_a_set_is_told_row_by_row() -> None:
     state = solve(load_case(EXAMPLES / "6012_pair.toml"))
     text = terminal(life_page(state, life(state)))

@@ -141,7 +141,9 @@ class Basis:
     def of(cls, solved: Solved, given: LifeConditions) -> Basis:
         """Gather what the theories share; InputError as `summary.life`."""
         rows, kind = solved.rows, rated_as(solved.case.bearing)
-        angle = rows.free_contact_angle if kind == "thrust" else _angle_of_radial(rows)
+        angle = nominal_contact_angle(solved)
+        if kind != "thrust":
+            angle = _within_rating(angle)
         steep = np.isnan(angle).any(axis=1)
         ratings = _ratings(solved, angle, given, kind)
         inner_turning, outer_turning = turning = _turning_rings(solved, given)
@@ -350,15 +352,24 @@ def _has_steel_balls(solved: Solved) -> bool:
     )
 
 
-def _angle_of_radial(rows: Rows) -> FloatArray:
-    """Nominal contact angle of the rows, NaN beyond 45°, (cases, rows).
+def nominal_contact_angle(solved: Solved) -> FloatArray:
+    """Contact angle that standards rate the rows by, (cases, rows), rad: that before mounting.
+
+    ISO 281:2007, 4; ISO/TS 16281:2008, 4. What fits, heat and speed make of it acts through the
+    balls' loads.
+    """
+    delivered = solved.before_mounting
+    return solved.rows.free_contact_angle if delivered is None else delivered.contact_angle
+
+
+def _within_rating(angle: FloatArray) -> FloatArray:
+    """Nominal contact angle of radial bearings, NaN beyond 45°, (cases, rows).
 
     Raises
     ------
     InputError
         If all cases have such a row.
     """
-    angle = rows.free_contact_angle
     steep = angle > MAXIMUM_ANGLE * (1.0 + _SAME)
     if steep.size and np.all(steep.any(axis=1)):
         raise InputError(

@@ -184,7 +184,8 @@ def conditions_of(source: Case | Solved) -> LifeConditions:
         inner_turning=False if model.rotating_load else None,
         outer_turning=True if model.rotating_load else None,
     )
-    rated = _with_published_ratings(conditions, case)
+    delivered = source.before_mounting if isinstance(source, Solved) else None
+    rated = _with_published_ratings(conditions, case if delivered is None else delivered.case)
     return with_lubricant(rated, source)
 
 

@@ -222,7 +222,7 @@ def statement(
     elif isinf(leading.life[0]):
         sentences = [_endless(solved, leading), *_required(summary)]
     else:
-        sentences = [_life(solved, leading), *_left_out(leading), *_beyond_fatigue(leading)]
+        sentences = [_life(solved, leading), *_left_out(summary), *_beyond_fatigue(leading)]
         sentences += [*_beside_the_catalogue(summary), *_limit(solved, summary)]
         sentences += [*_help(summary, changes), *_required(summary)]
     return tuple(Statement(text, tone, indent=2) for text, tone in sentences)
@@ -446,17 +446,24 @@ def _required(summary: LifeSummary) -> list[_Sentence]:
     return [(required_sentence(required, reliability, below=below), "")]
 
 
-def _left_out(leading: Headline) -> list[_Sentence]:
+def _left_out(summary: LifeSummary) -> list[_Sentence]:
     """Say why the life is but a bound, or that oil and contamination are not in it."""
+    leading = summary.headline
     if leading.below[0]:
         return [(Note(str(leading.reason[0])).text, "warning")]
     if leading.theory[0] == MODIFIED_REFERENCE.name:
         return []
-    text = said(
-        "Lubrication and contamination are not included: the case needs the viscosity (lubricant "
-        "with its temperature, or life.viscosity_ratio) and the cleanliness (life.cleanliness, for "
-        "instance)."
-    )
+    if summary.viscosity_ratio is not None and summary.contamination_factor is None:
+        text = said(
+            "Lubrication and contamination are not included: the case needs the cleanliness "
+            "(life.cleanliness, for instance)."
+        )
+    else:
+        text = said(
+            "Lubrication and contamination are not included: the case needs the viscosity "
+            "(lubricant with its temperature, or life.viscosity_ratio) and the cleanliness "
+            "(life.cleanliness, for instance)."
+        )
     return [(text, "faint")]
 
 

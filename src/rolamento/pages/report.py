@@ -492,6 +492,7 @@ _ORIGINS: Final = {
     "published": marked("catalogue"),
     "inferred": marked("estimated from ratings"),
     "assumed": marked("assumed"),
+    "designation": marked("designation"),
     "data": marked("data file"),
     "default": marked("default"),
 }

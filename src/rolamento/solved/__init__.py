@@ -5,7 +5,7 @@ that does not exist is NaN, and null in JSON. The ring's result is at hand at on
 elements and contacts are made by the rows when they are first asked for, and kept.
 """
 
-from rolamento.solved.result import NO_LOAD, Solved, refuse_other
+from rolamento.solved.result import NO_LOAD, Delivered, Solved, refuse_other
 from rolamento.solved.tables import (
     RACES,
     Answer,
@@ -32,6 +32,7 @@ __all__ = [
     "RACES",
     "Answer",
     "Contacts",
+    "Delivered",
     "Elements",
     "Index",
     "IntArray",

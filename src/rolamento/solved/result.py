@@ -55,6 +55,22 @@ NO_LOAD: Final = 1e-9
 T = TypeVar("T")
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Delivered:
+    """A bearing before fits, heat and speed have changed it.
+
+    Attributes
+    ----------
+    case
+        with its mounting
+    contact_angle
+        nominal, 0 of rows given by their clearance; (cases, rows), rad
+    """
+
+    case: Case
+    contact_angle: FloatArray
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Solved:
     """Equilibria of many cases of a bearing; one case is a batch of one.
@@ -77,6 +93,8 @@ class Solved:
         of rolling elements: one, unless the bearing is a set
     preload
         of a single case of a set whose rows press on each other; else None
+    before_mounting
+        the bearing as it is delivered, which standards rate; None without a mounting
     """
 
     case: Case
@@ -88,6 +106,7 @@ class Solved:
     rows: Rows
     answer: Answer
     preload: Preloading | None = None
+    before_mounting: Delivered | None = None
     first_notes: tuple[Note, ...] = ()
     """Notes before those on the equilibrium: the clearance in operation."""
     written_notes: tuple[tuple[Note, ...], ...] | None = None
@@ -118,6 +137,11 @@ class Solved:
             stiffness=Stiffness(self.stiffness.array[some]),
             rows=taken(self.rows, some, shared=("sign", "element_count")),
             answer=self.answer.part(some),
+            before_mounting=None
+            if self.before_mounting is None
+            else replace(
+                self.before_mounting, contact_angle=self.before_mounting.contact_angle[some]
+            ),
             written_notes=_chosen(self.written_notes, some),
             written_advice=_chosen(self.written_advice, some),
         )

@@ -50,9 +50,11 @@ __all__ = [
 SCHEMA: Final = 2
 MOST_CASES: Final = 20
 
-Origin = Literal["given", "set", "published", "inferred", "assumed", "data", "default"]
+Origin = Literal[
+    "given", "set", "published", "inferred", "assumed", "designation", "data", "default"
+]
 """Where an input comes from: the case file, a setting of the command line, a maker's catalogue, the
-ratings, common practice, a data file of the program, a default."""
+ratings, common practice, the letters of the designation, a data file of the program, a default."""
 
 _FORCES: Final = ("kN", "N")
 _UNITS: Final[Mapping[str, str]] = {
@@ -560,9 +562,15 @@ def _origin(case: Case, name: str, given: Set[str], settings: Set[str]) -> tuple
     parents = [name[:place] for place, sign in enumerate(name) if sign == "."]
     if name in settings:
         return "set", ""
+    table, _, leaf = name.rpartition(".")
+    if any(parent in settings for parent in parents):
+        # constants of a material that is set by its name come from the file they are on
+        source = getattr(_walk(case, table), "source", "")
+        return ("data", str(source)) if source else ("set", "")
     if name in given or any(one.startswith(f"{name}.") for one in given):
         return "given", ""
-    table, _, leaf = name.rpartition(".")
+    if table == "bearing.preload" and case.bearing.designation is not None:
+        return "designation", ""
     bearing = case.bearing
     if table == "bearing" and leaf in bearing.origins:
         own: Any = bearing.origins[leaf]
@@ -579,8 +587,6 @@ def _origin(case: Case, name: str, given: Set[str], settings: Set[str]) -> tuple
         return "data", str(source)
     if table == "lubricant" and holder is not None:
         return "data", str(getattr(case.lubricant, "base_oil", "") or "")
-    if any(parent in settings for parent in parents):
-        return "set", ""
     return "default", ""
 
 
