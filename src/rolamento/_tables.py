@@ -250,6 +250,8 @@ class Table:
         apart = self.separator != ","
         asked = apart or chosen is not None or self._has_decimal_commas()
         found = numerals_of(leads, commas=asked, mark=chosen, ask_of_commas=self.separator == "\t")
+        if apart and "." in found.doubt and self._has_decimal_commas(alone=True):
+            found = Numerals(True, "comma")  # 12.450 beside 1.250,00: one hand wrote both
         if not apart and chosen is None and not found.doubt:
             found = Numerals(commas=False)
         if found.doubt:
@@ -265,14 +267,18 @@ class Table:
                 raise self.placed(error, place) from None
         return found
 
-    def _has_decimal_commas(self) -> bool:
-        """Whether a number of any column has one, between quotation marks."""
-        return any(
-            _DECIMAL_COMMA.fullmatch(_lead(cell))
-            for row in self.rows
-            for cell in row
-            if "," in cell
-        )
+    def _has_decimal_commas(self, *, alone: bool = False) -> bool:
+        """Whether a number of any column has one: between quotation marks if commas part cells.
+
+        alone: and none has a decimal point.
+        """
+        leads = [_lead(cell) for row in self.rows for cell in row if "," in cell or "." in cell]
+        if alone and any(
+            "." in lead and _PLAIN.fullmatch(lead) and not _IN_THOUSANDS.fullmatch(lead)
+            for lead in leads
+        ):
+            return False
+        return any(_DECIMAL_COMMA.fullmatch(lead) for lead in leads)
 
     def plain(self, mark: object = None) -> Table:
         """Return the table with decimal points, and no marks in thousands, in all its numbers.

@@ -17,7 +17,7 @@ from importlib import resources
 from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple
 
 from rolamento.errors import UnitError, nearest, shown
-from rolamento.words import marked, said
+from rolamento.words import manner, marked, said
 
 if TYPE_CHECKING:
     import pint
@@ -31,9 +31,11 @@ __all__ = [
     "SI_UNIT",
     "ZERO_CELSIUS",
     "Dimension",
+    "doubt_of_thousands",
     "from_si",
     "name_of",
     "readable",
+    "refuse_thousands",
     "rpm_of",
     "to_si",
 ]
@@ -190,6 +192,10 @@ _LONGEST_TEXT: Final = 100
 _GREATEST_EXPONENT: Final = 400
 _NUMBER: Final = r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?"
 _QUANTITY: Final = re.compile(rf"({_NUMBER})\s*(.*)", re.DOTALL)
+_IN_THOUSANDS: Final = re.compile(r"[+-]?[1-9]\d{0,2}\.\d{3}")
+"""As those write thousands whose decimal mark is a comma."""
+_COUNTED_IN_THOUSANDS: Final = ("rpm", "r/min", "1/min", "N", "kgf")
+"""Units of which a thousandth is hardly meant; 9.525 mm is."""
 _FACTOR: Final = re.compile(r"\s*([*/])?\s*([A-Za-zµμ]+)(?:(?:\^|\*\*)?(-?[1-4])(?![0-9]))?\s*")
 _ONE_OVER: Final = re.compile(r"^\s*1\s*/\s*([A-Za-z]+)(?![A-Za-z^*0-9])")
 _PLAINER: Final = str.maketrans(
@@ -326,6 +332,43 @@ def _split(text: str, dimension: Dimension) -> tuple[str, str]:
             said("needs a decimal point, not a comma"), value=text, example=_example(dimension)
         )
     return number, unit
+
+
+def refuse_thousands(text: str, units: tuple[str, ...] = _COUNTED_IN_THOUSANDS) -> None:
+    """Refuse 1.480 rpm where the language that is spoken parts thousands with points.
+
+    For what a person types; a file has decimal points whatever the language. Texts that are no
+    number with a unit are passed over: whoever reads them refuses them.
+
+    Parameters
+    ----------
+    text
+        Number and unit.
+    units
+        Those that count; "" for a number without one.
+
+    Raises
+    ------
+    UnitError
+        With both readings.
+    """
+    match = _QUANTITY.fullmatch(text.strip())
+    if match is None or match[2] not in units:
+        return
+    if rule := doubt_of_thousands(match[1]):
+        example = f"{match[1].replace('.', '')} {match[2]}".strip()
+        raise UnitError(rule, value=text, example=example)
+
+
+def doubt_of_thousands(number: str) -> str:
+    """Return the rule that a number breaks whose points may part thousands; empty for others."""
+    if manner().mark != "," or not _IN_THOUSANDS.fullmatch(number):
+        return ""
+    return said(
+        "may be {decimal} or, with a point between thousands, {whole}; write it without that point",
+        decimal=float(number),
+        whole=int(number.replace(".", "")),
+    )
 
 
 def _exact(number: str) -> Fraction:

@@ -254,3 +254,21 @@ def test_plain_ascii_is_possible() -> None:
         2, 1,
     )  # fmt: skip
     terminal(frequencies_page(found), Medium(encoding="ascii")).encode("ascii")
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ("frequencies", "6310", "--speed", "1.480 rpm"),
+        ("life", "6310", "--fr", "5 kN", "--speed", "1.480 rpm"),
+        ("life", "6310", "--fr", "5.000 N", "--speed", "1480 rpm"),
+        ("solve", "6310", "--fr", "5 kN", "--set", "duty.inner_speed=1.480 rpm"),
+    ],
+)
+def test_points_in_thousands_are_asked_about_in_portuguese(arguments: tuple[str, ...]) -> None:
+    """1.480 rpm is no shaft that turns once in 40 s."""
+    result = CliRunner().invoke(app, [*arguments, "--lang", "pt"])
+    assert result.exit_code == 2
+    assert "ponto de milhar" in result.output
+    whole = "5000 N" if "5.000 N" in arguments else "1480 rpm"
+    assert f"{whole}" in result.output.partition("(exemplo: ")[2]

@@ -140,6 +140,13 @@ def test_motor_clearance_has_its_bores(bore: float) -> None:
         class_clearance(bore, "CM")
 
 
+@pytest.mark.parametrize("text", ["6205-C-2HRS-C3", "6205EEC3"])
+def test_seals_of_other_makers(text: str) -> None:
+    letters = parse_designation(text).letters
+    assert letters.clearance_class == "C3"
+    assert [part.meaning for part in letters.parts] == ["contact seals on both sides"]
+
+
 @pytest.mark.parametrize("text", ["6205DDUCM NSK", "6205ZZCM", "6205 CM", "6205LLUCM/L047"])
 def test_motor_clearance_of_a_designation(text: str) -> None:
     bearing = Bearing.named(text)

@@ -362,3 +362,18 @@ def test_trends_as_people_have_them(run: Run) -> None:
     assert (record.time_unit, record.units, record.names) == ("h", ("µm",), ("A",))
     assert list(record.values[:2, 0]) == [27.5, 36.0]
     assert record.rejected[2, 0]
+
+
+def test_decimal_commas_in_other_columns_tell_what_points_are() -> None:
+    """A maintenance record of a Brazilian spreadsheet: hours in thousands beside costs."""
+    text = (
+        "TAG;horas;situação;custo (R$)\n"
+        "B-01;12.450;falha;1.250,00\nB-02;8.760;falha;0,00\nB-03;20.000;suspenso;0,00\n"
+    )
+    assert list(parse_life_test(text).times) == [12_450.0, 8760.0, 20_000.0]
+    assert list(parse_life_test(text, decimal_mark="point").times) == [12.45, 8.76, 20.0]
+    silent = text.replace("1.250,00", "1250").replace("0,00", "0")
+    contradictory = text.replace("B-02", "3.5")
+    for doubtful in (silent, contradictory):
+        with pytest.raises(InputError, match=r"is 12.45 if .* and 12450 if"):
+            parse_life_test(doubtful)

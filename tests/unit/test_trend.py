@@ -179,3 +179,15 @@ def test_wrong_wishes_end_with_one_line(run: Run, arguments: tuple[str, ...]) ->
     code, out, err = run(*arguments)
     assert (code, out) == (2, "")
     assert err.count("\n") == 1
+
+
+def test_a_limit_reached_already_has_no_date(run: Run, tmp_path: Path) -> None:
+    """That of the last measurement is none on which it was reached."""
+    rows = "2026-01-05,1.20\n2026-02-02,1.45\n2026-03-02,1.62\n2026-03-30,2.05\n"
+    (tmp_path / "t.csv").write_text("date,vibration (mm/s)\n" + rows, "utf-8")
+    code, out, _ = run("t.csv", "--limit", "1.5 mm/s")
+    assert code == 0
+    section = out.partition("Time to the limit")[2]
+    assert "has been reached already" in section
+    assert "2026" not in section
+    assert section.count(" already ") >= 2

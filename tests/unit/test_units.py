@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 
 from rolamento import units
 from rolamento.errors import UnitError
-from rolamento.units import SI_UNIT, Dimension, from_si, to_si
+from rolamento.units import SI_UNIT, Dimension, from_si, refuse_thousands, to_si
+from rolamento.words import speaking
 
 DIMENSIONS: tuple[Dimension, ...] = get_args(Dimension)
 
@@ -201,3 +202,23 @@ def test_common_units_do_not_import_pint() -> None:
     )
     result = subprocess.run([sys.executable, "-c", script], capture_output=True, check=True)
     assert result.stdout.strip() == b"False"
+
+
+@pytest.mark.parametrize("text", ["1.480 rpm", "5.000 N", "-5.000N", "500.000 kgf"])
+def test_points_that_may_part_thousands_where_commas_are_decimal(text: str) -> None:
+    refuse_thousands(text)  # in English a point is the decimal mark
+    with speaking("pt"), pytest.raises(UnitError) as refused:
+        refuse_thousands(text)
+    assert refused.value.value == text
+    with speaking("pt"):
+        refuse_thousands(refused.value.example)
+    assert float(refused.value.example.split()[0]) == 1e3 * float(text.rstrip(" rpmNkgf"))
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["9.525 mm", "1.25 rpm", "1480 rpm", "0.125 N", "1.2500 N", "1480.125 rpm", "6.310", "x"],
+)
+def test_points_that_part_no_thousands(text: str) -> None:
+    with speaking("pt"):
+        refuse_thousands(text)

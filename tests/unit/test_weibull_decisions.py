@@ -352,3 +352,17 @@ def test_point_in_thousands_is_asked_for_where_commas_are_decimal() -> None:
         life_with_unit("8.000 h", "age")
     with speaking("pt"):
         assert life_with_unit("8000 h", "age") == (8000.0, "h")
+
+
+def test_costs_as_the_language_writes_them() -> None:
+    costs = ("--planned-cost", "1.250,50", "--failure-cost", "12.000,00")
+    code, text = run("age", *GIVEN, *costs, "--lang", "pt")
+    assert code == 0
+    assert "1250,5\n" in text
+    assert "12 000\n" in text
+    for cost in ("12.000", "R$ 12", "12.000,0,0", ""):
+        costs = ("--planned-cost", "800", "--failure-cost", cost)
+        code, text = run("age", *GIVEN, *costs, "--lang", "pt")
+        assert code == 2
+        assert "--failure-cost" in text
+    assert run("age", *GIVEN, "--planned-cost", "1", "--failure-cost", "12.000")[0] == 0

@@ -85,7 +85,10 @@ class CaseOptions:
             if field in named:
                 rule = said("is given by --set {field} too", field=field)
                 raise InputError(rule, source=option, value=value, example=f"{option} '{example}'")
+            _refuse_thousands(value, option)
             found.append(f"{field}={value}")
+        for one in own:
+            _refuse_thousands(one.partition("=")[2].strip().strip("\"'"), "--set")
         return (*found, *own)
 
     @contextmanager
@@ -147,6 +150,17 @@ class CaseOptions:
                     source=option, field="", value=given, example=f"{option} '{example}'"
                 )
         return error
+
+
+def _refuse_thousands(text: str, option: str) -> None:
+    """Refuse what an option gives if it may be a thousand times as much."""
+    from rolamento.units import refuse_thousands
+
+    try:
+        refuse_thousands(text)
+    except InputError as error:
+        example = f"{option} '{error.example}'" if option != "--set" else error.example
+        raise error.with_details(source=option, example=example) from None
 
 
 NOTHING_GIVEN: Final = CaseOptions()

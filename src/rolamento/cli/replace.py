@@ -185,6 +185,33 @@ def remaining(
         _show(found, lambda: remaining_page(found), draw, plot, json, outputs)
 
 
+def _cost(text: str | None, option: str) -> float:
+    """Return a cost; 12.000 and 12.000,00 as the language that is spoken writes them.
+
+    Raises
+    ------
+    InputError
+        If it is missing, no number, or may be two.
+    """
+    from rolamento._tables import Numerals
+    from rolamento.units import refuse_thousands
+    from rolamento.words import manner
+
+    if text is None:
+        raise InputError(said("is missing"), source=option, example=f"{option} 800")
+    try:
+        refuse_thousands(text, units=("",))
+    except InputError as error:
+        raise error.with_details(source=option, example=f"{option} {error.example}") from None
+    comma = "," in text and manner().mark == ","
+    cost = Numerals(True, "comma" if comma else "point").number(text.strip())
+    if cost is None:
+        raise InputError(
+            said("must be a number"), source=option, value=text, example=f"{option} 800"
+        )
+    return cost
+
+
 @app.command(
     "age",
     cls=ReplaceCommand,
@@ -195,11 +222,11 @@ def remaining(
 def age_command(
     data: DataArgument = None,
     planned_cost: Annotated[
-        float | None,
+        str | None,
         typer.Option("--planned-cost", metavar="COST", help="Cost of a planned replacement."),
     ] = None,
     failure_cost: Annotated[
-        float | None,
+        str | None,
         typer.Option(
             "--failure-cost",
             metavar="COST",
@@ -233,11 +260,8 @@ def age_command(
     """
     given = dict(locals())
     with plain_endings(lang):
-        for option, cost in (("--planned-cost", planned_cost), ("--failure-cost", failure_cost)):
-            if cost is None:
-                raise InputError(said("is missing"), source=option, example=f"{option} 800")
-        assert planned_cost is not None
-        assert failure_cost is not None
+        planned = _cost(planned_cost, "--planned-cost")
+        failure = _cost(failure_cost, "--failure-cost")
         data, json, lives = _lives(given)
         from rolamento.pages.replace import replacement_page
         from rolamento.tasks.replace import replacement_study
@@ -245,8 +269,8 @@ def age_command(
         with _working(), _told(age_command):
             found = replacement_study(
                 data,
-                planned=planned_cost,
-                failure=failure_cost,
+                planned=planned,
+                failure=failure,
                 currency=currency,
                 confidence=confidence,
                 **lives,

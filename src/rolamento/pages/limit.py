@@ -8,7 +8,7 @@ from math import expm1, isfinite
 from typing import TYPE_CHECKING
 
 from rolamento.document import Column, Number, Section, Statement, Table, Tone
-from rolamento.words import ABSENT, ENDLESS, manner, said
+from rolamento.words import ABSENT, ENDLESS, manner, said, said_in
 
 if TYPE_CHECKING:
     from rolamento.numerics.growth import Crossing, Forecast, Growth
@@ -131,7 +131,13 @@ def limit_section(
         ),
         Column(
             head=said("reached on") if start else said("reached at {unit}", unit=time_unit),
-            values=[_time(crossing.time, start) for _, _, crossing, _ in rows],
+            values=[
+                # of one reached already the time is that of the last measurement
+                said_in("limit", "already")
+                if crossing.code == "exceeded"
+                else _time(crossing.time, start)
+                for _, _, crossing, _ in rows
+            ],
             key="time",
             align="right",
         ),

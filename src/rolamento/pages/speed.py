@@ -17,7 +17,7 @@ from rolamento.document import (
     Tone,
 )
 from rolamento.pages.state import notes_section
-from rolamento.words import marked, said
+from rolamento.words import marked, said, said_in
 from rolamento.words.sentences.speeds import LIMIT_NAMES
 
 if TYPE_CHECKING:
@@ -110,7 +110,14 @@ def _limits(found: SpeedLimits) -> Section:
     if found.speed:
         shares = [one.share for one in limits]
         columns.append(
-            Column(head=said("share"), values=shares, unit="%", key="share", figures=3, tones=tones)
+            Column(
+                head=said_in("speed", "share"),
+                values=shares,
+                unit="%",
+                key="share",
+                figures=3,
+                tones=tones,
+            )
         )
     legend = said("n·d_m in million mm·rpm; share: the speed of the case over the limit")
     origins: dict[str, str] = {}

@@ -39,8 +39,13 @@ def speed_of(given: str | float | None, parameter: str) -> float | None:
     """
     if given is None or not isinstance(given, str):
         return given
-    from rolamento.units import to_si
+    from rolamento.units import refuse_thousands, to_si
 
+    try:
+        refuse_thousands(given)
+    except InputError as error:
+        example = f'{parameter}="{error.example}"'
+        raise error.with_details(field=parameter, example=example) from None
     try:
         return to_si(given, "angular_speed")
     except InputError as error:

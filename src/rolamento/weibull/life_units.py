@@ -6,13 +6,12 @@ import re
 from typing import Final
 
 from rolamento.errors import InputError
+from rolamento.units import doubt_of_thousands
 from rolamento.weibull._checks import positive
-from rolamento.words import manner, said
+from rolamento.words import said
 
 _WRITTEN: Final = re.compile(r"\s*([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d{1,3})?)\s*(.*?)\s*")
 _LONGEST: Final = 100
-_IN_THOUSANDS: Final = re.compile(r"[1-9]\d{0,2}(?:\.\d{3})+")
-"""As those write thousands whose decimal mark is a comma."""
 _REVOLUTIONS: Final = {
     "rev": 1.0, "revs": 1.0, "revolutions": 1.0, "krev": 1e3, "mrev": 1e6, "10^6 rev": 1e6,
     "1e6 rev": 1e6, "million revolutions": 1e6,
@@ -42,15 +41,8 @@ def life_with_unit(text: object, field: str, example: str = "1000 h") -> tuple[f
         rule = said("needs a unit")
     elif not 0.0 < float(match[1]) < float("inf"):
         rule = said("must be positive")
-    elif manner().mark == "," and _IN_THOUSANDS.fullmatch(match[1]):
-        whole = match[1].replace(".", "")
-        rule = said(
-            "may be {decimal} or, with a point between thousands, {whole}; write it without that"
-            " point",
-            decimal=float(match[1]),
-            whole=int(whole),
-        )
-        example = f"{whole} {match[2]}"
+    elif rule := doubt_of_thousands(match[1]):
+        example = f"{match[1].replace('.', '')} {match[2]}"
     if match is None or rule:
         raise InputError(rule, field=field, value=text, example=f'"{example}"')
     return float(match[1]), match[2]
