@@ -67,7 +67,7 @@ def plot(
     ] = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Draw a result: a state, its life, or a study; several in one figure.
+    """Draw a state, its life or a study; several share a figure.
 
     Ball loads, angles, pressures, ellipses, life, sweeps, distributions.
     """
