@@ -231,3 +231,21 @@ def test_torque_converges_with_the_mesh(thrust: Solved) -> None:
     assert worst[0] < 2e-2
     assert worst[2] < 1e-3  # the default
     assert worst[3] < 2e-4
+
+
+def test_a_ball_that_hardly_anything_holds_is_no_wrong_input() -> None:
+    """The idle row of a self-aligning bearing under load to one side: Newton runs off there."""
+    bearing = Bearing(
+        kind="self_aligning",
+        ball_count=12,
+        ball_diameter="7.9 mm",
+        pitch_diameter="39 mm",
+        spacing="9 mm",
+        diametral_clearance="0.015 mm",
+        inner_conformity=0.52,
+    )
+    load = Load(fx="500 N", fz="1 kN")
+    solved = solve(Case(bearing=bearing, duty=Duty(inner_speed="1500 rpm", load=load)))
+    harris, full = harris_1971(solved, MU), jones_full(solved, MU)
+    assert full.converged.all()
+    assert np.isfinite(harris.total[0]) == harris.converged[0]

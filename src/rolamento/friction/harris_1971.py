@@ -46,6 +46,8 @@ _STEPS = 60
 _TOLERANCE = 1e-8
 """Of the balance of forces, over friction itself: what stands of a closed form in doubles."""
 _MINIMUM_DAMPING = 1e-14
+_REACH = 1e6
+"""Of the ring's speed: no ball turns faster."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -160,6 +162,9 @@ def _balanced(inner: Patch, outer: Patch, start: FloatArray) -> tuple[FloatArray
         if np.all((size <= 1e-3 * _TOLERANCE) | (damping > 1e6)):
             break
         trial = motion - _damped_step(error, hessian, damping)
+        # a ball that hardly anything holds is sent away by its first steps: shorter ones do
+        far = np.abs(trial).max(axis=1, keepdims=True) > _REACH
+        trial = np.where(far, motion, trial)
         new_error, new_hessian, _ = _imbalance(inner, outer, trial)
         better = np.max(np.abs(new_error) / scale, axis=1) < size
         motion = np.where(better[:, np.newaxis], trial, motion)
