@@ -148,6 +148,8 @@ def _pressures(solved: Solved) -> Iterator[Note]:
 
 def _past_edge(solved: Solved) -> Iterator[Note]:
     """Balls that the inner groove has left, so that nothing presses on them."""
+    if solved.case.bearing.kind == "four_point":
+        return  # a ball that is beside one arc is on the other
     inner, rows = solved.inner, solved.rows
     length = rows.per_element((rows.inner_conformity - 0.5) * rows.ball_diameter)
     past = ((inner.approach > PAST_EDGE * length) & (inner.load == 0.0))[0]

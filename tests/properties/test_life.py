@@ -238,6 +238,7 @@ def test_modified_lives_rise_with_oil_and_cleanliness(
 
 
 @given(st.floats(0.02, 0.35), st.floats(0.0, 45.0), st.integers(5, 40))
+@pytest.mark.sweep
 def test_rating_life_is_the_reference_life_of_half_a_ring(
     gamma: float, degrees: float, count: int
 ) -> None:

@@ -782,3 +782,17 @@ def test_the_front_page_shows_a_true_report(run: Run, page: str, language: str) 
     shown = [line[4:] for line in text.splitlines() if re.match("    .*[°µ⡇█]", line)]
     assert len(shown) > 15
     assert all(line in report for line in shown)
+
+
+@pytest.mark.parametrize(
+    ("given", "meant"),
+    [
+        (["--json", "out.json"], ["--json=out.json"]),
+        (["--json", "lives.csv"], ["--json=-", "lives.csv"]),
+        (["lives.csv", "--json", "out"], ["lives.csv", "--json=out"]),
+    ],
+)
+def test_a_command_that_needs_no_file_takes_json_for_the_output(
+    given: list[str], meant: list[str]
+) -> None:
+    assert with_values(given, {"--csv"}, takes_word=True, lacks_word=True) == meant

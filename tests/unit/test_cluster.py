@@ -242,6 +242,7 @@ class Closing(Stranger):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("handler", [Stranger, Web, Closing])
+@pytest.mark.sweep
 def test_something_else_at_the_address(tmp_path: Path, handler: type[Stranger]) -> None:
     with socketserver.ThreadingTCPServer(("127.0.0.1", 0), handler) as server:
         server.daemon_threads = True
@@ -252,6 +253,7 @@ def test_something_else_at_the_address(tmp_path: Path, handler: type[Stranger]) 
 
 
 @pytest.mark.parametrize("address", ["abc", "ftp://127.0.0.1:1", "tcp://"])
+@pytest.mark.sweep
 def test_an_address_that_is_none(tmp_path: Path, address: str) -> None:
     check_end(swept(tmp_path, address), "cannot be reached")
 

@@ -139,6 +139,7 @@ def test_damaged_compiled_code_is_discarded(script: Path, ending: str, damage: s
 
 @pytest.mark.slow
 @pytest.mark.skipif(os.name != "posix", reason="needs limits of POSIX")
+@pytest.mark.sweep
 def test_compiled_code_on_a_full_disk(script: Path) -> None:
     for most in ("0", "2000"):
         output, said = ran(script, most)

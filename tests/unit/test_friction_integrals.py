@@ -139,6 +139,7 @@ def test_rolling_force_converges_with_first_order() -> None:
     assert 0.7 < order(counts, found) < 1.4
 
 
+@pytest.mark.sweep
 def test_rounded_law_converges_to_the_sharp_one() -> None:
     """The power is low by the order (v0/v)² ln(v/v0) where slip has lines of zeros."""
     p, mesh = patch(), ellipse_mesh(2000, 1)

@@ -132,7 +132,7 @@ def test_nothing_turns_no_hours(gearbox: Case) -> None:
 
 def test_a_range_in_which_no_point_has_a_life_is_refused(gearbox: Case) -> None:
     plain = load_without_mounting(gearbox)
-    with pytest.raises(InputError, match="up to 45°"):
+    with pytest.raises(InputError, match="above 45°"):
         curve(plain, "bearing.contact_angle=50..60deg")
 
 

@@ -393,7 +393,7 @@ def test_not_a_number_counts_without_a_status() -> None:
     axes = study_lines(study, "x")
     assert labels(axes) == ["no result: 1 of 6"]
     study["x"][:] = np.nan
-    assert texts(study_lines(study, "x")) == "No result"
+    assert texts(study_lines(study, "x")) == "No case has this number"
 
 
 def test_outputs_are_numbers() -> None:

@@ -735,6 +735,7 @@ def test_measurements_are_joined_and_marked(
     assert found == [first, first, second, second]
 
 
+@pytest.mark.sweep
 def test_pictures_are_the_same_bytes(figures: dict[str, Figure], folder: Path) -> None:
     once = spoken("pt", lambda: rendered(figures["4.3.3"], ("png",)))["png"]
     assert (folder / f"{figures['4.3.3'].stem}.png").read_bytes() == once

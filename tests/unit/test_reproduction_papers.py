@@ -473,6 +473,7 @@ def test_maps_drawn_are_the_data(
     assert "mm" in picture.axes[2].get_xlabel()
 
 
+@pytest.mark.sweep
 def test_a_map_gives_the_same_bytes(items: dict[str, Any]) -> None:
     of = figure(items, "braga-almeida/figure-3.01")
     assert spoken("pt", lambda: rendered(of, ("png",))) == spoken(
@@ -483,6 +484,7 @@ def test_a_map_gives_the_same_bytes(items: dict[str, Any]) -> None:
 # --- folders and command ----------------------------------------------------
 
 
+@pytest.mark.sweep
 def test_folder_holds_the_page_of_misprints(
     tmp_path: Path, papers: dict[str, tuple[Section, ...]]
 ) -> None:

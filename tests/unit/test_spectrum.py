@@ -240,7 +240,7 @@ def test_a_step_that_is_no_case_is_refused_with_its_line(
 
 def test_a_thrust_bearing_is_refused(examples: Path, table: Path) -> None:
     case = load_case(examples / "218_combined.toml")
-    with pytest.raises(InputError, match="up to 45°"):
+    with pytest.raises(InputError, match="above 45°"):
         under(case, table, "share,bearing.contact_angle\n1,60 deg\n")
 
 

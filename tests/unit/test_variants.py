@@ -187,6 +187,7 @@ def test_what_varies_cannot_be_a_variant(pair: Case) -> None:
 # --- preload of many cases ----------------------------------------------------------------------
 
 
+@pytest.mark.sweep
 def test_load_factors_of_many_cases_are_those_of_each(pair: Case) -> None:
     """Clamped and by springs, at rest and at speed, with and without a radial load."""
     fx = np.array([1000.0, 1000.0, -500.0, 800.0, 0.0])

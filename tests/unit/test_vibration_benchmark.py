@@ -85,6 +85,7 @@ def test_a_recording_is_read_from_its_file(bench: Any, tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.sweep
 def test_recordings_in_a_process_of_their_own(bench: Any) -> None:
     findings = bench.measure_recording(0.5, 0.75)
     assert findings.failures == []

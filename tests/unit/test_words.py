@@ -292,6 +292,7 @@ class TestScript:
         assert "fuzzy: 'inner'" in told
         assert "filled in otherwise: 'turns at {speed:.4 rpm}'" in told
 
+    @pytest.mark.sweep
     def test_a_further_language_is_one_file(
         self, scripts: ModuleType, catalogues: Path, monkeypatch: pytest.MonkeyPatch
     ) -> None:

@@ -31,7 +31,9 @@ ROOT = Path(__file__).resolve().parents[2]
 ROUNDED = 4e-3
 """Relative: SNFA prints two decimals of a ball in mm, at times cut off (5/32 in as 3.96)."""
 SPINDLES = tuple(bearing for bearing in catalogue().bearings if bearing.maker == "SNFA")
-DEEP_GROOVE = tuple(bearing for bearing in catalogue().bearings if bearing.maker == "NSK")
+DEEP_GROOVE = tuple(
+    one for one in catalogue().bearings if (one.maker, one.kind) == ("NSK", "deep_groove")
+)
 
 COUNTED = (
     # Case Western Bearing Data Center: fan-end 6203-2RS, drive-end 6205-2RS (inches)

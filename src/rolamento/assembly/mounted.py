@@ -110,7 +110,11 @@ def mounted_cases(
     kept = {name: array for name, array in of_set.items() if name not in own}
     found = spread(plain, kept, threads=threads, states=states)
     varied = {name: array for name, array in kept.items() if name in arrays}
-    return replace(found, varied=varied)
+    # beyond its bounds a value is NaN, also where this mounting makes nothing of it
+    refused = np.any([np.broadcast_to(np.isnan(one), cases) for one in arrays.values()], axis=0)
+    for part in found.rows:
+        part.row.refuse(refused)
+    return replace(found, varied=varied, valid=found.valid & ~refused)
 
 
 def running_set(case: Case) -> Case:

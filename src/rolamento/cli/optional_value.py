@@ -23,33 +23,39 @@ class JsonCommand(SpokenCommand):
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
         """Parse the arguments with that value filled in."""
         takers: set[str] = set()
-        takes_word = False
+        takes_word, lacks_word = False, True
         for parameter in self.params:
             is_option = parameter.param_type_name == "option"
             takes_word = takes_word or not is_option
+            lacks_word = lacks_word and (is_option or not parameter.required)
             if is_option and not getattr(parameter, "is_flag", False):
                 takers.update(parameter.opts)
         if _OPTION in takers:
-            args = with_values(args, takers - {_OPTION}, takes_word)
+            args = with_values(args, takers - {_OPTION}, takes_word, lacks_word)
         return super().parse_args(ctx, args)
 
 
 def with_values(
-    arguments: Sequence[str], takers: Collection[str], takes_word: bool = True
+    arguments: Sequence[str],
+    takers: Collection[str],
+    takes_word: bool = True,
+    lacks_word: bool = False,
 ) -> list[str]:
     """Return the arguments with a value for every ``--json``.
 
     takers: the other options that take a value; takes_word: whether the command takes a word that
-    is no option, its CASE.
+    is no option, its CASE; lacks_word: whether it may go without.
 
     The word after ``--json`` is its FILE, unless the command line would then lack its CASE:
-    ``--json case.toml`` writes the JSON of that case to standard output.
+    ``--json case.toml`` writes the JSON of that case to standard output. Of a command that may go
+    without, only a word that ends in .json is a FILE then.
     """
     kinds = _kinds(arguments, takers)
     has_case = "case" in kinds or not takes_word
     result: list[str] = []
     for word, kind in zip(arguments, kinds, strict=True):
-        if kind == "file" and has_case:
+        is_file = has_case or (lacks_word and word.casefold().endswith(".json"))
+        if kind == "file" and is_file:
             result[-1] = f"{_OPTION}={word}"
         else:
             result.append(_LEFT_OUT if kind == "json" else word)

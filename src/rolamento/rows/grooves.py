@@ -64,6 +64,8 @@ NEGLIGIBLE: Final = 1e-7
 """Of the ball's diameter: an approach whose load is none, beside which balls are in balance."""
 ROUNDING: Final = 1e-13
 """Of an arc's length L: a lesser approach is no contact."""
+POSITION_ROUNDING: Final = 4.0 * np.finfo(np.float64).eps
+"""Of an arc's length L: how exactly a ball has a place beside it."""
 EDGE: Final = 1e-9
 """Cosine: a contact at the very end of a half circle is past it."""
 GREATEST_APPROACH: Final = 0.02
@@ -637,6 +639,10 @@ def _on_balls(
         force += outer.force - inner.force
         stiffness += outer.tangent + inner.tangent
         scale = np.maximum(scale, np.maximum(inner.load, outer.load))
+    # a light contact's approach is the difference of two lengths: no step betters its rounding
+    rounding = POSITION_ROUNDING * np.maximum(n.inner.length, n.outer.length)
+    stiffest = np.einsum("nii->ni", stiffness).max(axis=1)
+    scale = np.maximum(scale, rounding * stiffest / PRECISION)
     return _OnBalls(force, stiffness, scale, np.asarray(np.isfinite(force).all(axis=1)))
 
 
