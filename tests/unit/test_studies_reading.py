@@ -213,6 +213,8 @@ class TestNames:
          "scatter.fields.duty.load.fx.mean", 6, "does not apply to a uniform distribution"),
         (CASE + SCATTER + '"uniform"\nleast = "2 N"\ngreatest = "1 N"\n',
          "scatter.fields.duty.load.fx.greatest", 7, "greater than least"),
+        (CASE + SCATTER + '"triangular"\nlow = "1 N"\nmode = "2 N"\ngreatest = "3 N"\n',
+         "scatter.fields.duty.load.fx.low", 6, "known: distribution, mean"),
     ],
 )  # fmt: skip
 def test_refused(text: str, field: str, line: int | None, says: str, examples: Path) -> None:

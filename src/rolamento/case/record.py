@@ -287,12 +287,15 @@ def _is_list(annotation: object) -> bool:
 
 
 def _model_at(model: type[BaseModel], path: tuple[str, ...]) -> type[BaseModel] | None:
-    """Return the record type that a path of field names, and places in lists, leads to."""
-    for name in path:
+    """Return the record type that a path of field names, places and keys leads to."""
+    names = iter(path)
+    for name in names:
         if name.isdigit():
             continue
         field = model.model_fields.get(name)
         found = record_of(field.annotation) if field is not None else None
+        if field is not None and get_origin(field.annotation) in (dict, Mapping):
+            next(names, None)  # its key
         if found is None:
             return None
         model = found
@@ -300,10 +303,10 @@ def _model_at(model: type[BaseModel], path: tuple[str, ...]) -> type[BaseModel] 
 
 
 def record_of(annotation: object) -> type[BaseModel] | None:
-    """Return the record that a field holds, also where it may be absent or one of a list."""
+    """Return the record that a field holds, also where it may be absent or one of several."""
     if isinstance(annotation, type) and issubclass(annotation, BaseModel):
         return annotation
-    if get_origin(annotation) not in (Annotated, Union, UnionType, tuple):
+    if get_origin(annotation) not in (Annotated, Union, UnionType, tuple, dict, Mapping):
         return None
     found = (record_of(part) for part in get_args(annotation))
     return next((record for record in found if record is not None), None)
