@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from collections import Counter
 from pathlib import Path
 
 import pytest
@@ -53,3 +54,15 @@ def case_218(bearing_218: Bearing) -> Case:
     """The 218 bearing under combined load at 10 000 rpm."""
     load = Load(fx="20 kN", fz="15 kN")
     return Case(bearing=bearing_218, duty=Duty(inner_speed="10000 rpm", load=load))
+
+
+@pytest.hookimpl(tryfirst=True)  # before cases are chosen by their marks
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Leave two of three cases of a test with many to the sweep."""
+    counted: Counter[str] = Counter()
+    for item in items:
+        if item.get_closest_marker("thirds"):
+            name = item.nodeid.partition("[")[0]
+            if counted[name] % 3:
+                item.add_marker(pytest.mark.sweep)
+            counted[name] += 1

@@ -247,6 +247,7 @@ def test_all_fields_are_tried() -> None:
 @pytest.mark.parametrize("field", batch_fields())
 @settings(max_examples=3)
 @given(data=st.data())
+@pytest.mark.thirds
 def test_one_field_as_an_array_is_the_cases_one_by_one(field: str, data: st.DataObject) -> None:
     names = [name for name, case in CASES.items() if applies(case, field)]
     case = CASES[data.draw(st.sampled_from(names))]
@@ -279,6 +280,7 @@ PAIRED = [name for name in batch_fields() if name.split(".")[1] in (*GEOMETRY, "
     fields=["bearing.ball_diameter", "bearing.pitch_diameter"],
     data=None,
 )
+@pytest.mark.sweep
 def test_several_fields_together(name: str, fields: list[str], data: Any) -> None:
     """Also where each is within its bounds and together they contradict each other."""
     if "bearing.contact_angle" in fields and "bearing.diametral_clearance" in fields:

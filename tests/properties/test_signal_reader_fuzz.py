@@ -235,6 +235,7 @@ def test_any_table(tmp_path: Path, text: str) -> None:
 @pytest.mark.parametrize("number", range(len(isolated_seeds())))
 @settings(max_examples=10, suppress_health_check=list(HealthCheck))
 @given(seed=SEEDS)
+@pytest.mark.thirds
 def test_damaged_files_of_a_process(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, number: int, seed: int
 ) -> None:

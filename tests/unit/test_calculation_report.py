@@ -428,6 +428,7 @@ def test_html_shows_the_numbers_of_the_json(names: tuple[str, ...], lang: str) -
         pytest.param(("6305_film", "ricci_fleury"), "en", marks=pytest.mark.sweep),
     ],
 )
+@pytest.mark.thirds
 def test_pdf_shows_the_numbers_of_the_json(names: tuple[str, ...], lang: str) -> None:
     pypdf = pytest.importorskip("pypdf")
     with speaking(lang):

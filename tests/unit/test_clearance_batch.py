@@ -85,6 +85,7 @@ def changed(case: Case, name: str, value: float) -> Case:
 
 @pytest.mark.parametrize("text", [DEEP, ANGULAR], ids=["6305", "218"])
 @pytest.mark.parametrize("name", VALUES)
+@pytest.mark.thirds
 def test_each_case_is_as_solved_alone(text: str, name: str) -> None:
     case = parse_case(text)
     values = np.array(VALUES[name])

@@ -37,6 +37,7 @@ def test_power_comes_back() -> None:
     assert fit.constants["wear_at_last"] == pytest.approx(20e-6, rel=1e-6)
 
 
+@pytest.mark.sweep
 def test_standard_errors_cover_the_truth() -> None:
     """Of 200 noisy records about 95 % have A within 2.03 standard errors (Student, 37)."""
     random = np.random.default_rng(7)

@@ -684,6 +684,7 @@ def shown_on_a_terminal(directory: Path, *arguments: str) -> str:
         ("life", "case.json", "--spectrum", "cells.csv"),
     ],
 )
+@pytest.mark.thirds
 def test_a_file_cannot_speak_to_the_terminal(tmp_path: Path, arguments: tuple[str, ...]) -> None:
     case = rolamento.load_case(EXAMPLE)
     (tmp_path / "case.json").write_text(rolamento.case_to_json(case), "utf-8")

@@ -12,6 +12,7 @@ import typer
 from typer.testing import CliRunner, Result
 
 from rolamento import Bearing, load_case
+from rolamento.cli.app import app as program
 from rolamento.cli.frequencies import frequencies
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.document.medium import Medium
@@ -267,7 +268,7 @@ def test_plain_ascii_is_possible() -> None:
 )
 def test_points_in_thousands_are_asked_about_in_portuguese(arguments: tuple[str, ...]) -> None:
     """1.480 rpm is no shaft that turns once in 40 s."""
-    result = CliRunner().invoke(app, [*arguments, "--lang", "pt"])
+    result = CliRunner().invoke(program, [*arguments, "--lang", "pt"])
     assert result.exit_code == 2
     assert "ponto de milhar" in result.output
     whole = "5000 N" if "5.000 N" in arguments else "1480 rpm"

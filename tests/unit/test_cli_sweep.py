@@ -168,6 +168,7 @@ def test_parts_of_another_study(run: Run) -> None:
 
 
 @pytest.mark.skipif(os.name != "posix", reason="needs POSIX signals")
+@pytest.mark.sweep
 def test_ctrl_c_of_a_process(run: Run, examples: Path) -> None:
     """A real interrupt in the middle: exit code 130, and the rest is done by a second run."""
     scatter = (

@@ -290,6 +290,7 @@ def dask_processes() -> Iterator[tuple[str, subprocess.Popen[bytes]]]:
 @pytest.mark.parametrize(
     "how", [signal.SIGKILL, pytest.param(signal.SIGSTOP, marks=pytest.mark.sweep)]
 )
+@pytest.mark.sweep
 def test_a_scheduler_that_is_lost(
     tmp_path: Path, dask_processes: tuple[str, subprocess.Popen[bytes]], how: signal.Signals
 ) -> None:

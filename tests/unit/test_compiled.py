@@ -116,6 +116,7 @@ def kept(script: Path, ending: str) -> Path:
         ),
     ],
 )
+@pytest.mark.thirds
 def test_damaged_compiled_code_is_discarded(script: Path, ending: str, damage: str) -> None:
     assert ran(script) == ("42.0 0\n", "")
     assert ran(script) == ("42.0 1\n", "")

@@ -274,6 +274,7 @@ def test_changes_have_bars_as_long_as_their_gain() -> None:
 @pytest.mark.parametrize("language", LANGUAGES)
 @pytest.mark.parametrize("width", [80, 120])
 @pytest.mark.parametrize("name", VARIED)
+@pytest.mark.thirds
 def test_the_report_fits_and_leaves_no_blank(name: str, width: int, language: str) -> None:
     text = report(name, language, width=width)
     assert max(map(len, text.splitlines())) <= width

@@ -234,6 +234,7 @@ def test_a_contact_angle_that_hardly_changes_gives_two_to_the_three_halves(
     assert found.lost_row == 1
 
 
+@pytest.mark.sweep
 def test_the_contact_angle_lifts_the_ratio_with_preload_and_for_small_angles() -> None:
     forces = [10.0, 100.0, 1000.0]
     ratios = {
@@ -249,6 +250,7 @@ def test_the_contact_angle_lifts_the_ratio_with_preload_and_for_small_angles() -
         assert all(a > b for a, b in zip(ratios[flatter], ratios[steeper], strict=True))
 
 
+@pytest.mark.sweep
 def test_a_row_really_loses_its_balls_there() -> None:
     for arrangement, load in (
         ("DB", {"fx": 300.0}),

@@ -157,6 +157,7 @@ def test_colours_only_where_the_medium_has_them() -> None:
 @BOTH
 @pytest.mark.parametrize("encoding", ["ascii", "latin-1", "cp1252", "cp437", "utf-8", "no-such"])
 @pytest.mark.parametrize("name", NAMES)
+@pytest.mark.thirds
 def test_any_encoding_can_show_it(name: str, encoding: str, language: str) -> None:
     report = plain(solved(name), language, encoding=encoding)
     report.encode("ascii" if encoding == "no-such" else encoding)

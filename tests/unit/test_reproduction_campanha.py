@@ -784,6 +784,7 @@ def test_summary(sections: tuple[Section, ...]) -> None:
     assert lines[1].startswith("Of 80 printed numbers, 73 are")
 
 
+@pytest.mark.sweep
 def test_folder(folder: Path) -> None:
     expected = {name for name in file_names(find(NAME)) if not name.endswith(".svg")}
     assert {path.name for path in folder.iterdir()} == expected

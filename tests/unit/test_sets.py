@@ -195,6 +195,7 @@ def test_twenty_rows() -> None:
 
 @pytest.mark.parametrize("arrangement", ARRANGEMENTS)
 @pytest.mark.parametrize("control", ["outer", "inner", "jones", "none"])
+@pytest.mark.thirds
 def test_every_arrangement_under_every_control(arrangement: Any, control: Any) -> None:
     two_sided = len(set(ARRANGEMENTS[arrangement])) > 1
     bearing = set_of(arrangement, "6 kN" if two_sided else None)

@@ -131,7 +131,8 @@ def test_thousands_point_of_a_collector(tmp_path: Path) -> None:
     assert "and 25600 if it separates thousands" in told
     assert 'decimal_mark="comma" for 25600' in told
     assert "rate=" not in told
-    (over,) = open_signal(path, channel=1, rate=25600.0).notes
+    with open_signal(path, channel=1, rate=25600.0) as opened:
+        (over,) = opened.notes
     assert '"Fs: 25.600" says 25.6 Hz or 25 600 Hz, by its point' in over.text
     assert read_signal(path, channel=1, rate=25600.0).rate == 25600.0
     assert read_signal(path, channel=1, decimal_mark="point").rate == 25.6

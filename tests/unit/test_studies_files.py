@@ -146,6 +146,7 @@ def test_what_is_loaded_is_what_xarray_reads(
 
 
 @pytest.mark.slow
+@pytest.mark.sweep
 def test_a_damaged_result_is_refused_in_one_sentence(
     study: Study, tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
@@ -224,6 +225,7 @@ except FileError as error:
     "ending",
     [".nc", *(pytest.param(other, marks=pytest.mark.sweep) for other in (".csv", ".parquet"))],
 )
+@pytest.mark.sweep
 def test_a_disk_that_fills_up(study: Study, tmp_path: Path, ending: str) -> None:
     """A limit on the size of files stands for a full disk: one sentence, and nothing is lost.
 

@@ -664,6 +664,7 @@ def test_what_one_race_gains_the_other_loses(orders: FaultOrders) -> None:
 
 @pytest.mark.parametrize("order", [3.0, 3.005])
 @pytest.mark.parametrize("turning", ["steady", "tracked"])
+@pytest.mark.thirds
 def test_a_race_is_not_lost_on_a_multiple_of_the_shaft(order: float, turning: str) -> None:
     """By --track or a steady speed: named, watched, or "cannot tell", but not "nothing found"."""
     bearing = Bearing.named("6305")
@@ -731,6 +732,7 @@ def test_a_comb_of_a_lower_frequency_is_no_race(
     assert any(line.frequency == pytest.approx(frequency, rel=0.01) for line in found.unexplained)
 
 
+@pytest.mark.sweep
 def test_noise_that_may_have_lifted_a_depth_leaves_it_undecided(orders: FaultOrders) -> None:
     """A healthy bearing's line of 27 % in 1 s of noise, where it scatters by some 10 %."""
 

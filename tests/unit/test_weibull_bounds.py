@@ -61,6 +61,7 @@ def test_values_of_quantities() -> None:
 
 @pytest.mark.parametrize("test", ALL, ids=lambda t: t.scheme)
 @pytest.mark.parametrize("method", METHODS[:-1])
+@pytest.mark.thirds
 def test_bounds_of_every_method_for_every_kind_of_test(method: Method, test: LifeTest) -> None:
     fit = maximum_likelihood(test)
     found = all_bounds(test, NAMES, method=method, samples=2000)
