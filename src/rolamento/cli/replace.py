@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final
 
 import typer
@@ -11,6 +12,7 @@ import typer
 from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings
 from rolamento.cli.grouped_help import GroupedCommands, Groups
 from rolamento.cli.option_names import in_options
+from rolamento.cli.option_records import with_record
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import LanguageOption, PlotOption, SeedOption, json_option
 from rolamento.cli.outputs import NOWHERE, OUTPUT_OPTIONS, Outputs, with_outputs
@@ -35,10 +37,53 @@ if TYPE_CHECKING:
 
 __all__ = ["app"]
 
-_LIVES: Final = (
-    *("example", "only", "shape", "scale", "l10", "time_column", "status_column"),
-    *("count_column", "unit", "decimal_mark", "samples", "seed"),
-)
+
+@dataclass(frozen=True, slots=True)
+class LivesOptions:
+    """What options say of a distribution of lives: from a table, or given."""
+
+    example: Annotated[
+        str | None,
+        typer.Option("--example", metavar="NAME", help=f"Shipped lives: {' or '.join(EXAMPLES)}."),
+    ] = None
+    only: Annotated[
+        list[str] | None,
+        typer.Option("--only", metavar="GROUP", help="Only this group of the data. Repeatable."),
+    ] = None
+    shape: Annotated[
+        float | None,
+        typer.Option(
+            "--shape",
+            metavar="BETA",
+            help="Shape from experience, such as 1.5; with data, only the scale is fitted.",
+        ),
+    ] = None
+    scale: Annotated[
+        str | None,
+        typer.Option("--scale", metavar="LIFE", help="Scale η without data, such as '30000 h'."),
+    ] = None
+    l10: Annotated[
+        str | None,
+        typer.Option("--l10", metavar="LIFE", help="L10 without data, such as '20000 h', instead."),
+    ] = None
+    time_column: TimeColumnOption = None
+    status_column: StatusColumnOption = None
+    count_column: CountColumnOption = None
+    unit: Annotated[
+        str | None,
+        typer.Option("--unit", metavar="UNIT", help="Unit of the times, if the file says another."),
+    ] = None
+    decimal_mark: DecimalMarkOption = None
+    samples: Annotated[
+        int | None,
+        typer.Option(
+            "--samples",
+            metavar="N",
+            help="Tests to simulate, 100 to a million; 10 000 by default, fewer for large tests.",
+        ),
+    ] = None
+    seed: SeedOption = 0
+
 
 app = typer.Typer(
     cls=GroupedCommands,
@@ -56,7 +101,7 @@ class ReplaceCommand(JsonCommand):
             *("fleet", "within", "until", "begin", "usage", "usage_column", "renewed"),
             "confidence",
         ),
-        "Lives": _LIVES,
+        "Lives": tuple(one.name for one in fields(LivesOptions)),
         "Output": ("plot", "json", *OUTPUT_OPTIONS, "lang", "help"),
     }
 
@@ -77,46 +122,15 @@ DataArgument = Annotated[
         " standard input. Without it --shape, and --scale or --l10.",
     ),
 ]
-ExampleOption = Annotated[
-    str | None,
-    typer.Option("--example", metavar="NAME", help=f"Shipped lives: {' or '.join(EXAMPLES)}."),
-]
-OnlyOption = Annotated[
-    list[str] | None,
-    typer.Option("--only", metavar="GROUP", help="Only this group of the data. Repeatable."),
-]
-ShapeOption = Annotated[
-    float | None,
-    typer.Option(
-        "--shape",
-        metavar="BETA",
-        help="Shape from experience, such as 1.5; with data, only the scale is fitted.",
-    ),
-]
-ScaleOption = Annotated[
-    str | None,
-    typer.Option("--scale", metavar="LIFE", help="Scale η without data, such as '30000 h'."),
-]
-L10Option = Annotated[
-    str | None,
-    typer.Option("--l10", metavar="LIFE", help="L10 without data, such as '20000 h', instead."),
-]
-UnitOption = Annotated[
-    str | None,
-    typer.Option("--unit", metavar="UNIT", help="Unit of the times, if the file says another."),
-]
 ConfidenceOption = Annotated[
     float, typer.Option("--confidence", metavar="C", help="Confidence of the intervals.")
 ]
-SamplesOption = Annotated[
-    int | None,
-    typer.Option(
-        "--samples",
-        metavar="N",
-        help="Tests to simulate, 100 to a million; 10 000 by default, fewer for large tests.",
-    ),
-]
 JsonOption = Annotated[str | None, json_option("Write everything as JSON, in the unit of the data")]
+
+
+NOTHING_OF_LIVES: Final = LivesOptions()
+with_lives = with_record("of_lives", LivesOptions)
+"""Give a command the options of `LivesOptions`, which it takes as one argument, ``of_lives``."""
 
 
 @app.callback()
@@ -134,6 +148,7 @@ def replace(lang: LanguageOption = None) -> None:
     " replace remaining --shape 1.5 --l10 '20000 h' --age '8000 h' --mission '2000 h'.",
 )
 @with_outputs
+@with_lives
 def remaining(
     data: DataArgument = None,
     age: Annotated[
@@ -144,18 +159,7 @@ def remaining(
         typer.Option("--mission", metavar="TIME", help="Time to run more, such as '2000 h'."),
     ] = None,
     confidence: ConfidenceOption = 0.9,
-    example: ExampleOption = None,
-    only: OnlyOption = None,
-    shape: ShapeOption = None,
-    scale: ScaleOption = None,
-    l10: L10Option = None,
-    time_column: TimeColumnOption = None,
-    status_column: StatusColumnOption = None,
-    count_column: CountColumnOption = None,
-    unit: UnitOption = None,
-    decimal_mark: DecimalMarkOption = None,
-    samples: SamplesOption = None,
-    seed: SeedOption = 0,
+    of_lives: LivesOptions = NOTHING_OF_LIVES,
     plot: PlotOption = None,
     json: JsonOption = None,
     outputs: Outputs = NOWHERE,
@@ -165,11 +169,10 @@ def remaining(
 
     Conditional reliability and residual life.
     """
-    given = dict(locals())
     with plain_endings(lang):
         if not age:
             raise InputError(said("is missing"), source="--age", example="--age '8000 h'")
-        data, json, lives = _lives(given)
+        data, json, lives = _lives(of_lives, data, json, plot, outputs)
         from rolamento.pages.replace import remaining_page
         from rolamento.tasks.replace import remaining_study
 
@@ -219,6 +222,7 @@ def _cost(text: str | None, option: str) -> float:
     " replace age --shape 2.5 --scale '1000 h' --planned-cost 1 --failure-cost 5.",
 )
 @with_outputs
+@with_lives
 def age_command(
     data: DataArgument = None,
     planned_cost: Annotated[
@@ -237,18 +241,7 @@ def age_command(
         str, typer.Option("--currency", metavar="NAME", help="Label of the costs, such as USD.")
     ] = "",
     confidence: ConfidenceOption = 0.9,
-    example: ExampleOption = None,
-    only: OnlyOption = None,
-    shape: ShapeOption = None,
-    scale: ScaleOption = None,
-    l10: L10Option = None,
-    time_column: TimeColumnOption = None,
-    status_column: StatusColumnOption = None,
-    count_column: CountColumnOption = None,
-    unit: UnitOption = None,
-    decimal_mark: DecimalMarkOption = None,
-    samples: SamplesOption = None,
-    seed: SeedOption = 0,
+    of_lives: LivesOptions = NOTHING_OF_LIVES,
     plot: PlotOption = None,
     json: JsonOption = None,
     outputs: Outputs = NOWHERE,
@@ -258,11 +251,10 @@ def age_command(
 
     Planned replacement against replacement on failure.
     """
-    given = dict(locals())
     with plain_endings(lang):
         planned = _cost(planned_cost, "--planned-cost")
         failure = _cost(failure_cost, "--failure-cost")
-        data, json, lives = _lives(given)
+        data, json, lives = _lives(of_lives, data, json, plot, outputs)
         from rolamento.pages.replace import replacement_page
         from rolamento.tasks.replace import replacement_study
 
@@ -292,6 +284,7 @@ def age_command(
     " replace fleet field.csv --fleet plant.csv --until 2026-12-31 --usage '16 h' --renewed.",
 )
 @with_outputs
+@with_lives
 def fleet_command(
     data: DataArgument = None,
     fleet: Annotated[
@@ -337,18 +330,7 @@ def fleet_command(
         ),
     ] = False,
     confidence: ConfidenceOption = 0.9,
-    example: ExampleOption = None,
-    only: OnlyOption = None,
-    shape: ShapeOption = None,
-    scale: ScaleOption = None,
-    l10: L10Option = None,
-    time_column: TimeColumnOption = None,
-    status_column: StatusColumnOption = None,
-    count_column: CountColumnOption = None,
-    unit: UnitOption = None,
-    decimal_mark: DecimalMarkOption = None,
-    samples: SamplesOption = None,
-    seed: SeedOption = 0,
+    of_lives: LivesOptions = NOTHING_OF_LIVES,
     plot: PlotOption = None,
     json: JsonOption = None,
     outputs: Outputs = NOWHERE,
@@ -358,9 +340,8 @@ def fleet_command(
 
     By a date or within a time, with a prediction interval.
     """
-    given = dict(locals())
     with plain_endings(lang):
-        data, json, lives = _lives(given, fleet)
+        data, json, lives = _lives(of_lives, data, json, plot, outputs, fleet)
         from rolamento.pages.replace import fleet_page
         from rolamento.tasks.replace import fleet_study
 
@@ -374,7 +355,7 @@ def fleet_command(
                 usage=usage,
                 renewed=renewed,
                 confidence=confidence,
-                fleet_columns={"usage": usage_column, "decimal_mark": decimal_mark},
+                fleet_columns={"usage": usage_column, "decimal_mark": of_lives.decimal_mark},
                 **lives,
             )
 
@@ -390,33 +371,38 @@ def fleet_command(
 # --- what the commands share -----------------------------------------------------------------
 
 
-def _lives(given: dict[str, Any], *read: str | None) -> tuple[Any, str | None, dict[str, Any]]:
+def _lives(
+    options: LivesOptions,
+    data: str | None,
+    json: str | None,
+    plot: str | None,
+    outputs: Outputs,
+    *read: str | None,
+) -> tuple[Any, str | None, dict[str, Any]]:
     """Return the data, where JSON goes, and the other arguments of `lives_of`."""
-    example = given["example"]
-    data, json = data_and_json(given["data"], example, given["json"])
-    outputs: Outputs = given["outputs"]
+    data, json = data_and_json(data, options.example, json)
     outputs.check(
-        {"--json": json, "--plot": given["plot"]},
+        {"--json": json, "--plot": plot},
         data,
         *read,
         rule=marked("is the data file itself; choose another name"),
     )
-    if data is not None and example is not None:
+    if data is not None and options.example is not None:
         raise InputError(said("give a CSV file or --example, not both"), field="DATA.csv")
     columns = {
-        "unit": given["unit"], "time": given["time_column"], "status": given["status_column"],
-        "count": given["count_column"], "decimal_mark": given["decimal_mark"],
+        "unit": options.unit, "time": options.time_column, "status": options.status_column,
+        "count": options.count_column, "decimal_mark": options.decimal_mark,
     }  # fmt: skip
     lives: dict[str, Any] = {
-        "columns": columns, "only": given["only"] or (),
-        **{name: given[name] for name in ("shape", "scale", "l10", "samples", "seed")},
+        "columns": columns, "only": options.only or (),
+        **{name: getattr(options, name) for name in ("shape", "scale", "l10", "samples", "seed")},
     }  # fmt: skip
     source: Any = data
-    if example is not None:
+    if options.example is not None:
         from rolamento.weibull import published_life_test
 
         with told_in_options():
-            name = known_example(example, EXAMPLES).replace("-", "_")
+            name = known_example(options.example, EXAMPLES).replace("-", "_")
             source = published_life_test(name, **columns)
     return source, json, lives
 

@@ -200,30 +200,6 @@ def ball_azimuths(p: Floats, balls: int) -> Floats:
     return np.where(wrapped < 2.0 * np.pi, wrapped, 0.0)
 
 
-@dataclass(frozen=True, slots=True)
-class OneRow:
-    """Many cases of a bearing of one row, as `jones` wants a system."""
-
-    p: Floats
-    balls: int
-    threads: int | None = None
-    fast: bool = True
-
-    @property
-    def shape(self) -> tuple[int, int]:
-        """Cases and balls."""
-        return self.p.shape[1], self.balls
-
-    def solve(self, control: Floats, which: NDArray[np.intp] | None = None) -> Solution:
-        """Solve all cases, or some."""
-        p = self.p if which is None else self.p[:, which]
-        return solve_columns(p, control, self.balls, threads=self.threads, fast=self.fast)
-
-    def verdict(self, solution: Solution, control: Floats) -> NDArray[np.int64]:
-        """Jones's criterion for every ball at a solution; (cases, balls)."""
-        return row_verdict(self.p, control, solution)
-
-
 def row_verdict(p: Floats, control: Floats, solution: Solution) -> NDArray[np.int64]:
     """Jones's criterion for every ball of a row; (cases, balls)."""
     azimuth = ball_azimuths(p, control.shape[1])
