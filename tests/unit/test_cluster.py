@@ -12,6 +12,7 @@ import threading
 import time
 from collections.abc import Iterator
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any, ClassVar
 
 import numpy as np
@@ -20,7 +21,7 @@ import pytest
 import rolamento
 from rolamento import studies
 from rolamento.cli.app import app
-from rolamento.studies.cluster import ClusterError, dask_cluster
+from rolamento.studies.cluster import ClusterError, _result, dask_cluster
 
 distributed = pytest.importorskip("distributed")
 
@@ -145,6 +146,39 @@ def test_a_run_that_stopped_on_the_cluster_goes_on_here(
     summary = studies.run_to_file(study, file, chunk=CHUNK)
     assert 0 < summary.solved < 3000
     same(studies.load_result(file), local)
+
+
+class Fetched:
+    """A future whose worker is lost before its result is fetched: it comes the third time."""
+
+    def __init__(self) -> None:
+        self.asked = 0
+
+    def result(self, timeout: float) -> tuple[list[Any], float]:
+        self.asked += 1
+        if self.asked < 3:
+            raise TimeoutError(f"timed out after {timeout:g} s.")
+        return [], 0.5
+
+
+class Asked:
+    """A client whose scheduler answers, or does not."""
+
+    scheduler = SimpleNamespace(identity=None)
+
+    def __init__(self, status: str) -> None:
+        self.status = status
+
+    def sync(self, action: None, callback_timeout: float) -> None:
+        pass
+
+
+def test_a_result_lost_before_it_was_fetched_is_waited_for() -> None:
+    future = Fetched()
+    assert _result(future, Asked("running")) == ([], 0.5)
+    assert future.asked == 3
+    with pytest.raises(TimeoutError, match="gone away"):
+        _result(Fetched(), Asked("closed"))
 
 
 def _workers(cluster: Any) -> list[dict[str, Any]]:

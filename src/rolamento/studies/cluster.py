@@ -170,7 +170,7 @@ def _solved(
             running += 1
         while running:
             future = _next(done, client)
-            parts, seconds = future.result(timeout=PATIENCE)
+            parts, seconds = _result(future, client)
             future.release()
             running -= 1
             size = _paced(len(parts), seconds, size)
@@ -211,9 +211,38 @@ def _next(done: queue.SimpleQueue[Any], client: Any) -> Any:
     while True:
         with suppress(queue.Empty):
             return done.get(timeout=SILENCE)
-        if client.status != "running":
-            raise TimeoutError(said("the scheduler has gone away"))
-        _within(PATIENCE, lambda: client.sync(client.scheduler.identity, callback_timeout=PATIENCE))
+        _ask(client)
+
+
+def _result(future: Any, client: Any) -> tuple[list[Part], float]:
+    """What a future has found.
+
+    It goes with its worker if that is lost before it is fetched: Dask then has another solve it
+    again, which takes its time.
+
+    Raises
+    ------
+    TimeoutError
+        If it does not come, and the scheduler does not answer.
+    """
+    while True:
+        with suppress(TimeoutError):
+            found: tuple[list[Part], float] = future.result(timeout=PATIENCE)
+            return found
+        _ask(client)
+
+
+def _ask(client: Any) -> None:
+    """Ask the scheduler whether it is there.
+
+    Raises
+    ------
+    TimeoutError
+        If it is not, or does not answer.
+    """
+    if client.status != "running":
+        raise TimeoutError(said("the scheduler has gone away"))
+    _within(PATIENCE, lambda: client.sync(client.scheduler.identity, callback_timeout=PATIENCE))
 
 
 def _within(seconds: float, action: Callable[[], T]) -> T:
