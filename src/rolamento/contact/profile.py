@@ -104,19 +104,21 @@ def _logarithmic(
     z is the end drop. Johns and Gohar (1981) have a drop over the whole length; Fujiwara and
     Kawase (2007), eq. 6, one over a part.
     """
-    amplitude = ISO_FACTOR * diameter if profile.amplitude is None else profile.amplitude
+    given = profile.amplitude
+    amplitude = np.asarray(ISO_FACTOR * diameter if given is None else given, np.float64)
     half = 0.5 * length
     crowned = half if profile.crowned_length is None else np.minimum(profile.crowned_length, half)
     end = np.inf if profile.end_drop is None else profile.end_drop
-    return np.asarray(amplitude * _logarithm(x, length, crowned, -np.expm1(-end / amplitude)))
+    depth = np.asarray(-np.expm1(-end / amplitude), np.float64)
+    return np.asarray(amplitude * _logarithm(x, length, crowned, depth))
 
 
 def _logarithm(
-    x: FloatArray, length: FloatArray, crowned: FloatArray, depth: ArrayLike = 1.0
+    x: FloatArray, length: FloatArray, crowned: FloatArray, depth: FloatArray | float = 1.0
 ) -> FloatArray:
     """The logarithm ln 1/(1 - depth s²), s counted over the crowned length at each end."""
     s = np.clip((np.abs(x) - 0.5 * length) / crowned + 1.0, 0.0, 1.0)
-    return -np.log1p(-depth * s * s)
+    return np.asarray(-np.log1p(-depth * s * s))
 
 
 def _crowned(
@@ -164,7 +166,7 @@ def _table(
             value=readable(reach, "length"),
             example='places = ["0 mm", "3 mm", "4.5 mm"]',
         )
-    return np.interp(np.abs(x) if mirrored else x, places, drops)
+    return np.asarray(np.interp(np.abs(x) if mirrored else x, places, drops))
 
 
 _DROPS: Final[
