@@ -68,8 +68,8 @@ def test_films_rank_and_agree_on_a_roller() -> None:
     for formula in ("pan_hamrock", "dowson_toyoda"):
         central, minimum = line_film(found, formula)  # type: ignore[arg-type]
         assert 0.7 < minimum / central < 0.95
-    assert pan_hamrock_central(found) / dowson_toyoda_central(found) == pytest.approx(0.85, abs=0.15)
-    assert pan_hamrock_minimum(found) / dowson_minimum(found) == pytest.approx(1.0, abs=0.1)
+    assert 0.7 < pan_hamrock_central(found) / dowson_toyoda_central(found) < 1.0
+    assert 0.9 < pan_hamrock_minimum(found) / dowson_minimum(found) < 1.1
     assert pan_hamrock_minimum(found) > rigid_film(found)
 
 

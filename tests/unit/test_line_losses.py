@@ -88,7 +88,8 @@ def test_slip_of_a_triangular_load_and_of_none() -> None:
     assert slip_moment(np.zeros((3, slices)), place[np.newaxis]).tolist() == [0.0, 0.0, 0.0]
     # no other place of rolling loses less
     for other in (0.6, 0.75, 0.8):
-        assert quad(lambda x: x * abs(x - other), 0, 1, points=[other])[0] > exact
+        lost = quad(lambda x, at: x * abs(x - at), 0, 1, args=(other,), points=[other])[0]
+        assert lost > exact
 
 
 def test_rib_friction_falls_with_the_film() -> None:

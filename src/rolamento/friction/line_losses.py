@@ -18,13 +18,13 @@ without an influence of load beyond a light one; theirs is isothermal.
 *Elastic hysteresis*: M = α_h q 2b/(3π) about the axis of rolling (Johnson, Contact Mechanics, 1985,
 section 9.1): as for balls, of the work that the front half of the contact does a part α_h is lost.
 
-*Slip along the roller*: where the apex of a tapered roller is not on the bearing's axis, the contact
-rolls at one place only and slips elsewhere at the rate of its spin. Without a force along
+*Slip along the roller*: where the apex of a tapered roller is not on the bearing's axis, the
+contact rolls at one place only and slips elsewhere at the rate of its spin. Without a force along
 rolling the slip changes sign where half of the load lies on either side.
 
 *Rib*: Coulomb's friction of the load that asperities carry, Aihara (1987), equation 14:
-μ = μ₀ exp(-1.8 Λ^1.2), with Λ = 1.25 h_0/σ and h_0 the minimum film by Hamrock and Dowson. The shear
-of a full film there, with a coefficient below 0.01, is not counted, as in the source.
+μ = μ₀ exp(-1.8 Λ^1.2), with Λ = 1.25 h_0/σ and h_0 the minimum film by Hamrock and Dowson. The
+shear of a full film there, with a coefficient below 0.01, is not counted, as in the source.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ RIB_COEFFICIENT: Final = 0.2
 Rolling Bearings (E1102m), section 15.4."""
 
 RIB_FILM: Final = 1.25
-"""Of the minimum film by Hamrock and Dowson at the rib, in the middle. Aihara (1987), equation 16."""
+"""Film in the middle over the minimum film by Hamrock and Dowson. Aihara (1987), equation 16."""
 
 
 def inlet_force(
@@ -102,7 +102,9 @@ def computed_inlet_force(
     return np.asarray(np.where((q > 0.0) & (rate > 0.0), force, 0.0 * q))
 
 
-def line_hysteresis(load_per_length: ArrayLike, half_width: ArrayLike, loss: ArrayLike) -> FloatArray:
+def line_hysteresis(
+    load_per_length: ArrayLike, half_width: ArrayLike, loss: ArrayLike
+) -> FloatArray:
     """Moment of elastic hysteresis about the axis of rolling per length: α_h q 2b/(3π); N.
 
     Parameters: q (N/m), b (m), α_h, arrays that broadcast. Johnson (1985), section 9.1.
@@ -112,7 +114,7 @@ def line_hysteresis(load_per_length: ArrayLike, half_width: ArrayLike, loss: Arr
 
 
 def slip_moment(load_per_length: FloatArray, place: FloatArray) -> FloatArray:
-    """∫ q |x - x_0| dx along the contact, with the place x_0 that has half of the load beyond it; N·m.
+    """∫ q |x - x_0| dx along the contact, half of the load lying beyond x_0; N·m.
 
     Parameters
     ----------
@@ -121,7 +123,7 @@ def slip_moment(load_per_length: FloatArray, place: FloatArray) -> FloatArray:
     Returns
     -------
     (...); times μ and the spin it is the power of friction of a contact that spins and rolls.
-    The place is found within its slice, so that a uniform load gives q l²/4 exactly.
+    x_0 is found within its slice, so that a uniform load gives q l²/4 exactly.
     """
     q = np.nan_to_num(load_per_length)
     width = place[..., 1:2] - place[..., :1]

@@ -8,12 +8,12 @@ With lengths in mm, ν in mm²/s and n in rpm, moments come in N·mm:
 
 P1 = max(3 F_a - 0.1 F_r, F_r) for deep-groove bearings, max(0.9 F_a cot α - 0.1 F_r, F_r) for
 angular-contact ones, double-row, four-point and self-aligning ones among them, F_a for thrust
-bearings; of roller bearings max(0.8 F_a cot α, F_r), which is F_r where the contact angle is zero. The
-constants hold for moderate speed and load and the lubrication named.
+bearings; of tapered roller bearings max(0.8 F_a cot α, F_r), of cylindrical and needle ones F_r.
+The constants hold for moderate speed and load and the lubrication named.
 
 Palmgren (1959); constants and P1 as Harris (1991), chapter 14, gives them; those of double-row,
-four-point, self-aligning and thrust bearings, and all of roller bearings, are from general knowledge
-of its tables 14.1 to 14.3 and of SKF's General catalogue of 1989, no print was at hand.
+four-point, self-aligning and thrust bearings, and all of roller bearings, are from general
+knowledge of its tables 14.1 to 14.3 and of SKF's General catalogue of 1989, no print was at hand.
 """
 
 from __future__ import annotations
@@ -57,9 +57,9 @@ LUBRICATION_FACTORS: Final[Mapping[str, Mapping[str, float]]] = {
     "needle": {"grease": 12.0, "oil_mist": 6.0, "oil_bath": 12.0, "oil_jet": 24.0},
 }
 """f0. Deep-groove bearings with grease: 0.7 (light series) to 2 (heavy series). "oil_jet" is
-also for an oil bath with a vertical shaft. Self-aligning and cylindrical roller bearings (with cage):
-the middle between light and heavy series, 1.5 to 2 and 0.6 to 1 with grease, and of cylindrical
-roller bearings 2.2 to 4 with an oil bath."""
+also for an oil bath with a vertical shaft. Self-aligning and cylindrical roller bearings (with
+cage): the middle between light and heavy series, 1.5 to 2 and 0.6 to 1 with grease, and of
+cylindrical roller bearings 2.2 to 4 with an oil bath."""
 
 LOAD_FACTORS: Final[Mapping[str, tuple[float, float]]] = {
     "deep_groove": (0.0005, 0.55),
@@ -78,8 +78,8 @@ cylindrical roller bearings with cage: 0.0002 to 0.0004."""
 RIB_FACTORS: Final[Mapping[str, float]] = {
     "grease": 0.003, "oil_mist": 0.002, "oil_bath": 0.002, "oil_jet": 0.002,
 }  # fmt: skip
-"""f2 of cylindrical roller bearings with cage and ribs of today's design, up to F_a = 0.4 F_r; older
-ones have three times as much."""
+"""f2 of cylindrical roller bearings with cage and ribs of today's design, up to F_a = 0.4 F_r;
+older ones have three times as much."""
 
 RIB_LOAD_SHARE: Final = 0.4
 """F_a/F_r up to which f2 is valid."""

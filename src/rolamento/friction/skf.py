@@ -103,7 +103,7 @@ class SkfConstants:
 
     kind chooses the formulas. r3 and s3 are used by angular-contact and self-aligning bearings
     only, r2 by all but thrust and cylindrical roller bearings, s2 by all but thrust bearings. k_z:
-    4.4 for single-row angular-contact bearings, 4.8 for self-aligning ones, 3.8 for thrust bearings,
+    4.4 for single-row angular-contact bearings, 4.8 for self-aligning ones, 3.8 for thrust ones,
     3.1 for the other ball bearings; 5.1 for cylindrical roller bearings with cage, 6 for tapered.
     contact_angle: nominal, of the bearings that the constants are for (rad), if known.
     """
@@ -188,7 +188,7 @@ def thrust_constants() -> SkfConstants:
 
 @cache
 def roller_series(kind: Literal["cylindrical", "tapered"]) -> Mapping[str, SkfConstants]:
-    """Return the constants of roller bearings by series, such as "2" of NU 206 or "302" of 30206."""
+    """Return the constants of roller bearings by series, such as "2" of NU 206 or "302"."""
     data = toml_of("skf_friction")
     return {
         name: SkfConstants(
