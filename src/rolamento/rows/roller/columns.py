@@ -231,7 +231,7 @@ def _cut(
     some = slice(0, 1) if same else slice(None)
     length, diameter, pitch, half, axis = (a[some] for a in (length, diameter, pitch, half, axis))
     place = slice_places(length, slices)
-    sizes = {"length": length[:, np.newaxis], "diameter": diameter[:, np.newaxis]}
+    sizes: dict[str, Any] = {"length": length[:, np.newaxis], "diameter": diameter[:, np.newaxis]}
     roller = drop(bearing.roller_profile, place, tapered=bool((half > 0.0).any()), **sizes)
     races = [
         drop(profile, place, **sizes) for profile in (bearing.inner_profile, bearing.outer_profile)
