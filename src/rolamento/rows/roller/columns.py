@@ -19,7 +19,6 @@ import numpy as np
 
 from rolamento.case import Case
 from rolamento.case.bearing import RowPlace
-from rolamento.case.profile import Profile
 from rolamento.contact.coupled import body_term, influence_table
 from rolamento.contact.hertz import effective_modulus
 from rolamento.contact.line import contact_constant, roller_share, slice_places
@@ -234,9 +233,9 @@ def _cut(
     place = slice_places(length, slices)
     tapered = bool((half > 0.0).any())
     sizes = {"length": length[:, np.newaxis], "diameter": diameter[:, np.newaxis]}
-    roller = drop(_profile(bearing, "roller", "iso"), place, tapered=tapered, **sizes)
+    roller = drop(bearing.roller_profile, place, tapered=tapered, **sizes)
     races = [
-        drop(_profile(bearing, race, "none"), place, tapered=tapered, **sizes)
+        drop(getattr(bearing, f"{race}_profile"), place, tapered=tapered, **sizes)
         for race in ("inner", "outer")
     ]
     drops = np.stack([roller + race for race in races], axis=1)
@@ -256,11 +255,6 @@ def _cut(
             ]
         )
     return Cut(coupled, place, drops, curvature, body, table)
-
-
-def _profile(bearing: Any, part: str, usual: Any) -> Profile:
-    given = getattr(bearing, f"{part}_profile", None)
-    return Profile(kind=usual) if given is None else given
 
 
 def _curvature(
