@@ -81,10 +81,12 @@ def influence_table(slices: int) -> Array:
     (points, 2, slices): g_j, and ∂g_j/∂ln β times the distance of the points, at ln β = -8, …, 6.
     Not to be written to.
     """
-    edge = np.arange(slices + 1) - 0.5  # the slice j reaches from j - ½ to j + ½
+    edge = np.asarray(
+        np.arange(slices + 1) - 0.5, np.float64
+    )  # the slice j reaches from j - ½ to j + ½
     node, weight = np.polynomial.legendre.leggauss(_NODES)
-    start = _FIRST + _STEP * np.arange(_POINTS)
-    between = start[:-1, np.newaxis] + 0.5 * _STEP * (node + 1.0)
+    start = np.asarray(_FIRST + _STEP * np.arange(_POINTS), np.float64)
+    between = np.asarray(start[:-1, np.newaxis] + 0.5 * _STEP * (node + 1.0), np.float64)
     grown = 0.5 * _STEP * np.tensordot(_slope(edge, between), weight, axes=([1], [0]))
     # far below a: ⟨ln(2a/(β|t|))⟩ = ln(2a/β) + ln 2 + ½, and G is odd in a
     first = np.sign(edge) * (np.log(4.0 * np.abs(edge)) - _FIRST + 0.5)

@@ -79,7 +79,7 @@ def contact_constant(effective_length: ArrayLike, modulus: ArrayLike) -> FloatAr
 
     Parameters and Returns: as `pair_constant`.
     """
-    return 2.0**EXPONENT * pair_constant(effective_length, modulus)
+    return np.asarray(2.0**EXPONENT * pair_constant(effective_length, modulus))
 
 
 def half_width(load_per_length: ArrayLike, curvature: ArrayLike, modulus: ArrayLike) -> FloatArray:
