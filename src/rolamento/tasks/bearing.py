@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Final
 
 from rolamento.case import Case, load_case, override
 from rolamento.case.bearing import Bearing
+from rolamento.case.roller_bearing import RollerBearing
 from rolamento.case.duty import AXES, LOADS, Duty
 from rolamento.errors import InputError
 from rolamento.units import from_si, readable, to_si
@@ -17,7 +18,7 @@ from rolamento.words import said
 if TYPE_CHECKING:
     from rolamento.vibration.frequencies import AngleChoice
 
-BearingLike = str | os.PathLike[str] | Bearing | Case
+BearingLike = str | os.PathLike[str] | Bearing | RollerBearing | Case
 """A designation, a case file (``"-"``: on standard input), a bearing or a case."""
 
 _ANGLE_EXAMPLE: Final = 'angle="zero", angle="free" or angle="15 deg"'
@@ -47,7 +48,7 @@ def case_of(
     """
     if isinstance(bearing, Case):
         case = override(bearing, settings) if settings else bearing
-    elif isinstance(bearing, Bearing):
+    elif isinstance(bearing, Bearing | RollerBearing):
         case = Case(bearing=bearing, duty=Duty())
         case = override(case, settings) if settings else case
     else:
