@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from rolamento.vibration.demodulation import Kurtogram
-    from rolamento.vibration.diagnosis import Component, ComponentVerdict, Diagnosis
+    from rolamento.vibration.diagnosis import Component, Diagnosis
     from rolamento.vibration.signal import Signal
 
 

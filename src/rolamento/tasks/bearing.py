@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Final
 
 from rolamento.case import Case, load_case, override
 from rolamento.case.bearing import Bearing
-from rolamento.case.roller_bearing import RollerBearing
 from rolamento.case.duty import AXES, LOADS, Duty
+from rolamento.case.roller_bearing import RollerBearing
 from rolamento.errors import InputError
 from rolamento.units import from_si, readable, to_si
 from rolamento.words import said
@@ -93,18 +93,22 @@ def has_load(case: Case) -> bool:
     return any(given) or case.bearing.preload is not None
 
 
-def angle_of(given: str | float) -> float | AngleChoice:
-    """Return a contact angle that is given (rad), or which of its two choices.
+def angle_of(given: str | float, bearing: Bearing | RollerBearing) -> float | AngleChoice:
+    """Return a contact angle that is given for a bearing (rad), or which of its two choices.
 
     Raises
     ------
     InputError
-        If it is none, or no ball could have it.
+        If it is none, no ball could have it, or the bearing has rollers.
     """
     if given == "zero":
         return "zero"
     if given == "free":
         return "free"
+    if isinstance(bearing, RollerBearing):
+        rule = said("is of ball bearings; rollers keep the angles of their raceways")
+        example = 'bearing.contact_angle = "14 deg"'
+        raise InputError(rule, field="angle", value=given, example=example)
     try:
         angle = to_si(given, "angle") if isinstance(given, str) else given
     except InputError as error:

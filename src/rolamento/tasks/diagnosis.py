@@ -449,7 +449,10 @@ def diagnose(
 
 
 def _lookalikes(
-    found: Diagnosis, frequencies: FaultFrequencies, bearing: Bearing | RollerBearing, settings: DiagnosisSettings
+    found: Diagnosis,
+    frequencies: FaultFrequencies,
+    bearing: Bearing | RollerBearing,
+    settings: DiagnosisSettings,
 ) -> Lookalikes | None:
     """Return the bearings of the catalogue that share what was found, the sought one left out."""
     name = ""
@@ -507,7 +510,7 @@ def _frequencies_sought(
         found = frequencies_of(solved)
         if isfinite(found.cage.order):
             return found, solved
-    choice = angle_of("zero" if angle is None else angle)
+    choice = angle_of("zero" if angle is None else angle, case.bearing)
     return nominal_frequencies(case.bearing, inner, outer, contact_angle=choice), solved
 
 

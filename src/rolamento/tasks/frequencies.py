@@ -160,17 +160,22 @@ def fault_frequencies(
     told = inner is not None or outer is not None or duty.inner_speed or duty.outer_speed
     has_no_duty = isinstance(bearing, Bearing | RollerBearing) or is_designation(bearing)
     speeds = None if has_no_duty and not told else duty.inner_speed, duty.outer_speed
-    contact_angle = angle_of(angle)
+    contact_angle = angle_of(angle, case.bearing)
+    own = case.bearing
     solved = solve(case) if has_load(case) else None
     return FrequencyResult(
         title=name_of(bearing, case),
-        bearing=case.bearing,
+        bearing=own,
         nominal=banded_frequencies(
-            case.bearing, *speeds, slip=slip, contact_angle=contact_angle, tolerances=tolerances
+            case.bearing,
+            *speeds,
+            slip=slip,
+            contact_angle=contact_angle,
+            tolerances=tolerances,
         ),
         loaded=None if solved is None else frequencies_of(solved, slip=slip),
         solved=solved,
-        alternatives=alternatives_of(case.bearing, *speeds, slip=slip, contact_angle=contact_angle),
+        alternatives=alternatives_of(own, *speeds, slip=slip, contact_angle=contact_angle),
         harmonics=harmonics,
         sidebands=sidebands,
     )

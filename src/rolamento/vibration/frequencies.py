@@ -10,8 +10,8 @@ and damage to the outer race is met Z |ω_m - ω_o|, to the inner Z |ω_i - ω_m
 times in 2π. A slipping ball rolls on the outer race, on which centrifugal force presses it, and
 slips on the inner: cage and ball slow down by the same part.
 
-Rollers have the same formulas with the angle β of their axis for α, 0 of cylindrical ones: exact for
-tapered rollers whose cone has its apex with those of the raceways (`roller_kinematics`).
+Rollers have the same formulas with the angle β of their axis for α, 0 of cylindrical ones: exact
+for tapered rollers whose cone has its apex with those of the raceways (`roller_kinematics`).
 
 Sources: Harris, Rolling Bearing Analysis, 3rd ed. (1991); Braga and Almeida, equations 19 and 22.
 See docs/theory/vibration-frequencies.md.
@@ -29,7 +29,6 @@ import numpy as np
 from rolamento._json import plain
 from rolamento.case.bearing import Bearing
 from rolamento.case.roller_bearing import RollerBearing
-from rolamento.case.rolling_bearing import RowPlace
 from rolamento.errors import InputError
 from rolamento.geometry import ring_geometry
 from rolamento.kinematics import ball_motion
@@ -392,7 +391,7 @@ def nominal_frequencies(
     check_angle(bearing, contact_angle)
     rows = [
         _nominal_row(place.bearing, shaft, slip, contact_angle, index)
-        for index, place in enumerate(rows_of(bearing))
+        for index, place in enumerate(bearing.element_rows)
     ]
     return rows[0] if len(rows) == 1 else replace(rows[0], rows=tuple(rows))
 
@@ -493,11 +492,6 @@ def line_orders(turns: Turns, ball_count: int) -> dict[LineName, float]:
         "ball_spin": turns.ball,
         "ball_spin_twice": 2.0 * turns.ball,
     }
-
-
-def rows_of(bearing: Bearing | RollerBearing) -> tuple[RowPlace, ...]:
-    """Return the rows that have rolling elements of their own."""
-    return bearing.ball_rows if isinstance(bearing, Bearing) else bearing.places
 
 
 def check_angle(bearing: Bearing | RollerBearing, contact_angle: float | AngleChoice) -> None:
@@ -648,7 +642,7 @@ class _LoadedBalls(NamedTuple):
 
 def _loaded_row(solved: Solved, shaft: _Shaft, slip: float, row: int) -> FaultFrequencies:
     count = int(solved.rows.element_count[row])
-    element = rows_of(solved.case.bearing)[row].bearing.element
+    element = solved.case.bearing.element_rows[row].bearing.element
     row_of = _Row("loaded", count, shaft, slip, row, element)
     if not solved.converged[0]:
         return row_of.without_result("no_solution_no_frequencies")
@@ -681,7 +675,7 @@ def _loaded_balls(solved: Solved, shaft: _Shaft, slip: float, row: int) -> _Load
         control = np.where(elements.raceway_control[0, own] == -1, -1, 1)
         diameter, pitch = rows.ball_diameter[0, row], rows.pitch_diameter[0, row]
         motion = ball_motion(inner_angle, outer_angle, diameter / pitch, 1.0, control=control)
-        if rows_of(solved.case.bearing)[row].bearing.element != "ball":
+        if solved.case.bearing.element_rows[row].bearing.element != "ball":
             axis, half = 0.5 * (outer_angle + inner_angle), 0.5 * (outer_angle - inner_angle)
             motion = roller_motion(diameter, pitch, axis, half, 1.0)
         cage, ball_speed = motion.orbital_speed, motion.ball_speed

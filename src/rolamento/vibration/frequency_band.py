@@ -30,7 +30,6 @@ from rolamento.vibration.frequencies import (
     line_orders,
     nominal_angle,
     nominal_frequencies,
-    rows_of,
     shaft_of,
     turns_of,
 )
@@ -185,7 +184,7 @@ def banded_frequencies(
     banded = partial(_with_bands, slip=(slip, min(slip + allowed.slip, 1.0)), speed=allowed.speed)
     rows = [
         banded(row, _places(place.bearing, contact_angle, allowed))
-        for row, place in zip(found.rows or (found,), rows_of(bearing), strict=True)
+        for row, place in zip(found.rows or (found,), bearing.element_rows, strict=True)
     ]
     return rows[0] if not found.rows else replace(rows[0], rows=tuple(rows))
 

@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from typing import TYPE_CHECKING, Any, Final
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any, Final
 
 from rolamento.words.note import Note
 from rolamento.words.speaking import marked, said
 
-if TYPE_CHECKING:
-    from rolamento.words.sentences import Sentence
-
 __all__ = [
     "PARTS",
     "by_element",
-    "of_element",
     "either",
     "listed",
+    "of_element",
     "one_line",
     "part_name",
     "shortened",
@@ -72,7 +69,7 @@ def the_part_first(part: str) -> str:
     return said(_FIRST[part])
 
 
-def by_element(balls: str, rollers: str) -> Sentence:
+def by_element(balls: str, rollers: str) -> Callable[[Mapping[str, Any]], str]:
     """Return the sentence of a note whose value `element` is "roller" where rollers roll."""
 
     def sentence(values: Mapping[str, Any]) -> str:

@@ -29,7 +29,6 @@ from rolamento.vibration.frequencies import (
     FaultFrequencies,
     FaultKind,
     RollingElement,
-    rows_of,
 )
 from rolamento.vibration.signal import real_numbers
 from rolamento.vibration.synthesis.transfer import TransferPath
@@ -166,7 +165,7 @@ class LoadDistribution:
         azimuth = np.mod(azimuth, _TURN)
         order = np.argsort(azimuth)
         loads = inner[order] / inner.max(), outer[order] / outer.max()
-        kind = rows_of(solved.case.bearing)[row].bearing.element
+        kind = solved.case.bearing.element_rows[row].bearing.element
         return cls(azimuth[order], *loads, EXPONENTS["ball" if kind == "ball" else "roller"])
 
 
