@@ -176,7 +176,7 @@ CASE = Case(bearing=tapered(), duty=Duty(inner_speed=1430.0 * pi / 30.0))
 
 
 def made(path: Path, *faults: Fault, **options: Any) -> SynthesisResult:
-    given = {"noise": Noise(ratio=-3.0, of="faults"), "duration": 4.0, "seed": 3, **options}
+    given = {"noise": Noise(ratio=0.0, of="faults"), "duration": 4.0, "seed": 3, **options}
     found = synthesise(CASE, path, faults=faults, **given)
     assert isinstance(found, SynthesisResult)
     return found
