@@ -102,7 +102,7 @@ def analyse(
         What to solve, its file, or what `rolamento.solve` returned.
     model
         Of the friction in the contacts; by default "jones_full", and of many cases
-        "jones_simplified", a closed form.
+        "jones_simplified", a closed form; of roller bearings "roller_sliding".
     hysteresis
         Part α_h of the elastic work that the material loses, 0 to 1.
     compare
@@ -143,6 +143,7 @@ def _film_and_friction(
     if solved.case.lubricant is None:
         return None, None
     from rolamento.friction import friction, machine_of
+    from rolamento.friction.summary import default_model
     from rolamento.lubrication.films import film, has_film
 
     model, hysteresis, compare = choices
@@ -158,7 +159,7 @@ def _film_and_friction(
             machine = machine_of(some.case, found, rating, load)
         return found, friction(
             some,
-            model=model or ("jones_full" if single else "jones_simplified"),
+            model=model or default_model(some, quick=not single),
             hysteresis=hysteresis,
             film_parameter=np.nan if found is None else found.minimum_film_parameter,
             machine=machine,

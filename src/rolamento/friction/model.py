@@ -40,7 +40,7 @@ FULL_FILM: Final = 3.0
 BOUNDARY: Final = 1.0
 """Film parameter λ below which the asperities carry the load."""
 
-REMARKS: Final = ("partial_film", "torque_at_rest")
+REMARKS: Final = ("partial_film", "torque_at_rest", "rib_film_unknown")
 """Keys of the notes that do not refuse a model."""
 
 
@@ -63,6 +63,10 @@ class ContactLoss:
         """The same times a factor, (cases, 1)."""
         return ContactLoss(self.inner * factor, self.outer * factor)
 
+    def beside(self, other: ContactLoss) -> ContactLoss:
+        """That of these elements and of others."""
+        return ContactLoss(self.inner + other.inner, self.outer + other.outer)
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Torque:
@@ -83,6 +87,8 @@ class Torque:
     losses
         heat by source in every contact at the speeds of the case, W; empty where the model
         does not resolve contacts, zero at rest
+    starting
+        of the first motion, (cases,), N·m, of a model of roller bearings that has its own
     """
 
     model: str
@@ -91,6 +97,7 @@ class Torque:
     power: FloatArray
     converged: BoolArray
     losses: Mapping[str, ContactLoss] = field(default_factory=dict)
+    starting: FloatArray | None = None
 
 
 def torque_of_losses(
@@ -198,6 +205,8 @@ class TorqueModel:
         whether it resolves contacts, rather than the bearing as a whole
     closed_form
         whether a case takes microseconds
+    elements
+        what may roll in the rows; empty of models of any bearing
     """
 
     name: str
@@ -208,6 +217,11 @@ class TorqueModel:
     limits: Callable[[Setting], Mapping[str, BoolArray]]
     of_contacts: bool = True
     closed_form: bool = False
+    elements: tuple[str, ...] = ("ball",)
+
+    def knows(self, solved: Solved) -> bool:
+        """Whether the model is of one of the elements of a bearing."""
+        return not (self.of_contacts and set(self.elements).isdisjoint(solved.rows.element))
 
 
 # --- where a model is valid -------------------------------------------------------------------
@@ -234,6 +248,9 @@ class ModelValidity:
 
 def validity_of(model: TorqueModel, setting: Setting, converged: BoolArray) -> ModelValidity:
     """Judge a model for every case; converged: whether it found a result."""
+    if not model.knows(setting.solved):
+        known = np.zeros(len(setting), np.bool_)
+        return ModelValidity(model.name, known, {"for_balls": ~known})
     limits = {
         **model.limits(setting),
         **({"more_contacts": touches_both_arcs(setting.solved)} if model.of_contacts else {}),
@@ -297,7 +314,22 @@ def inertia_counts(solved: Solved, coefficient: FloatArray) -> BoolArray:
 
 
 def bears_on_both(solved: Solved) -> BoolArray:
-    """(cases, elements): whether an element bears on both races."""
+    """(cases, elements): whether a ball bears on both races."""
+    return np.asarray(_bears(solved) & ~rolls_on_lines(solved))
+
+
+def rollers_bear(solved: Solved) -> BoolArray:
+    """(cases, elements): whether a roller bears on both races."""
+    return np.asarray(_bears(solved) & rolls_on_lines(solved))
+
+
+def rolls_on_lines(solved: Solved) -> BoolArray:
+    """(elements,): which elements are rollers."""
+    rollers = np.array([element != "ball" for element in solved.rows.element])
+    return np.asarray(rollers[solved.rows.row_of_element])
+
+
+def _bears(solved: Solved) -> BoolArray:
     with np.errstate(invalid="ignore"):
         return np.asarray(solved.loaded & (solved.outer.load > 0.0))
 
