@@ -25,7 +25,7 @@ import numpy as np
 from rolamento.assembly.cases import Cases, PlacedRow
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.newton import Balance, balance
-from rolamento.rows.row import Held, Indices, IntArray
+from rolamento.rows.row import Held, Indices, IntArray, Knowing
 from rolamento.status import (
     CONVERGED,
     INVALID_INPUT,
@@ -153,6 +153,8 @@ class _Problem:
         held[:, :5] = cases.displacement[chosen]
         target, held = target / arms, held * arms
         touching = np.max([np.abs(e) for e in press], axis=0) > 0.0
+        start = held + _pushed(cases, chosen, free & ~touching[:, np.newaxis], target)
+        _propose(cases, chosen, press[0], arms, start)
         return cls(
             system=system,
             chosen=chosen,
@@ -162,7 +164,7 @@ class _Problem:
             arms=arms,
             free=free,
             target=target,
-            start=held + _pushed(cases, chosen, free & ~touching[:, np.newaxis], target),
+            start=start,
         )
 
     def solve(self) -> RingSolution:
@@ -237,6 +239,28 @@ class _Problem:
         solution.safe_path[which] = np.any([held.safe_path for held in view.rows], axis=0)
         solution.number[which], solution.unsupported[which] = _judged(found, view)
         return solution
+
+
+def _propose(
+    cases: Cases, chosen: Indices, press: FloatArray, arms: FloatArray, start: FloatArray
+) -> None:
+    """Begin where a row that is the whole bearing says that the ring comes to rest.
+
+    Only rows whose kernels know of the ring can tell; it is judged as any other start.
+    """
+    placed = cases.rows[0]
+    if len(cases.rows) > 1 or placed.sign < 0.0 or not isinstance(placed.row, Knowing):
+        return
+    known = cases.valid[chosen] & placed.row.valid[chosen] & (press == 0.0)
+    known &= placed.lever[chosen] == 0.0
+    if not known.any():
+        return
+    which = chosen[known]
+    place, settled = placed.row.near(
+        cases.free[which], cases.load[which], cases.displacement[which], which
+    )
+    rows = np.flatnonzero(known)[settled]
+    start[rows, :5] = place[settled] * arms[rows, :5]
 
 
 def _pushed(cases: Cases, chosen: Indices, loose: BoolArray, target: FloatArray) -> FloatArray:

@@ -280,7 +280,10 @@ def _unknown_key(
 ) -> UnknownKeyError:
     here = list(parent.model_fields) if parent is not None else []
     name = ".".join(path)
-    rule = said("is an unknown key; {guess}", guess=hint(name, [one for one in _dotted_names(model) if one != name], here))
+    rule = said(
+        "is an unknown key; {guess}",
+        guess=hint(name, [one for one in _dotted_names(model) if one != name], here),
+    )
     return UnknownKeyError(rule, field=name)
 
 
