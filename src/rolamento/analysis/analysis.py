@@ -154,9 +154,15 @@ def _film_and_friction(
         if not has_friction(some):
             return found, None
         machine = None
-        if single and found is not None and life is not None:
-            rating, load = life.ratings.static_of_set, life.loads.static
-            machine = machine_of(some.case, found, rating, load)
+        if single and found is not None:
+            rolls = some.case.bearing.element != "ball"
+            rating, load = (
+                (np.nan, np.nan)
+                if life is None
+                else (life.ratings.static_of_set, life.loads.static)
+            )
+            if life is not None or rolls:
+                machine = machine_of(some.case, found, rating, load)
         return found, friction(
             some,
             model=model or default_model(some, quick=not single),

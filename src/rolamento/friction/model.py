@@ -5,7 +5,7 @@ A model is a `TorqueModel` at the end of its own file, and `rolamento.friction.m
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from typing import TYPE_CHECKING, Final, Literal
 
@@ -39,6 +39,9 @@ FULL_FILM: Final = 3.0
 
 BOUNDARY: Final = 1.0
 """Film parameter λ below which the asperities carry the load."""
+
+RIB_LOAD_SHARE: Final = 0.4
+"""F_a/F_r of cylindrical roller bearings up to which Palmgren's f2 is valid."""
 
 REMARKS: Final = ("partial_film", "torque_at_rest", "rib_film_unknown")
 """Keys of the notes that do not refuse a model."""
@@ -118,6 +121,21 @@ def torque_of_parts(model: str, parts: Mapping[str, FloatArray], speed: FloatArr
     """The torque of a model without contacts; speed: of the rings relative to each other, rad/s."""
     total = np.asarray(np.sum(list(parts.values()), axis=0))
     return Torque(model, total, parts, total * np.abs(speed), np.isfinite(total))
+
+
+def added(torques: Sequence[Torque]) -> Torque:
+    """That of bearings side by side by one model without contacts."""
+    first = torques[0]
+    if len(torques) == 1:
+        return first
+    parts = {name: np.sum([one.parts[name] for one in torques], axis=0) for name in first.parts}
+    return Torque(
+        first.model,
+        np.sum([one.total for one in torques], axis=0),
+        parts,
+        np.sum([one.power for one in torques], axis=0),
+        np.all([one.converged for one in torques], axis=0),
+    )
 
 
 # --- what a model reads -----------------------------------------------------------------------
@@ -242,7 +260,7 @@ class ModelValidity:
 
     def notes_of(self, case: int = 0) -> tuple[Note, ...]:
         """Return why the model is not valid for a case, and the remarks on it."""
-        values = {"inertia": {"share": INERTIA_SHARE}}
+        values = {"inertia": {"share": INERTIA_SHARE}, "axial_share": {"share": RIB_LOAD_SHARE}}
         return tuple(Note(k, values.get(k, {})) for k, where in self.limits.items() if where[case])
 
 
@@ -345,6 +363,16 @@ def has_result(solved: Solved) -> BoolArray:
 def relative_speed(solved: Solved) -> FloatArray:
     """(cases,): of the inner ring to the outer; rad/s."""
     return np.asarray(solved.field("duty.inner_speed") - solved.field("duty.outer_speed"))
+
+
+def bearing_loads(setting: Setting) -> list[tuple[FloatArray, FloatArray]]:
+    """Radial and axial load of each bearing of the machine, (cases,) each; N."""
+    solved, machine = setting.solved, setting.machine
+    if machine is None or not machine.by_row:
+        load = solved.load
+        return [(np.hypot(load.fy, load.fz), load.fx)]
+    rows = np.moveaxis(solved.rows.load, 1, 0)
+    return [(np.hypot(row[:, 1], row[:, 2]), row[:, 0]) for row in rows]
 
 
 # --- how balls move under raceway control, and what that loses ---------------------------------
