@@ -38,11 +38,11 @@ __all__ = ["Cases", "PlacedRow", "RowState", "spread"]
 _PRELOADS: Final = ("force", "offset", "spring")
 _ROUNDING: Final = 1e-12
 
-ROWS: Final = {
+ROWS: Final[Mapping[str, Any]] = {
     "ball": ball_row,
     "cylindrical": roller_row,
-    "needle": roller_row,
     "tapered": roller_row,
+    "needle": roller_row,
 }
 """How a row is made, by its kind of element."""
 OTHER_GROOVES: Final = {"four_point": four_point_row, "thrust": thrust_row}

@@ -19,7 +19,6 @@ import numpy as np
 
 from rolamento.case import Case
 from rolamento.case.bearing import RowPlace
-from rolamento.case.profile import Profile
 from rolamento.contact.coupled import body_term, influence_table
 from rolamento.contact.hertz import effective_modulus
 from rolamento.contact.line import contact_constant, roller_share, slice_places
@@ -232,12 +231,10 @@ def _cut(
     some = slice(0, 1) if same else slice(None)
     length, diameter, pitch, half, axis = (a[some] for a in (length, diameter, pitch, half, axis))
     place = slice_places(length, slices)
-    tapered = bool((half > 0.0).any())
-    sizes = {"length": length[:, np.newaxis], "diameter": diameter[:, np.newaxis]}
-    roller = drop(_profile(bearing, "roller", "iso"), place, tapered=tapered, **sizes)
+    sizes: dict[str, Any] = {"length": length[:, np.newaxis], "diameter": diameter[:, np.newaxis]}
+    roller = drop(bearing.roller_profile, place, tapered=bool((half > 0.0).any()), **sizes)
     races = [
-        drop(_profile(bearing, race, "none"), place, tapered=tapered, **sizes)
-        for race in ("inner", "outer")
+        drop(profile, place, **sizes) for profile in (bearing.inner_profile, bearing.outer_profile)
     ]
     drops = np.stack([roller + race for race in races], axis=1)
     curvature = np.stack(
@@ -256,11 +253,6 @@ def _cut(
             ]
         )
     return Cut(coupled, place, drops, curvature, body, table)
-
-
-def _profile(bearing: Any, part: str, usual: Any) -> Profile:
-    given = getattr(bearing, f"{part}_profile", None)
-    return Profile(kind=usual) if given is None else given
 
 
 def _curvature(
