@@ -22,7 +22,6 @@ from rolamento.words import decimals_for, in_unit, manner, said, said_in
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Picture
 
-    from rolamento.case import Case
     from rolamento.solved import Rollers
 
 __all__ = [
@@ -35,7 +34,6 @@ __all__ = [
     "of_element",
     "roller_pictures",
     "without_rounding",
-    "worded",
 ]
 
 _NO_MOTION: Final = 1e-9
@@ -44,33 +42,17 @@ _NO_TILT: Final = 1e-8
 """rad: of rollers."""
 
 
-# --- which words ---------------------------------------------------------------------------------
+# --- which elements ------------------------------------------------------------------------------
 
 
-def worded(case: Case, balls: str, rollers: str, both: str = "") -> str:
-    """Return what is said of a bearing with balls, with rollers, or of a set with both.
-
-    both: if not given, that of rollers.
-    """
-    kinds = _kinds(case)
-    if kinds == {"ball"}:
-        return balls
-    return rollers if "ball" not in kinds or not both else both
-
-
-def main_table(case: Case) -> str:
+def main_table(solved: Solved) -> str:
     """Return the key of the table of elements that a file of one table holds."""
-    return "balls" if "ball" in _kinds(case) else "rollers"
-
-
-def _kinds(case: Case) -> set[str]:
-    return {place.bearing.element for place in case.bearing.places}
+    return "balls" if "ball" in solved.rows.element else "rollers"
 
 
 def _is_roller(solved: Solved) -> BoolArray:
     """Which elements are rollers; (elements,)."""
-    rows = [place.bearing.element != "ball" for place in solved.case.bearing.places]
-    return np.array(rows)[solved.elements.row]
+    return np.array([element != "ball" for element in solved.rows.element])[solved.elements.row]
 
 
 # --- the heaviest element ------------------------------------------------------------------------
@@ -110,7 +92,7 @@ def _heaviest_ball(solved: Solved, ball: int) -> Section:
 def _heaviest_roller(solved: Solved, roller: int) -> Section:
     rollers = solved.rollers
     assert rollers is not None
-    tapered = solved.case.bearing.places[int(solved.elements.row[roller])].bearing.contact_angle
+    tapered = solved.rows.element[solved.elements.row[roller]] == "tapered"
     first = (
         (said("load"), "N", "load"),
         *([(said("contact angle"), "°", "contact_angle")] if tapered else []),
@@ -192,7 +174,7 @@ def element_sections(solved: Solved) -> list[Section]:
     """
     converged = bool(solved.converged[0])
     sections = []
-    kinds = _kinds(solved.case)
+    kinds = set(solved.rows.element)
     if "ball" in kinds:
         shown = (balls_table(solved),) if converged else ()
         heading = said("Balls") if converged else ""
@@ -208,7 +190,7 @@ def element_sections(solved: Solved) -> list[Section]:
 def element_tables(solved: Solved) -> dict[str, Table]:
     """Return the tables that are shown of a solved case, by what is in them: balls, rollers."""
     tables = {}
-    kinds = _kinds(solved.case)
+    kinds = set(solved.rows.element)
     if "ball" in kinds:
         tables["balls"] = balls_table(solved)
     if kinds != {"ball"}:
@@ -476,7 +458,7 @@ def _of_rollers(name: str) -> Values:
 def rollers_table(solved: Solved) -> Table:
     """Return a line for every roller: loads and pressures; along it; then its motion."""
     rollers = _is_roller(solved)
-    tapered = any(place.bearing.element == "tapered" for place in solved.case.bearing.places)
+    tapered = "tapered" in solved.rows.element
 
     def own(
         head: str, unit: str, of: Values, key: str, figures: int = 4, most: int = 2,

@@ -84,7 +84,7 @@ def report_page(report: Report) -> Document:
         sections += inner
     many = len(report.cases) > 1
     return Document(
-        _title(report) if many else report.cases[0].title or untitled(),
+        _title(report) if many else report.cases[0].title or untitled(report.cases[0].case),
         tuple(sections),
         kind="report",
         main="summary",
@@ -153,9 +153,9 @@ def _title(report: Report) -> str:
 
 def _case_titles(report: Report) -> list[Entry]:
     if len(report.cases) == 1:
-        return [Entry(said("case"), report.cases[0].title or untitled())]
+        return [Entry(said("case"), report.cases[0].title or untitled(report.cases[0].case))]
     return [
-        Entry(said("case {name}", name=case.name), case.title or untitled())
+        Entry(said("case {name}", name=case.name), case.title or untitled(case.case))
         for case in report.cases
     ]
 

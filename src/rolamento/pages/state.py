@@ -40,12 +40,11 @@ from rolamento.pages.elements import (
     of_element,
     roller_pictures,
     without_rounding,
-    worded,
 )
 from rolamento.pages.given import BOTH, facing, head, untitled
 from rolamento.pages.preload import stage_table
 from rolamento.solved import NO_LOAD, RACES, Preloading, Rolling, Solved
-from rolamento.words import ABSENT, Note, decimals_for, in_unit, manner, said
+from rolamento.words import ABSENT, Note, decimals_for, in_unit, manner, said, worded
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Picture
@@ -80,8 +79,8 @@ def state_page(solved: Solved, analysis: Analysis | None = None) -> Document:
     if analysis is not None:
         sections += _what_follows(solved, analysis, notes)
     sections += notes_section(notes)
-    main = main_table(solved.case)
-    return Document(solved.title or untitled(), tuple(sections), kind="solve", main=main)
+    main = main_table(solved)
+    return Document(solved.title or untitled(solved.case), tuple(sections), kind="solve", main=main)
 
 
 def notes_section(notes: Sequence[Note]) -> list[Section]:
@@ -218,7 +217,7 @@ def rosette_section(solved: Solved) -> Section:
     heading = said("Load rosette") if count == 1 else said("Load rosettes")
     figure = Figure(
         caption=worded(
-            solved.case,
+            solved.rows.element,
             said("Ball loads round the bearing, seen from +x"),
             said("Roller loads round the bearing, seen from +x"),
             said("Loads of the rolling elements round the bearing, seen from +x"),
@@ -367,7 +366,7 @@ def _rows(solved: Solved) -> Section:
     loaded = zip(solved.loaded_elements[0], rows.element_count, strict=True)
     both = said(", ± both ways") if BOTH in faces else ""
     legend = worded(
-        solved.case,
+        solved.rows.element,
         said(
             "faces + carries axial load toward +x, − toward −x{both}; moments about x = 0; loaded: "
             "balls that the inner ring presses on; Q_i, p_i maximum",
@@ -461,7 +460,7 @@ def _lift(solved: Solved, preload: Preloading) -> list[Entry]:
     if preload.lift_row is None or preload.lift_factor == preload.loss_factor:
         return []
     label = worded(
-        solved.case, said("first ball"), said("first roller"), said("first rolling element")
+        solved.rows.element, said("first ball"), said("first roller"), said("first rolling element")
     )
     values = {
         "row": preload.lift_row,
@@ -482,7 +481,7 @@ def _loss(solved: Solved, preload: Preloading) -> list[Entry]:
     if row is None or not isfinite(preload.loss_factor):
         if lost:
             text = worded(
-                solved.case,
+                solved.rows.element,
                 said("no ball of row {rows} presses on the inner ring", rows=lost),
                 said("no roller of row {rows} presses on the inner ring", rows=lost),
                 said("no rolling element of row {rows} presses on the inner ring", rows=lost),
