@@ -189,11 +189,11 @@ class Case(Record):
         for axis in ("x", "y", "z"):
             shift = getattr(self.duty.displacement, axis)
             if shift is not None and abs(shift) > limit:
+                longest = readable(limit, "length")
                 raise InputError(
-                    said(
-                        "must be at most the diameter of a rolling element, {limit}",
-                        limit=readable(limit, "length"),
-                    ),
+                    said("must be at most the ball diameter, {limit}", limit=longest)
+                    if self.bearing.element == "ball"
+                    else said("must be at most the roller diameter, {limit}", limit=longest),
                     field=f"duty.displacement.{axis}",
                     value=readable(shift, "length"),
                     example=f'{axis} = "0.01 mm"',

@@ -180,6 +180,15 @@ class ByElement:
             {name: handler.generate_schema(member) for name, member in choices.items()}, tag
         )
 
+    def __get_pydantic_json_schema__(
+        self, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        """Any of the records: a table that is told apart by more than `element` may fit several."""
+        described = handler(schema)
+        if "oneOf" in described:
+            described["anyOf"] = described.pop("oneOf")
+        return described
+
 
 _TAG: Final = "element="
 """Begins the part of an error's place that tells which member of a union it is in."""
@@ -280,7 +289,8 @@ def _unknown_key(
 ) -> UnknownKeyError:
     here = list(parent.model_fields) if parent is not None else []
     name = ".".join(path)
-    rule = said("is an unknown key; {guess}", guess=hint(name, [one for one in _dotted_names(model) if one != name], here))
+    others = [one for one in _dotted_names(model) if one != name]
+    rule = said("is an unknown key; {guess}", guess=hint(name, others, here))
     return UnknownKeyError(rule, field=name)
 
 

@@ -338,8 +338,7 @@ class RollingBearing(Record):
         rows = given.get("rows")
         for row in rows if isinstance(rows, list | tuple) else ():
             told = row if isinstance(row, Mapping) else getattr(row, "own", {})
-            element = told.get("element", "ball") if row is told else row.element
-            if BY_ELEMENT.get(element) is cls:
+            if BY_ELEMENT.get(_element_of(row)) is cls:
                 break
         else:
             return {}
@@ -437,12 +436,7 @@ def element_told(given: Mapping[str, Any]) -> str | None:
     Balls, if any row is of balls: a set of both has their record.
     """
     rows = given.get("rows")
-    elements = [
-        row.get("element", None if "designation" not in row else element_told(row)) or "ball"
-        if isinstance(row, Mapping)
-        else getattr(row, "element", "ball")
-        for row in (rows if isinstance(rows, list | tuple) else ())
-    ]
+    elements = [_element_of(row) for row in (rows if isinstance(rows, list | tuple) else ())]
     if elements:
         return "ball" if "ball" in elements else elements[0]
     designation = as_text(given.get("designation"))
@@ -458,6 +452,14 @@ def element_told(given: Mapping[str, Any]) -> str | None:
             example='element = "cylindrical"',
         )
     return None
+
+
+def _element_of(row: object) -> str:
+    """What rolls in a row, as a record or as a table that nobody has checked."""
+    if not isinstance(row, Mapping):
+        return str(getattr(row, "element", "ball"))
+    told = element_told(row) if "designation" in row and "element" not in row else None
+    return str(row.get("element", told or "ball"))
 
 
 ELEMENT_OF_KIND: Final = {
