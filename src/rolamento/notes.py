@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import acos, isfinite, pi, radians
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -293,7 +293,9 @@ def _control(solved: Solved) -> Iterator[Note]:
     spinning = np.abs(solved.inner.contact_angle[0]) > SPINNING_ANGLE
     contradicted = (jones_verdict(solved)[0] == against) & spinning
     if contradicted.any():
-        yield Note("jones_contradicts", {"assumed": assumed, **which_elements(solved, contradicted)})
+        yield Note(
+            "jones_contradicts", {"assumed": assumed, **which_elements(solved, contradicted)}
+        )
 
 
 def _gyroscopic_slip(solved: Solved) -> Iterator[Note]:

@@ -109,18 +109,15 @@ def _misaligned(solved: Solved) -> Iterator[Note]:
 def _on_part_of_the_length(solved: Solved, rollers: Rollers) -> Iterator[Note]:
     """A most loaded roller that lies on a part of its length only."""
     one = int(np.where(are_rollers(solved), solved.inner.load[0], -1.0).argmax())
-    share = min(
-        float((line.load_per_length[0, one] > 0.0).mean()) for line in (rollers.inner, rollers.outer)
-    )
+    loads = (rollers.inner.load_per_length[0, one], rollers.outer.load_per_length[0, one])
+    share = min(float((load > 0.0).mean()) for load in loads)
     if 0.0 < share < _SHORT:
         azimuth = float(solved.elements.azimuth[0, one])
         yield Note("roller_on_part_of_its_length", {"share": share, "azimuth": azimuth})
 
 
 def _ends(solved: Solved, rollers: Rollers) -> Iterator[Note]:
-    """Pressure peaks at the ends, or ends that bear and of whose peaks independent slices know
-    nothing.
-    """  # fmt: skip
+    """Pressure peaks at the ends; of independent slices, ends that bear, which hides their peak."""
     coupled = solved.case.model.roller_contact == "coupled"
     loaded = solved.loaded[0] & are_rollers(solved)
     for race, line in (("inner", rollers.inner), ("outer", rollers.outer)):
