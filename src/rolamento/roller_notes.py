@@ -120,6 +120,7 @@ def _ends(solved: Solved, rollers: Rollers) -> Iterator[Note]:
     """Pressure peaks at the ends; of independent slices, ends that bear, which hides their peak."""
     coupled = solved.case.model.roller_contact == "coupled"
     loaded = solved.loaded[0] & are_rollers(solved)
+    found: list[tuple[float, dict[str, Any]]] = []
     for race, line in (("inner", rollers.inner), ("outer", rollers.outer)):
         end, inside = _end_and_inside(line.pressure[0])
         with np.errstate(invalid="ignore"):
@@ -131,8 +132,10 @@ def _ends(solved: Solved, rollers: Rollers) -> Iterator[Note]:
                 "max_pressure": float(end[worst]),
                 "ratio": float(end[worst] / inside[worst]) if inside[worst] > 0.0 else None,
             }
-            key = "edge_pressure_peak" if coupled else "edges_bear"
-            yield Note(key, {**values, **which_elements(solved, high)})
+            found.append((float(end[worst]), {**values, **which_elements(solved, high)}))
+    if found:  # of both races the one that suffers more
+        worse = max(found, key=lambda one: one[0])[1]
+        yield Note("edge_pressure_peak" if coupled else "edges_bear", worse)
 
 
 def _end_and_inside(pressure: FloatArray) -> tuple[FloatArray, FloatArray]:

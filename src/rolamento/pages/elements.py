@@ -458,7 +458,7 @@ def _of_rollers(name: str) -> Values:
 def rollers_table(solved: Solved) -> Table:
     """Return a line for every roller: loads and pressures; along it; then its motion."""
     rollers = _is_roller(solved)
-    tapered = "tapered" in solved.rows.element
+    assert solved.rollers is not None
 
     def own(
         head: str, unit: str, of: Values, key: str, figures: int = 4, most: int = 2,
@@ -486,33 +486,28 @@ def rollers_table(solved: Solved) -> Table:
         own("θ", "mrad", tilt, "tilt", most=3),
         Column(head="Q_i", values=solved.inner.load[0, rollers].tolist(), bar=True),
     ]
-    breaks = [
-        Break(
-            len(columns),
-            said("Ends and ribs"),
-            said("e pressure at the more loaded end over that in the middle, F_rib force of the rib"
-                 " on the roller's end"),
-        )
-    ]  # fmt: skip
+    first, symbols = len(columns), [said("e pressure at the more loaded end over the middle's")]
     columns += [
         own(f"e_{race[0]}", "–", _along(race, _end_over_middle), f"{race}_end_over_middle", 3)
         for race in RACES
     ]
-    columns.append(own("F_rib", "N", _of_rollers("rib_force"), "rib_force"))
+    if np.nan_to_num(solved.rollers.rib_force[0]).any():
+        symbols.append(said("F_rib force of the rib on the roller's end"))
+        columns.append(own("F_rib", "N", _of_rollers("rib_force"), "rib_force"))
     if _turning(solved):
-        legend = said("F_c centrifugal force, n_m orbital speed, n_R roller speed")
-        if tapered:
-            legend = said(
-                "F_c centrifugal force, M_g gyroscopic moment, n_m orbital speed, n_R roller speed"
-            )
-        breaks.append(Break(len(columns), said("Motion of the rollers"), legend))
-        gyroscopic = [own("M_g", "N·mm", of_element("gyroscopic_moment"), "gyroscopic_moment")]
+        symbols.append(said("F_c centrifugal force"))
+        columns.append(own("F_c", "N", of_element("centrifugal_force"), "centrifugal_force", 5))
+        if "tapered" in solved.rows.element:
+            symbols.append(said("M_g gyroscopic moment"))
+            moment = of_element("gyroscopic_moment")
+            columns.append(own("M_g", "N·mm", moment, "gyroscopic_moment"))
+        symbols.append(said("n_m orbital speed, n_R roller speed"))
         columns += [
-            own("F_c", "N", of_element("centrifugal_force"), "centrifugal_force", 5),
-            *(gyroscopic if tapered else []),
             own("n_m", "rpm", of_element("orbital_speed"), "orbital_speed", 5),
             own("n_R", "rpm", of_element("ball_speed"), "roller_speed", 5),
         ]
+    heading = said("Ends and motion of the rollers") if _turning(solved) else said("Ends")
+    breaks = (Break(first, heading, ", ".join(symbols)),)
     legend = said(
         "Q load, p maximum pressure along the roller, x its place from the middle toward +x, θ tilt"
         " of the roller, positive where its +x end stands outward; i inner, o outer; ◂ maximum"
@@ -523,7 +518,7 @@ def rollers_table(solved: Solved) -> Table:
         groups=_row_names(solved, rollers),
         rule=True,
         fixed=2,
-        breaks=tuple(breaks),
+        breaks=breaks,
     )
 
 

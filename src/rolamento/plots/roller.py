@@ -293,7 +293,7 @@ def roller_between_races(
         If this is not one solved case of a roller bearing, or it has no such roller.
     """
     rollers = _rollers_of(solved, "roller_between_races")
-    axes = new_figure(height=95.0)[1] if axes is None else require_axes(axes)
+    axes = new_figure(height=102.0)[1] if axes is None else require_axes(axes)
     if rollers is None:
         return empty_frame(axes, no_result(str(solved.status.code[0])))
     one = _chosen(solved, rollers, roller)
