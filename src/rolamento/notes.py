@@ -14,8 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.case import Case
+from rolamento.case.bearing import ball_bearing
 from rolamento.case.duty import AXES, LOADS
-from rolamento.geometry import Race, edge_cosine, ring_geometry
+from rolamento.geometry import Race, edge_cosine
 from rolamento.kinematics import (
     RacewayControl,
     ball_mass,
@@ -159,13 +160,15 @@ def _past_edge(solved: Solved) -> Iterator[Note]:
 
 def _shoulders(solved: Solved) -> Iterator[Note]:
     """Contact ellipses that run over the edge of their groove."""
+    if solved.rollers is not None:
+        return
     bearings = [place.bearing for place in solved.case.bearing.places]
     row = solved.elements.row
     for race, contacts in solved.contacts.items():
         ends = np.array([acos(float(edge_cosine(bearing, race))) for bearing in bearings])[row]
         if race == "outer" and solved.case.bearing.kind == "self_aligning":
             continue  # a sphere has no shoulder
-        bottom = solved.case.bearing.groove_bottom
+        bottom = ball_bearing(solved.case).groove_bottom
         reach = np.abs(contacts.contact_angle - bottom) + contacts.semi_major / (
             contacts.conformity * contacts.ball_diameter
         )
@@ -477,7 +480,7 @@ def _out_of_the_washers(solved: Solved) -> Note:
     F_a = ½ Z F_c tan α_o.
     """
     rows = solved.rows
-    bearing = solved.case.bearing
+    bearing = ball_bearing(solved.case)
     deepest = bearing.groove_bottom
     lowest = max(deepest - _edge(solved.case, "outer"), radians(0.1))
     orbit = nominal_orbit(
@@ -509,7 +512,7 @@ def _no_equilibrium(case: Case, axis: int, axial_load: float) -> Note:
         return Note("sphere_holds_no_moment", {"axis": AXES[axis]})
     if bearing.kind is not None:
         return Note("unsupported", {"axis": AXES[axis]})
-    one_sided = [ring_geometry(place.bearing).one_sided for place in bearing.places]
+    one_sided = [place.bearing.carries_one_way for place in bearing.places]
     if bearing.is_set and all(one_sided) and axis == 0:
         return _set_without_equilibrium(case, axial_load)
     if len(set(one_sided)) > 1:

@@ -31,7 +31,10 @@ _log = logging.getLogger("rolamento")
 
 _DIGEST = sha256().digest_size
 _VECTORISABLE = {"reassoc", "arcp", "contract", "afn", "nsz"}
-_ROOMS = ("numerics", "rows/ball", "rows/ball/traction")  # where kernels and formulas live
+_FAMILIES = (  # where kernels live, each with the formulas that they are compiled from
+    ("numerics", "rows/ball", "rows/ball/traction"),
+    ("numerics", "contact", "rows/roller"),
+)
 _CONSTANTS = frozenset({"compiled", "layout"})  # files without kernels that shape them
 
 
@@ -210,16 +213,16 @@ def _discard_stale_caches() -> None:
     Numba looks only at the file of the kernel itself, not at the files of what it inlines.
     """
     package = Path(__file__).resolve().parent.parent
-    sources = [source for room in _ROOMS for source in (package / room).glob("*.py")]
-    sources = [source for source in sources if _is_compiled(source)]
-    newest = max(source.stat().st_mtime for source in sources)
-    for room in _ROOMS:
-        for index in (package / room / "__pycache__").glob("*.nbi"):
-            try:
-                if index.stat().st_mtime < newest:
-                    index.unlink()
-            except OSError:  # another process was faster, or the folder is read-only
-                continue
+    for rooms in _FAMILIES:
+        sources = [source for room in rooms for source in (package / room).glob("*.py")]
+        newest = max(source.stat().st_mtime for source in sources if _is_compiled(source))
+        for room in rooms:
+            for index in (package / room / "__pycache__").glob("*.nbi"):
+                try:
+                    if index.stat().st_mtime < newest:
+                        index.unlink()
+                except OSError:  # another process was faster, or the folder is read-only
+                    continue
 
 
 def _is_compiled(source: Path) -> bool:

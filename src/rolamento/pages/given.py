@@ -7,8 +7,9 @@ from typing import Final
 
 from rolamento.case import Case
 from rolamento.case.arrangement import Preload
-from rolamento.case.bearing import Bearing, RowPlace
+from rolamento.case.bearing import Bearing, RowPlace, ball_bearing
 from rolamento.case.duty import AXES, LOADS, Duty
+from rolamento.case.rolling_bearing import RollingBearing
 from rolamento.document import Entry, KeyValues, Section, Title
 from rolamento.solved import Solved
 from rolamento.units import Dimension, readable
@@ -25,7 +26,7 @@ def head(solved: Solved) -> Section:
     """Return the title, what was given, and how the solution ended."""
     case = solved.case
     entries = (
-        Entry(said("bearing"), _bearing(case.bearing)),
+        Entry(said("bearing"), _bearing(ball_bearing(case))),
         Entry(said("duty"), _duty(case.duty)),
         Entry(said("model"), model_text(case)),
         *_status(solved),
@@ -85,14 +86,14 @@ def _play(bearing: Bearing) -> str:
     return said("diametral clearance {clearance}", clearance=clearance)
 
 
-def facing(bearing: Bearing, place: RowPlace) -> str:
+def facing(bearing: RollingBearing, place: RowPlace) -> str:
     """Return toward which side a row carries axial load: with clearance and no preload, both."""
     if place.bearing.contact_angle is None and bearing.preload is None:
         return BOTH
     return _PLUS if place.sign > 0.0 else _MINUS
 
 
-def _arrangement_lines(bearing: Bearing) -> list[str]:
+def _arrangement_lines(bearing: RollingBearing) -> list[str]:
     """Say how the rows of a set are arranged and preloaded; nothing of a plain bearing."""
     if bearing.kind == "thrust":
         return [said("thrust bearing: carries axial load toward +x")]
@@ -101,7 +102,7 @@ def _arrangement_lines(bearing: Bearing) -> list[str]:
             said(
                 "four-point contact, shim angle {angle}; rows 0 and 1 are the contacts of the same"
                 " balls that carry axial load toward +x and toward −x",
-                angle=quantity(bearing.shim_angle or 0.0, "angle"),
+                angle=quantity(getattr(bearing, "shim_angle", 0.0), "angle"),
             )
         ]
     if not bearing.is_set:
@@ -110,14 +111,14 @@ def _arrangement_lines(bearing: Bearing) -> list[str]:
     return [_arrangement(bearing), *preload]
 
 
-def _own_offsets(bearing: Bearing) -> bool:
+def _own_offsets(bearing: RollingBearing) -> bool:
     """Whether clamped rows are pressed in each by an offset of its own."""
     clamped = bearing.preload is None or bearing.preload.offset is not None
     offsets = {place.offset for place in bearing.places}
     return clamped and None not in offsets and len(offsets) > 1
 
 
-def _arrangement(bearing: Bearing) -> str:
+def _arrangement(bearing: RollingBearing) -> str:
     places = bearing.places
     if bearing.arrangement is not None:
         return said(
@@ -139,20 +140,20 @@ def _kind(arrangement: str) -> str:
     return said("face to face") if "F" in arrangement else said("in tandem")
 
 
-def _place(bearing: Bearing, place: RowPlace) -> str:
+def _place(bearing: RollingBearing, place: RowPlace) -> str:
     """One row of a list: its side, its place, and what it has of its own."""
     row, own = place.bearing, []
-    if row.ball_count != bearing.ball_count:
-        own.append(said("{count} balls", count=row.ball_count))
+    if row.element_count != bearing.element_count:
+        own.append(said("{count} balls", count=row.element_count))
     for name, symbol in (("ball_diameter", "D"), ("pitch_diameter", "d_m")):
-        if getattr(row, name) != getattr(bearing, name):
+        if getattr(row, name, None) != getattr(bearing, name, None):
             own.append(f"{symbol} {quantity(_short(getattr(row, name)), 'length')}")
     if row.contact_angle is not None and row.contact_angle != bearing.contact_angle:
         own.append(f"α {quantity(row.contact_angle, 'angle')}")
     elif row.contact_angle is None and row.diametral_clearance != bearing.diametral_clearance:
         own.append(f"P_d {quantity(_short(row.diametral_clearance or 0.0), 'length')}")
     for name, symbol in (("inner_conformity", "f_i"), ("outer_conformity", "f_o")):
-        if getattr(row, name) != getattr(bearing, name):
+        if getattr(row, name, None) != getattr(bearing, name, None):
             own.append(f"{symbol} {manner().short(getattr(row, name))}")
     if place.offset is not None and _own_offsets(bearing):
         own.append(said("pressed in by {offset:.4 µm}", offset=place.offset))

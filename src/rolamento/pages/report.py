@@ -632,11 +632,7 @@ def _label(field: str) -> str:
         return known[field].label
     listed = next(name for name in known if field.startswith(f"{name}."))
     index, _, leaf = field[len(listed) + 1 :].partition(".")
-    record = known[listed].listed
-    assert record is not None
-    from rolamento.case.fields import fields_of
-
-    return said("{what}, {which}", what=fields_of(record)[leaf].label, which=index)
+    return said("{what}, {which}", what=known[listed].entries[leaf].label, which=index)
 
 
 def _input_cell(found: Input | None) -> CellContent:

@@ -49,6 +49,7 @@ class RowGeometry:
     outer_conformity: FloatArray
     free_contact_angle: FloatArray
     modulus: FloatArray
+    effective_length: FloatArray | None = None
 
 
 class Held(Protocol):

@@ -11,7 +11,7 @@ from math import ceil, inf, isfinite, pi
 from typing import Any, Final, Literal, Unpack
 
 from rolamento.case import Case
-from rolamento.case.bearing import Bearing
+from rolamento.case.bearing import Bearing, ball_bearing
 from rolamento.catalogue import catalogue, rolling_bearings
 from rolamento.errors import InputError
 from rolamento.solution import solve
@@ -425,7 +425,7 @@ def diagnose(
         return DiagnosisResult(
             title=held.first.title or os.fspath(path),
             bearing_name=name_of(bearing, case),
-            bearing=case.bearing,
+            bearing=ball_bearing(case),
             frequencies=frequencies,
             diagnosis=found,
             settings=wide.settings,
@@ -438,7 +438,7 @@ def diagnose(
             slip=wide.slip,
             covers_balls=wide.covers_balls,
             other_rows=wide.other_rows,
-            lookalikes=_lookalikes(found, frequencies, case.bearing, wide.settings),
+            lookalikes=_lookalikes(found, frequencies, ball_bearing(case), wide.settings),
         )
 
 
@@ -502,7 +502,7 @@ def _frequencies_sought(
         if isfinite(found.cage.order):
             return found, solved
     choice = angle_of("zero" if angle is None else angle)
-    return nominal_frequencies(case.bearing, inner, outer, contact_angle=choice), solved
+    return nominal_frequencies(ball_bearing(case), inner, outer, contact_angle=choice), solved
 
 
 @dataclass(frozen=True, slots=True)

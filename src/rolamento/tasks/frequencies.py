@@ -8,7 +8,7 @@ from math import isfinite
 from typing import Any, Final
 
 from rolamento.case import is_designation
-from rolamento.case.bearing import Bearing
+from rolamento.case.bearing import Bearing, ball_bearing
 from rolamento.errors import InputError
 from rolamento.solution import solve
 from rolamento.solved import Solved
@@ -160,16 +160,21 @@ def fault_frequencies(
     has_no_duty = isinstance(bearing, Bearing) or is_designation(bearing)
     speeds = None if has_no_duty and not told else duty.inner_speed, duty.outer_speed
     contact_angle = angle_of(angle)
+    own = ball_bearing(case)
     solved = solve(case) if has_load(case) else None
     return FrequencyResult(
         title=name_of(bearing, case),
-        bearing=case.bearing,
+        bearing=own,
         nominal=banded_frequencies(
-            case.bearing, *speeds, slip=slip, contact_angle=contact_angle, tolerances=tolerances
+            ball_bearing(case),
+            *speeds,
+            slip=slip,
+            contact_angle=contact_angle,
+            tolerances=tolerances,
         ),
         loaded=None if solved is None else frequencies_of(solved, slip=slip),
         solved=solved,
-        alternatives=alternatives_of(case.bearing, *speeds, slip=slip, contact_angle=contact_angle),
+        alternatives=alternatives_of(own, *speeds, slip=slip, contact_angle=contact_angle),
         harmonics=harmonics,
         sidebands=sidebands,
     )

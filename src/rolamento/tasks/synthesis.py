@@ -14,7 +14,7 @@ import numpy as np
 
 from rolamento._json import dumps
 from rolamento._writing import write_text
-from rolamento.case.bearing import Bearing
+from rolamento.case.bearing import Bearing, ball_bearing
 from rolamento.errors import InputError
 from rolamento.solution import solve
 from rolamento.solved import Solved
@@ -300,7 +300,7 @@ def synthesise(
         )
     solved = solve(case) if has_load(case) else None
     if solved is None:
-        frequencies = nominal_frequencies(case.bearing, inner, outer, slip=slip)
+        frequencies = nominal_frequencies(ball_bearing(case), inner, outer, slip=slip)
     elif not solved.converged[0]:
         return Unsolved(solved)
     else:
@@ -333,7 +333,7 @@ def synthesise(
     found = SynthesisResult(
         name=name,
         source=os.fspath(bearing) if isinstance(bearing, str | os.PathLike) else name,
-        bearing=case.bearing,
+        bearing=ball_bearing(case),
         made=made,
         load=kind,
         extent=extent if kind == "radial" else nan,

@@ -19,7 +19,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from math import cos, isfinite, nan, pi
-from typing import Any, Final, Literal, NamedTuple
+from typing import Any, Final, Literal, NamedTuple, cast
 
 import numpy as np
 
@@ -368,8 +368,8 @@ def nominal_frequencies(
     shaft = shaft_of(inner_speed, outer_speed)
     _check_slip(slip)
     rows = [
-        _nominal_row(place.bearing, shaft, slip, contact_angle, index)
-        for index, place in enumerate(bearing.ball_rows)
+        _nominal_row(cast("Bearing", place.bearing), shaft, slip, contact_angle, index)
+        for index, place in enumerate(bearing.element_rows)
     ]
     return rows[0] if len(rows) == 1 else replace(rows[0], rows=tuple(rows))
 

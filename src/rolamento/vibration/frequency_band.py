@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from itertools import product
 from math import pi
-from typing import Final, NamedTuple
+from typing import Final, NamedTuple, cast
 
 from rolamento.case.bearing import Bearing
 from rolamento.catalogue import Candidate
@@ -180,8 +180,8 @@ def banded_frequencies(
     )
     banded = partial(_with_bands, slip=(slip, min(slip + allowed.slip, 1.0)), speed=allowed.speed)
     rows = [
-        banded(row, _places(place.bearing, contact_angle, allowed))
-        for row, place in zip(found.rows or (found,), bearing.ball_rows, strict=True)
+        banded(row, _places(cast("Bearing", place.bearing), contact_angle, allowed))
+        for row, place in zip(found.rows or (found,), bearing.element_rows, strict=True)
     ]
     return rows[0] if not found.rows else replace(rows[0], rows=tuple(rows))
 
