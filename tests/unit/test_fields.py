@@ -57,7 +57,14 @@ def test_every_field_has_a_label_of_its_own_in_every_language() -> None:
             labels = {field.label: name for name, field in FIELDS.items()}
         assert len(labels) == len(FIELDS)
     assert set(LABELS) <= set(FIELDS)
-    parts = ("bearing.ring_", "bearing.ball_", "mounting.shaft_", "mounting.housing_", "life.tall")
+    parts = (
+        "bearing.ring_",
+        "bearing.ball_",
+        "bearing.roller_material.",
+        "mounting.shaft_",
+        "mounting.housing_",
+        "life.tall",
+    )
     parts += ("mounting.inner_spacer_material.", "mounting.outer_spacer_material.")
     assert all(name in LABELS or name.startswith(parts) for name in FIELDS)
 
@@ -275,10 +282,10 @@ def alternatives(entry: dict[str, Any]) -> Iterator[dict[str, Any]]:
 
 
 def entry_of(name: str) -> dict[str, Any]:
-    table, entry = SCHEMA, SCHEMA
+    tables, entry = [SCHEMA], SCHEMA
     for part in name.split("."):
-        entry = table["properties"][part]
-        table = next((one for one in alternatives(entry) if "properties" in one), {})
+        entry = next(one["properties"][part] for one in tables if part in one["properties"])
+        tables = [one for one in alternatives(entry) if "properties" in one]
     return entry
 
 

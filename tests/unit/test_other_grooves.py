@@ -124,7 +124,7 @@ def test_the_angle_that_takes_up_the_play_of_two_arches() -> None:
 def test_places_follow_the_kind() -> None:
     four, sphere, thrust = (Bearing(**given) for given in (QJ, SPHERE, THRUST))
     assert [(p.sign, p.position, p.phase) for p in four.places] == [(1, 0, 0), (-1, 0, 0)]
-    assert len(four.ball_rows) == 1
+    assert len(four.element_rows) == 1
     assert [p.sign for p in sphere.places] == [-1.0, 1.0]  # face to face
     assert sphere.places[1].position == pytest.approx(4.5e-3)
     assert sphere.places[1].phase == pytest.approx(pi / 12)

@@ -19,6 +19,8 @@ from rolamento.case.bearing import (
     clearance_fits,
 )
 from rolamento.case.duty import AXES, LOADS
+from rolamento.case.roller_bearing import RollerBearing, roller_clearance_fits, rollers_fit
+from rolamento.case.rolling_bearing import RollingBearing
 from rolamento.case.varied import bounded, varied_arrays
 from rolamento.clearance.batch import MOUNTED_FIELDS
 from rolamento.errors import InputError
@@ -26,24 +28,22 @@ from rolamento.geometry import sphere_conformity
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.rows.ball.row import BallRow, Traction, ball_row
 from rolamento.rows.grooves import GrooveRow, four_point_row, thrust_row
+from rolamento.rows.roller.row import roller_row
 from rolamento.rows.row import Row
 from rolamento.rows.sphere import SphereRow
 from rolamento.words import said
 
 __all__ = ["Cases", "PlacedRow", "RowState", "spread"]
 
-_GEOMETRY: Final = (
-    "ball_diameter",
-    "pitch_diameter",
-    "contact_angle",
-    "diametral_clearance",
-    "inner_conformity",
-    "outer_conformity",
-    "shim_angle",
-)
 _PRELOADS: Final = ("force", "offset", "spring")
+_ROUNDING: Final = 1e-12
 
-ROWS: Final = {"ball": ball_row}
+ROWS: Final[Mapping[str, Any]] = {
+    "ball": ball_row,
+    "cylindrical": roller_row,
+    "tapered": roller_row,
+    "needle": roller_row,
+}
 """How a row is made, by its kind of element."""
 OTHER_GROOVES: Final = {"four_point": four_point_row, "thrust": thrust_row}
 """How a row on other grooves is made, by the bearing's kind."""
@@ -184,13 +184,13 @@ def spread(
         valid &= ~np.isnan(array)
     free, load, displacement = _duty(case, arrays, cases)
     kind, amount = _preload(case.bearing, arrays, cases)
-    held = {axis: displacement[:, i] for i, axis in enumerate(AXES)}
     # what the rows have in common has to be sound by itself, as the case has it
     common = _varied(case.bearing, case.bearing, set(), arrays)
     _check_own_fields(case.bearing, arrays)
-    valid &= _consistent(common, held, case.bearing.ball_count, case.bearing.kind)
+    valid &= _consistent(common, case.bearing)
+    valid &= _within_reason(displacement, common)
     placed = []
-    for index, place in enumerate(case.bearing.ball_rows):
+    for index, place in enumerate(case.bearing.element_rows):
         if case.bearing.kind == "self_aligning":
             placed.append(_on_sphere(case, place, common, arrays, cases, threads, fast))
             continue
@@ -205,7 +205,7 @@ def spread(
             own = states[index].geometry
             bearing = SimpleNamespace(**{**vars(bearing), **own})
             varied = {**arrays, **{f"bearing.{k}": v for k, v in own.items() if v is not None}}
-        valid &= _consistent(bearing, {}, place.bearing.ball_count)
+        valid &= _consistent(bearing, place.bearing)
         row = ROWS[place.bearing.element](
             case, place, bearing, varied, cases, threads=threads, fast=fast
         )
@@ -232,7 +232,7 @@ def spread(
     return found
 
 
-def _unheld(bearing: Bearing, row: Row, free: BoolArray, load: FloatArray) -> BoolArray:
+def _unheld(bearing: RollingBearing, row: Row, free: BoolArray, load: FloatArray) -> BoolArray:
     """Cases whose washers are pushed apart, or pushed together by nothing; (cases,).
 
     Every contact of a thrust bearing pushes toward -x. Only where nothing else acts, at rest, may
@@ -318,7 +318,7 @@ def _friction(case: Case, arrays: Mapping[str, FloatArray]) -> tuple[FloatArray,
 
 
 def _preload(
-    bearing: Bearing, arrays: Mapping[str, FloatArray], cases: int
+    bearing: RollingBearing, arrays: Mapping[str, FloatArray], cases: int
 ) -> tuple[str, FloatArray]:
     """How the rows press on each other, and how much; (cases,)."""
     signs = {place.sign for place in bearing.places}
@@ -342,23 +342,28 @@ def _preload(
     return kind, np.full(cases, getattr(bearing.preload, kind))
 
 
-def _varied(bearing: Bearing, row: Bearing, own: set[str], arrays: Mapping[str, FloatArray]) -> Any:
+def _varied(
+    bearing: RollingBearing, row: RollingBearing, own: set[str], arrays: Mapping[str, FloatArray]
+) -> Any:
     """A row's bearing with the arrays for its attributes; what the row has of its own stays."""
-    given = {name: arrays[f"bearing.{name}"] for name in _GEOMETRY if f"bearing.{name}" in arrays}
+    numbers = row.VARIES
+    given = {name: arrays[f"bearing.{name}"] for name in numbers if f"bearing.{name}" in arrays}
     given = {name: array for name, array in given.items() if name not in own}
     for name in list(given):
         for rival in Case.fields()[f"bearing.{name}"].rivals:
             given.setdefault(rival.removeprefix("bearing."), None)  # type: ignore[arg-type]
     rings = _material(row.ring_material, "ring_material", arrays)
-    follows = "ball_material" not in bearing.model_fields_set
-    balls = _material(rings if follows else row.ball_material, "ball_material", arrays)
-    names = (*_GEOMETRY, "inner_shoulder_height", "outer_shoulder_height")
-    attributes = {name: getattr(row, name) for name in names}
-    return SimpleNamespace(**{**attributes, **given}, ring_material=rings, ball_material=balls)
+    follows = row.MATERIAL not in bearing.model_fields_set
+    elements = _material(rings if follows else row.element_material, row.MATERIAL, arrays)
+    attributes = {name: getattr(row, name) for name in (*numbers, *row.STAYS)}
+    made = {**attributes, **given, "ring_material": rings, row.MATERIAL: elements}
+    return SimpleNamespace(**made)
 
 
-def _own_fields(bearing: Bearing, place: RowPlace) -> set[str]:
+def _own_fields(bearing: RollingBearing, place: RowPlace) -> set[str]:
     """What the row does not take from the set; an own angle excludes the set's clearance too."""
+    if place.bearing.element != bearing.element:
+        return set(place.bearing.VARIES)  # nothing: other elements roll in it
     if bearing.rows is None:
         return set()
     return set(bearing.rows[bearing.places.index(place)].own)
@@ -372,7 +377,7 @@ def _material(material: Any, part: str, arrays: Mapping[str, FloatArray]) -> Any
 
 
 def _position(
-    bearing: Bearing, place: RowPlace, arrays: Mapping[str, FloatArray], cases: int
+    bearing: RollingBearing, place: RowPlace, arrays: Mapping[str, FloatArray], cases: int
 ) -> FloatArray:
     """Where a row is along x; (cases,), m."""
     position = np.full(cases, place.position)
@@ -387,7 +392,7 @@ def _position(
     return place.position / bearing.spacing * arrays["bearing.spacing"] + 0.0 * position
 
 
-def _check_own_fields(bearing: Bearing, arrays: Mapping[str, FloatArray]) -> None:
+def _check_own_fields(bearing: RollingBearing, arrays: Mapping[str, FloatArray]) -> None:
     """Refuse to vary what the kind of bearing does not have.
 
     Raises
@@ -395,6 +400,15 @@ def _check_own_fields(bearing: Bearing, arrays: Mapping[str, FloatArray]) -> Non
     InputError
         Naming the field.
     """
+    known = type(bearing).model_fields
+    for name in arrays:
+        table, _, leaf = name.partition(".")
+        if table == "bearing" and leaf.partition(".")[0] not in known:
+            raise InputError(
+                said("is no quantity of such a bearing: {element}", element=bearing.element),
+                field=name,
+                example="bearing.pitch_diameter",
+            )
     if "bearing.shim_angle" in arrays and bearing.kind != "four_point":
         raise InputError(
             said("is of four-point bearings only"),
@@ -415,31 +429,43 @@ def _check_own_fields(bearing: Bearing, arrays: Mapping[str, FloatArray]) -> Non
         )
 
 
-def _consistent(
-    bearing: Any,
-    displacement: dict[str, FloatArray],
-    ball_count: int,
-    kind: str | None = None,
-) -> BoolArray:
-    """Tell in which cases the fields do not contradict each other, as `Bearing` and `Case` have it.
+def _consistent(bearing: Any, own: Bearing | RollerBearing) -> BoolArray:
+    """Tell in which cases the fields do not contradict each other, as the records have it.
 
-    bearing: attributes as arrays; displacement: what is imposed, by axis.
+    bearing: attributes as arrays; own: what does not vary.
     """
+    if isinstance(own, RollerBearing):
+        return _rollers_consistent(bearing, own)
     diameter, pitch = bearing.ball_diameter, bearing.pitch_diameter
-    sound = (pitch > diameter) & balls_fit(ball_count, diameter, pitch)
+    sound = (pitch > diameter) & balls_fit(own.ball_count, diameter, pitch)
     if bearing.diametral_clearance is not None:
         reach = diameter * (bearing.inner_conformity + bearing.outer_conformity - 1.0)
         closed = 1.0 if bearing.shim_angle is None else np.cos(bearing.shim_angle)
         sound = sound & clearance_fits(bearing.diametral_clearance, reach, closed)
-    elif kind == "thrust":
+    elif own.kind == "thrust":
         sound = sound & (bearing.contact_angle > LEAST_THRUST_ANGLE)
     else:
-        least = 0.0 if kind == "self_aligning" else -1.0
+        least = 0.0 if own.kind == "self_aligning" else -1.0
         sound = sound & (bearing.contact_angle < 0.5 * np.pi) & (bearing.contact_angle > least)
     for height in (bearing.inner_shoulder_height, bearing.outer_shoulder_height):
         if height is not None:
             sound = sound & (height < diameter / 2)
-    for axis in ("x", "y", "z"):
-        if axis in displacement:
-            sound = sound & (np.abs(displacement[axis]) <= diameter)
     return np.asarray(sound)
+
+
+def _rollers_consistent(bearing: Any, own: RollerBearing) -> BoolArray:
+    diameter, pitch = bearing.roller_diameter, bearing.pitch_diameter
+    half_angle = 0.0 if bearing.roller_half_angle is None else bearing.roller_half_angle
+    sound = (pitch > diameter) & rollers_fit(own.roller_count, diameter, pitch)
+    sound = sound & (bearing.effective_length <= bearing.roller_length * (1.0 + _ROUNDING))
+    sound = sound & (bearing.roller_length * np.tan(half_angle) < diameter)
+    if own.element == "tapered":
+        angle = bearing.contact_angle
+        return np.asarray(sound & (angle < 0.5 * np.pi) & (angle - 2.0 * half_angle > 0.0))
+    return np.asarray(sound & roller_clearance_fits(bearing.diametral_clearance, diameter))
+
+
+def _within_reason(displacement: FloatArray, bearing: Any) -> BoolArray:
+    """A ring does not move by a rolling element, as `Case` has it; (cases,)."""
+    limit = getattr(bearing, "ball_diameter", getattr(bearing, "roller_diameter", 0.0))
+    return np.asarray(np.all(np.abs(displacement[:, :3]) <= np.reshape(limit, (-1, 1)), axis=1))

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any, Final, NamedTuple
+from typing import Any, Final, NamedTuple, cast
 
 import numpy as np
 
@@ -19,7 +19,7 @@ from rolamento.assembly.ring import pressed_in
 from rolamento.assembly.solve import solve_cases
 from rolamento.case import Case
 from rolamento.case.arrangement import BallRow, Preload
-from rolamento.case.bearing import Bearing
+from rolamento.case.bearing import Bearing, ball_bearing
 from rolamento.case.duty import Duty
 from rolamento.clearance.batch import MOUNTED_FIELDS
 from rolamento.clearance.operating import OperatingClearance, operating_clearance
@@ -150,7 +150,7 @@ def running_set(case: Case) -> Case:
                 orientation="+" if place.sign > 0.0 else "-",
                 position=place.position,
                 phase=place.phase,
-                ball_count=place.bearing.ball_count,
+                ball_count=place.bearing.element_count,
                 offset=float(offset[0]),
                 **numbers,
             )
@@ -173,10 +173,11 @@ def clearances_of_set(case: Case) -> tuple[OperatingClearance, ...]:
     """
     assert case.mounting is not None
     found: dict[Bearing, OperatingClearance] = {}
-    for place in case.bearing.places:
-        if place.bearing not in found:
-            found[place.bearing] = operating_clearance(
-                place.bearing,
+    for place in ball_bearing(case).places:
+        bearing = cast("Bearing", place.bearing)
+        if bearing not in found:
+            found[bearing] = operating_clearance(
+                bearing,
                 case.mounting,
                 case.temperature,
                 inner_speed=case.duty.inner_speed,

@@ -13,18 +13,20 @@ from rolamento.assembly.guidance import S, System, solve_by_jones
 from rolamento.assembly.ring import RowsOnRing, condensed, transform
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.rows.ball.row import BallRow, HeldBalls
-from rolamento.rows.row import Held, Indices, IntArray
+from rolamento.rows.row import Held, Indices, IntArray, RowGeometry
 from rolamento.solved import (
     Answer,
     Index,
     RingDisplacement,
     RingLoad,
+    Rollers,
     Rows,
     Solved,
     Status,
     Stiffness,
     Tables,
 )
+from rolamento.solved.tables import GEOMETRY_COLUMNS
 from rolamento.status import NOT_CONVERGED
 
 if TYPE_CHECKING:
@@ -146,13 +148,21 @@ def result(cases: Cases, balanced: Balanced) -> Solved:
             element_count=np.array([placed.row.element_count for placed, _ in faces]),
             position=np.stack([placed.position for placed, _ in faces], axis=1),
             load=_forgotten(_carried(cases, balanced, load), lost),
+            element=tuple(place.bearing.element for place in cases.case.bearing.places),
+            effective_length=np.stack([_length_of_line(own) for own in geometry], axis=1),
             **{
                 name: np.stack([getattr(own, name) for own in geometry], axis=1)
-                for name in type(geometry[0]).__dataclass_fields__
+                for name in GEOMETRY_COLUMNS
             },
         ),
         answer=answers[0] if len(answers) == 1 else RowAnswers(answers),
     )
+
+
+def _length_of_line(row: RowGeometry) -> FloatArray:
+    """Of rollers; NaN of balls, (cases,), m."""
+    length = row.effective_length
+    return np.full_like(row.ball_diameter, np.nan) if length is None else length
 
 
 def _carried(cases: Cases, balanced: Balanced, load: FloatArray) -> FloatArray:
@@ -184,17 +194,26 @@ class RowAnswers:
     def tables(self) -> Tables:
         """Evaluate every element of every case, row after row."""
         parts: list[Tables] = []
+        slices = 0
         for row in self.rows:
             own = row.tables()
+            slices = max(slices, 0 if own.rollers is None else own.rollers.slices)
             before = 1 + int(parts[-1].elements.row.max()) if parts else 0
             elements = replace(own.elements, row=own.elements.row + before)
             parts.append(replace(own, elements=elements))
+        if slices:
+            parts = [
+                part
+                if part.rollers
+                else replace(part, rollers=Rollers.nowhere(part.elements.azimuth, slices))
+                for part in parts
+            ]
         return reduce(_beside, parts)
 
 
 def _beside(one: Any, other: Any) -> Any:
-    """Join records of arrays along the elements, their last axis; friction moves single rows."""
+    """Join records of arrays along the elements, after the cases; friction moves single rows."""
     if one is None or isinstance(one, np.ndarray):
-        return None if one is None else np.concatenate([one, other], axis=-1)
+        return None if one is None else np.concatenate([one, other], axis=min(one.ndim - 1, 1))
     names = type(one).__dataclass_fields__
     return type(one)(*(_beside(getattr(one, name), getattr(other, name)) for name in names))

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, ClassVar, Final, Literal, Self
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, Literal, Self
 
 from pydantic import BeforeValidator, Field, model_validator
 
 from rolamento.case.preload_classes import Level, listed_preload
+from rolamento.case.profile import ProfileField
 from rolamento.case.quantity import Count, Line, Quantity, Ratio, Replaces
 from rolamento.case.record import ByElement, Record, refuse_rivals, replaced
 from rolamento.errors import InputError, UnitError
@@ -22,6 +23,9 @@ __all__ = [
     "Orientation",
     "Preload",
     "PreloadField",
+    "Ribs",
+    "RollerKind",
+    "RollerRow",
     "RowOfElements",
 ]
 
@@ -50,18 +54,55 @@ PRELOAD_KINDS: Final = ("force", "offset", "spring", "level")
 """The ways to give a preload, one at a time."""
 
 BallCount = Annotated[int, Field(strict=True, ge=3, le=500), Count]
+RollerKind = Literal["cylindrical", "tapered", "needle"]
+Ribs = Literal["none", "+", "-", "both"]
+"""At which ends of the rollers a ring has a rib: toward +x, toward -x, or both."""
+_Phase = Annotated[float, Quantity("angle", at_least="-360 deg", at_most="360 deg")]
+_Offset = Annotated[float, Quantity("length", at_least="-10 mm", at_most="10 mm")]
 _Shift = Annotated[float, Quantity("length", at_least="-10 m", at_most="10 m")]
 _Diameter = Annotated[float, Quantity("length", at_least="0.01 mm", at_most="20 m")]
 _Conformity = Annotated[float, Ratio(at_least=0.501, at_most=1.0)]
 
 
-class BallRow(Record):
+class _Row(Record):
+    """What a row of any rolling elements has of its own."""
+
+    if TYPE_CHECKING:
+        element: str
+        designation: str | None
+        orientation: Orientation
+        position: float
+        phase: float
+        offset: float | None
+
+    @property
+    def own(self) -> dict[str, Any]:
+        """The geometry that the row has of its own, by field of the bearing.
+
+        None for the bearing's angle or clearance where the row has the other.
+        """
+        shared = {"element", "orientation", "position", "phase", "offset"}
+        record = type(self)
+        own = {name: getattr(self, name) for name in record.model_fields if name not in shared}
+        given = {name: value for name, value in own.items() if value is not None}
+        ended = (other for name in given for other in replaced(record, name))
+        return {**dict.fromkeys(ended), **given}
+
+    @model_validator(mode="after")
+    def _angle_or_clearance(self) -> Self:
+        refuse_rivals(self)
+        return self
+
+
+class BallRow(_Row):
     """One row of balls of a bearing: where it sits, and what it has of its own.
 
     Parameters
     ----------
     element
         What rolls in it: ``"ball"``.
+    designation
+        Of a bearing of one row, which then fills in what is not given of the geometry.
     orientation
         ``"+"`` for a row that carries axial load of the shaft toward +x, ``"-"`` for its mirror
         image. Without meaning for a row given by its clearance.
@@ -85,11 +126,10 @@ class BallRow(Record):
     """
 
     element: Literal["ball"] = Field("ball", examples=["ball"])
+    designation: Line | None = Field(None, examples=["6210"])
     orientation: Orientation = Field("+", examples=["+"])
     position: _Shift = Field(examples=["-12 mm"])
-    phase: Annotated[float, Quantity("angle", at_least="-360 deg", at_most="360 deg")] = Field(
-        0.0, examples=["11.25 deg"]
-    )
+    phase: _Phase = Field(0.0, examples=["11.25 deg"])
     ball_count: BallCount | None = Field(None, examples=[16])
     ball_diameter: _Diameter | None = Field(None, examples=["22.23 mm"])
     pitch_diameter: _Diameter | None = Field(None, examples=["125.26 mm"])
@@ -103,31 +143,72 @@ class BallRow(Record):
     ] = Field(None, examples=["0.015 mm"])
     inner_conformity: _Conformity | None = Field(None, examples=[0.5232])
     outer_conformity: _Conformity | None = Field(None, examples=[0.5232])
-    offset: Annotated[float, Quantity("length", at_least="-10 mm", at_most="10 mm")] | None = Field(
-        None, examples=["5 um"]
+    offset: _Offset | None = Field(None, examples=["5 um"])
+
+
+class RollerRow(_Row):
+    """One row of rollers of a bearing: where it sits, and what it has of its own.
+
+    Parameters
+    ----------
+    element
+        What rolls in it: ``"cylindrical"``, ``"tapered"`` or ``"needle"``.
+    designation
+        Of a bearing of one row, which then fills in what is not given of the geometry.
+    orientation
+        As of a `BallRow`; a row of cylindrical rollers that faces ``"-"`` has its ribs mirrored.
+    position
+        Of the rollers' middle plane along x, from the point that the displacements and moments
+        of the set refer to, in m.
+    phase
+        Azimuth of the row's first roller beyond the duty's, in rad.
+    roller_count, roller_diameter, roller_length, effective_length, pitch_diameter
+        As in `RollerBearing`; what is not given is the bearing's.
+    contact_angle, roller_half_angle, diametral_clearance
+        Likewise.
+    inner_ribs, outer_ribs, axial_play, roller_profile, inner_profile, outer_profile
+        Likewise.
+    offset
+        As of a `BallRow`.
+
+    Raises
+    ------
+    InputError
+        If a value is missing or out of range.
+    """
+
+    element: RollerKind = Field("cylindrical", examples=["cylindrical"])
+    designation: Line | None = Field(None, examples=["NU 210"])
+    orientation: Orientation = Field("+", examples=["+"])
+    position: _Shift = Field(examples=["-12 mm"])
+    phase: _Phase = Field(0.0, examples=["11.25 deg"])
+    roller_count: BallCount | None = Field(None, examples=[13])
+    roller_diameter: _Diameter | None = Field(None, examples=["7.5 mm"])
+    roller_length: _Diameter | None = Field(None, examples=["9 mm"])
+    effective_length: _Diameter | None = Field(None, examples=["8.2 mm"])
+    pitch_diameter: _Diameter | None = Field(None, examples=["38.5 mm"])
+    contact_angle: Annotated[float, Quantity("angle", above="0 deg", below="90 deg")] | None = (
+        Field(None, examples=["14 deg"])
     )
-
-    @property
-    def own(self) -> dict[str, Any]:
-        """The geometry that the row has of its own, by field of `Bearing`.
-
-        None for the bearing's angle or clearance where the row has the other.
-        """
-        shared = {"element", "orientation", "position", "phase", "offset"}
-        own = {name: getattr(self, name) for name in type(self).model_fields if name not in shared}
-        given = {name: value for name, value in own.items() if value is not None}
-        ended = (other for name in given for other in replaced(BallRow, name))
-        return {**dict.fromkeys(ended), **given}
-
-    @model_validator(mode="after")
-    def _angle_or_clearance(self) -> Self:
-        refuse_rivals(self)
-        return self
+    roller_half_angle: (
+        Annotated[float, Quantity("angle", at_least="0 deg", below="45 deg")] | None
+    ) = Field(None, examples=["2 deg"])
+    diametral_clearance: (
+        Annotated[float, Quantity("length", at_least="-1 m", at_most="1 m")] | None
+    ) = Field(None, examples=["0.03 mm"])
+    inner_ribs: Ribs | None = Field(None, examples=["none"])
+    outer_ribs: Ribs | None = Field(None, examples=["both"])
+    axial_play: Annotated[float, Quantity("length", at_least="0 mm", at_most="1 m")] | None = Field(
+        None, examples=["0.1 mm"]
+    )
+    roller_profile: ProfileField | None = Field(None, examples=["iso"])
+    inner_profile: ProfileField | None = Field(None, examples=["none"])
+    outer_profile: ProfileField | None = Field(None, examples=["none"])
+    offset: _Offset | None = Field(None, examples=["5 um"])
 
 
-RowOfElements = Annotated[BallRow, ByElement()]
-"""A row of any rolling elements, told apart by `element`. Another kind of row joins as a member of
-a union: ``Annotated[BallRow | RollerRow, ByElement()]``."""
+RowOfElements = Annotated[BallRow | RollerRow, ByElement()]
+"""A row of any rolling elements, told apart by `element`."""
 
 
 class Preload(Record):

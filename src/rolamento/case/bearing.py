@@ -3,27 +3,17 @@
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Mapping
-from contextlib import AbstractContextManager, nullcontext, suppress
 from functools import lru_cache
-from typing import TYPE_CHECKING, Annotated, Any, Final, Literal, NamedTuple, Self, cast
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, Literal, Self, cast
 
 from pydantic import (
-    BeforeValidator,
     ConfigDict,
     Field,
-    ModelWrapValidatorHandler,
-    PrivateAttr,
-    SerializationInfo,
-    SerializerFunctionWrapHandler,
-    ValidationInfo,
-    model_serializer,
     model_validator,
 )
 
 from rolamento.case.arrangement import (
-    ARRANGEMENTS,
     Arrangement,
     BallCount,
     BallRow,
@@ -31,67 +21,30 @@ from rolamento.case.arrangement import (
     RowOfElements,
 )
 from rolamento.case.material import DEFAULT_MATERIAL, Material, MaterialField
-from rolamento.case.preload_classes import Level, listed_preload
-from rolamento.case.quantity import Line, Quantity, Ratio, Replaces, at_the_border
-from rolamento.case.record import Record
+from rolamento.case.quantity import Quantity, Ratio, Replaces
+from rolamento.case.rolling_bearing import (
+    DISPLACED,
+    MOST_ROWS,
+    BearingKind,
+    Designation,
+    RollingBearing,
+    RowPlace,
+)
 from rolamento.errors import InputError
-from rolamento.geometry import free_contact_angle, sphere_conformity
-from rolamento.units import Dimension, from_si, readable
+from rolamento.geometry import free_contact_angle, ring_geometry, sphere_conformity
+from rolamento.units import from_si, readable
 from rolamento.words import said
 
 if TYPE_CHECKING:
-    from rolamento.catalogue import CatalogueBearing, InternalGeometry
+    pass
 
-__all__ = ["Bearing", "RowPlace", "balls_fit", "clearance_fits"]
-
-MOST_ROWS: Final = 32
-_WRITTEN_ANGLE: Final = re.compile(r"\s*\d+deg$")
-"""Of designations that tell their contact angle so, which lists of preloads do not."""
-_SET_FIELDS: Final = ("arrangement", "spacing", "rows", "preload")
-_BALL_FIELDS: Final = ("ball_count", "ball_diameter", "pitch_diameter")
-_PLAY: Final = ("contact_angle", "diametral_clearance")
-_CATALOGUE_FIELDS: Final[Mapping[str, Dimension | None]] = {
-    "ball_count": None,
-    "ball_diameter": "length",
-    "pitch_diameter": "length",
-    "inner_conformity": None,
-    "outer_conformity": None,
-    "contact_angle": "angle",
-    "diametral_clearance": "length",
-    "kind": None,
-    "shim_angle": "angle",
-    "arrangement": None,
-    "spacing": "length",
-    "ball_material": None,
-    "preload": None,
-}
-"""What a designation fills in, by the dimension."""
-_ELSE_FROM: Final = {"spacing": "assumed", "preload": "designation"}
-"""Where a field comes from that the catalogue tells only together with what is given."""
+__all__ = ["Bearing", "RowPlace", "ball_bearing", "balls_fit", "clearance_fits"]
 
 _Conformity = Annotated[float, Ratio(at_least=0.501, at_most=1.0, varies=True)]
 
-BearingKind = Literal["four_point", "self_aligning", "thrust"]
 LEAST_THRUST_ANGLE: Final = math.radians(45.0)
 
 
-def _as_text(value: object) -> object:
-    """Let a designation be written as a number."""
-    if isinstance(value, int) and not isinstance(value, bool) and 0 <= value < 10**9:
-        return str(value)
-    return value
-
-
-_Designation = Annotated[
-    Line,
-    BeforeValidator(_as_text, json_schema_input_type=Annotated[str, Field(max_length=200)] | int),
-]
-_DISPLACED: Final = (
-    *_BALL_FIELDS,
-    *(f"{part}.{name}" for part in ("mounting", "film") for name in ("bore", "outside_diameter")),
-    *(f"life.{name}" for name in ("dynamic_rating", "static_rating")),
-)
-"""Another bearing of the catalogue has other balls, another size and other ratings."""
 _ShoulderHeight = Annotated[float, Quantity("length", above="0 mm", at_most="1 m")]
 
 
@@ -116,7 +69,7 @@ def _sphere_if_any(told: dict[str, Any]) -> float:
     return float(sphere_conformity(told["ball_diameter"], told["pitch_diameter"], tangent))
 
 
-class Bearing(Record):
+class Bearing(RollingBearing):
     """One or more rows of balls between two grooved rings, by their internal geometry.
 
     The fields are those of one row, or what several rows have in common; what is not given of the
@@ -183,9 +136,39 @@ class Bearing(Record):
 
     model_config = ConfigDict(json_schema_extra=_required_unless_told)
 
+    FILLED_IN: ClassVar = {
+        "ball_count": None,
+        "ball_diameter": "length",
+        "pitch_diameter": "length",
+        "inner_conformity": None,
+        "outer_conformity": None,
+        "contact_angle": "angle",
+        "diametral_clearance": "length",
+        "kind": None,
+        "shim_angle": "angle",
+        "arrangement": None,
+        "spacing": "length",
+        "ball_material": None,
+        "preload": None,
+    }
+    VARIES: ClassVar = (
+        "ball_diameter",
+        "pitch_diameter",
+        "contact_angle",
+        "diametral_clearance",
+        "inner_conformity",
+        "outer_conformity",
+        "shim_angle",
+    )
+    STAYS: ClassVar = ("inner_shoulder_height", "outer_shoulder_height")
+    INSIDE: ClassVar = ("ball_count", "ball_diameter", "pitch_diameter")
+    PLAY: ClassVar = ("contact_angle", "diametral_clearance")
+    MATERIAL: ClassVar = "ball_material"
+    ROW: ClassVar = BallRow
+
     element: Literal["ball"] = Field("ball", examples=["ball"])
     kind: BearingKind | None = Field(None, examples=["four_point"])
-    designation: Annotated[_Designation | None, Replaces(*_DISPLACED)] = Field(
+    designation: Annotated[Designation | None, Replaces(*DISPLACED)] = Field(
         None, examples=["6305/C3"]
     )
     ball_count: BallCount = Field(examples=[16])
@@ -223,80 +206,30 @@ class Bearing(Record):
         examples=['[{ orientation = "+", position = "0 mm" }]'],
     )
     preload: PreloadField | None = Field(None, examples=["500 N"])
-    _listed: tuple[CatalogueBearing, ...] = PrivateAttr(default=())
-    """The records outside the built-in catalogue by which the designation was found."""
-
-    @classmethod
-    def named(cls, designation: str, **fields: Any) -> Self:
-        """Return a bearing of the catalogue.
-
-        Parameters
-        ----------
-        designation
-            Such as ``"6305/C3"`` or ``"EX 70 25deg"``.
-        fields
-            Of the bearing, in the place of what the catalogue tells.
-
-        Raises
-        ------
-        InputError
-            If the designation is not known, or does not tell what is not given.
-        """
-        return cls(**{"designation": designation, **fields})
 
     @property
-    def origins(self) -> Mapping[str, str]:
-        """Where each field that a designation fills in comes from; empty without one.
-
-        ``"given"`` by the user, ``"published"`` by a maker, ``"inferred"`` from the ratings,
-        or ``"assumed"``: an ordinary conformity, the middle of the clearance class.
-        """
-        if self.told is None:
-            return {}
-        own, told = self.model_fields_set, self.told.origins
-        return {
-            name: "given" if name in own else told.get(name) or _ELSE_FROM[name]
-            for name in _CATALOGUE_FIELDS
-            if getattr(self, name) is not None
-            and (name in own or name in told or name in _ELSE_FROM)
-        }
+    def element_count(self) -> int:
+        """Z, balls in the row."""
+        return self.ball_count
 
     @property
-    def told(self) -> InternalGeometry | None:
-        """What the designation says, and the catalogue of it; None without one.
-
-        Without balls where the user gave them all.
-        """
-        if self.designation is None:
-            return None
-        from rolamento.catalogue import catalogue_with, geometry_of
-
-        return geometry_of(
-            self.designation,
-            catalogue_of=catalogue_with(self._listed),
-            with_balls=not self.model_fields_set.issuperset(_BALL_FIELDS),
-        )
+    def element_diameter(self) -> float:
+        """D of a ball; m."""
+        return self.ball_diameter
 
     @property
-    def published(self) -> CatalogueBearing | None:
-        """What the catalogue holds of the designation; None without one."""
-        return None if self.told is None else self.told.bearing
-
-    @property
-    def clearance_class(self) -> str | None:
-        """Class of ISO 5753-1 that the clearance is the middle of; None of any other clearance."""
-        if self.told is None or self.origins.get("diametral_clearance") != "assumed":
-            return None
-        return self.told.clearance_class
+    def element_material(self) -> Material:
+        """Of the balls."""
+        return self.ball_material
 
     @property
     def is_set(self) -> bool:
         """Whether the bearing is more than one plain row."""
-        return (
-            self.arrangement is not None
-            or self.rows is not None
-            or self.kind in ("four_point", "self_aligning")
-        )
+        return super().is_set or self._set_by_kind
+
+    @property
+    def _set_by_kind(self) -> bool:
+        return self.kind in ("four_point", "self_aligning")
 
     @property
     def places(self) -> tuple[RowPlace, ...]:
@@ -305,29 +238,12 @@ class Bearing(Record):
         A four-point bearing has one row of balls, and is two rows of contacts at one place: that
         of the arcs which carry toward +x, and its mirror image.
         """
-        return _places(self)
-
-    def replace(self, **changes: Any) -> Self:
-        """Return a new bearing with the given fields changed; see `Record.replace`."""
-        with self.looked_up():
-            return super().replace(**changes)
+        return _faces(self) if self._set_by_kind else super().places
 
     @property
-    def from_given_ratings(self) -> bool:
-        """Whether the balls are inferred from ratings of the case, not of a list."""
-        return self.told is not None and self.told.from_given_ratings
-
-    def looked_up_again(self) -> Self:
-        """Return the bearing of the same designation in the catalogue that now is asked."""
-        return type(self)(**{name: getattr(self, name) for name in self.model_fields_set})
-
-    def looked_up(self) -> AbstractContextManager[object]:
-        """Return a block in which the designation is found where this bearing found it."""
-        if not self._listed:
-            return nullcontext()
-        from rolamento.catalogue import listed
-
-        return listed(self._listed)
+    def carries_one_way(self) -> bool:
+        """Whether the row carries axial load toward one side only."""
+        return ring_geometry(self).one_sided
 
     @property
     def groove_bottom(self) -> float:
@@ -335,50 +251,22 @@ class Bearing(Record):
         return self.row_angle if self.kind == "thrust" else 0.0
 
     @property
-    def ball_rows(self) -> tuple[RowPlace, ...]:
+    def element_rows(self) -> tuple[RowPlace, ...]:
         """Those of the `places` that have balls of their own: one of a four-point bearing."""
         return self.places[:1] if self.kind == "four_point" else self.places
 
-    @model_validator(mode="wrap")
     @classmethod
-    def _filled_in(
-        cls, given: Any, handler: ModelWrapValidatorHandler[Self], info: ValidationInfo
-    ) -> Self:
-        """Fill in what a designation or the first row tells, without making it the user's own."""
-        if not isinstance(given, Mapping):
-            return handler(given)
-        designation = _as_text(given.get("designation"))
-        records: tuple[CatalogueBearing, ...] = ()
-        if isinstance(designation, str):
-            geometry = _geometry(designation, given)
-            found = _of_catalogue(geometry, given, in_file=at_the_border(info.context))
-            records = geometry.records
-        else:
-            found = _of_first_row(given)
+    def _adjust(cls, given: Mapping[str, Any], found: dict[str, Any], *, in_file: bool) -> None:
+        """A thrust bearing is one of 90°, and the sphere of a self-aligning one follows."""
         merged = {**given, **found}
         if merged.get("kind") == "thrust" and merged.get("contact_angle") is None:
-            found["contact_angle"] = "90 deg" if at_the_border(info.context) else 0.5 * math.pi
+            found["contact_angle"] = "90 deg" if in_file else 0.5 * math.pi
         if merged.get("kind") == "self_aligning":
             found.pop("outer_conformity", None)
-        bearing = handler({**given, **found})
-        bearing.__pydantic_fields_set__.difference_update(found)
-        cast("dict[str, Any]", bearing.__pydantic_private__)["_listed"] = records
-        return bearing
 
-    @model_serializer(mode="wrap")
-    def _without_what_is_filled_in(
-        self, handler: SerializerFunctionWrapHandler, info: SerializationInfo
-    ) -> dict[str, Any]:
-        """Write to a file the user's own fields only, where others are filled in."""
-        fields: dict[str, Any] = handler(self)
-        if self.kind == "self_aligning":
-            fields.pop("outer_conformity", None)
-        if (self.designation or self.rows) is None or not at_the_border(info.context):
-            return fields
-        told = _CATALOGUE_FIELDS.keys() - self.model_fields_set
-        if self.told is None or "ball_material" not in self.told.fields:
-            told -= {"ball_material"}
-        return {name: value for name, value in fields.items() if name not in told}
+    @property
+    def _never_written(self) -> tuple[str, ...]:
+        return ("outer_conformity",) if self.kind == "self_aligning" else ()
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
@@ -387,7 +275,7 @@ class Bearing(Record):
         self._check_angle_or_clearance()
         self._check_clearance()
         self._check_shoulders()
-        self._check_set()
+        self.check_set()
         return self
 
     def _check_that_balls_fit(self) -> None:
@@ -574,110 +462,24 @@ class Bearing(Record):
                     example=f'{name} = "{_rounded_length(0.2 * self.ball_diameter)}"',
                 )
 
-    def _check_set(self) -> None:
-        if self.arrangement is not None and self.rows is not None:
-            raise InputError(
-                said("cannot be combined with rows listed one by one"),
-                field="arrangement",
-                value=self.arrangement,
-                example='arrangement = "DB" without rows',
-            )
-        if self.kind == "self_aligning":
-            return
-        if (self.arrangement is None) != (self.spacing is None):
-            missing, beside = (
-                ("spacing", "arrangement") if self.spacing is None else ("arrangement", "spacing")
-            )
-            raise InputError(
-                said("is missing; {beside} needs it", beside=beside),
-                field=missing,
-                example='arrangement = "DB" with spacing = "24 mm"',
-            )
-        signs = {place.sign for place in self.places}
-        if self.preload is not None and len(signs) < 2:
-            raise InputError(
-                said("needs opposed rows: these all carry load in the same direction"),
-                field="preload",
-                example='arrangement = "DB"',
-            )
-        own = [index for index, place in enumerate(self.places) if place.offset is not None]
-        clamped = self.preload is not None and self.preload.offset is None
-        if own and clamped and self.preload is not None and self.preload.spring is None:
-            raise InputError(
-                said("cannot be combined with a preload given by its force: the row has its own"),
-                field=f"rows.{own[0]}.offset",
-                example='preload = { offset = "5 um" }',
-            )
-        if self.preload is not None:
-            try:
-                self.preload.pair_force(self.contact_angle)
-            except InputError as error:
-                raise error.with_details(field=f"preload.{error.field}") from None
 
+def ball_bearing(case: Any) -> Bearing:
+    """Return the bearing of a case, for laws that are of balls only.
 
-def _own_fields(given: Mapping[str, Any]) -> set[str]:
-    return {name for name, value in given.items() if value is not None}
-
-
-def _geometry(designation: str, given: Mapping[str, Any]) -> InternalGeometry:
-    from rolamento.catalogue import geometry_of
-
-    return geometry_of(designation, with_balls=not _own_fields(given).issuperset(_BALL_FIELDS))
-
-
-def _of_catalogue(
-    geometry: InternalGeometry, given: Mapping[str, Any], *, in_file: bool
-) -> dict[str, Any]:
-    """Return the fields that a designation tells and the user does not."""
-    own = _own_fields(given)
-    missing = _CATALOGUE_FIELDS.keys() - own
-    if own.intersection(_PLAY):
-        missing -= set(_PLAY)
-    if "rows" in own:
-        missing -= {"arrangement", "spacing", "preload"}
-    if "contact_angle" in own and geometry.fields.get("kind") == "self_aligning":
-        missing -= {"spacing"}
-    if missing.issuperset(_PLAY) and not geometry.fields.keys() & set(_PLAY):
+    Raises
+    ------
+    InputError
+        If rollers roll in any of its rows.
+    """
+    bearing = case.bearing
+    if any(place.bearing.element != "ball" for place in bearing.places):
         raise InputError(
-            geometry.lack_of_play, field="designation", value=geometry.designation.text
+            said("is available for ball bearings only"),
+            field="bearing.element",
+            value=bearing.element,
+            example='element = "ball"',
         )
-    found: dict[str, Any] = {}
-    told = dict(geometry.fields)
-    arrangement = given.get("arrangement") or told.get("arrangement")
-    if isinstance(arrangement, str):
-        told = {"spacing": geometry.width, **told}
-        if len(set(ARRANGEMENTS.get(cast("Arrangement", arrangement), ()))) > 1:
-            told["preload"] = _listed_preload(geometry, given)
-    for name in missing & told.keys():
-        value, dimension = told[name], _CATALOGUE_FIELDS[name]
-        if value is not None:
-            found[name] = from_si(value, dimension) if in_file and dimension else value
-    return found
-
-
-def _listed_preload(geometry: InternalGeometry, given: Mapping[str, Any]) -> dict[str, Any] | None:
-    """Return the preload that the letters name, if a maker lists it for this bearing."""
-    level = geometry.designation.letters.preload_level
-    angle = geometry.fields.get("contact_angle")
-    if level is None or given.get("contact_angle") is not None:
-        return None
-    listed = geometry.bearing.designation
-    for name in (listed, _WRITTEN_ANGLE.sub("", listed)):
-        with suppress(InputError):
-            listed_preload(name, cast("Level", level), angle)
-            return {"level": level, "designation": name}
-    return None
-
-
-def _of_first_row(given: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the geometry that the first row tells and the bearing does not."""
-    rows = given.get("rows")
-    first = rows[0] if isinstance(rows, list | tuple) and rows else None
-    told = first if isinstance(first, Mapping) else getattr(first, "own", {})
-    own = {name for name, value in given.items() if value is not None}
-    play = set(_PLAY) if own.intersection(_PLAY) else set()
-    missing = (name for name in _CATALOGUE_FIELDS if name not in own | play)
-    return {name: told[name] for name in missing if told.get(name) is not None}
+    return cast("Bearing", bearing)
 
 
 def balls_fit(count: int, ball_diameter: Any, pitch_diameter: Any) -> Any:
@@ -693,48 +495,7 @@ def clearance_fits(clearance: Any, groove_distance: Any, closed: Any = 1.0) -> A
     return (-groove_distance / 4 < clearance) & (clearance < 2 * groove_distance * closed)
 
 
-class RowPlace(NamedTuple):
-    """One row of a bearing: its geometry, +1 or -1 for the way it faces, its place.
-
-    offset: how far it alone is pressed in; None where the preload says.
-    """
-
-    bearing: Bearing
-    sign: float
-    position: float
-    phase: float
-    offset: float | None = None
-
-
 @lru_cache(maxsize=1024)
-def _places(bearing: Bearing) -> tuple[RowPlace, ...]:
-    if bearing.kind in ("four_point", "self_aligning"):
-        return _faces(bearing)
-    rows = _rows(bearing)
-    if rows is None:
-        return (RowPlace(bearing, 1.0, 0.0, 0.0),)
-    plain: dict[str, Any] = dict.fromkeys(_SET_FIELDS)
-    told = bearing.told
-    if told is not None and "arrangement" in told.fields and bearing.rows is None:
-        # a row alone is no such bearing, and the designation would fill the arrangement in again
-        one = bearing.model_copy(update=plain)
-        signs = ((row, 1.0 if row.orientation == "+" else -1.0) for row in rows)
-        return tuple(RowPlace(one, sign, row.position, row.phase) for row, sign in signs)
-    if told is None or "arrangement" in told.fields:
-        names = _CATALOGUE_FIELDS.keys() - bearing.model_fields_set - plain.keys()
-        values = {name: getattr(bearing, name) for name in names}
-        plain.update({"designation": None, **values})  # of the first row
-    places = []
-    for index, row in enumerate(rows):
-        try:
-            alone = bearing.replace(**{**plain, **row.own})
-        except InputError as error:
-            raise error.with_details(field=f"rows.{index}.{error.field}") from None
-        sign = 1.0 if row.orientation == "+" else -1.0
-        places.append(RowPlace(alone, sign, row.position, row.phase, row.offset))
-    return tuple(places)
-
-
 def _faces(bearing: Bearing) -> tuple[RowPlace, ...]:
     """The two rows of contacts of a four-point bearing, or the rows of a self-aligning one.
 
@@ -755,18 +516,6 @@ def _faces(bearing: Bearing) -> tuple[RowPlace, ...]:
     place = 0.5 * bearing.pitch_diameter * math.tan(bearing.row_angle)
     half_pitch = math.pi / bearing.ball_count
     return RowPlace(alone, -1.0, -place, 0.0), RowPlace(alone, 1.0, place, half_pitch)
-
-
-def _rows(bearing: Bearing) -> tuple[RowOfElements, ...] | None:
-    if bearing.arrangement is None:
-        return bearing.rows
-    orientations = ARRANGEMENTS[bearing.arrangement]
-    spacing = bearing.spacing or 0.0
-    first = -0.5 * spacing * (len(orientations) - 1)
-    return tuple(
-        BallRow(orientation=orientation, position=first + spacing * index)
-        for index, orientation in enumerate(orientations)
-    )
 
 
 def _rounded_length(value: float) -> str:

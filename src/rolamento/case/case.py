@@ -6,7 +6,7 @@ import json
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from math import isclose
-from typing import TYPE_CHECKING, Any, Final, Self
+from typing import TYPE_CHECKING, Annotated, Any, Final, Self
 
 from pydantic import Field, ModelWrapValidatorHandler, ValidationInfo, model_validator
 
@@ -30,8 +30,10 @@ from rolamento.case.lubricant import LubricantField
 from rolamento.case.model import Model
 from rolamento.case.mounting import Mounting
 from rolamento.case.quantity import Line, at_the_border
-from rolamento.case.record import Record
+from rolamento.case.record import ByElement, Record
 from rolamento.case.report import ReportHead
+from rolamento.case.roller_bearing import RollerBearing
+from rolamento.case.rolling_bearing import RollingBearing, element_told
 from rolamento.case.surface import Surface
 from rolamento.case.temperature import Temperature
 from rolamento.errors import FileError, InputError, nearest
@@ -68,7 +70,8 @@ class Case(Record):
     title
         One line, at most 200 characters.
     bearing
-        A `Bearing`.
+        A `Bearing` or a `RollerBearing`, told apart by `element`, else by the designation or the
+        rows.
     duty
         A `Duty`.
     model
@@ -96,7 +99,9 @@ class Case(Record):
     """
 
     title: Line = Field("", examples=["218 angular-contact ball bearing"])
-    bearing: Bearing = Field(examples=["[bearing] as a table"])
+    bearing: Annotated[Bearing | RollerBearing, ByElement(element_told)] = Field(
+        examples=["[bearing] as a table"]
+    )
     duty: Duty = Field(examples=["[duty] as a table"])
     model: Model = Field(default_factory=Model)
     lubricant: LubricantField | None = Field(None, examples=["ISO VG 68"])
@@ -120,7 +125,7 @@ class Case(Record):
         with listed(_rated_bearing(given)):
             filled = dict(_with_catalogue_sizes(given, in_file=at_the_border(info.context)))
             bearing = filled.get("bearing")
-            if isinstance(bearing, Bearing) and bearing.from_given_ratings:
+            if isinstance(bearing, RollingBearing) and bearing.from_given_ratings:
                 filled["bearing"] = bearing.looked_up_again()
             return handler(filled)
 
@@ -167,7 +172,7 @@ class Case(Record):
     def _own_mapping(self, changes: Iterable[str]) -> dict[str, Any]:
         """The tables of the case's file; balls of the rings' material go on following it."""
         mapping = self.to_mapping()
-        follows = "ball_material" not in self.bearing.model_fields_set
+        follows = self.bearing.MATERIAL not in self.bearing.model_fields_set
         if follows and not any(change.startswith("bearing.ball_material") for change in changes):
             mapping["bearing"].pop("ball_material", None)
         return mapping
@@ -180,15 +185,15 @@ class Case(Record):
     @model_validator(mode="after")
     def _displacement_within_reason(self) -> Self:
         """A ring does not move by a ball: such a value has the wrong unit."""
-        limit = self.bearing.ball_diameter
+        limit = self.bearing.element_diameter
         for axis in ("x", "y", "z"):
             shift = getattr(self.duty.displacement, axis)
             if shift is not None and abs(shift) > limit:
+                longest = readable(limit, "length")
                 raise InputError(
-                    said(
-                        "must be at most the ball diameter, {limit}",
-                        limit=readable(limit, "length"),
-                    ),
+                    said("must be at most the ball diameter, {limit}", limit=longest)
+                    if self.bearing.element == "ball"
+                    else said("must be at most the roller diameter, {limit}", limit=longest),
                     field=f"duty.displacement.{axis}",
                     value=readable(shift, "length"),
                     example=f'{axis} = "0.01 mm"',
@@ -547,7 +552,7 @@ def _with_catalogue_sizes(given: Mapping[str, Any], *, in_file: bool) -> Mapping
     return filled
 
 
-def _check_catalogue_sizes(bearing: Bearing, mounting: Mounting) -> None:
+def _check_catalogue_sizes(bearing: RollingBearing, mounting: Mounting) -> None:
     """Refuse a mounting for a bearing of another size than that of the designation.
 
     Raises
@@ -581,7 +586,7 @@ def _rated_bearing(given: Mapping[str, Any]) -> Sequence[CatalogueBearing]:
     from rolamento.catalogue import with_ratings
 
     bearing, life = given.get("bearing"), given.get("life")
-    if isinstance(bearing, Bearing) and not bearing.from_given_ratings:
+    if isinstance(bearing, RollingBearing) and not bearing.from_given_ratings:
         return ()  # it knows its balls
     designation = _designation_of(bearing)
     ratings = [_force(_entry(life, name)) for name in ("dynamic_rating", "static_rating")]

@@ -19,7 +19,14 @@ from rolamento._reading import parse_mapping
 from rolamento.case.hints import hint
 from rolamento.case.labels import label_of
 from rolamento.case.quantity import Quantity, Ratio
-from rolamento.case.record import Record, example_of, meanings, record_of, replaced
+from rolamento.case.record import (
+    Record,
+    example_of,
+    meanings,
+    record_for,
+    records_of,
+    replaced,
+)
 from rolamento.errors import FileError, InputError, UnknownKeyError
 from rolamento.units import SI_UNIT, Dimension, from_si
 from rolamento.words import said, speaking
@@ -108,10 +115,11 @@ class Field:
         return example.partition(" ")[2] if self.dimension is not None else ""
 
     @property
-    def listed(self) -> type[Record] | None:
-        """The record that a list holds."""
-        found = record_of(self._info.annotation) if self.kind == "list" else None
-        return found if found is not None and issubclass(found, Record) else None
+    def entries(self) -> Mapping[str, Field]:
+        """The fields of the tables that a list holds, by their names in it; else empty."""
+        listed = records_of(self._info.annotation) if self.kind == "list" else ()
+        records = [record for record in listed if issubclass(record, Record)]
+        return {name: one for record in records[::-1] for name, one in fields_of(record).items()}
 
     @property
     def choices(self) -> tuple[str, ...]:
@@ -207,14 +215,18 @@ _Found = tuple[str, tuple[str, ...], type[BaseModel], FieldInfo]
 
 def _fields_in(record: type[BaseModel], table: str) -> Iterator[_Found]:
     for leaf, info in record.model_fields.items():
-        inner = record_of(info.annotation)
         is_list = _kind_of(info) == "list"
-        if inner is None or is_list or getattr(inner, "has_short_form", False):
+        inner = () if is_list else records_of(info.annotation)
+        if not inner or getattr(inner[0], "has_short_form", False):
             others = replaced(record, leaf)
             dotted = (other if "." in other else f"{table}{other}" for other in others)
             yield f"{table}{leaf}", tuple(dotted), record, info
-        if inner is not None and not is_list:
-            yield from _fields_in(inner, f"{table}{leaf}.")
+        known = set()
+        for one in inner:  # what they have in common is one field
+            for found in _fields_in(one, f"{table}{leaf}."):
+                if found[0] not in known:
+                    known.add(found[0])
+                    yield found
 
 
 def _kind_of(info: FieldInfo) -> Kind:
@@ -351,11 +363,11 @@ def in_file_form(name: str, value: Any, record: type[Record]) -> object:
     InputError
         If there is no such field, or it takes no such value.
     """
-    table, field = _table(name, record), fields_of(record).get(name)
+    info, table = _info(name, record), _table(name, record, value)
     if table is not None and (value is None or isinstance(value, Mapping | Record)):
         return value if value is None else _mapping_of(value, table)
-    if field is not None and field.kind == "list" and isinstance(value, list | tuple):
-        return [_mapping_of(entry, field.listed) for entry in value]
+    if info is not None and _kind_of(info) == "list" and isinstance(value, list | tuple):
+        return [_mapping_of(entry, record_for(info, entry)) for entry in value]
     field = _field(name, record)
     if getattr(value, "ndim", None) == 0:  # of NumPy
         value = value.item()
@@ -370,13 +382,23 @@ def _mapping_of(value: object, record: type[Record] | None) -> object:
     return value.to_mapping() if isinstance(value, Record) else value
 
 
-def _table(name: str, record: type[BaseModel]) -> type[Record] | None:
-    """Return the record of a table of that name."""
-    found: type[BaseModel] | None = record
+def _table(name: str, record: type[BaseModel], given: object = None) -> type[Record] | None:
+    """Return the record of a table of that name; given: what is to be read as it."""
+    info = _info(name, record)
+    return None if info is None or _kind_of(info) == "list" else record_for(info, given)
+
+
+def _info(name: str, record: type[BaseModel]) -> FieldInfo | None:
+    """What is known of a field or a table, by its dotted name; None if there is none."""
+    tables: tuple[type[BaseModel], ...] = (record,)
+    info = None
     for part in name.split("."):
-        info = found.model_fields.get(part) if found is not None else None
-        found = record_of(info.annotation) if info and _kind_of(info) != "list" else None
-    return found if found is not None and issubclass(found, Record) else None
+        fields = (table.model_fields.get(part) for table in tables)
+        info = next((field for field in fields if field is not None), None)
+        if info is None:
+            return None
+        tables = records_of(info.annotation)
+    return info
 
 
 def _field(name: str, record: type[Record]) -> Field:

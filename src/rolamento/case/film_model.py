@@ -12,11 +12,12 @@ from rolamento.errors import InputError
 from rolamento.units import readable
 from rolamento.words import said
 
-__all__ = ["FilmModel", "Starvation", "Supply", "ThermalReduction"]
+__all__ = ["FilmModel", "LineFilm", "Starvation", "Supply", "ThermalReduction"]
 
 ThermalReduction = Literal["murch_wilson", "gupta_cheng", "none"]
 Starvation = Literal["none", "inlet_distance", "replenishment"]
 Supply = Literal["bath", "jet", "grease", "oil_air"]
+LineFilm = Literal["pan_hamrock", "dowson_toyoda"]
 
 _Diameter = Annotated[float, Quantity("length", at_least="0.1 mm", at_most="20 m")]
 
@@ -39,6 +40,9 @@ class FilmModel(Record):
         For the replenishment: ``"bath"`` (low level), ``"jet"``, ``"grease"`` or ``"oil_air"``.
     bore, outside_diameter
         Of the bearing, in m; for the replenishment.
+    line
+        Which formulas for the line contacts of rollers: ``"pan_hamrock"`` (the default) or
+        ``"dowson_toyoda"``, whose minimum film is Dowson's.
 
     Raises
     ------
@@ -54,6 +58,7 @@ class FilmModel(Record):
     supply: Supply | None = Field(None, examples=["bath"])
     bore: _Diameter | None = Field(None, examples=["25 mm"])
     outside_diameter: _Diameter | None = Field(None, examples=["62 mm"])
+    line: LineFilm | None = Field(None, examples=["dowson_toyoda"])
 
     @model_validator(mode="after")
     def _complete(self) -> Self:

@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Final, Literal, Self
 
-from pydantic import Field
+from pydantic import Field, SerializerFunctionWrapHandler, model_serializer, model_validator
 
-from rolamento.case.quantity import Quantity
+from rolamento.case.quantity import Count, Quantity
 from rolamento.case.record import Record
+from rolamento.errors import InputError
+from rolamento.words import said
 
-__all__ = ["CageKind", "Mesh", "Model", "RacewayControl", "Traction"]
+__all__ = ["CageKind", "Mesh", "Model", "RacewayControl", "RollerContact", "Traction"]
 
 RacewayControl = Literal["outer", "inner", "jones", "none", "friction"]
 CageKind = Literal["loose", "rigid", "none"]
 Mesh = Literal["coarse", "fine"]
 Traction = Literal["coulomb", "film"]
+RollerContact = Literal["slices", "coupled"]
+_OF_ROLLERS: Final = ("roller_contact", "slices")
 
 
 class Model(Record):
@@ -53,6 +57,13 @@ class Model(Record):
         Under friction control, whether the thickness of the film enters the geometry: it
         presses ball and groove further in.
 
+    roller_contact
+        How a roller's line of contact carries: ``"slices"``, each by itself, as in ISO/TS 16281;
+        ``"coupled"``, as parts of one elastic half-space, which finds the peaks at the edges.
+    slices
+        Into how many slices a roller is divided; odd, 5 to 1001. Lives of rollers depend on it,
+        and are compared at the same number only.
+
     Raises
     ------
     InputError
@@ -69,6 +80,26 @@ class Model(Record):
     mesh: Mesh = Field("fine", examples=["fine"])
     traction: Traction = Field("coulomb", examples=["film"])
     film_in_contact: bool = Field(False, strict=True, examples=[True])
+    roller_contact: RollerContact = Field("slices", examples=["coupled"])
+    slices: Annotated[int, Field(strict=True, ge=5, le=1001), Count] = Field(35, examples=[35])
+
+    @model_validator(mode="after")
+    def _has_a_middle(self) -> Self:
+        if self.slices % 2 == 0:
+            raise InputError(
+                said("must be odd: one slice stands in the middle of the roller"),
+                field="slices",
+                value=self.slices,
+                example="slices = 35",
+            )
+        return self
+
+    @model_serializer(mode="wrap")
+    def _without_what_balls_lack(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        """Write what is of rollers only where it is given."""
+        fields: dict[str, Any] = handler(self)
+        unsaid = {name for name in _OF_ROLLERS if name not in self.model_fields_set}
+        return {name: value for name, value in fields.items() if name not in unsaid}
 
     @property
     def needs_film(self) -> bool:

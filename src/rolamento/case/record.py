@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import inspect
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import cache
 from types import UnionType
 from typing import Annotated, Any, ClassVar, Final, NoReturn, Self, Union, get_args, get_origin
@@ -20,6 +20,7 @@ from pydantic import (
     GetJsonSchemaHandler,
     ValidationError,
 )
+from pydantic.fields import FieldInfo
 from pydantic_core import CoreSchema, ErrorDetails, core_schema
 
 from rolamento.case.hints import hint
@@ -32,7 +33,8 @@ __all__ = [
     "Record",
     "example_of",
     "meanings",
-    "record_of",
+    "record_for",
+    "records_of",
     "refuse_rivals",
     "replaced",
 ]
@@ -148,25 +150,44 @@ class Record(BaseModel):
 class ByElement:
     """Annotation of a record, or a union of records, that tell themselves apart by `element`.
 
-    A table without `element` is of the first.
+    Parameters
+    ----------
+    told
+        Gives the element of a table without one; else it is of the first record.
     """
+
+    def __init__(self, told: Callable[[Mapping[str, Any]], str | None] | None = None) -> None:
+        self.told = told
 
     def __get_pydantic_core_schema__(
         self, source: object, handler: GetCoreSchemaHandler
     ) -> CoreSchema:
         """Tell pydantic to choose the record by the element."""
         members = get_args(source) or (source,)
-        choices = {f"{_TAG}{member.model_fields['element'].default}": member for member in members}
+        choices = {
+            f"{_TAG}{element}": member for member in members for element in elements_of(member)
+        }
         first = next(iter(choices))
 
         def tag(given: Any) -> str | None:
             if isinstance(given, Mapping):
-                return f"{_TAG}{given['element']}" if "element" in given else first
+                told = self.told(given) if self.told and "element" not in given else None
+                element = given.get("element", told)
+                return first if element is None else f"{_TAG}{element}"
             return f"{_TAG}{given.element}" if isinstance(given, members) else None
 
         return core_schema.tagged_union_schema(
             {name: handler.generate_schema(member) for name, member in choices.items()}, tag
         )
+
+    def __get_pydantic_json_schema__(
+        self, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        """Any of the records: a table that is told apart by more than `element` may fit several."""
+        described = handler(schema)
+        if "oneOf" in described:
+            described["anyOf"] = described.pop("oneOf")
+        return described
 
 
 _TAG: Final = "element="
@@ -222,8 +243,10 @@ def _plain_error(error: ValidationError, model: type[BaseModel]) -> InputError:
         error.errors(include_url=False),
         key=lambda e: (e["loc"][-1:] != ("element",), e["type"] != "extra_forbidden"),
     )
-    path = tuple(str(part) for part in found["loc"] if not str(part).startswith(_TAG))
-    parent = _model_at(model, path[:-1])
+    place = tuple(map(str, found["loc"]))
+    path = tuple(part for part in place if not part.startswith(_TAG))
+    tags = [part.removeprefix(_TAG) for part in place if part.startswith(_TAG)]
+    parent = _model_at(model, path[:-1], *tags[-1:])
     if found["type"] == "extra_forbidden":
         return _unknown_key(path, parent, model)
     cause = found.get("ctx", {}).get("error")
@@ -266,7 +289,8 @@ def _unknown_key(
 ) -> UnknownKeyError:
     here = list(parent.model_fields) if parent is not None else []
     name = ".".join(path)
-    rule = said("is an unknown key; {guess}", guess=hint(name, _dotted_names(model), here))
+    others = [one for one in _dotted_names(model) if one != name]
+    rule = said("is an unknown key; {guess}", guess=hint(name, others, here))
     return UnknownKeyError(rule, field=name)
 
 
@@ -276,40 +300,59 @@ def _dotted_names(model: type[BaseModel]) -> tuple[str, ...]:
     found = []
     for leaf, field in model.model_fields.items():
         found.append(leaf)
-        inner = record_of(field.annotation)
-        if inner is not None and not _is_list(field.annotation):
+        for inner in () if _is_list(field.annotation) else records_of(field.annotation):
             found += [f"{leaf}.{one}" for one in _dotted_names(inner)]
-    return tuple(found)
+    return tuple(dict.fromkeys(found))
 
 
 def _is_list(annotation: object) -> bool:
     return get_origin(annotation) is tuple or any(map(_is_list, get_args(annotation)))
 
 
-def _model_at(model: type[BaseModel], path: tuple[str, ...]) -> type[BaseModel] | None:
-    """Return the record type that a path of field names, places and keys leads to."""
+def _model_at(
+    model: type[BaseModel], path: tuple[str, ...], element: str = ""
+) -> type[BaseModel] | None:
+    """Return the record type that a path of field names, places and keys leads to.
+
+    element: of the last member of a union on the path.
+    """
     names = iter(path)
     for name in names:
         if name.isdigit():
             continue
         field = model.model_fields.get(name)
-        found = record_of(field.annotation) if field is not None else None
+        found = records_of(field.annotation) if field is not None else ()
         if field is not None and get_origin(field.annotation) in (dict, Mapping):
             next(names, None)  # its key
-        if found is None:
+        if not found:
             return None
-        model = found
+        model = next((one for one in found if element in elements_of(one)), found[0])
     return model
 
 
-def record_of(annotation: object) -> type[BaseModel] | None:
-    """Return the record that a field holds, also where it may be absent or one of several."""
+def record_for(info: FieldInfo, given: object) -> type[Record] | None:
+    """Return the record of a field, or of its entries, that a table would be read as; or None."""
+    found = [record for record in records_of(info.annotation) if issubclass(record, Record)]
+    if len(found) > 1 and isinstance(given, Mapping):
+        told = next((mark.told for mark in info.metadata if isinstance(mark, ByElement)), None)
+        element = given.get("element") or (told(given) if told else None)
+        found.sort(key=lambda record: element not in elements_of(record))  # stable
+    return found[0] if found else None
+
+
+def elements_of(record: type[BaseModel]) -> tuple[str, ...]:
+    """Return the rolling elements of which a record is; none of most."""
+    field = record.model_fields.get("element")
+    return get_args(field.annotation) if field is not None else ()
+
+
+def records_of(annotation: object) -> tuple[type[BaseModel], ...]:
+    """Return the records of which a field holds one, also where it may be absent; perhaps none."""
     if isinstance(annotation, type) and issubclass(annotation, BaseModel):
-        return annotation
+        return (annotation,)
     if get_origin(annotation) not in (Annotated, Union, UnionType, tuple, dict, Mapping):
-        return None
-    found = (record_of(part) for part in get_args(annotation))
-    return next((record for record in found if record is not None), None)
+        return ()
+    return tuple(record for part in get_args(annotation) for record in records_of(part))
 
 
 def example_of(parent: type[BaseModel] | None, path: tuple[str, ...]) -> str:

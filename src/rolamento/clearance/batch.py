@@ -13,7 +13,7 @@ from typing import Any, Final
 import numpy as np
 
 from rolamento.case import Case
-from rolamento.case.bearing import Bearing, clearance_fits
+from rolamento.case.bearing import Bearing, ball_bearing, clearance_fits
 from rolamento.case.mounting import Mounting
 from rolamento.clearance.chain import (
     Chain,
@@ -80,7 +80,7 @@ def operating_batch(
     assert case.mounting is not None
     assert not case.bearing.is_set, "a set has a preload too: see rolamento.assembly.mounted"
     arrays = {name: np.asarray(array, np.float64) for name, array in values.items()}
-    bearing = row_bearing(case.bearing, case.bearing, {}, arrays)
+    bearing = row_bearing(ball_bearing(case), ball_bearing(case), {}, arrays)
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
         clearance = _clearance(case, bearing, arrays)
         field, running = _as_given(bearing, clearance)
@@ -104,7 +104,7 @@ def _clearance(case: Case, bearing: Any, arrays: Mapping[str, FloatArray]) -> Fl
         arrays.get("duty.outer_speed", case.duty.outer_speed),
     )
     try:
-        initial, reading = initial_of_row(assembly, case.bearing, arrays)
+        initial, reading = initial_of_row(assembly, ball_bearing(case), arrays)
         chain = Chain(assembly, initial, reading, shaft_bands(mounting), housing_bands(mounting))
     except InputError as error:
         raise error.with_details(field=f"mounting.{error.field}") from None

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.case import Case
-from rolamento.case.bearing import Bearing, clearance_fits
+from rolamento.case.bearing import Bearing, ball_bearing, clearance_fits
 from rolamento.case.mounting import Mounting
 from rolamento.clearance.chain import Assembly, Chain, ChainResult, Temperatures
 from rolamento.clearance.measuring_load import usual_measuring_load
@@ -205,7 +205,7 @@ def clearance_of_case(case: Case) -> OperatingClearance:
             example='[mounting] with bore = "25 mm" and outside_diameter = "62 mm"',
         )
     return operating_clearance(
-        case.bearing,
+        ball_bearing(case),
         case.mounting,
         case.temperature,
         inner_speed=case.duty.inner_speed,

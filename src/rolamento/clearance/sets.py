@@ -29,11 +29,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from itertools import pairwise
 from types import SimpleNamespace
-from typing import Any, Final, Literal, NamedTuple
+from typing import Any, Final, Literal, NamedTuple, cast
 
 import numpy as np
 
 from rolamento.case import Case
+from rolamento.case.bearing import Bearing, ball_bearing
 from rolamento.clearance.batch import (
     initial_of_row,
     inside_seats,
@@ -135,13 +136,14 @@ def running_rows(
         for name in ("inner_speed", "outer_speed")
     ]
     rows, strains = [], None
-    for index, place in enumerate(case.bearing.places):
+    for index, place in enumerate(ball_bearing(case).places):
+        alone = cast("Bearing", place.bearing)
         own = case.bearing.rows[index].own if case.bearing.rows is not None else {}
-        bearing = row_bearing(case.bearing, place.bearing, own, arrays)
+        bearing = row_bearing(ball_bearing(case), alone, own, arrays)
         assembly = gathered(bearing, mounting, warm, *speeds)
         strains = assembly.strains
         try:
-            initial, reading = initial_of_row(assembly, place.bearing, arrays)
+            initial, reading = initial_of_row(assembly, alone, arrays)
             chain = Chain(
                 assembly, initial, reading, shaft_bands(mounting), housing_bands(mounting)
             )

@@ -29,16 +29,21 @@ Thrust ball bearings:
 
     G_rr = R1 d_m^1.83 F_a^0.54,  G_sl = S1 d_m^0.05 F_a^(4/3)
 
+Cylindrical roller bearings, and tapered ones with their axial factor Y = 0.4 cot α:
+
+    G_rr = R1 d_m^2.41 F_r^0.31                    G_sl = S1 d_m^0.9 F_a + S2 d_m F_r
+    G_rr = R1 d_m^2.38 (F_r + R2 Y F_a)^0.31       G_sl = S1 d_m^0.82 (F_r + S2 Y F_a)
+
 Source: SKF, Rolling bearings (catalogue 10000 EN, 2013), "The SKF model for calculating the
 frictional moment", equations and table 2a; the constants of deep-groove series and of single-row,
 double-row and four-point contact angular-contact bearings from table 2b, in data/skf_friction.toml,
-which tells what of self-aligning and thrust bearings was at hand.
+which tells what of the other kinds was at hand.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from math import pi, radians
 from typing import Any, Final, Literal
@@ -52,6 +57,8 @@ from rolamento.friction.model import (
     Setting,
     Torque,
     TorqueModel,
+    added,
+    bearing_loads,
     checked_numbers,
     checked_positive,
     limits_of_lubricated_bearings,
@@ -61,7 +68,9 @@ from rolamento.friction.model import (
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.words import marked, said
 
-Kind = Literal["deep_groove", "angular_contact", "self_aligning", "thrust"]
+Kind = Literal[
+    "deep_groove", "angular_contact", "self_aligning", "thrust", "cylindrical", "tapered"
+]
 Supply = Literal["grease", "oil_air", "low_oil_bath", "oil_jet"]
 
 STARVATION: Final[Mapping[str, float]] = {
@@ -77,7 +86,10 @@ SLIDING_FULL_FILM: Final[Mapping[str, float]] = {
     "synthetic": 0.04,
     "transmission_fluid": 0.1,
 }
-"""μ_EHL by oil."""
+"""μ_EHL of ball bearings by oil."""
+
+ROLLERS_FULL_FILM: Final[Mapping[str, float]] = {"cylindrical": 0.02, "tapered": 0.002}
+"""μ_EHL of roller bearings, whatever the oil."""
 
 SLIDING_BOUNDARY: Final = 0.12
 """μ_bl of a turning bearing in SKF's later model, which distinguishes it from starting; the
@@ -92,9 +104,10 @@ class SkfConstants:
     """Geometry constants of a bearing series, as SKF tabulates them.
 
     kind chooses the formulas. r3 and s3 are used by angular-contact and self-aligning bearings
-    only, r2 and s2 by all but thrust bearings. k_z: 4.4 for single-row angular-contact bearings,
-    4.8 for self-aligning ones, 3.8 for thrust bearings, 3.1 for the others. contact_angle: nominal,
-    of the bearings that the constants are for (rad), if known.
+    only, r2 by all but thrust and cylindrical roller bearings, s2 by all but thrust bearings. k_z:
+    4.4 for single-row angular-contact bearings, 4.8 for self-aligning ones, 3.8 for thrust ones,
+    3.1 for the other ball bearings; 5.1 for cylindrical roller bearings with cage, 6 for tapered.
+    contact_angle: nominal, of the bearings that the constants are for (rad), if known.
     """
 
     kind: Kind
@@ -175,6 +188,19 @@ def thrust_constants() -> SkfConstants:
     return SkfConstants("thrust", row["R1"], 0.0, row["S1"], 0.0, k_z=data["K_Z"]["thrust"])
 
 
+@cache
+def roller_series(kind: Literal["cylindrical", "tapered"]) -> Mapping[str, SkfConstants]:
+    """Return the constants of roller bearings by series, such as "2" of NU 206 or "302"."""
+    data = toml_of("skf_friction")
+    return {
+        name: SkfConstants(
+            kind, row["R1"], row.get("R2", 0.0), row["S1"], row["S2"], k_z=data["K_Z"][kind]
+        )
+        for row in data[kind]
+        for name in row["series"]
+    }
+
+
 def _geometry_constants(row: Mapping[str, Any]) -> dict[str, float]:
     return {key.lower(): row[key] for key in ("R1", "R2", "R3", "S1", "S2", "S3") if key in row}
 
@@ -230,6 +256,7 @@ def skf_moment(
     radial_load: ArrayLike,
     axial_load: ArrayLike = 0.0,
     static_load_rating: ArrayLike | None = None,
+    axial_factor: ArrayLike | None = None,
     supply: Supply = "grease",
     oil: str = "mineral",
 ) -> SkfMoment:
@@ -243,6 +270,7 @@ def skf_moment(
     kinematic_viscosity : of the oil, or the grease's base oil, at its temperature; m²/s.
     radial_load, axial_load : N.
     static_load_rating : C_0; N. Deep-groove bearings with axial load need it.
+    axial_factor : Y; tapered roller bearings need it.
     supply : how the lubricant comes, a key of `STARVATION`.
     oil : a key of `SLIDING_FULL_FILM`.
 
@@ -271,6 +299,11 @@ def skf_moment(
     elif constants.kind == "thrust":
         rolling = constants.r1 * mean**1.83 * fa**0.54
         sliding = constants.s1 * mean**0.05 * fa ** (4.0 / 3.0)
+    elif constants.kind == "cylindrical":
+        rolling = constants.r1 * mean**2.41 * fr**0.31
+        sliding = constants.s1 * mean**0.9 * fa + constants.s2 * mean * fr
+    elif constants.kind == "tapered":
+        rolling, sliding = _tapered(constants, mean, fr, fa, axial_factor)
     else:
         rolling, sliding = _angular_contact(constants, mean, fr, fa, n)
     heating = 1.0 / (1.0 + 1.84e-9 * (n * mean) ** 1.28 * nu**0.64)
@@ -278,6 +311,7 @@ def skf_moment(
     replenishment = np.exp(-starved * np.sqrt(constants.k_z / (2.0 * (outside - bore))))
     boundary = np.exp(-2.6e-8 * (n * nu) ** 1.4 * mean)
     full_film = _factor_of(SLIDING_FULL_FILM, oil, "oil")
+    full_film = ROLLERS_FULL_FILM.get(constants.kind, full_film)
     coefficient = boundary * SLIDING_BOUNDARY + (1.0 - boundary) * full_film
     return SkfMoment(
         *np.broadcast_arrays(
@@ -346,6 +380,21 @@ def _self_aligning(
     return rolling, sliding
 
 
+def _tapered(
+    c: SkfConstants, mean: FloatArray, fr: FloatArray, fa: FloatArray, factor: ArrayLike | None
+) -> tuple[FloatArray, FloatArray]:
+    """G_rr and G_sl of tapered roller bearings."""
+    if factor is None:
+        raise InputError(
+            said("is needed for a tapered roller bearing"),
+            field="axial_factor",
+            example="axial_factor = 1.6",
+        )
+    pushed = checked_positive(factor, "axial_factor") * fa
+    rolling = c.r1 * mean**2.38 * (fr + c.r2 * pushed) ** 0.31
+    return rolling, c.s1 * mean**0.82 * (fr + c.s2 * pushed)
+
+
 def _factor_of(table: Mapping[str, float], word: str, field: str) -> float:
     if word not in table:
         raise InputError(
@@ -358,23 +407,30 @@ _SAME_ANGLE: Final = radians(1.0)
 
 
 def _of_bearing(setting: Setting) -> Torque:
-    machine, load = setting.machine, setting.solved.load
+    machine = setting.machine
     assert machine is not None
     assert machine.constants is not None
     speed = relative_speed(setting.solved)
-    moment = skf_moment(
-        machine.constants,
-        speed=speed,
-        bore_diameter=machine.bore_diameter,
-        outside_diameter=machine.outside_diameter,
-        kinematic_viscosity=machine.kinematic_viscosity,
-        radial_load=np.hypot(load.fy, load.fz),
-        axial_load=load.fx,
-        static_load_rating=machine.static_load_rating,
-        supply=machine.supply,
-        oil=machine.oil,
-    )
-    return skf_torque(moment, speed)
+    moments = [
+        skf_moment(
+            machine.constants,
+            speed=speed,
+            bore_diameter=machine.bore_diameter,
+            outside_diameter=machine.outside_diameter,
+            kinematic_viscosity=machine.kinematic_viscosity,
+            radial_load=radial,
+            axial_load=axial,
+            static_load_rating=machine.static_load_rating,
+            axial_factor=machine.axial_factor,
+            supply=machine.supply,
+            oil=machine.oil,
+        )
+        for radial, axial in bearing_loads(setting)
+    ]
+    whole = added([skf_torque(moment, speed) for moment in moments])
+    if machine.constants.kind not in ROLLERS_FULL_FILM:
+        return whole
+    return replace(whole, starting=np.sum([moment.starting for moment in moments], axis=0))
 
 
 def _limits(setting: Setting) -> dict[str, BoolArray]:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.case import Bearing
+from rolamento.case.bearing import ball_bearing
 from rolamento.errors import InputError
 from rolamento.life.conditions import LifeConditions
 from rolamento.life.contamination import (
@@ -140,7 +141,7 @@ class Basis:
     @classmethod
     def of(cls, solved: Solved, given: LifeConditions) -> Basis:
         """Gather what the theories share; InputError as `summary.life`."""
-        rows, kind = solved.rows, rated_as(solved.case.bearing)
+        rows, kind = solved.rows, rated_as(ball_bearing(solved.case))
         angle = nominal_contact_angle(solved)
         if kind != "thrust":
             angle = _within_rating(angle)
@@ -346,7 +347,9 @@ def _speed(solved: Solved) -> FloatArray:
 def _has_steel_balls(solved: Solved) -> bool:
     """Whether the balls of all rows are as stiff as the rings, within a tenth."""
     return all(
-        abs(p.bearing.ball_material.youngs_modulus / p.bearing.ring_material.youngs_modulus - 1.0)
+        abs(
+            p.bearing.element_material.youngs_modulus / p.bearing.ring_material.youngs_modulus - 1.0
+        )
         <= 0.1
         for p in solved.case.bearing.places
     )
@@ -392,7 +395,7 @@ def _ratings(solved: Solved, angle: FloatArray, given: LifeConditions, kind: Rat
     rows, steel = solved.rows, _has_steel_balls(solved)
     shape = (rows.element_count, rows.ball_diameter, rows.pitch_diameter, angle)
     lowered = dynamic_rating(*shape, kind=kind, factor=_groove_factor(rows, angle, kind))
-    together = _rows_of_one_bearing(solved.case.bearing)
+    together = _rows_of_one_bearing(ball_bearing(solved.case))
     dynamic = _rating_or(given.dynamic_rating, lowered, together**_ROW_SHARE)
     if given.static_rating is None and not steel:
         static = np.full_like(rows.ball_diameter, np.nan)
@@ -495,7 +498,7 @@ def _notes_on_bearing(solved: Solved, given: LifeConditions) -> Notes:
     """What every theory that starts from the rating has to say of the bearing, by note."""
     cases, rows = len(solved), solved.rows
     inner, outer = rows.inner_conformity, rows.outer_conformity
-    kind = rated_as(solved.case.bearing)
+    kind = rated_as(ball_bearing(solved.case))
     most_inner, most_outer = _GROOVES[kind]
     opened = (inner > most_inner + _GROOVE_MARGIN) | (outer > most_outer + _GROOVE_MARGIN)
     closed = (inner < _INNER_GROOVE - _GROOVE_MARGIN) | (outer < _INNER_GROOVE - _GROOVE_MARGIN)

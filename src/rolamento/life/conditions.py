@@ -240,7 +240,7 @@ def _with_published_ratings(conditions: LifeConditions, case: Case) -> LifeCondi
     published = bearing.published
     if published is None or bearing.rows is not None:
         return conditions
-    steel = bearing.ball_material.youngs_modulus == bearing.ring_material.youngs_modulus
+    steel = bearing.element_material.youngs_modulus == bearing.ring_material.youngs_modulus
     found: dict[str, float | None] = {"dynamic_rating": published.dynamic_rating}
     if steel:
         found["static_rating"] = published.static_rating

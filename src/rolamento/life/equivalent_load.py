@@ -10,7 +10,10 @@ Self-aligning bearings: e = 1.5 tan α, Y_1 = 0.42 cot α, X_2 = 0.65, Y_2 = 0.6
 Y_0 = 0.44 cot α. Thrust bearings have an axial P_a = X F_r + F_a with X = 1.25 tan α
 (1 - 2/3 sin α) beyond e = 1.25 tan α, below which one direction does not do; at 90° P_a = F_a.
 
-Sources: ISO 281:2007, tables 3 and 5; ISO 76:2006, table 2 and 5.2.
+Roller bearings have factors by the angle alone, e = 1.5 tan α; see `_factors_of_rollers`. At 0° the
+standard has P = F_r and no axial load; what ribs carry of it is reckoned as the maker does.
+
+Sources: ISO 281:2007, tables 3, 5, 8 and 11; ISO 76:2006, tables 2 and 4, 5.2 and 8.2.
 """
 
 from __future__ import annotations
@@ -26,7 +29,7 @@ from rolamento._reach import numbers
 from rolamento.errors import InputError
 from rolamento.life._figures import figures, positive
 from rolamento.numerics import FloatArray
-from rolamento.ratings import RatedType
+from rolamento.ratings import RatedType, RollerRated
 from rolamento.words import said
 
 MAXIMUM_ANGLE: Final = float(np.radians(45.0))
@@ -97,28 +100,34 @@ def equivalent_load(
     relative_axial_load: ArrayLike,
     *,
     double_row: bool = False,
-    kind: RatedType = "radial",
+    kind: RatedType | RollerRated = "radial",
+    wide: bool = False,
 ) -> EquivalentLoad:
     """Dynamic equivalent load: P, of thrust bearings the axial P_a.
 
     Parameters
     ----------
     radial_load, axial_load : arrays, F_r and F_a, zero or more; N.
-    contact_angle, relative_axial_load, double_row : as `load_factors`.
+    contact_angle, relative_axial_load, double_row : as `load_factors`; of all but radial ball
+        bearings only the angle counts.
         All broadcast against each other.
     kind : what the bearing is rated as.
+    wide : whether a cylindrical roller bearing, whose ribs carry the axial load, is of a wide
+        series: 12, 20, 22, 23 and those of width 8, 9 and 30 on.
 
     Returns
     -------
     EquivalentLoad of the broadcast shape; P_a is NaN where a thrust bearing has too little axial
     load for its radial one.
 
-    ISO 281:2007, 5.1.2, 5.2.2 and tables 3 and 5.
+    ISO 281:2007, 5.1.2, 5.2.2, 7.2, 8.2 and tables 3, 5, 8 and 11.
     """
     radial = positive(radial_load, "radial_load", zero=True)
     axial = positive(axial_load, "axial_load", zero=True)
     if kind == "radial":
         found = load_factors(contact_angle, relative_axial_load, double_row=double_row)
+    elif kind in ("roller", "roller_thrust"):
+        found = _factors_of_rollers(contact_angle, kind == "roller_thrust", double_row, wide)
     else:
         found = _factors_by_angle(contact_angle, kind)
     shallow = axial <= found.limit * radial * (1.0 + _ROUNDING)
@@ -134,16 +143,20 @@ def static_equivalent_load(
     contact_angle: ArrayLike,
     *,
     double_row: bool = False,
-    kind: RatedType = "radial",
+    kind: RatedType | RollerRated = "radial",
 ) -> FloatArray:
     """Static equivalent load P_0 = X_0 F_r + Y_0 F_a, at least F_r; N.
 
     Parameters: arrays that broadcast, N and rad. Between the angles of the table X_0 and Y_0 are
-    interpolated in proportion; two rows of radial contact count as one. Of thrust bearings
-    P_0a = 2.3 F_r tan α + F_a, at 90° F_a. ISO 76:2006, table 2, 5.1.2 and 5.2.2.
+    interpolated in proportion; two rows of radial contact count as one. Of roller bearings X_0 is
+    0.5 and Y_0 0.22 cot α, of two rows 1 and 0.44 cot α; at 0° P_0 = F_r. Of thrust bearings
+    P_0a = 2.3 F_r tan α + F_a, at 90° F_a. ISO 76:2006, tables 2 and 4, 5.1.2, 5.2.2, 7.2, 8.2.
     """
     radial = positive(radial_load, "radial_load", zero=True)
     axial = positive(axial_load, "axial_load", zero=True)
+    if kind == "roller":
+        x, y = (1.0, 0.44) if double_row else (0.5, 0.22)
+        return np.asarray(np.maximum(radial, x * radial + y * _cotangent(contact_angle) * axial))
     if kind != "radial":
         tangent = _tangent(contact_angle)
         if kind == "self_aligning":
@@ -220,7 +233,7 @@ def minimum_axial_load(
     return np.asarray(rating * np.maximum(np.square(ratio) / 100.0, 1e-3))
 
 
-def _factors_by_angle(contact_angle: ArrayLike, kind: RatedType) -> LoadFactors:
+def _factors_by_angle(contact_angle: ArrayLike, kind: RatedType | RollerRated) -> LoadFactors:
     """X, Y and e of self-aligning and of thrust bearings, which depend on the angle alone."""
     tangent = _tangent(contact_angle)
     ones = np.ones(np.shape(tangent))
@@ -233,6 +246,44 @@ def _factors_by_angle(contact_angle: ArrayLike, kind: RatedType) -> LoadFactors:
     limit = np.where(right, 0.0, 1.25 * slope)
     nothing = np.where(right, 0.0, np.nan)
     return LoadFactors(nothing, np.where(right, 1.0, np.nan), radial, ones, limit)
+
+
+def _factors_of_rollers(
+    contact_angle: ArrayLike, thrust: bool, double_row: bool, wide: bool
+) -> LoadFactors:
+    """X, Y and e of roller bearings, radial or thrust.
+
+    ISO 281:2007, table 8: e = 1.5 tan α; one row X = 0.4 and Y = 0.4 cot α beyond it, two rows
+    Y = 0.45 cot α up to it, 0.67 and 0.67 cot α beyond. Table 11: thrust bearings X = tan α and
+    Y = 1 beyond it, in two directions 1.5 tan α and 0.67 up to it; at 90° P_a = F_a. At 0° the ribs
+    carry the axial load: SKF, Rolling bearings (17000 EN), page 509.
+    """
+    tangent = _tangent(contact_angle)
+    ones = np.ones(np.shape(tangent))
+    if thrust:
+        right = np.isinf(tangent)
+        slope = np.where(right, 0.0, _finite(tangent))
+        below = (1.5 * slope, 0.67 * ones) if double_row else (np.nan * ones, np.nan * ones)
+        x_below, y_below = (
+            np.where(right, end, own) for end, own in zip((0, 1), below, strict=True)
+        )
+        return LoadFactors(x_below, y_below, slope, ones, 1.5 * slope)
+    ribs = figures()["equivalent_load_of_ribs"]["wide" if wide else "narrow"]
+    flat, cotangent = tangent == 0.0, _cotangent(contact_angle)
+    x, y = (0.67, 0.67) if double_row else (0.4, 0.4)
+    return LoadFactors(
+        ones,
+        0.45 * cotangent if double_row else 0.0 * ones,
+        np.where(flat, ribs["X"], x),
+        np.where(flat, ribs["Y"], y * cotangent),
+        np.where(flat, ribs["e"], 1.5 * tangent),
+    )
+
+
+def _cotangent(contact_angle: ArrayLike) -> FloatArray:
+    """Return cot α, and 0 at 0°, where it has no part."""
+    tangent = _tangent(contact_angle)
+    return np.where(tangent > 0.0, 1.0 / np.where(tangent > 0.0, tangent, 1.0), 0.0)
 
 
 def _tangent(contact_angle: ArrayLike) -> FloatArray:

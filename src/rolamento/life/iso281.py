@@ -1,4 +1,4 @@
-"""Basic rating life: L_10 = (C/P)^3, for 90 % reliability.
+"""Basic rating life: L_10 = (C/P)^3, of roller bearings (C/P)^(10/3), for 90 % reliability.
 
 Source: ISO 281:2007, clause 5; Lundberg and Palmgren (1947).
 """
@@ -21,29 +21,34 @@ if TYPE_CHECKING:
 
 EXPONENT: Final = 3.0
 """Of load, for point contact."""
+ROLLER_EXPONENT: Final = 10.0 / 3.0
+"""Of load, for roller bearings, whose contact is between a point and a line."""
 MAXIMUM_LOAD: Final = 0.5
 """P/C up to which the rating life is valid: above, the balls' contacts deform plastically."""
 MILLION: Final = 1e6
 
 
-def basic_rating_life(dynamic_rating: ArrayLike, equivalent_load: ArrayLike) -> FloatArray:
+def basic_rating_life(
+    dynamic_rating: ArrayLike, equivalent_load: ArrayLike, exponent: float = EXPONENT
+) -> FloatArray:
     """Basic rating life L_10; millions of revolutions.
 
     Parameters
     ----------
     dynamic_rating : array, C; N.
     equivalent_load : array that broadcasts with it, P ≥ 0; N.
+    exponent : 3, or of roller bearings 10/3.
 
     Returns
     -------
     Array of the broadcast shape; infinite without load.
 
-    ISO 281:2007, 5.1.3.
+    ISO 281:2007, 5.1.3 and 7.3.
     """
     rating = positive(dynamic_rating, "dynamic_rating")
     load = positive(equivalent_load, "equivalent_load", zero=True)
     with np.errstate(divide="ignore"):
-        return np.asarray((rating / load) ** EXPONENT)
+        return np.asarray((rating / load) ** exponent)
 
 
 def hours(life: ArrayLike, speed: ArrayLike) -> FloatArray:

@@ -508,7 +508,7 @@ def _row(
     )  # fmt: skip
     return GrooveRow(
         numbers,
-        place.bearing.ball_count,
+        place.bearing.element_count,
         flanks,
         RowGeometry(*(_column(one, cases) for one in geometry)),
         np.ones(cases, np.bool_),

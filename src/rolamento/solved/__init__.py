@@ -6,6 +6,7 @@ elements and contacts are made by the rows when they are first asked for, and ke
 """
 
 from rolamento.solved.result import NO_LOAD, Delivered, Solved, refuse_other
+from rolamento.solved.rollers import Line, Rollers
 from rolamento.solved.tables import (
     RACES,
     Answer,
@@ -36,11 +37,13 @@ __all__ = [
     "Elements",
     "Index",
     "IntArray",
+    "Line",
     "PreloadStage",
     "Preloading",
     "Pressed",
     "RingDisplacement",
     "RingLoad",
+    "Rollers",
     "Rolling",
     "RollingContacts",
     "Rows",

@@ -22,6 +22,7 @@ from rolamento.errors import ABSENT, FileError, InputError
 from rolamento.geometry import Race
 from rolamento.kinematics import RacewayControl
 from rolamento.numerics import FloatArray
+from rolamento.solved.rollers import LINE_COLUMNS, ROLLER_COLUMNS, Line, Rollers
 from rolamento.solved.tables import (
     CONTACT_COLUMNS,
     ELEMENT_COLUMNS,
@@ -56,6 +57,7 @@ _FIRST_SCHEMA: Final = 1
 EXAMPLE: Final = "rolamento solve case.toml --json state.json"
 _LARGEST: Final = 1e20
 _MOST_ROWS: Final = 1000
+_MOST_SLICES: Final = 1001
 
 
 def mapping_of(solved: Solved) -> dict[str, Any]:
@@ -92,16 +94,24 @@ def mapping_of(solved: Solved) -> dict[str, Any]:
                 "raceway_control": control[j],
             }
             for j, row in enumerate(solved.elements.row)
+            if rows.element[row] == "ball"
         ],
+        **_rollers_mapping(solved, elements, of_race),
         "rows": [
             {
                 "row": index,
                 "orientation": "+" if rows.sign[index] > 0.0 else "-",
                 "position": plain(float(rows.position[0, index])),
                 "load": dict(zip(LOADS, plain((rows.load[0, index] + 0.0).tolist()), strict=True)),
-                "loaded_balls": int(solved.loaded_elements[0, index]),
-                "ball_count": int(rows.element_count[index]),
-                **{name: geometry[name][index] for name in GEOMETRY_COLUMNS},
+                **_of_kind(
+                    {
+                        "loaded_balls": int(solved.loaded_elements[0, index]),
+                        "ball_count": int(rows.element_count[index]),
+                        **{name: geometry[name][index] for name in GEOMETRY_COLUMNS},
+                    },
+                    rows.element[index],
+                ),
+                **_line_of_row(rows, index),
             }
             for index in range(len(rows))
         ],
@@ -110,6 +120,53 @@ def mapping_of(solved: Solved) -> dict[str, Any]:
         "notes": [note.to_mapping() for note in solved.notes[0]],
         "case": solved.case.to_mapping(),
     }
+
+
+def _rollers_mapping(
+    solved: Solved,
+    elements: Mapping[str, list[Any]],
+    of_race: Mapping[Race, Mapping[str, list[Any]]],
+) -> dict[str, Any]:
+    """The rollers of the first case, slice by slice; nothing where there are none."""
+    rollers, rows = solved.rollers, solved.rows
+    if rollers is None:
+        return {}
+    own = _columns(rollers, (*ROLLER_COLUMNS, "slice_place"))
+    lines = {race: _columns(getattr(rollers, race), LINE_COLUMNS) for race in RACES}
+    entries = [
+        {
+            "row": int(row),
+            "azimuth": elements["azimuth"][j],
+            **{
+                race: {name: v[j] for name, v in {**of_race[race], **lines[race]}.items()}
+                for race in RACES
+            },
+            **_of_kind({name: elements[name][j] for name in ELEMENT_COLUMNS[1:]}, "roller"),
+            **{name: column[j] for name, column in own.items()},
+        }
+        for j, row in enumerate(solved.elements.row)
+        if rows.element[row] != "ball"
+    ]
+    contact = solved.case.model.roller_contact
+    return {"rollers": entries, "slices": rollers.slices, "roller_contact": contact}
+
+
+def _of_kind(columns: Mapping[str, Any], element: str) -> dict[str, Any]:
+    """Columns of balls by the names that they have of rollers, which lack conformities."""
+    if element == "ball":
+        return dict(columns)
+    return {
+        name.replace("ball", "roller"): value
+        for name, value in columns.items()
+        if not name.endswith("_conformity")
+    }
+
+
+def _line_of_row(rows: Rows, index: int) -> dict[str, Any]:
+    if rows.element[index] == "ball":
+        return {}
+    length = plain(float(rows.effective_length[0, index]))
+    return {"element": rows.element[index], "effective_length": length}
 
 
 def _preload_mapping(preload: Preloading) -> dict[str, Any]:
@@ -228,8 +285,7 @@ def _state(item: Any, case: Case, at: str) -> Pieces:
     if not isinstance(item, dict):
         raise InputError(said("must be a table"), field=at.rstrip("."), value=item)
     status = _table(item, f"{at}status")
-    balls = [_entry(ball, f"{at}balls.{j}") for j, ball in enumerate(_list(item, f"{at}balls"))]
-    where = [f"{at}balls.{j}" for j in range(len(balls))]
+    balls, where = _elements_of(item, at)
     row = np.array([_row(b, f"{w}.row") for b, w in zip(balls, where, strict=True)])
     contacts = {
         race: _contact_columns(
@@ -239,7 +295,9 @@ def _state(item: Any, case: Case, at: str) -> Pieces:
         for race in RACES
     }
     own = {
-        name: np.array([[_number(b, f"{w}.{name}") for b, w in zip(balls, where, strict=True)]])
+        name: np.array(
+            [[_number(b, f"{w}.{_name_in(b, name)}") for b, w in zip(balls, where, strict=True)]]
+        )
         for name in ELEMENT_COLUMNS
     }
     rolling, yaw = _rolling_of(item, len(balls), at)
@@ -248,7 +306,8 @@ def _state(item: Any, case: Case, at: str) -> Pieces:
         race: Pressed(**{p.name: columns[p.name] for p in fields(Pressed)})
         for race, columns in contacts.items()
     }
-    tables = Tables(elements, pressed["inner"], pressed["outer"], rolling)
+    rollers = _rollers_of(item, balls, where, at) if "rollers" in item else None
+    tables = Tables(elements, pressed["inner"], pressed["outer"], rolling, rollers)
     code = _text(status, f"{at}status.code")
     if code not in STATUS_NUMBERS:
         raise InputError(
@@ -278,6 +337,69 @@ def _state(item: Any, case: Case, at: str) -> Pieces:
         preload=_preloading_of(item, at),
         written_notes=(tuple(notes),),
         written_advice=(None if advice is None else _note(advice, f"{at}status.advice"),),
+    )
+
+
+def _elements_of(item: Mapping[str, Any], at: str) -> tuple[list[Mapping[str, Any]], list[str]]:
+    """Balls and rollers, row after row, and where each stands."""
+    both = "rollers" in item
+    found = []
+    for key in ("balls", "rollers") if both else ("balls",):
+        for j, entry in enumerate(_list(item, f"{at}{key}", least=0 if both else 1)):
+            found.append((_entry(entry, f"{at}{key}.{j}"), f"{at}{key}.{j}"))
+    if not found:
+        raise InputError(said("must be a list of at least {least}", least=1), field=f"{at}balls")
+    found.sort(key=lambda one: _row(one[0], f"{one[1]}.row"))  # stable
+    return [entry for entry, _ in found], [place for _, place in found]
+
+
+def _name_in(entry: Mapping[str, Any], name: str) -> str:
+    """What a column is called in the entry of a ball or a roller."""
+    return name.replace("ball", "roller") if "tilt" in entry else name
+
+
+def _rollers_of(
+    item: Mapping[str, Any], entries: list[Mapping[str, Any]], where: list[str], at: str
+) -> Rollers:
+    """The rollers of a state, NaN for the balls beside them."""
+    slices = _value(item, f"{at}slices")
+    if isinstance(slices, bool) or not isinstance(slices, int) or not 5 <= slices <= _MOST_SLICES:
+        raise InputError(
+            said("must be a whole number from 5 to {most}", most=_MOST_SLICES),
+            field=f"{at}slices",
+            value=slices,
+        )
+
+    def flat(name: str) -> FloatArray:
+        found = [
+            _number(entry, f"{place}.{name}") if "tilt" in entry else nan
+            for entry, place in zip(entries, where, strict=True)
+        ]
+        return np.array([found])
+
+    def deep(name: str, race: Race | None = None) -> FloatArray:
+        found = []
+        for entry, place in zip(entries, where, strict=True):
+            if "tilt" not in entry:
+                found.append([nan] * slices)
+                continue
+            own = place if race is None else f"{place}.{race}"
+            values = _list(entry if race is None else _table(entry, own), f"{own}.{name}")
+            if len(values) != slices:
+                raise InputError(
+                    said("must be a list of {count} numbers", count=slices), field=f"{own}.{name}"
+                )
+            found.append([_number_of(value, f"{own}.{name}") for value in values])
+        return np.array([found])
+
+    lines = {race: Line(*(deep(name, race) for name in LINE_COLUMNS)) for race in RACES}
+    return Rollers(
+        tilt=flat("tilt"),
+        rib_force=flat("rib_force"),
+        rib_moment=flat("rib_moment"),
+        slice_place=deep("slice_place"),
+        inner=lines["inner"],
+        outer=lines["outer"],
     )
 
 
@@ -379,6 +501,15 @@ def _rows_of(item: Mapping[str, Any], at: str, row: IntArray, case: Case) -> Row
             name: np.array([[_number(r, f"{w}.{name}") for r, w in zip(rows, where, strict=True)]])
             for name in ("position", *GEOMETRY_COLUMNS)
         },
+        element=tuple(place.bearing.element for place in places),
+        effective_length=np.array(
+            [
+                [
+                    nan if p.bearing.element == "ball" else _number(r, f"{w}.effective_length")
+                    for r, w, p in zip(rows, where, places, strict=True)
+                ]
+            ]
+        ),
     )
 
 
@@ -387,8 +518,12 @@ def _row_entry(item: object, field: str, place: RowPlace) -> Mapping[str, Any]:
     bearing = place.bearing
     geometry = {name: getattr(bearing, name, None) for name in GEOMETRY_COLUMNS}
     geometry["free_contact_angle"] = bearing.contact_angle or 0.0
-    geometry["modulus"] = effective_modulus(bearing.ring_material, bearing.ball_material)
-    return {**geometry, **_entry(item, field)}
+    geometry["modulus"] = effective_modulus(bearing.ring_material, bearing.element_material)
+    known = _entry(item, field)
+    if bearing.element != "ball":
+        names: dict[str, Any] = dict.fromkeys(GEOMETRY_COLUMNS)  # rollers have no conformity
+        return {**names, **{name.replace("roller", "ball"): v for name, v in known.items()}}
+    return {**geometry, **known}
 
 
 def _preloading_of(item: Mapping[str, Any], at: str) -> Preloading | None:
@@ -439,7 +574,7 @@ def _after_one_another(parts: list[Pieces]) -> Pieces:
     return replace(whole, preload=None)
 
 
-_SHARED: Final = ("row", "sign", "element_count", "preload")
+_SHARED: Final = ("row", "sign", "element_count", "element", "preload")
 
 
 def _joined(records: list[Any]) -> Any:

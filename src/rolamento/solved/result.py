@@ -22,6 +22,7 @@ from rolamento.geometry import Race
 from rolamento.notes import advice_on, notes_on
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.solved.form import EXAMPLE, SCHEMA, ReadAnswer, mapping_of, pieces_of
+from rolamento.solved.rollers import Rollers
 from rolamento.solved.tables import (
     CONTACT_COLUMNS,
     ELEMENT_COLUMNS,
@@ -135,7 +136,7 @@ class Solved:
             displacement=RingDisplacement(*(axis[some] for axis in self.displacement)),
             load=RingLoad(*(part[some] for part in self.load)),
             stiffness=Stiffness(self.stiffness.array[some]),
-            rows=taken(self.rows, some, shared=("sign", "element_count")),
+            rows=taken(self.rows, some, shared=("sign", "element_count", "element")),
             answer=self.answer.part(some),
             before_mounting=None
             if self.before_mounting is None
@@ -231,6 +232,8 @@ class Solved:
             ring_poisson_ratio=self.case.bearing.ring_material.poisson_ratio,
             ring_speed=self.field(f"duty.{race}_speed")[:, np.newaxis],
             elements=self.elements,
+            line=None if self.rollers is None else getattr(self.rollers, race),
+            effective_length=rows.per_element(rows.effective_length),
         )
         if isinstance(self.answer, ReadAnswer):  # as they were written, to the last bit
             vars(found).update(self.answer.kept[race])
@@ -240,6 +243,11 @@ class Solved:
     def rolling(self) -> Rolling | None:
         """How friction moves the elements, where nothing else does; else None."""
         return self._tables.rolling
+
+    @property
+    def rollers(self) -> Rollers | None:
+        """The rollers, slice by slice; None of a bearing that has balls only."""
+        return self._tables.rollers
 
     @property
     def loaded(self) -> BoolArray:

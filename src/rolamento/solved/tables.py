@@ -21,6 +21,7 @@ from rolamento.errors import UnknownKeyError
 from rolamento.geometry import Race, RaceCurvature, race_curvature
 from rolamento.kinematics import SurfaceSpeeds, spin_to_roll, surface_speeds
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.solved.rollers import Line, Rollers, line_contact
 from rolamento.status import CONVERGED, STATUS_NAMES
 from rolamento.words import said
 
@@ -263,6 +264,7 @@ class Tables:
     inner: Pressed
     outer: Pressed
     rolling: Rolling | None = None
+    rollers: Rollers | None = None
 
 
 class Answer(Protocol):
@@ -294,11 +296,15 @@ class Rows:
         that the shaft puts on the inner ring through this row, about the bearing's origin;
         (cases, rows, 5), N and N·m
     ball_diameter, pitch_diameter, inner_conformity, outer_conformity
-        of the row
+        of the row; of rollers their mean diameter, and no conformity: NaN
     free_contact_angle
         of a row that is given by its contact angle; 0 of one given by its clearance (rad)
     modulus
         E' of element and ring (Pa)
+    element
+        what rolls in each row: "ball", "cylindrical", "tapered" or "needle"; (rows,)
+    effective_length
+        L_we of the line of contact of rollers, NaN of balls (m)
     """
 
     sign: FloatArray
@@ -311,6 +317,8 @@ class Rows:
     outer_conformity: FloatArray
     free_contact_angle: FloatArray
     modulus: FloatArray
+    element: tuple[str, ...]
+    effective_length: FloatArray
 
     def __len__(self) -> int:
         """Count the rows."""
@@ -354,6 +362,8 @@ class Contacts:
     ring_poisson_ratio: float = field(repr=False)
     ring_speed: FloatArray = field(repr=False)
     elements: Elements = field(repr=False)
+    line: Line | None = field(repr=False, default=None)
+    effective_length: FloatArray | None = field(repr=False, default=None)
 
     @cached_property
     def curvature(self) -> RaceCurvature:
@@ -365,7 +375,15 @@ class Contacts:
     @cached_property
     def _hertz(self) -> HertzContact:
         curvature = self.curvature
-        return elliptical_contact(self.load, curvature.rolling, curvature.across, self.modulus)
+        point = elliptical_contact(self.load, curvature.rolling, curvature.across, self.modulus)
+        if self.line is None or self.effective_length is None:
+            return point
+        line = line_contact(self.line, self.effective_length, self.load)
+        rollers = np.isfinite(self.effective_length)
+        names = (part.name for part in fields(HertzContact))
+        return HertzContact(
+            **{n: np.where(rollers, getattr(line, n), getattr(point, n)) for n in names}
+        )
 
     @property
     def rolling_curvature(self) -> FloatArray:

@@ -318,7 +318,7 @@ def cage_turn(
             example=f"points = {DEFAULT_POINTS}",
         )
     case = case if isinstance(case, Case) else load_case(case)
-    counts = [place.bearing.ball_count for place in case.bearing.places]
+    counts = [place.bearing.element_count for place in case.bearing.places]
     repeats = reduce(gcd, counts)
     period = 2.0 * pi / repeats
     angle = period * np.arange(points) / points

@@ -66,7 +66,7 @@ def refuse_lifeless(case: Case, varied: frozenset[str]) -> None:
         )
     if conditions_of(case).dynamic_rating is not None:
         return
-    diameter = np.array([row.ball_diameter for row in rows])
+    diameter = np.array([row.element_diameter for row in rows])
     pitch = np.array([row.pitch_diameter for row in rows])
     if np.any(np.isnan(dynamic_factor(diameter * np.cos(angle) / pitch))):
         raise InputError(

@@ -279,7 +279,7 @@ class Plan:
         rows = [len(ARRANGEMENTS[name]) for name in arrangements]  # type: ignore[index]
         balls = []
         for case in self.study.cases_compared:
-            own = [place.bearing.ball_count for place in case.bearing.places]
+            own = [place.bearing.element_count for place in case.bearing.places]
             rows.append(len(own))
             balls.append(sum(own))
             counts += own

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import asdict, dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from rolamento._json import plain
 from rolamento.case import Case
+from rolamento.case.bearing import Bearing, ball_bearing
 from rolamento.clearance import OperatingClearance, clearance_of_case, sample_clearance
 from rolamento.errors import InputError
 from rolamento.solved import PreloadStage
@@ -79,13 +80,13 @@ def mounted_samples(case: Case, samples: int, seed: int) -> ClearanceSamples:
         As `sample_clearance`, and for a set whose rows differ.
     """
     assert case.mounting is not None
-    bearings = {place.bearing for place in case.bearing.places}
+    bearings = {place.bearing for place in ball_bearing(case).places}
     if len(bearings) > 1:
         raise InputError(
             said("is for sets of equal rows: these differ"), field="samples", value=samples
         )
     return sample_clearance(
-        bearings.pop(),
+        cast("Bearing", bearings.pop()),
         case.mounting,
         case.temperature,
         inner_speed=case.duty.inner_speed,

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rolamento._json import dumps
 from rolamento.case import Case
+from rolamento.case.bearing import ball_bearing
 from rolamento.case.duty import LOADS
 from rolamento.errors import InputError
 from rolamento.life import Headline, Life, LifeSummary, life
@@ -460,7 +461,7 @@ def lives_over_zone(solved: Solved) -> ZoneLife:
     InputError
         If the bearing is a set, has a contact angle, or has no life.
     """
-    case, bearing = solved.case, solved.case.bearing
+    case, bearing = solved.case, ball_bearing(solved.case)
     if bearing.is_set or bearing.contact_angle:
         raise InputError(
             said("needs a single radial-contact bearing given by its clearance"),
@@ -494,7 +495,7 @@ def lives_over_zone(solved: Solved) -> ZoneLife:
 
 def _clearance_scale(solved: Solved) -> float:
     """(F_r/(Z K))^(2/3), by which f(ε) gives the clearance, m; NaN if the load is not radial."""
-    bearing, load = solved.case.bearing, solved.load
+    bearing, load = ball_bearing(solved.case), solved.load
     radial = float(np.hypot(load.fy[0], load.fz[0]))
     arm = bearing.pitch_diameter
     others = (load.fx[0], load.my[0] / arm, load.mz[0] / arm)

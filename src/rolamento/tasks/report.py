@@ -19,7 +19,7 @@ from rolamento._reading import format_of_path, format_of_text, parse_mapping, re
 from rolamento.analysis import Analysis, analyse
 from rolamento.analysis.needs import has_life, has_oil
 from rolamento.case import Case, is_designation, parse_case
-from rolamento.case.fields import Field, fields_of
+from rolamento.case.fields import Field
 from rolamento.case.film_model import FilmModel
 from rolamento.case.life_model import LifeModel
 from rolamento.case.report import ReportHead
@@ -485,7 +485,7 @@ def _inputs(case: Case, given: Set[str], settings: Set[str], shown: Set[str]) ->
         top = name.partition(".")[0]
         if top in ("title", "report") or name.endswith((".name", ".source")):
             continue
-        if field.kind == "list" and field.listed is not None:
+        if field.entries:
             yield from _inputs_of_list(case, field, given)
             continue
         value = _value(case, name)
@@ -497,10 +497,9 @@ def _inputs(case: Case, given: Set[str], settings: Set[str], shown: Set[str]) ->
 
 def _inputs_of_list(case: Case, field: Field, given: Set[str]) -> Iterator[Input]:
     """The entries of a list of tables: rows one by one, points of a viscosity."""
-    assert field.listed is not None
     for index, entry in enumerate(_walk(case, field.name) or ()):
-        for leaf, inner in fields_of(field.listed).items():
-            value = getattr(entry, leaf)
+        for leaf, inner in field.entries.items():
+            value = getattr(entry, leaf, None)
             if value is not None and leaf != "element":
                 name = f"{field.name}.{index}.{leaf}"
                 own = name in given or leaf in entry.model_fields_set
@@ -516,7 +515,7 @@ def _walk(case: Case, name: str) -> Any:
         elif depth == 0 and part == "film" and case.film is None:
             found = FilmModel() if has_oil(case) else None
         else:
-            found = getattr(found, part)
+            found = getattr(found, part, None)  # balls have no length
         if depth == 0 and part == "lubricant" and found is not None and "." in name:
             found = found.oil if found.kind != "dry" else found
         if found is None:
@@ -543,8 +542,8 @@ def _matters(case: Case, name: str, told: Set[str]) -> bool:
         return False
     if table == "life" and case.life is None:
         return leaf == "reliability"
-    if table.startswith("bearing.ball_material"):
-        return case.bearing.ball_material != case.bearing.ring_material
+    if table.startswith(("bearing.ball_material", "bearing.roller_material")):
+        return case.bearing.element_material != case.bearing.ring_material
     if table == "lubricant" and leaf in ("base_oil", "density_temperature"):
         return False
     if table == "film":

@@ -268,7 +268,7 @@ def _boundary(case: Case) -> Boundary:
     series = "" if told is None else told.designation.series
     if not series:
         series = _series_of_size(sizes["bore"], sizes["outside_diameter"], angle is not None)
-    geometry = (row.ball_count, row.ball_diameter, row.pitch_diameter, angle or 0.0)
+    geometry = (row.element_count, row.element_diameter, row.pitch_diameter, angle or 0.0)
     ratings = []
     for name, rule in (("dynamic_rating", dynamic_rating), ("static_rating", static_rating)):
         own = None if case.life is None else getattr(case.life, name)
@@ -437,7 +437,7 @@ class _Asked:
         places = self.case.bearing.places
         row, facing = places[0].bearing, len({place.sign for place in places}) > 1
         carrying = 1.0 if facing and angle else float(given.rows)
-        relative = axial / (carrying * row.ball_count * row.ball_diameter**2)
+        relative = axial / (carrying * row.element_count * row.element_diameter**2)
         found = equivalent_load(radial, axial, angle, relative, double_row=facing)
         return float(found.load)
 

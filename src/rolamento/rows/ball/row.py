@@ -284,7 +284,7 @@ def ball_row(
         bearing.outer_conformity, angle, p[layout.MODULUS],
     )  # fmt: skip
     geometry = RowGeometry(*(np.broadcast_to(np.asarray(n, np.float64), cases) for n in numbers))
-    return BallRow(p, place.bearing.ball_count, geometry, threads, fast)
+    return BallRow(p, place.bearing.element_count, geometry, threads, fast)
 
 
 def compiled_but_not_loaded() -> bool:

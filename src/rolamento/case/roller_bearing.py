@@ -1,0 +1,417 @@
+"""The internal geometry of a roller bearing: one row of rollers, or a set of rows on one shaft."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Any, ClassVar, Final, Self
+
+from pydantic import ConfigDict, Field, model_validator
+
+from rolamento.case.arrangement import (
+    Arrangement,
+    BallCount,
+    PreloadField,
+    Ribs,
+    RollerKind,
+    RollerRow,
+    RowOfElements,
+)
+from rolamento.case.material import DEFAULT_MATERIAL, Material, MaterialField
+from rolamento.case.profile import Profile, ProfileField
+from rolamento.case.quantity import Quantity, Replaces
+from rolamento.case.rolling_bearing import (
+    DISPLACED,
+    MOST_ROWS,
+    BearingKind,
+    Designation,
+    RollingBearing,
+)
+from rolamento.errors import InputError
+from rolamento.units import readable
+from rolamento.words import said
+
+__all__ = ["RollerBearing", "roller_clearance_fits", "rollers_fit"]
+
+_MOST_INTERFERENCE: Final = 0.02
+"""Of the roller diameter: beyond is no elastic contact."""
+
+
+def _required_unless_told(schema: dict[str, Any]) -> None:
+    """In the JSON schema, require the geometry only where no designation and no row tells it."""
+    own = schema.pop("required", [])
+    angles = [*own, "contact_angle", "roller_half_angle"]
+    schema["anyOf"] = [
+        {"required": names}
+        for names in (["designation"], ["rows"], [*own, "diametral_clearance"], angles)
+    ]
+
+
+def _length_as_effective(told: dict[str, Any]) -> float:
+    """The length of rollers of which only the effective one is given."""
+    return float(told.get("effective_length", math.nan))
+
+
+def _usual_outer_ribs(told: dict[str, Any]) -> Ribs:
+    """Those of NU; the inner ring alone holds tapered rollers."""
+    return "none" if told.get("element") == "tapered" else "both"
+
+
+def _usual_inner_ribs(told: dict[str, Any]) -> Ribs:
+    """A tapered roller leans on the rib at its large end."""
+    return "-" if told.get("element") == "tapered" else "none"
+
+
+class RollerBearing(RollingBearing):
+    """One or more rows of rollers between two rings, by their internal geometry.
+
+    The fields are those of one row, or what several rows have in common; what is not given of the
+    geometry is then that of the first of `rows`.
+
+    Cylindrical and needle rollers have a `diametral_clearance`, and x counts from where the ring
+    stands without load. Tapered rollers have a `contact_angle` and a `roller_half_angle`, and x
+    counts from first contact.
+
+    Parameters
+    ----------
+    element
+        What rolls in the rows: ``"cylindrical"``, ``"tapered"`` or ``"needle"``.
+    designation
+        Of the catalogue, such as ``"NU 205/C3"``: it fills in what is not given of the geometry,
+        published or inferred; see `origins`.
+    roller_count
+        Z, rollers in the row, 3 to 500.
+    roller_diameter
+        D_we, of a tapered roller in the middle of its length, in m.
+    roller_length
+        L of the roller from end to end, in m; the effective length if not given.
+    effective_length
+        L_we, of the line of contact, in m.
+    pitch_diameter
+        d_pw, diameter of the circle of the rollers' middles, in m.
+    contact_angle
+        α of tapered rollers, that of the outer raceway's line of action, in rad.
+    roller_half_angle
+        φ of tapered rollers, half of the angle of their cone, in rad; the inner raceway's line of
+        action is at α - 2φ.
+    diametral_clearance
+        s of cylindrical and needle rollers, in m; negative for an interference.
+    inner_ribs, outer_ribs
+        At which ends of the rollers the ring has a rib: ``"none"``, ``"+"`` toward +x, ``"-"``
+        toward -x, ``"both"``. NU: ``"none"`` and ``"both"``, the default; N: ``"both"`` and
+        ``"none"``; NJ: one end and ``"both"``; NUP: ``"both"`` and ``"both"``. The rib of a
+        tapered bearing stands at the rollers' large end, on the inner ring.
+    axial_play
+        Of cylindrical rollers between ribs that face each other, in m.
+    rib_height
+        Height of the point where a roller's end touches a rib above the edge of the raceway, in m;
+        if not given, a tenth of the roller's diameter.
+    roller_end_radius
+        Of the sphere that ends a tapered roller, in m; only its pressure on the rib needs it.
+    roller_profile
+        A `Profile` of the rollers, or its kind: ``"iso"``, the logarithmic one of ISO/TS 16281 and
+        the default, ``"none"`` …
+    inner_profile, outer_profile
+        Of the raceways, likewise; straight if not given.
+    ring_material
+        A `Material`, its name or its table; 100Cr6 if not given.
+    roller_material
+        Likewise; the rings' material if not given.
+    arrangement
+        Of a set of equal bearings that share the shaft, as of `Bearing`: ``"DB"`` (O), ``"DF"``
+        (X), ``"DT"`` …
+    spacing
+        Axial distance between the middles of neighbouring rows of an arrangement, in m.
+    rows
+        Instead of an arrangement, the rows one by one.
+    preload
+        A `Preload`, for sets of tapered rows that face each other; none if not given: the unloaded
+        rollers of every row just touch.
+
+    Raises
+    ------
+    InputError
+        If a value is missing or out of range, or the values contradict each other.
+    """
+
+    model_config = ConfigDict(json_schema_extra=_required_unless_told)
+
+    FILLED_IN: ClassVar = {
+        "element": None,
+        "roller_count": None,
+        "roller_diameter": "length",
+        "roller_length": "length",
+        "effective_length": "length",
+        "pitch_diameter": "length",
+        "contact_angle": "angle",
+        "roller_half_angle": "angle",
+        "diametral_clearance": "length",
+        "inner_ribs": None,
+        "outer_ribs": None,
+        "axial_play": "length",
+        "arrangement": None,
+        "spacing": "length",
+        "roller_material": None,
+        "preload": None,
+    }
+    VARIES: ClassVar = (
+        "roller_diameter",
+        "effective_length",
+        "roller_length",
+        "pitch_diameter",
+        "contact_angle",
+        "roller_half_angle",
+        "diametral_clearance",
+        "axial_play",
+        "rib_height",
+        "roller_end_radius",
+    )
+    STAYS: ClassVar = (
+        "inner_ribs",
+        "outer_ribs",
+        "roller_profile",
+        "inner_profile",
+        "outer_profile",
+    )
+    INSIDE: ClassVar = ("roller_count", "roller_diameter", "effective_length", "pitch_diameter")
+    PLAY: ClassVar = ("contact_angle", "diametral_clearance")
+    MATERIAL: ClassVar = "roller_material"
+    ROW: ClassVar = RollerRow
+
+    element: RollerKind = Field("cylindrical", examples=["cylindrical"])
+    designation: Annotated[Designation | None, Replaces(*DISPLACED)] = Field(
+        None, examples=["NU 205/C3"]
+    )
+    roller_count: BallCount = Field(examples=[13])
+    roller_diameter: Annotated[
+        float, Quantity("length", at_least="0.01 mm", at_most="1 m", varies=True)
+    ] = Field(examples=["7.5 mm"])
+    effective_length: Annotated[
+        float, Quantity("length", at_least="0.01 mm", at_most="1 m", varies=True)
+    ] = Field(examples=["8.2 mm"])
+    roller_length: Annotated[
+        float, Quantity("length", at_least="0.01 mm", at_most="1 m", varies=True)
+    ] = Field(default_factory=_length_as_effective, examples=["9 mm"])
+    pitch_diameter: Annotated[
+        float, Quantity("length", at_least="0.01 mm", at_most="20 m", varies=True)
+    ] = Field(examples=["38.5 mm"])
+    contact_angle: (
+        Annotated[float, Quantity("angle", at_least="0 deg", at_most="90 deg", varies=True)] | None
+    ) = Field(None, examples=["14 deg"])
+    roller_half_angle: (
+        Annotated[float, Quantity("angle", at_least="0 deg", below="45 deg", varies=True)] | None
+    ) = Field(None, examples=["2 deg"])
+    diametral_clearance: (
+        Annotated[float, Quantity("length", at_least="-1 m", at_most="1 m", varies=True)] | None
+    ) = Field(None, examples=["0.03 mm"])
+    inner_ribs: Ribs = Field(default_factory=_usual_inner_ribs, examples=["none"])
+    outer_ribs: Ribs = Field(default_factory=_usual_outer_ribs, examples=["both"])
+    axial_play: (
+        Annotated[float, Quantity("length", at_least="0 mm", at_most="1 m", varies=True)] | None
+    ) = Field(None, examples=["0.1 mm"])
+    rib_height: (
+        Annotated[float, Quantity("length", above="0 mm", at_most="1 m", varies=True)] | None
+    ) = Field(None, examples=["0.8 mm"])
+    roller_end_radius: (
+        Annotated[float, Quantity("length", above="0 mm", at_most="100 m", varies=True)] | None
+    ) = Field(None, examples=["120 mm"])
+    roller_profile: ProfileField = Field(
+        default_factory=lambda: Profile(kind="iso"), examples=["iso"]
+    )
+    inner_profile: ProfileField = Field(
+        default_factory=lambda: Profile(kind="none"), examples=["none"]
+    )
+    outer_profile: ProfileField = Field(
+        default_factory=lambda: Profile(kind="none"), examples=["none"]
+    )
+    ring_material: MaterialField = Field(default_factory=lambda: Material.named(DEFAULT_MATERIAL))
+    roller_material: MaterialField = Field(default_factory=lambda data: data["ring_material"])
+    arrangement: Annotated[Arrangement | None, Replaces("rows")] = Field(None, examples=["DB"])
+    spacing: (
+        Annotated[float, Quantity("length", above="0 mm", at_most="10 m", varies=True)] | None
+    ) = Field(None, examples=["24 mm"])
+    rows: Annotated[tuple[RowOfElements, ...] | None, Replaces("arrangement", "spacing")] = Field(
+        None,
+        min_length=1,
+        max_length=MOST_ROWS,
+        examples=['[{ element = "cylindrical", position = "0 mm" }]'],
+    )
+    preload: PreloadField | None = Field(None, examples=["500 N"])
+
+    @property
+    def element_count(self) -> int:
+        """Z, rollers in the row."""
+        return self.roller_count
+
+    @property
+    def element_diameter(self) -> float:
+        """D_we of a roller, in the middle of a tapered one; m."""
+        return self.roller_diameter
+
+    @property
+    def element_material(self) -> Material:
+        """Of the rollers."""
+        return self.roller_material
+
+    @property
+    def kind(self) -> BearingKind | None:
+        """Balls alone roll on grooves of several kinds."""
+        return None
+
+    @property
+    def carries_one_way(self) -> bool:
+        """Whether the row carries axial load toward one side only."""
+        return self.element == "tapered"
+
+    @property
+    def row_angle(self) -> float:
+        """α: that of the outer raceway of tapered rollers, else 0; rad."""
+        return self.contact_angle or 0.0
+
+    @property
+    def inner_contact_angle(self) -> float:
+        """α - 2φ: that of the inner raceway of tapered rollers, else 0; rad."""
+        return self.row_angle - 2.0 * (self.roller_half_angle or 0.0)
+
+    @property
+    def contact_height(self) -> float:
+        """Height of the contact with a rib above the edge of the raceway; m."""
+        return 0.1 * self.roller_diameter if self.rib_height is None else self.rib_height
+
+    @property
+    def _never_written(self) -> tuple[str, ...]:
+        given = self.model_fields_set
+        names = (
+            "roller_length", "inner_ribs", "outer_ribs",
+            "roller_profile", "inner_profile", "outer_profile",
+        )  # fmt: skip
+        return tuple(name for name in names if name not in given)
+
+    @model_validator(mode="after")
+    def _consistent(self) -> Self:
+        self._check_that_rollers_fit()
+        self._check_angles()
+        self._check_clearance()
+        self._check_lengths()
+        self.check_set()
+        return self
+
+    def _check_that_rollers_fit(self) -> None:
+        """Neighbouring rollers touch when D = d_pw sin(π/Z)."""
+        if self.pitch_diameter <= self.roller_diameter:
+            raise InputError(
+                said(
+                    "must be greater than the roller diameter, {roller_diameter}",
+                    roller_diameter=readable(self.roller_diameter, "length"),
+                ),
+                field="pitch_diameter",
+                value=readable(self.pitch_diameter, "length"),
+                example='pitch_diameter = "38.5 mm"',
+            )
+        if not rollers_fit(self.roller_count, self.roller_diameter, self.pitch_diameter):
+            room = math.floor(math.pi / math.asin(self.roller_diameter / self.pitch_diameter))
+            raise InputError(
+                said(
+                    "rollers of {roller_diameter} do not fit on a pitch circle of "
+                    "{pitch_diameter}: there is room for {room}",
+                    roller_diameter=readable(self.roller_diameter, "length"),
+                    pitch_diameter=readable(self.pitch_diameter, "length"),
+                    room=room,
+                ),
+                field="roller_count",
+                value=self.roller_count,
+                example=f"roller_count = {room}" if room >= 3 else "",
+            )
+
+    def _check_angles(self) -> None:
+        """Tapered rollers have their angles, others none."""
+        examples = {
+            "contact_angle": 'contact_angle = "14 deg"',
+            "roller_half_angle": 'roller_half_angle = "2 deg"',
+        }
+        for name, example in examples.items():
+            value = getattr(self, name)
+            if self.element == "tapered" and value is None:
+                raise InputError(
+                    said("is missing; tapered rollers need it"), field=name, example=example
+                )
+            if self.element != "tapered" and value:
+                raise InputError(
+                    said("is of tapered rollers only"),
+                    field=name,
+                    value=readable(value, "angle"),
+                    example='element = "tapered"',
+                )
+        if self.element != "tapered":
+            return
+        if not 0.0 < self.inner_contact_angle < self.row_angle < 0.5 * math.pi:
+            raise InputError(
+                said(
+                    "must be less than half the contact angle, {half}, and the contact angle "
+                    "less than 90 deg",
+                    half=readable(0.5 * self.row_angle, "angle"),
+                ),
+                field="roller_half_angle",
+                value=readable(self.roller_half_angle or 0.0, "angle"),
+                example='roller_half_angle = "2 deg" with contact_angle = "14 deg"',
+            )
+
+    def _check_clearance(self) -> None:
+        """Cylindrical and needle rollers have a clearance, and an interference stays elastic."""
+        play, tapered = self.diametral_clearance, self.element == "tapered"
+        if tapered and play is not None:
+            raise InputError(
+                said("is of cylindrical and needle rollers; a tapered row takes a preload offset"),
+                field="diametral_clearance",
+                value=readable(play, "length"),
+                example='preload = { offset = "-10 um" }',
+            )
+        if not tapered and play is None:
+            raise InputError(
+                said("is missing"),
+                field="diametral_clearance",
+                example='diametral_clearance = "0.03 mm"',
+            )
+        limit = _MOST_INTERFERENCE * self.roller_diameter
+        if play is not None and not roller_clearance_fits(play, self.roller_diameter):
+            raise InputError(
+                said(
+                    "must be greater than {least} and less than {most} with these rollers",
+                    least=readable(float(f"{-limit:.4g}"), "length"),
+                    most=readable(self.roller_diameter, "length"),
+                ),
+                field="diametral_clearance",
+                value=readable(play, "length"),
+                example='diametral_clearance = "0.03 mm"',
+            )
+
+    def _check_lengths(self) -> None:
+        """A roller is as long as its line of contact, and its small end has a size."""
+        if self.effective_length > self.roller_length:
+            raise InputError(
+                said(
+                    "must be at least the effective length, {effective_length}",
+                    effective_length=readable(self.effective_length, "length"),
+                ),
+                field="roller_length",
+                value=readable(self.roller_length, "length"),
+                example=f'roller_length = "{readable(self.effective_length, "length")}"',
+            )
+        taper = self.roller_length * math.tan(self.roller_half_angle or 0.0)
+        if taper >= self.roller_diameter:
+            raise InputError(
+                said("leaves the rollers no small end; their length and diameter do not allow it"),
+                field="roller_half_angle",
+                value=readable(self.roller_half_angle or 0.0, "angle"),
+                example='roller_half_angle = "2 deg"',
+            )
+
+
+def rollers_fit(count: int, roller_diameter: Any, pitch_diameter: Any) -> Any:
+    """Whether neighbouring rollers on the pitch circle do not overlap; numbers or arrays."""
+    return roller_diameter / pitch_diameter <= math.sin(math.pi / count)
+
+
+def roller_clearance_fits(clearance: Any, roller_diameter: Any) -> Any:
+    """Whether a clearance is less than a roller, and an interference elastic; numbers or arrays."""
+    least = -_MOST_INTERFERENCE * roller_diameter
+    return (least < clearance) & (clearance < roller_diameter)

@@ -1,0 +1,562 @@
+"""What ball and roller bearings have in common: a designation that fills fields in, and rows."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from contextlib import AbstractContextManager, nullcontext, suppress
+from functools import lru_cache
+from typing import (
+    TYPE_CHECKING,
+    Annotated,
+    Any,
+    ClassVar,
+    Final,
+    Literal,
+    NamedTuple,
+    Self,
+    cast,
+    get_args,
+)
+
+from pydantic import (
+    BeforeValidator,
+    Field,
+    ModelWrapValidatorHandler,
+    PrivateAttr,
+    SerializationInfo,
+    SerializerFunctionWrapHandler,
+    ValidationInfo,
+    model_serializer,
+    model_validator,
+)
+
+from rolamento.case.arrangement import (
+    ARRANGEMENTS,
+    Arrangement,
+    BallRow,
+    Preload,
+    RollerRow,
+    RowOfElements,
+)
+from rolamento.case.preload_classes import Level, listed_preload
+from rolamento.case.quantity import Line, at_the_border
+from rolamento.case.record import Record
+from rolamento.errors import InputError
+from rolamento.units import Dimension, from_si
+from rolamento.words import said
+
+if TYPE_CHECKING:
+    from rolamento.case.bearing import Bearing
+    from rolamento.case.material import Material
+    from rolamento.case.roller_bearing import RollerBearing
+    from rolamento.catalogue import CatalogueBearing, InternalGeometry
+
+
+__all__ = [
+    "DISPLACED",
+    "MOST_ROWS",
+    "BearingKind",
+    "Designation",
+    "RollingBearing",
+    "RowPlace",
+    "element_told",
+]
+
+BearingKind = Literal["four_point", "self_aligning", "thrust"]
+MOST_ROWS: Final = 32
+SET_FIELDS: Final = ("arrangement", "spacing", "rows", "preload")
+DISPLACED: Final = (
+    "element",
+    "ball_count",
+    "ball_diameter",
+    "roller_count",
+    "roller_diameter",
+    "roller_length",
+    "effective_length",
+    "roller_half_angle",
+    "inner_ribs",
+    "outer_ribs",
+    "pitch_diameter",
+    *(f"{part}.{name}" for part in ("mounting", "film") for name in ("bore", "outside_diameter")),
+    *(f"life.{name}" for name in ("dynamic_rating", "static_rating")),
+)
+"""Another bearing of the catalogue has other elements, another size and other ratings."""
+_WRITTEN_ANGLE: Final = re.compile(r"\s*\d+deg$")
+"""Of designations that tell their contact angle so, which lists of preloads do not."""
+_ELSE_FROM: Final = {"spacing": "assumed", "preload": "designation"}
+"""Where a field comes from that the catalogue tells only together with what is given."""
+
+
+def as_text(value: object) -> object:
+    """Let a designation be written as a number."""
+    if isinstance(value, int) and not isinstance(value, bool) and 0 <= value < 10**9:
+        return str(value)
+    return value
+
+
+Designation = Annotated[
+    Line,
+    BeforeValidator(as_text, json_schema_input_type=Annotated[str, Field(max_length=200)] | int),
+]
+
+
+class RollingBearing(Record):
+    """One or more rows of rolling elements between two rings; without fields of its own.
+
+    Each kind of rolling element has its record: `Bearing` for balls, `RollerBearing` for rollers.
+    """
+
+    FILLED_IN: ClassVar[Mapping[str, Dimension | None]] = {}
+    """What a designation or the first row fills in, by the dimension."""
+    INSIDE: ClassVar[tuple[str, ...]] = ()
+    """Without which the catalogue is asked for the elements."""
+    VARIES: ClassVar[tuple[str, ...]] = ()
+    """The numbers of a row's geometry, in which cases solved together may differ."""
+    STAYS: ClassVar[tuple[str, ...]] = ()
+    """What else a row's geometry has."""
+    MATERIAL: ClassVar[str] = ""
+    """The field of the rolling elements' material."""
+    ROW: ClassVar[type[BallRow | RollerRow]]
+    """A row of such a set."""
+    PLAY: ClassVar[tuple[str, ...]] = ()
+    """What says where the elements touch: one of them is given."""
+
+    if TYPE_CHECKING:
+        element: str
+        designation: str | None
+        pitch_diameter: float
+        diametral_clearance: float | None
+        contact_angle: float | None
+        spacing: float | None
+        arrangement: Arrangement | None
+        rows: tuple[RowOfElements, ...] | None
+        preload: Preload | None
+        ring_material: Material
+
+        @property
+        def kind(self) -> BearingKind | None:
+            """Of the grooves of balls."""
+
+    _listed: tuple[CatalogueBearing, ...] = PrivateAttr(default=())
+    """The records outside the built-in catalogue by which the designation was found."""
+
+    @classmethod
+    def named(cls, designation: str, **fields: Any) -> Self:
+        """Return a bearing of the catalogue.
+
+        Parameters
+        ----------
+        designation
+            Such as ``"6305/C3"`` or ``"EX 70 25deg"``.
+        fields
+            Of the bearing, in the place of what the catalogue tells.
+
+        Raises
+        ------
+        InputError
+            If the designation is not known, or does not tell what is not given.
+        """
+        return cls(**{"designation": designation, **fields})
+
+    @property
+    def element_count(self) -> int:
+        """Z, rolling elements in the row."""
+        raise NotImplementedError
+
+    @property
+    def carries_one_way(self) -> bool:
+        """Whether the row carries axial load toward one side only."""
+        raise NotImplementedError
+
+    @property
+    def element_diameter(self) -> float:
+        """D of a rolling element, the mean of a tapered one; m."""
+        raise NotImplementedError
+
+    @property
+    def element_material(self) -> Material:
+        """Of the rolling elements."""
+        raise NotImplementedError
+
+    @property
+    def origins(self) -> Mapping[str, str]:
+        """Where each field that a designation fills in comes from; empty without one.
+
+        ``"given"`` by the user, ``"published"`` by a maker, ``"inferred"`` from the ratings,
+        or ``"assumed"``: an ordinary conformity, the middle of the clearance class.
+        """
+        if self.told is None:
+            return {}
+        own, told = self.model_fields_set, self.told.origins
+        return {
+            name: "given" if name in own else told.get(name) or _ELSE_FROM[name]
+            for name in self.FILLED_IN
+            if getattr(self, name) is not None
+            and (name in own or name in told or name in _ELSE_FROM)
+        }
+
+    @property
+    def told(self) -> InternalGeometry | None:
+        """What the designation says, and the catalogue of it; None without one.
+
+        Without balls where the user gave them all.
+        """
+        if self.designation is None:
+            return None
+        from rolamento.catalogue import catalogue_with, geometry_of
+
+        return geometry_of(
+            self.designation,
+            catalogue_of=catalogue_with(self._listed),
+            with_balls=not self.model_fields_set.issuperset(self.INSIDE),
+        )
+
+    @property
+    def published(self) -> CatalogueBearing | None:
+        """What the catalogue holds of the designation; None without one."""
+        return None if self.told is None else self.told.bearing
+
+    @property
+    def clearance_class(self) -> str | None:
+        """Class of ISO 5753-1 that the clearance is the middle of; None of any other clearance."""
+        if self.told is None or self.origins.get("diametral_clearance") != "assumed":
+            return None
+        return self.told.clearance_class
+
+    def replace(self, **changes: Any) -> Self:
+        """Return a new bearing with the given fields changed; see `Record.replace`."""
+        with self.looked_up():
+            return super().replace(**changes)
+
+    @property
+    def from_given_ratings(self) -> bool:
+        """Whether the balls are inferred from ratings of the case, not of a list."""
+        return self.told is not None and self.told.from_given_ratings
+
+    def looked_up_again(self) -> Self:
+        """Return the bearing of the same designation in the catalogue that now is asked."""
+        return type(self)(**{name: getattr(self, name) for name in self.model_fields_set})
+
+    def looked_up(self) -> AbstractContextManager[object]:
+        """Return a block in which the designation is found where this bearing found it."""
+        if not self._listed:
+            return nullcontext()
+        from rolamento.catalogue import listed
+
+        return listed(self._listed)
+
+    @property
+    def element_rows(self) -> tuple[RowPlace, ...]:
+        """Those of the `places` that have elements of their own."""
+        return self.places
+
+    @classmethod
+    def __pydantic_init_subclass__(cls, **options: Any) -> None:
+        """Register the kind of bearing by its elements."""
+        field = cls.model_fields.get("element")
+        for element in get_args(field.annotation) if field is not None else ():
+            BY_ELEMENT[element] = cls
+
+    @property
+    def is_set(self) -> bool:
+        """Whether the bearing is more than one plain row."""
+        return self.arrangement is not None or self.rows is not None
+
+    @property
+    def places(self) -> tuple[RowPlace, ...]:
+        """The rows of elements along +x, each as a bearing of one row; one if it is no set."""
+        return places_of(self)
+
+    @model_validator(mode="wrap")
+    @classmethod
+    def _filled_in(
+        cls, given: Any, handler: ModelWrapValidatorHandler[Self], info: ValidationInfo
+    ) -> Self:
+        """Fill in what a designation or the first row tells, without making it the user's own."""
+        if not isinstance(given, Mapping):
+            return handler(given)
+        in_file = at_the_border(info.context)
+        designation = as_text(given.get("designation"))
+        records: tuple[CatalogueBearing, ...] = ()
+        if isinstance(designation, str):
+            geometry = cls._geometry(designation, given)
+            found = cls._of_catalogue(geometry, given, in_file=in_file)
+            records = geometry.records
+        else:
+            found = cls._of_first_row(given, in_file=in_file)
+        cls._adjust(given, found, in_file=in_file)
+        bearing = handler({**given, **found})
+        bearing.__pydantic_fields_set__.difference_update(found)
+        cast("dict[str, Any]", bearing.__pydantic_private__)["_listed"] = records
+        return bearing
+
+    @classmethod
+    def _adjust(cls, given: Mapping[str, Any], found: dict[str, Any], *, in_file: bool) -> None:
+        """Add to what is filled in, or take away from it, by what both say together."""
+
+    @classmethod
+    def _geometry(cls, designation: str, given: Mapping[str, Any]) -> InternalGeometry:
+        from rolamento.catalogue import geometry_of
+
+        inside = _own_fields(given).issuperset(cls.INSIDE)
+        return geometry_of(designation, with_balls=not inside)
+
+    @classmethod
+    def _of_catalogue(
+        cls, geometry: InternalGeometry, given: Mapping[str, Any], *, in_file: bool
+    ) -> dict[str, Any]:
+        """Return the fields that a designation tells and the user does not."""
+        own = _own_fields(given)
+        missing = cls.FILLED_IN.keys() - own
+        if own.intersection(cls.PLAY):
+            missing -= set(cls.PLAY)
+        if "rows" in own:
+            missing -= {"arrangement", "spacing", "preload"}
+        if "contact_angle" in own and geometry.fields.get("kind") == "self_aligning":
+            missing -= {"spacing"}
+        if missing.issuperset(cls.PLAY) and not geometry.fields.keys() & set(cls.PLAY):
+            raise InputError(
+                geometry.lack_of_play, field="designation", value=geometry.designation.text
+            )
+        found: dict[str, Any] = {}
+        told = dict(geometry.fields)
+        arrangement = given.get("arrangement") or told.get("arrangement")
+        if isinstance(arrangement, str):
+            told = {"spacing": geometry.width, **told}
+            if len(set(ARRANGEMENTS.get(cast("Arrangement", arrangement), ()))) > 1:
+                told["preload"] = _listed_preload(geometry, given)
+        for name in missing & told.keys():
+            value, dimension = told[name], cls.FILLED_IN[name]
+            if value is not None:
+                found[name] = from_si(value, dimension) if in_file and dimension else value
+        return found
+
+    @classmethod
+    def _of_first_row(cls, given: Mapping[str, Any], *, in_file: bool) -> dict[str, Any]:
+        """Return the geometry that the first row of this kind tells and the bearing does not."""
+        rows = given.get("rows")
+        for row in rows if isinstance(rows, list | tuple) else ():
+            told = row if isinstance(row, Mapping) else getattr(row, "own", {})
+            if BY_ELEMENT.get(_element_of(row)) is cls:
+                break
+        else:
+            return {}
+        own = _own_fields(given)
+        designation = told.get("designation")
+        if isinstance(designation, str):
+            filled = {**given, **{name: v for name, v in told.items() if name in cls.FILLED_IN}}
+            listed = cls._of_catalogue(cls._geometry(designation, filled), filled, in_file=in_file)
+            told = {**listed, **told}
+        play = set(cls.PLAY) if own.intersection(cls.PLAY) else set()
+        missing = (name for name in cls.FILLED_IN if name not in own | play)
+        return {name: told[name] for name in missing if told.get(name) is not None}
+
+    @model_serializer(mode="wrap")
+    def _without_what_is_filled_in(
+        self, handler: SerializerFunctionWrapHandler, info: SerializationInfo
+    ) -> dict[str, Any]:
+        """Write to a file the user's own fields only, where others are filled in."""
+        fields: dict[str, Any] = handler(self)
+        for name in self._never_written:
+            fields.pop(name, None)
+        if (self.designation or self.rows) is None or not at_the_border(info.context):
+            return fields
+        told = self.FILLED_IN.keys() - self.model_fields_set
+        material = self.MATERIAL
+        if self.told is None or material not in self.told.fields:
+            told -= {material}
+        return {name: value for name, value in fields.items() if name not in told}
+
+    @property
+    def _never_written(self) -> tuple[str, ...]:
+        """Fields that follow from the others."""
+        return ()
+
+    def check_set(self) -> None:
+        """Keep arrangement, rows and preload to what goes together.
+
+        Raises
+        ------
+        InputError
+            If they contradict each other.
+        """
+        if self.arrangement is not None and self.rows is not None:
+            raise InputError(
+                said("cannot be combined with rows listed one by one"),
+                field="arrangement",
+                value=self.arrangement,
+                example='arrangement = "DB" without rows',
+            )
+        if self._set_by_kind:
+            return
+        if (self.arrangement is None) != (self.spacing is None):
+            missing, beside = (
+                ("spacing", "arrangement") if self.spacing is None else ("arrangement", "spacing")
+            )
+            raise InputError(
+                said("is missing; {beside} needs it", beside=beside),
+                field=missing,
+                example='arrangement = "DB" with spacing = "24 mm"',
+            )
+        signs = {place.sign for place in self.places}
+        if self.preload is not None and len(signs) < 2:
+            raise InputError(
+                said("needs opposed rows: these all carry load in the same direction"),
+                field="preload",
+                example='arrangement = "DB"',
+            )
+        own = [index for index, place in enumerate(self.places) if place.offset is not None]
+        clamped = self.preload is not None and self.preload.offset is None
+        if own and clamped and self.preload is not None and self.preload.spring is None:
+            raise InputError(
+                said("cannot be combined with a preload given by its force: the row has its own"),
+                field=f"rows.{own[0]}.offset",
+                example='preload = { offset = "5 um" }',
+            )
+        if self.preload is not None:
+            try:
+                self.preload.pair_force(self.contact_angle)
+            except InputError as error:
+                raise error.with_details(field=f"preload.{error.field}") from None
+
+    @property
+    def _set_by_kind(self) -> bool:
+        """Whether its rows follow from its kind."""
+        return False
+
+
+BY_ELEMENT: Final[dict[str, type[RollingBearing]]] = {}
+"""The record of a bearing by what rolls in it."""
+
+
+def element_told(given: Mapping[str, Any]) -> str | None:
+    """Return what rolls in a bearing of a table without `element`: by designation, rows or fields.
+
+    Balls, if any row is of balls: a set of both has their record.
+    """
+    rows = given.get("rows")
+    elements = [_element_of(row) for row in (rows if isinstance(rows, list | tuple) else ())]
+    if elements:
+        return "ball" if "ball" in elements else elements[0]
+    designation = as_text(given.get("designation"))
+    if isinstance(designation, str):
+        from rolamento.catalogue import catalogue
+
+        with suppress(InputError):
+            return ELEMENT_OF_KIND.get(catalogue().find(designation).bearing.kind, "ball")
+    if any(name.startswith("roller_") for name in given):
+        raise InputError(
+            said("is missing; a bearing of rollers needs it"),
+            field="bearing.element",
+            example='element = "cylindrical"',
+        )
+    return None
+
+
+def _element_of(row: object) -> str:
+    """What rolls in a row, as a record or as a table that nobody has checked."""
+    if not isinstance(row, Mapping):
+        return str(getattr(row, "element", "ball"))
+    told = element_told(row) if "designation" in row and "element" not in row else None
+    return str(row.get("element", told or "ball"))
+
+
+ELEMENT_OF_KIND: Final = {
+    "cylindrical": "cylindrical",
+    "tapered": "tapered",
+    "needle": "needle",
+    "drawn_cup": "needle",
+}
+"""What rolls in the bearings of a catalogue, by their kind there; balls in the others."""
+
+
+def _own_fields(given: Mapping[str, Any]) -> set[str]:
+    return {name for name, value in given.items() if value is not None}
+
+
+def _listed_preload(geometry: InternalGeometry, given: Mapping[str, Any]) -> dict[str, Any] | None:
+    """Return the preload that the letters name, if a maker lists it for this bearing."""
+    level = geometry.designation.letters.preload_level
+    angle = geometry.fields.get("contact_angle")
+    if level is None or given.get("contact_angle") is not None:
+        return None
+    listed = geometry.bearing.designation
+    for name in (listed, _WRITTEN_ANGLE.sub("", listed)):
+        with suppress(InputError):
+            listed_preload(name, cast("Level", level), angle)
+            return {"level": level, "designation": name}
+    return None
+
+
+class RowPlace(NamedTuple):
+    """One row of a bearing: its geometry, +1 or -1 for the way it faces, its place.
+
+    offset: how far it alone is pressed in; None where the preload says.
+    """
+
+    bearing: Bearing | RollerBearing
+    sign: float
+    position: float
+    phase: float
+    offset: float | None = None
+
+
+@lru_cache(maxsize=1024)
+def places_of(bearing: RollingBearing) -> tuple[RowPlace, ...]:
+    """The rows of a set that share the shaft, or the one of a bearing."""
+    rows = _rows(bearing)
+    if rows is None:
+        return (_placed(bearing, 1.0, 0.0, 0.0),)
+    plain: dict[str, Any] = dict.fromkeys(SET_FIELDS)
+    told = bearing.told
+    if told is not None and "arrangement" in told.fields and bearing.rows is None:
+        # a row alone is no such bearing, and the designation would fill the arrangement in again
+        one = bearing.model_copy(update=plain)
+        signs = ((row, 1.0 if row.orientation == "+" else -1.0) for row in rows)
+        return tuple(_placed(one, sign, row.position, row.phase) for row, sign in signs)
+    if told is None or "arrangement" in told.fields:
+        names = bearing.FILLED_IN.keys() - bearing.model_fields_set - plain.keys()
+        values = {name: getattr(bearing, name) for name in names}
+        plain.update({"designation": None, **values})  # of the first row
+    places = []
+    for index, row in enumerate(rows):
+        try:
+            alone = _alone(bearing, row, plain)
+        except InputError as error:
+            raise error.with_details(field=f"rows.{index}.{error.field}") from None
+        sign = 1.0 if row.orientation == "+" else -1.0
+        places.append(_placed(alone, sign, row.position, row.phase, row.offset))
+    return tuple(places)
+
+
+def _alone(
+    bearing: RollingBearing, row: BallRow | RollerRow, plain: Mapping[str, Any]
+) -> RollingBearing:
+    """A row of a set as a bearing: the set's, but for what the row has of its own."""
+    kind = BY_ELEMENT[row.element]
+    alike = (row.element == "tapered") == (bearing.element == "tapered")
+    if kind is type(bearing) and alike and row.designation is None:
+        return bearing.replace(**{**plain, **row.own, "element": row.element})
+    shared = {"ring_material"} & bearing.model_fields_set
+    materials = {name: getattr(bearing, name) for name in shared}
+    given = {name: value for name, value in row.own.items() if value is not None}
+    return kind(**{**materials, **given, "element": row.element})
+
+
+def _placed(bearing: RollingBearing, *place: Any) -> RowPlace:
+    return RowPlace(cast("Bearing | RollerBearing", bearing), *place)
+
+
+def _rows(bearing: RollingBearing) -> tuple[RowOfElements, ...] | None:
+    if bearing.arrangement is None:
+        return bearing.rows
+    orientations = ARRANGEMENTS[bearing.arrangement]
+    spacing = bearing.spacing or 0.0
+    first = -0.5 * spacing * (len(orientations) - 1)
+    return tuple(
+        bearing.ROW(
+            element=bearing.element, orientation=orientation, position=first + spacing * index
+        )
+        for index, orientation in enumerate(orientations)
+    )

@@ -1,0 +1,49 @@
+"""Basic load ratings by the internal geometry: ISO 281 and ISO 76.
+
+Of balls (`balls`) and of rollers (`rollers`); both take numbers or arrays that broadcast, in SI,
+and give NaN where the standards give no number.
+"""
+
+from rolamento.ratings.balls import (
+    MAXIMUM_GAMMA,
+    SELF_ALIGNING_CONFORMITY,
+    THRUST_CONFORMITY,
+    RatedType,
+    dynamic_factor,
+    dynamic_factor_of_grooves,
+    dynamic_rating,
+    static_factor,
+    static_factor_of_grooves,
+    static_rating,
+    thrust_dynamic_factor,
+    thrust_static_factor,
+)
+from rolamento.ratings.rollers import (
+    RollerKind,
+    RollerRated,
+    roller_dynamic_factor,
+    roller_dynamic_rating,
+    roller_static_rating,
+    roller_thrust_dynamic_factor,
+)
+
+__all__ = [
+    "MAXIMUM_GAMMA",
+    "SELF_ALIGNING_CONFORMITY",
+    "THRUST_CONFORMITY",
+    "RatedType",
+    "RollerKind",
+    "RollerRated",
+    "dynamic_factor",
+    "dynamic_factor_of_grooves",
+    "dynamic_rating",
+    "roller_dynamic_factor",
+    "roller_dynamic_rating",
+    "roller_static_rating",
+    "roller_thrust_dynamic_factor",
+    "static_factor",
+    "static_factor_of_grooves",
+    "static_rating",
+    "thrust_dynamic_factor",
+    "thrust_static_factor",
+]

@@ -1,0 +1,249 @@
+"""Many cases of a row of rollers: held at a place of the ring, or with the ring let go."""
+
+from __future__ import annotations
+
+from math import sqrt
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rolamento import status
+from rolamento.numerics import FloatArray as Array
+from rolamento.numerics.compiled import inline_exact, kernel, shared
+from rolamento.numerics.dense import solve_dense
+from rolamento.rows.roller import layout
+from rolamento.rows.roller.roller import (
+    EXPONENT,
+    GREATEST_APPROACH,
+    OVERSHOOT,
+    SHORTENINGS,
+    SUMS,
+    Line,
+    added,
+    condensed,
+    floor,
+    relax,
+)
+
+RING_STEPS: Final = 60
+RING_PRECISION: Final = 1e-11
+FAR: Final = 0.3
+"""Of the roller's diameter: the longest step of the ring."""
+DEGREES: Final = 5
+
+Output = tuple[NDArray[Any], ...]
+
+
+@shared
+def ring_forces(
+    p: Array,
+    column: int,
+    line: Line,
+    cosines: Array,
+    sines: Array,
+    u: Array,
+    rollers: tuple[Array, Array],
+    force: Array,
+    stiffness: Array,
+) -> tuple[int, float, float, int]:
+    """Balance every roller, the ring held at u (x, y, z, ry, rz), and sum up what they answer.
+
+    rollers: η and ω (Z, 2), loads per length (Z, 2, n); force: (5,), stiffness: (5, 5); written.
+    Returns a number of `rolamento.status`, the worst residual of a roller, the greatest load and
+    the steps.
+    """
+    states, loads = rollers
+    sums = np.empty((2, SUMS))
+    ring, own, tangent = np.empty(3), np.empty(3), np.empty((3, 3))
+    lever = np.zeros((3, DEGREES))
+    force[:] = 0.0
+    stiffness[:] = 0.0
+    worst, scale, steps = 0.0, 0.0, 0
+    number = status.CONVERGED
+    arm = p[layout.ARM, column]
+    limit = heaviest(p, column)
+    c0, s0 = p[layout.COS_FIRST, column], p[layout.SIN_FIRST, column]
+    for j in range(cosines.size):
+        c = cosines[j] * c0 - sines[j] * s0
+        s = sines[j] * c0 + cosines[j] * s0
+        lever[0, 0] = 1.0
+        lever[0, 3], lever[0, 4] = arm * c, -arm * s
+        lever[1, 1], lever[1, 2] = s, c
+        lever[2, 3], lever[2, 4] = c, -s
+        for i in range(3):
+            ring[i] = 0.0
+            for k in range(DEGREES):
+                ring[i] += lever[i, k] * u[k]
+        found, residual, size, taken = relax(p, column, line, ring, states[j], (sums, loads[j]))
+        steps += taken
+        worst = residual if not residual <= worst else worst
+        scale = max(scale, size)
+        if not found:
+            number = status.NOT_CONVERGED
+        elif loads[j].max() > limit and number == status.CONVERGED:
+            number = status.OVERLOADED
+        condensed(p, column, ring, states[j, 1], sums, own, tangent)
+        for i in range(3):
+            for k in range(DEGREES):
+                if lever[i, k] == 0.0:
+                    continue
+                force[k] += lever[i, k] * own[i]
+                for m in range(3):
+                    part = lever[i, k] * tangent[i, m]
+                    for other in range(DEGREES):
+                        stiffness[k, other] += part * lever[m, other]
+    return number, worst, scale, steps
+
+
+@inline_exact
+def heaviest(p: Array, column: int) -> float:
+    """Load per length beyond which is no elastic contact (N/m)."""
+    greatest = max(p[layout.INNER_CONSTANT, column], p[layout.OUTER_CONSTANT, column])
+    depth = GREATEST_APPROACH * p[layout.DIAMETER, column]
+    return float(greatest / p[layout.LENGTH, column] * depth**EXPONENT)
+
+
+@inline_exact
+def line_of(lines: Line, case: int) -> Line:
+    """The contacts of one case."""
+    coupled, place, drops, curvature, body, table, work = lines
+    own = case if place.shape[0] > 1 else 0
+    shape = case if drops.shape[0] > 1 else 0
+    bent = case if curvature.shape[0] > 1 else 0
+    deep = case if body.shape[0] > 1 else 0
+    return coupled, place[own], drops[shape], curvature[bent], body[deep], table, work
+
+
+@kernel
+def hold_cases(
+    p: Array,
+    lines: Line,
+    cosines: Array,
+    sines: Array,
+    first: int,
+    last: int,
+    out: Output,
+) -> None:
+    """Hold the cases first..last-1 where p has their rings imposed.
+
+    p: (layout.COLUMN, cases); lines: as `Line`, but for the table and the scratch with (cases or 1)
+    in front. out: state (cases, Z, 2), loads per length (cases or 1, Z, 2, n), force (cases, 5),
+    stiffness (cases, 5, 5), scale, residual, number and steps (cases).
+    """
+    state, loads, force, stiffness, scale, residual, number, steps = out
+    u = np.empty(DEGREES)
+    for case in range(first, last):
+        line = line_of(lines, case)
+        kept = loads[case if loads.shape[0] > 1 else 0]
+        for i in range(DEGREES):
+            u[i] = p[layout.IMPOSED + i, case]
+        number[case], residual[case], scale[case], steps[case] = ring_forces(
+            p, case, line, cosines, sines, u, (state[case], kept), force[case], stiffness[case]
+        )
+        worst = scale[case]
+        for i in range(DEGREES):
+            arm = p[layout.ARM, case] if i > 2 else 1.0
+            worst = max(worst, abs(force[case, i]) / arm)
+        scale[case] = worst
+
+
+@shared
+def _start(p: Array, case: int, rollers: int, u: Array) -> None:
+    """Write a first place: as held, or so that the heaviest roller carries too much."""
+    constant = p[layout.INNER_CONSTANT, case] ** -0.9 + p[layout.OUTER_CONSTANT, case] ** -0.9
+    constant = constant ** (-1.0 / 0.9) * rollers
+    sine, cosine = p[layout.OUTER_SINE, case], p[layout.OUTER_COSINE, case]
+    fx, fy, fz = p[layout.APPLIED, case], p[layout.APPLIED + 1, case], p[layout.APPLIED + 2, case]
+    radial = sqrt(fy * fy + fz * fz)
+    away = (4.5 * radial / (constant * cosine)) ** 0.9 + 2.0 * p[layout.GAP, case]
+    into = 0.0
+    if sine > 1e-6 and fx > 0.0:
+        needed = max(fx / sine, 2.0 * radial / cosine)
+        into = (needed / constant) ** 0.9 / sine
+        away = (radial / (constant * cosine)) ** 0.9
+    for i in range(DEGREES):
+        u[i] = p[layout.IMPOSED + i, case]
+    if p[layout.FREE, case] > 0.0:
+        u[0] = into
+    for i, part in ((1, fy), (2, fz)):
+        if p[layout.FREE + i, case] > 0.0:
+            u[i] = away * part / radial if radial > 0.0 else 0.0
+
+
+@kernel
+def settle_cases(
+    p: Array,
+    lines: Line,
+    cosines: Array,
+    sines: Array,
+    first: int,
+    last: int,
+    rings: Array,
+    settled: Array,
+) -> None:
+    """Let the rings of the cases go until the loads balance: a proposal, for `assembly` to judge.
+
+    As `hold_cases`; rings: places (cases, 5), settled: whether, (cases,), both written.
+    """
+    z = cosines.size
+    loads = np.zeros((z, 2, lines[1].shape[1]))
+    rollers, force = (np.zeros((z, 2)), loads), np.empty(DEGREES)
+    stiffness, matrix = np.empty((DEGREES, DEGREES)), np.empty((DEGREES, DEGREES))
+    rest, step, arms = np.empty(DEGREES), np.empty(DEGREES), np.empty(DEGREES)
+    old = np.empty(DEGREES)
+    for case in range(first, last):
+        line = line_of(lines, case)
+        loads[:] = 0.0
+        u = rings[case]
+        for i in range(DEGREES):
+            arms[i] = p[layout.ARM, case] if i > 2 else 1.0
+        _start(p, case, z, u)
+        least, extra = floor(p, case), added(p, case)
+        longest = FAR * p[layout.DIAMETER, case]
+        number, _, scale, _ = ring_forces(
+            p, case, line, cosines, sines, u, rollers, force, stiffness
+        )
+        settled[case] = 0.0
+        for _ in range(RING_STEPS):
+            size = max(scale, least)
+            worst = 0.0
+            for i in range(DEGREES):
+                free = p[layout.FREE + i, case] > 0.0
+                rest[i] = (p[layout.APPLIED + i, case] - force[i]) / arms[i] if free else 0.0
+                worst = max(worst, abs(rest[i]))
+                size = max(size, abs(p[layout.APPLIED + i, case]) / arms[i])
+            if worst <= RING_PRECISION * size:
+                settled[case] = 1.0
+                break
+            if not worst < np.inf or number == status.NOT_CONVERGED:
+                break
+            for i in range(DEGREES):
+                step[i] = rest[i]
+                for k in range(DEGREES):
+                    both = p[layout.FREE + i, case] > 0.0 and p[layout.FREE + k, case] > 0.0
+                    matrix[i, k] = stiffness[i, k] / (arms[i] * arms[k]) if both else 0.0
+                matrix[i, i] += extra
+            if not solve_dense(matrix, step):
+                break
+            slope, length = 0.0, 0.0
+            for i in range(DEGREES):
+                slope += step[i] * rest[i]
+                length = max(length, abs(step[i]))
+                old[i] = u[i]
+            if not (slope > 0.0 and length < np.inf):
+                break
+            part = min(1.0, longest / length)
+            for _ in range(SHORTENINGS):
+                for i in range(DEGREES):
+                    u[i] = old[i] + part * step[i] / arms[i]
+                number, _, scale, _ = ring_forces(
+                    p, case, line, cosines, sines, u, rollers, force, stiffness
+                )
+                ahead = 0.0
+                for i in range(DEGREES):
+                    if p[layout.FREE + i, case] > 0.0:
+                        ahead += step[i] * (p[layout.APPLIED + i, case] - force[i]) / arms[i]
+                if ahead >= -OVERSHOOT * slope:
+                    break
+                part *= min(max(slope / (slope - ahead), 0.1), 0.6)

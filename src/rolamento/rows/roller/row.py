@@ -1,0 +1,366 @@
+"""A row of rollers as `rolamento.rows.row` asks for it: from numbers of a case to its tables."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, fields, replace
+from typing import Any, Self, cast
+
+import numpy as np
+
+from rolamento.case import Case
+from rolamento.case.bearing import RowPlace
+from rolamento.contact.line import EXPONENT, half_width, max_pressure
+from rolamento.numerics import BoolArray, FloatArray
+from rolamento.rows.ball.problem import directions
+from rolamento.rows.roller import layout
+from rolamento.rows.roller.columns import Cut, Numbers, numbers_of
+from rolamento.rows.roller.run import Solution, hold, settle
+from rolamento.rows.row import Held, Indices, IntArray, RowGeometry, RowSizes
+from rolamento.solved import Elements, Index, Pressed, Tables
+from rolamento.solved.rollers import Line, Rollers
+
+__all__ = ["RollerRow", "roller_row"]
+
+
+@dataclass(slots=True)
+class HeldRollers:
+    """Rollers in their places; place (cases, 5), m and rad."""
+
+    place: FloatArray
+    solution: Solution
+
+    @property
+    def force(self) -> FloatArray:
+        """(cases, 5), N and N·m."""
+        return self.solution.force
+
+    @property
+    def face_forces(self) -> FloatArray:
+        """(cases, 1, 5)."""
+        return self.solution.force[:, np.newaxis]
+
+    @property
+    def stiffness(self) -> FloatArray:
+        """(cases, 5, 5)."""
+        return self.solution.stiffness
+
+    @property
+    def scale(self) -> FloatArray:
+        """(cases,), N."""
+        return self.solution.scale
+
+    @property
+    def number(self) -> IntArray:
+        """(cases,)."""
+        return self.solution.number
+
+    @property
+    def residual(self) -> FloatArray:
+        """(cases,)."""
+        return self.solution.residual
+
+    @property
+    def safe_path(self) -> BoolArray:
+        """There is but one path; (cases,)."""
+        return np.zeros(len(self.place), np.bool_)
+
+    def put(self, cases: Indices, part: Self) -> None:
+        """Copy what some of the cases answered to their places."""
+        self.place[cases] = part.place
+        self.solution.put(cases, part.solution)
+
+
+@dataclass(frozen=True, slots=True)
+class RollerRow:
+    """Many cases of a row of cylindrical, needle or tapered rollers."""
+
+    numbers: Numbers
+    element_count: int
+    geometry: RowGeometry
+    threads: int | None = None
+
+    @property
+    def cases(self) -> int:
+        """How many."""
+        return int(self.numbers.p.shape[1])
+
+    @property
+    def faces(self) -> tuple[float, ...]:
+        """One raceway a ring."""
+        return (1.0,)
+
+    @property
+    def floats(self) -> bool:
+        """Whether no ribs and no cones hold it along the shaft."""
+        p = self.numbers.p
+        return not (self.numbers.tapered or np.any(p[layout.RIB_AHEAD] + p[layout.RIB_BEHIND] > 0))
+
+    @property
+    def valid(self) -> BoolArray:
+        """Which cases have numbers that can be solved; (cases,)."""
+        sound = np.isfinite(self.numbers.p).all(axis=0)
+        cut = self.numbers.cut
+        for one in (cut.place, cut.drops, cut.curvature):
+            sound = sound & np.isfinite(one).reshape(len(one), -1).all(axis=1)
+        return np.asarray(sound)
+
+    @property
+    def sizes(self) -> RowSizes:
+        """For the assembly.
+
+        stiffness: K of Q = K δ^1.5 that is as stiff at a thousandth of the roller's diameter.
+        """
+        p = self.numbers.p
+        pair = 0.5**EXPONENT * p[layout.OUTER_CONSTANT]
+        return RowSizes(
+            arm=p[layout.ARM],
+            diameter=p[layout.DIAMETER],
+            reach=0.2 * p[layout.DIAMETER],
+            stiffness=pair * (1e-3 * p[layout.DIAMETER]) ** (EXPONENT - 1.5),
+            sine=p[layout.OUTER_SINE],
+        )
+
+    def refuse(self, cases: BoolArray) -> None:
+        """Take some cases for invalid: they are left alone."""
+        self.numbers.p[:, cases] = np.nan
+
+    # --- solving --------------------------------------------------------------------------------
+
+    def held(self, place: FloatArray, which: Indices, control: FloatArray) -> HeldRollers:
+        """Hold some of the cases at a place; (len(which), 5). Nothing guides a roller but races."""
+        p = self.numbers.p[:, which]
+        p[layout.IMPOSED : layout.IMPOSED + 5] = place.T
+        found = hold(p, self.numbers.cut.part(which), self.element_count, self.threads)
+        return HeldRollers(place.copy(), found)
+
+    def nothing(self, cases: int) -> HeldRollers:
+        """Make room for so many cases without a result."""
+        cut = self.numbers.cut
+        empty = Solution.empty(cases, self.element_count, cut.slices, cut.coupled)
+        return HeldRollers(np.full((cases, 5), np.nan), empty)
+
+    def near(
+        self, free: BoolArray, load: FloatArray, place: FloatArray, which: Indices
+    ) -> tuple[FloatArray, BoolArray]:
+        """Where the ring of a bearing that is this row comes to rest; (len(which), 5), m and rad.
+
+        free, load, place: as `assembly` has them, of the chosen cases; (len(which), 5) each. With
+        it, whether it did: a proposal, found in one go by the kernels.
+        """
+        p = self.numbers.p[:, which]
+        p[layout.FREE : layout.FREE + 5] = free.T
+        p[layout.APPLIED : layout.APPLIED + 5] = load.T
+        p[layout.IMPOSED : layout.IMPOSED + 5] = place.T
+        return settle(p, self.numbers.cut.part(which), self.element_count, self.threads)
+
+    def first_contact(self) -> FloatArray:
+        """Place along x where the unloaded rollers touch, from which x counts; (cases,), m."""
+        return np.zeros(self.cases)
+
+    def pressed_in(self, force: FloatArray) -> FloatArray:
+        """Place along x under an axial force at rest; (cases,), m, NaN where there is none."""
+        p = self.numbers.p.copy()
+        p[[layout.CENTRIFUGAL, layout.GYROSCOPIC]] = 0.0
+        still = replace(self, numbers=replace(self.numbers, p=p))
+        found = np.full(self.cases, np.nan)
+        which = np.flatnonzero(self.valid & np.isfinite(force))
+        free, load = np.zeros((len(which), 5), np.bool_), np.zeros((len(which), 5))
+        free[:, 0], load[:, 0] = True, force[which]
+        place, settled = still.near(free, load, np.zeros_like(load), which)
+        found[which] = np.where(settled, place[:, 0], np.nan)
+        return found
+
+    def verdict(self, held: Held, control: FloatArray) -> IntArray:
+        """Return the control as it is: rollers roll on both races; (cases, elements)."""
+        return np.asarray(np.broadcast_to(control, (self.cases, self.element_count)), np.int64)
+
+    def answer(
+        self, held: Held, control: FloatArray, shown: IntArray, lost: BoolArray
+    ) -> RollerAnswer:
+        """Keep what the tables are made from, of cases that are not lost."""
+        rollers = cast(HeldRollers, held)
+        solution = rollers.solution
+        solution.state[lost], rollers.place[lost] = np.nan, np.nan
+        if len(solution.loads):
+            solution.loads[lost] = np.nan
+        codes = np.broadcast_to(shown, (self.cases, self.element_count))
+        return RollerAnswer(
+            self.numbers, rollers.place, solution.state, solution.loads, np.asarray(codes)
+        )
+
+
+def roller_row(
+    case: Case,
+    place: RowPlace,
+    bearing: Any,
+    varied: Mapping[str, FloatArray],
+    cases: int,
+    *,
+    threads: int | None = None,
+    fast: bool = True,
+) -> RollerRow:
+    """The numbers of a row of rollers; there is but one path, fast or not.
+
+    bearing: the row's `RollerBearing`, or an object with arrays (cases,) for its attributes.
+    """
+    with np.errstate(invalid="ignore", divide="ignore"):
+        numbers = numbers_of(case, place, bearing, varied, cases)
+    p = numbers.p
+    nothing = np.full(cases, np.nan)
+    angle = numbers.axis + numbers.half_angle
+    geometry = RowGeometry(
+        ball_diameter=p[layout.DIAMETER].copy(),
+        pitch_diameter=2.0 * p[layout.ARM],
+        inner_conformity=nothing,
+        outer_conformity=nothing,
+        free_contact_angle=angle,
+        modulus=numbers.modulus,
+        effective_length=p[layout.LENGTH].copy(),
+    )
+    return RollerRow(numbers, place.bearing.element_count, geometry, threads)
+
+
+@dataclass(frozen=True, slots=True)
+class RollerAnswer:
+    """Where the rollers of solved cases are: what their tables are made from."""
+
+    numbers: Numbers
+    place: FloatArray
+    state: FloatArray
+    loads: FloatArray
+    shown: IntArray
+
+    def part(self, index: Index) -> RollerAnswer:
+        """Return some of the cases."""
+        return RollerAnswer(
+            numbers=_taken(self.numbers, index),
+            place=self.place[index],
+            state=self.state[index],
+            loads=self.loads[index] if len(self.loads) else self.loads,
+            shown=self.shown[index],
+        )
+
+    def tables(self) -> Tables:
+        """Evaluate every slice of every roller of every case."""
+        n, p = self.numbers, self.numbers.p[:, :, np.newaxis]
+        cases, rollers = self.shown.shape
+        azimuth, ring = _seen(self.numbers.p, self.place, rollers)
+        shift, turn = self.state[..., 0], self.state[..., 1]
+        inner = p[layout.INNER_SHIFT] * shift + p[layout.INNER_TURN] * turn - p[layout.GAP]
+        outer = p[layout.OUTER_SINE] * ring[0] + p[layout.OUTER_COSINE] * ring[1]
+        outer = outer + p[layout.LEVER] * ring[2] + p[layout.OUTER_SHIFT] * shift
+        outer = outer + p[layout.OUTER_TURN] * turn - p[layout.GAP]
+        tilt = ring[2] + turn
+        races = [
+            self._line(race, approach, slope)
+            for race, (approach, slope) in enumerate(((inner, turn), (outer, -tilt)))
+        ]
+        known = 0.0 * shift
+
+        def wide(values: FloatArray) -> FloatArray:
+            return values[:, np.newaxis] + known
+
+        motion = n.motion
+        elements = Elements(
+            row=np.zeros(rollers, np.int64),
+            azimuth=azimuth,
+            centrifugal_force=wide(n.centrifugal),
+            gyroscopic_moment=wide(n.gyroscopic),
+            orbital_speed=wide(motion.orbital_speed),
+            ball_speed=wide(motion.ball_speed),
+            attitude=wide(motion.attitude),
+            yaw=np.zeros((cases, rollers)),
+            raceway_control=self.shown,
+        )
+        pressed = [
+            Pressed(load, wide(angle), deep, approach, wide(spin), wide(roll))
+            for (load, deep, _), approach, angle, spin, roll in (
+                (races[0], inner, n.axis - n.half_angle, motion.inner_spin, motion.inner_roll),
+                (races[1], outer, n.axis + n.half_angle, motion.outer_spin, motion.outer_roll),
+            )
+        ]
+        force = self._rib_force(ring, turn, races[0][0], races[1][0])
+        place = np.broadcast_to(n.cut.place[:, np.newaxis], races[0][2].pressure.shape)
+        found = Rollers(
+            tilt=-tilt,
+            rib_force=force,
+            rib_moment=n.rib_arm[:, np.newaxis] * force,
+            slice_place=place + known[..., np.newaxis],
+            inner=races[0][2],
+            outer=races[1][2],
+        )
+        return Tables(elements, pressed[0], pressed[1], rollers=found)
+
+    def _line(
+        self, race: int, approach: FloatArray, slope: FloatArray
+    ) -> tuple[FloatArray, FloatArray, Line]:
+        """Load of each roller and greatest deflection of its slices, with the line itself."""
+        n, cut = self.numbers, self.numbers.cut
+        length = n.p[layout.LENGTH][:, np.newaxis, np.newaxis]
+        depth = approach[..., np.newaxis] + slope[..., np.newaxis] * cut.place[:, np.newaxis]
+        depth = np.maximum(depth - cut.drops[:, race][:, np.newaxis], 0.0)
+        if cut.coupled:
+            load = self.loads[:, :, race]
+        else:
+            constant = n.p[layout.INNER_CONSTANT + race][:, np.newaxis, np.newaxis]
+            load = constant / length * depth**EXPONENT
+        curvature = cut.curvature[:, race][:, np.newaxis]
+        modulus = n.modulus[:, np.newaxis, np.newaxis]
+        line = Line(
+            load_per_length=load,
+            pressure=max_pressure(load, curvature, modulus),
+            half_width=half_width(load, curvature, modulus),
+        )
+        total = load.sum(axis=-1) * (length[..., 0] / cut.slices)
+        return total, np.where(total > 0.0, depth.max(axis=-1), 0.0 * total), line
+
+    def _rib_force(
+        self,
+        ring: tuple[FloatArray, FloatArray, FloatArray],
+        turn: FloatArray,
+        inner: FloatArray,
+        outer: FloatArray,
+    ) -> FloatArray:
+        """Of tapered rollers from their balance along the rib's normal, else of the ribs' law."""
+        n, p = self.numbers, self.numbers.p[:, :, np.newaxis]
+        if n.tapered:
+            epsilon, half, axis = (a[:, np.newaxis] for a in (n.rib_angle, n.half_angle, n.axis))
+            thrown = n.centrifugal[:, np.newaxis] * np.sin(axis - epsilon)
+            return outer * np.sin(half + epsilon) + inner * np.sin(half - epsilon) + thrown
+        apart = ring[0] + p[layout.RIB_LEVER] * (ring[2] + 2.0 * turn)
+        ahead = p[layout.RIB_AHEAD] * np.maximum(apart - p[layout.RIB_PLAY], 0.0)
+        behind = p[layout.RIB_BEHIND] * np.maximum(-apart - p[layout.RIB_PLAY], 0.0)
+        return np.asarray(ahead - behind)
+
+
+def _seen(
+    p: FloatArray, place: FloatArray, rollers: int
+) -> tuple[FloatArray, tuple[FloatArray, FloatArray, FloatArray]]:
+    """Azimuths in [0, 2π), and A, b, θ of the inner ring at every roller; (cases, rollers)."""
+    c0, s0 = p[layout.COS_FIRST][:, np.newaxis], p[layout.SIN_FIRST][:, np.newaxis]
+    c, s = directions(rollers)
+    cosine, sine = c * c0 - s * s0, s * c0 + c * s0
+    x, y, z, ry, rz = (one[:, np.newaxis] for one in place.T)
+    tilt = ry * cosine - rz * sine
+    ring = x + p[layout.ARM][:, np.newaxis] * tilt, y * sine + z * cosine, tilt
+    first = np.arctan2(s0, c0) + 2.0 * np.pi * np.arange(rollers) / rollers
+    wrapped = np.mod(first, 2.0 * np.pi)
+    return np.where(wrapped < 2.0 * np.pi, wrapped, 0.0), ring
+
+
+def _taken(numbers: Numbers, index: Index) -> Numbers:
+    """Some of the cases."""
+
+    def of(value: Any) -> Any:
+        if isinstance(value, np.ndarray):
+            return value[index]
+        if isinstance(value, Cut):
+            return value.part(index)
+        if isinstance(value, bool):
+            return value
+        return type(value)(*(of(getattr(value, one.name)) for one in fields(value)))
+
+    changed = {one.name: of(getattr(numbers, one.name)) for one in fields(numbers)}
+    changed["p"] = numbers.p[:, index]
+    return Numbers(**changed)
