@@ -362,7 +362,7 @@ def _varied(
 
 def _own_fields(bearing: RollingBearing, place: RowPlace) -> set[str]:
     """What the row does not take from the set; an own angle excludes the set's clearance too."""
-    if type(place.bearing) is not type(bearing):
+    if place.bearing.element != bearing.element:
         return set(place.bearing.VARIES)  # nothing: other elements roll in it
     if bearing.rows is None:
         return set()
