@@ -339,6 +339,11 @@ def _how_sure(first: RollerCandidate) -> str:
             "No standard roller size reproduces these ratings well: even the best candidates are"
             " doubtful."
         )
+    if None in (first.dynamic_error, first.static_error):
+        return said(
+            "One rating alone does not tell the diameter of the rollers: it follows from the"
+            " section, and their number from how full such bearings usually are."
+        )
     return said(
         "C and C0 tell the diameter of the rollers and the product Z·L_we within about a part in a"
         " hundred; the number of rollers follows from how full such bearings usually are."
