@@ -1,7 +1,8 @@
-"""How every bearing of the catalogue rolls: balls, ratio of diameters and contact angle.
+"""How every bearing of the catalogue rolls: balls or rollers, ratio of diameters, contact angle.
 
-All that fault frequencies need. To infer the balls of a bearing takes its ratings and tenths of a
-second; what was inferred is kept in ``data/rolling.csv``, which ``scripts/rolling.py`` writes anew.
+All that fault frequencies need. To infer what is inside a bearing takes its ratings and up to tenths
+of a second; what was inferred is kept in ``data/rolling.csv``, which ``scripts/rolling.py`` writes
+anew. Of roller bearings that differ by their ribs only, it has one: NU for NJ, NUP and N.
 """
 
 from __future__ import annotations
@@ -12,7 +13,10 @@ from functools import lru_cache
 from importlib import resources
 
 from rolamento.catalogue.designation import folded
+from rolamento.catalogue.records import CatalogueBearing
+from rolamento.catalogue.roller_inference import nominal_angle
 from rolamento.catalogue.search import catalogue
+from rolamento.geometry import apex_half_angle
 
 __all__ = ["RollingBearing", "rolling_bearings"]
 
@@ -26,13 +30,14 @@ class RollingBearing:
     designation
         As its maker writes it.
     ball_count
-        Z, of a row.
+        Z, balls or rollers of a row.
     diameter_ratio
         D/d_m.
     contact_angle
-        α, nominal, in rad; 0 for a deep-groove bearing, as under radial load.
+        α, nominal, in rad; 0 for a deep-groove bearing, as under radial load; of tapered rollers
+        the angle of their axis, α - φ.
     is_inferred
-        Whether the balls are inferred from the ratings, and not published.
+        Whether balls or rollers are inferred from the ratings, and not published.
     """
 
     designation: str
@@ -43,24 +48,34 @@ class RollingBearing:
 
 
 def rolling_bearings() -> tuple[RollingBearing, ...]:
-    """Return the bearings of the catalogue whose balls are published, or were inferred for it.
+    """Return the bearings of the catalogue whose inside is published, or was inferred for it.
 
     Others, such as those of a user's catalogue without balls, are left out.
     """
     inferred = _inferred()
     found = []
     for bearing in {folded(one.designation): one for one in catalogue().bearings}.values():
-        angle = bearing.contact_angle or 0.0
-        count, ball = bearing.ball_count, bearing.ball_diameter
-        if count is not None and ball is not None:
-            ratio = ball / (bearing.pitch_diameter or bearing.mean_diameter)
+        count = bearing.roller_count if bearing.has_rollers else bearing.ball_count
+        size = bearing.roller_diameter if bearing.has_rollers else bearing.ball_diameter
+        if count is not None and size is not None:
+            ratio = size / (bearing.pitch_diameter or bearing.mean_diameter)
+            angle = _axis_angle(bearing, ratio)
             found.append(RollingBearing(bearing.designation, count, ratio, angle, False))
             continue
         key = (bearing.maker, folded(bearing.designation))
         if key in inferred:
             count, ratio = inferred[key]
+            angle = _axis_angle(bearing, ratio)
             found.append(RollingBearing(bearing.designation, count, ratio, angle, True))
     return tuple(found)
+
+
+def _axis_angle(bearing: CatalogueBearing, ratio: float) -> float:
+    """The angle that D/d_m takes part with: α, of tapered rollers α - φ; rad."""
+    angle = nominal_angle(bearing)
+    if bearing.kind != "tapered":
+        return angle
+    return angle - float(apex_half_angle(ratio, 1.0, angle))
 
 
 @lru_cache(maxsize=1)
