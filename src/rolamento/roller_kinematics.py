@@ -27,14 +27,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento.geometry import Race, apex_half_angle
+from rolamento.geometry import Race
 from rolamento.kinematics import BallMotion, nominal_orbit
 from rolamento.numerics import FloatArray
 
 __all__ = [
     "RibMotion",
     "RollerBody",
-    "apex_half_angle",
     "apex_mismatch",
     "rib_motion",
     "roller_body",
