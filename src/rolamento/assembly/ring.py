@@ -25,7 +25,8 @@ import numpy as np
 from rolamento.assembly.cases import Cases, PlacedRow
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.newton import Balance, balance
-from rolamento.rows.row import Held, Indices, IntArray, Knowing
+from rolamento.rows.roller.row import RollerRow
+from rolamento.rows.row import Held, Indices, IntArray, Knowing, Row
 from rolamento.status import (
     CONVERGED,
     INVALID_INPUT,
@@ -319,12 +320,17 @@ def pressed_in(cases: Cases) -> tuple[FloatArray, ...]:
 
     Rows count from first contact on their own side. A clamped force is shared equally by the
     rows that face the same way, and acts at rest; the force of a pair is that of two such rows.
+    Rows that float carry none of it.
     """
-    shares = {sign: sum(placed.sign == sign for placed in cases.rows) for sign in (1.0, -1.0)}
+    held = [placed for placed in cases.rows if not floats(placed.row)]
+    shares = {sign: sum(placed.sign == sign for placed in held) for sign in (1.0, -1.0)}
     press = []
     for placed in cases.rows:
         if placed.press is not None:
             press.append(placed.press)
+            continue
+        if floats(placed.row):
+            press.append(np.zeros(len(cases)))
             continue
         touch = placed.row.first_contact()
         if cases.preload == "offset":
@@ -335,6 +341,11 @@ def pressed_in(cases: Cases) -> tuple[FloatArray, ...]:
         else:
             press.append(touch if cases.preload == "spring" else np.zeros(len(cases)))
     return tuple(press)
+
+
+def floats(row: Row) -> bool:
+    """Whether a row moves along the shaft without resistance: rollers without opposed ribs."""
+    return isinstance(row, RollerRow) and row.floats
 
 
 def condensed(stiffness: FloatArray, sprung: bool) -> FloatArray:

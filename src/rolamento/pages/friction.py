@@ -58,7 +58,9 @@ def friction_page(analysis: Analysis) -> Document:
     sections = [head(solved)]
     if analysis.friction is not None:
         sections += friction_sections(solved, analysis.friction)
-    return Document(solved.title or untitled(), tuple(sections), kind="friction", main="models")
+    return Document(
+        solved.title or untitled(solved.case), tuple(sections), kind="friction", main="models"
+    )
 
 
 def torque_unit(values: Sequence[float]) -> str:
