@@ -28,6 +28,7 @@ from rolamento.geometry import sphere_conformity
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.rows.ball.row import BallRow, Traction, ball_row
 from rolamento.rows.grooves import GrooveRow, four_point_row, thrust_row
+from rolamento.rows.roller.row import roller_row
 from rolamento.rows.row import Row
 from rolamento.rows.sphere import SphereRow
 from rolamento.words import said
@@ -37,7 +38,12 @@ __all__ = ["Cases", "PlacedRow", "RowState", "spread"]
 _PRELOADS: Final = ("force", "offset", "spring")
 _ROUNDING: Final = 1e-12
 
-ROWS: Final = {"ball": ball_row}
+ROWS: Final[Mapping[str, Any]] = {
+    "ball": ball_row,
+    "cylindrical": roller_row,
+    "tapered": roller_row,
+    "needle": roller_row,
+}
 """How a row is made, by its kind of element."""
 OTHER_GROOVES: Final = {"four_point": four_point_row, "thrust": thrust_row}
 """How a row on other grooves is made, by the bearing's kind."""
@@ -356,7 +362,7 @@ def _varied(
 
 def _own_fields(bearing: RollingBearing, place: RowPlace) -> set[str]:
     """What the row does not take from the set; an own angle excludes the set's clearance too."""
-    if type(place.bearing) is not type(bearing):
+    if place.bearing.element != bearing.element:
         return set(place.bearing.VARIES)  # nothing: other elements roll in it
     if bearing.rows is None:
         return set()

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, Literal, Self
 from pydantic import BeforeValidator, Field, model_validator
 
 from rolamento.case.preload_classes import Level, listed_preload
+from rolamento.case.profile import ProfileField
 from rolamento.case.quantity import Count, Line, Quantity, Ratio, Replaces
 from rolamento.case.record import ByElement, Record, refuse_rivals, replaced
 from rolamento.errors import InputError, UnitError
@@ -165,7 +166,7 @@ class RollerRow(_Row):
         As in `RollerBearing`; what is not given is the bearing's.
     contact_angle, roller_half_angle, diametral_clearance
         Likewise.
-    inner_ribs, outer_ribs, axial_play
+    inner_ribs, outer_ribs, axial_play, roller_profile, inner_profile, outer_profile
         Likewise.
     offset
         As of a `BallRow`.
@@ -200,6 +201,9 @@ class RollerRow(_Row):
     axial_play: Annotated[float, Quantity("length", at_least="0 mm", at_most="1 m")] | None = Field(
         None, examples=["0.1 mm"]
     )
+    roller_profile: ProfileField | None = Field(None, examples=["iso"])
+    inner_profile: ProfileField | None = Field(None, examples=["none"])
+    outer_profile: ProfileField | None = Field(None, examples=["none"])
     offset: _Offset | None = Field(None, examples=["5 um"])
 
 

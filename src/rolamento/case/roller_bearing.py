@@ -17,6 +17,7 @@ from rolamento.case.arrangement import (
     RowOfElements,
 )
 from rolamento.case.material import DEFAULT_MATERIAL, Material, MaterialField
+from rolamento.case.profile import Profile, ProfileField
 from rolamento.case.quantity import Quantity, Replaces
 from rolamento.case.rolling_bearing import (
     DISPLACED,
@@ -106,6 +107,11 @@ class RollerBearing(RollingBearing):
         if not given, a tenth of the roller's diameter.
     roller_end_radius
         Of the sphere that ends a tapered roller, in m; only its pressure on the rib needs it.
+    roller_profile
+        A `Profile` of the rollers, or its kind: ``"iso"``, the logarithmic one of ISO/TS 16281 and
+        the default, ``"none"`` …
+    inner_profile, outer_profile
+        Of the raceways, likewise; straight if not given.
     ring_material
         A `Material`, its name or its table; 100Cr6 if not given.
     roller_material
@@ -159,7 +165,13 @@ class RollerBearing(RollingBearing):
         "rib_height",
         "roller_end_radius",
     )
-    STAYS: ClassVar = ("inner_ribs", "outer_ribs")
+    STAYS: ClassVar = (
+        "inner_ribs",
+        "outer_ribs",
+        "roller_profile",
+        "inner_profile",
+        "outer_profile",
+    )
     INSIDE: ClassVar = ("roller_count", "roller_diameter", "effective_length", "pitch_diameter")
     PLAY: ClassVar = ("contact_angle", "diametral_clearance")
     MATERIAL: ClassVar = "roller_material"
@@ -202,6 +214,15 @@ class RollerBearing(RollingBearing):
     roller_end_radius: (
         Annotated[float, Quantity("length", above="0 mm", at_most="100 m", varies=True)] | None
     ) = Field(None, examples=["120 mm"])
+    roller_profile: ProfileField = Field(
+        default_factory=lambda: Profile(kind="iso"), examples=["iso"]
+    )
+    inner_profile: ProfileField = Field(
+        default_factory=lambda: Profile(kind="none"), examples=["none"]
+    )
+    outer_profile: ProfileField = Field(
+        default_factory=lambda: Profile(kind="none"), examples=["none"]
+    )
     ring_material: MaterialField = Field(default_factory=lambda: Material.named(DEFAULT_MATERIAL))
     roller_material: MaterialField = Field(default_factory=lambda data: data["ring_material"])
     arrangement: Annotated[Arrangement | None, Replaces("rows")] = Field(None, examples=["DB"])
@@ -259,7 +280,10 @@ class RollerBearing(RollingBearing):
     @property
     def _never_written(self) -> tuple[str, ...]:
         given = self.model_fields_set
-        names = ("roller_length", "inner_ribs", "outer_ribs")
+        names = (
+            "roller_length", "inner_ribs", "outer_ribs",
+            "roller_profile", "inner_profile", "outer_profile",
+        )  # fmt: skip
         return tuple(name for name in names if name not in given)
 
     @model_validator(mode="after")
