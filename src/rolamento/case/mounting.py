@@ -80,7 +80,8 @@ class Mounting(Record):
     bore, outside_diameter
         d and D of the bearing, in m.
     clearance_class
-        C2, CN, C3, C4, C5, or CM of electric motors; or
+        C2, CN, C3, C4, C5, or CM of electric motors; of rollers also CT of electric motors and CC1
+        to CC5 (normal: CC) of rings that are not interchangeable; or
     measured_clearance
         What a gauge shows, in m, under
     measuring_load
@@ -132,7 +133,11 @@ class Mounting(Record):
     bore: _Diameter = Field(examples=["25 mm"])
     outside_diameter: _Diameter = Field(examples=["62 mm"])
     clearance_class: Annotated[
-        Literal["C2", "CN", "C3", "C4", "C5", "CM"] | None, Replaces("measured_clearance")
+        Literal[
+            "C2", "CN", "C3", "C4", "C5", "CM", "CT", "CC1", "CC2", "CC", "CC3", "CC4", "CC5"
+        ]
+        | None,
+        Replaces("measured_clearance"),
     ] = Field(None, examples=["C3"])
     measured_clearance: Annotated[
         Annotated[float, Quantity("length", above="0 mm", at_most="5 mm")] | None,

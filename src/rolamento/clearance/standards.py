@@ -1,7 +1,8 @@
 """What the standards say of clearances and tolerances, from tables that go by steps of a diameter.
 
-Clearance classes of deep-groove ball bearings (ISO 5753-1), bore and outside diameter of radial
-bearings (ISO 492), and the tolerances of seats (ISO 286).
+Clearance classes of deep-groove ball bearings, of cylindrical roller bearings and of needle roller
+bearings with machined rings (ISO 5753-1), bore and outside diameter of radial bearings (ISO 492),
+and the tolerances of seats (ISO 286).
 """
 
 from __future__ import annotations
@@ -79,21 +80,34 @@ def step_of(diameter: float, limits: Sequence[float], *, field: str, standard: s
     return found
 
 
-ClearanceClass = Literal["C2", "CN", "C3", "C4", "C5", "CM"]
-CLEARANCE_CLASSES: Final[tuple[ClearanceClass, ...]] = get_args(ClearanceClass)[:-1]
+ClearanceClass = Literal[
+    "C2", "CN", "C3", "C4", "C5", "CM", "CT", "CC1", "CC2", "CC", "CC3", "CC4", "CC5"
+]
+CLEARANCE_CLASSES: Final[tuple[ClearanceClass, ...]] = get_args(ClearanceClass)[:5]
 """Of ISO 5753-1, rising."""
-MOTOR_CLASS: Final = "CM"
-"""Of NSK and NTN for electric motors: a narrow range within CN and below."""
 CLEARANCE_SOURCE: Final = "ISO 5753-1:2009"
-MOTOR_CLASS_SOURCE: Final = "NSK, Rolling Bearings (CAT. No. E1102e), table 9.13.1"
+ClearanceTable = Literal["", "cylindrical"]
+"""Deep-groove ball bearings, if empty; cylindrical roller and needle roller bearings."""
+_E1102: Final = "NSK, Rolling Bearings (CAT. No. E1102e), table {table}"
+_MAKERS_TABLES: Final = {"": "9.13.1", "cylindrical": "9.13.2"}
+_MATCHED_TABLE: Final = "9.14"
+TABLES: Final[dict[str, ClearanceTable]] = {
+    "ball": "",
+    "cylindrical": "cylindrical",
+    "needle": "cylindrical",
+}
+"""By what rolls. Pairs of tapered rollers get their clearance or preload at mounting."""
 
 
-def clearance_source(clearance_class: str) -> str:
+def clearance_source(clearance_class: str, table: ClearanceTable = "") -> str:
     """Return the source of a class's ranges."""
-    return MOTOR_CLASS_SOURCE if clearance_class == MOTOR_CLASS else CLEARANCE_SOURCE
+    if clearance_class in CLEARANCE_CLASSES:
+        return CLEARANCE_SOURCE
+    matched = clearance_class.startswith("CC")
+    return _E1102.format(table=_MATCHED_TABLE if matched else _MAKERS_TABLES[table])
 
 
-def class_clearance(bore: float, clearance_class: str) -> Band:
+def class_clearance(bore: float, clearance_class: str, table: ClearanceTable = "") -> Band:
     """Radial internal clearance of a class, before mounting.
 
     Parameters
@@ -101,36 +115,43 @@ def class_clearance(bore: float, clearance_class: str) -> Band:
     bore
         d, in m; over 2.5 mm, at most 500 mm.
     clearance_class
-        ``"C2"``, ``"CN"``, ``"C3"``, ``"C4"``, ``"C5"`` or ``"CM"``.
+        ``"C2"``, ``"CN"``, ``"C3"``, ``"C4"``, ``"C5"``, and of electric motors ``"CM"``; of
+        rollers also ``"CT"`` of motors and ``"CC1"`` to ``"CC5"`` (normal: ``"CC"``) of rings that
+        are not interchangeable.
+    table
+        ``"cylindrical"`` for cylindrical roller bearings and for needle roller bearings with
+        machined rings; empty for deep-groove ball bearings.
 
     Raises
     ------
     InputError
         If there is no such class, or its source has none for this bore.
     """
-    if clearance_class not in get_args(ClearanceClass):
+    whole = toml_of("iso5753", "rolamento.clearance")
+    data = whole[table] if table else whole
+    if clearance_class not in data["classes"]:
         raise InputError(
-            said("must be one of {known}", known=", ".join(get_args(ClearanceClass))),
+            said("must be one of {known}", known=", ".join(data["classes"])),
             field="clearance_class",
             value=clearance_class,
             example='clearance_class = "C3"',
         )
-    data = toml_of("iso5753", "rolamento.clearance")
     step = step_of(bore, data["bore_mm"], field="bore", standard=CLEARANCE_SOURCE)
     pair = data["classes"][clearance_class][step]
-    begin = data["from_mm"].get(clearance_class, 0.0) * MILLIMETRE * (1.0 - _ROUNDING)
+    begin = data.get("from_mm", {}).get(clearance_class, 0.0) * MILLIMETRE * (1.0 - _ROUNDING)
     if not pair or bore < begin:
-        if clearance_class == MOTOR_CLASS:
+        source = clearance_source(clearance_class, table)
+        if source != CLEARANCE_SOURCE:
             rule = said(
                 "has no range for a bore of {bore} in {clearance_source}",
                 bore=readable(bore, "length"),
-                clearance_source=MOTOR_CLASS_SOURCE,
+                clearance_source=source,
             )
         else:
             rule = said(
                 "has no range for bores up to {least} in {clearance_source}",
                 least=readable(data["bore_mm"][step + 1] * MILLIMETRE, "length"),
-                clearance_source=CLEARANCE_SOURCE,
+                clearance_source=source,
             )
         raise InputError(
             rule,

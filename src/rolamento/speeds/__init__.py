@@ -1,8 +1,8 @@
-"""What limits the speed of a bearing, and what load its balls need to keep rolling.
+"""What limits the speed of a bearing, and what load keeps its elements rolling.
 
 A file a question: heat in balance under reference conditions (`reference`) and under one's own
-(`permissible`), a maker's experience (`class_of_maker`), the load that keeps balls from sliding
-(`minimum_load`). See docs/theory/speeds.md.
+(`permissible`), a maker's experience (`class_of_maker`), the load that keeps balls and rollers
+from sliding (`minimum_load`). See docs/theory/speeds.md.
 """
 
 from rolamento.speeds.class_of_maker import SpeedClass, speed_class
@@ -11,7 +11,9 @@ from rolamento.speeds.minimum_load import (
     minimum_axial_load_of_thrust,
     minimum_load_factors,
     minimum_radial_load,
+    minimum_radial_load_of_rollers,
     minimum_share,
+    roller_load_factor,
 )
 from rolamento.speeds.permissible import HeatShares, heat_shares, speed_ratio
 from rolamento.speeds.reference import (
@@ -30,9 +32,11 @@ __all__ = [
     "minimum_axial_load_of_thrust",
     "minimum_load_factors",
     "minimum_radial_load",
+    "minimum_radial_load_of_rollers",
     "minimum_share",
     "reference_coefficients",
     "reference_heat_flow",
+    "roller_load_factor",
     "speed_class",
     "speed_ratio",
     "thermal_reference_speed",

@@ -32,8 +32,8 @@ class SpeedClass(NamedTuple):
     grease, oil_bath
         Limits of single bearings, as ω d_m.
     high_speed
-        Limit with oil mist, oil-air or a jet; NaN for matched bearings, of which the maker says
-        nothing.
+        Limit with oil mist, oil-air or a jet; NaN for matched bearings and for rollers, of which
+        nothing is on file.
     matched
         Whether the limits are those of bearings side by side.
     source
@@ -59,9 +59,9 @@ def speed_class(series: str, contact_angle: float | None, *, matched: bool) -> S
     Parameters
     ----------
     series
-        Such as ``"62"`` or ``"70"``.
+        Such as ``"62"``, ``"70"`` or ``"NU2"``.
     contact_angle
-        Nominal, of angular-contact bearings; rad, None of others.
+        Nominal, of angular-contact ball bearings; rad, None of others.
     matched
         Whether bearings run side by side as a set.
     """
@@ -76,10 +76,12 @@ def speed_class(series: str, contact_angle: float | None, *, matched: bool) -> S
             continue
         share = data["matched"] if matched else 1.0
         grease, oil = (share * _mean(row, name) for name in ("grease", "oil"))
+        rollers = row.get("rollers", False)
         kind = "deep_groove" if angle is None else "angular_contact"
-        high = float("nan") if matched else oil * data[f"high_speed_{kind}"]
+        high = float("nan") if matched or rollers else oil * data[f"high_speed_{kind}"]
         bearings = ", ".join(bearing["name"] for bearing in row["bearings"])
-        note = Note("source_speed_class", {"source": data["source"], "bearings": bearings})
+        source = data["source_of_rollers" if rollers else "source"]
+        note = Note("source_speed_class", {"source": source, "bearings": bearings})
         return SpeedClass(series, grease, oil, high, matched, note)
     return None
 

@@ -1,11 +1,16 @@
-"""The load that keeps balls rolling: below it inertia and the drag of the oil make them slide.
+"""The load that keeps balls and rollers rolling: below it inertia and drag make them slide.
 
 Of any ball bearing P ≥ 0.01 C. Of radial bearings in oil, and of angular-contact bearings,
 
     F_rm = k_r (ν n/1000)^(2/3) (d_m/100)²  kN,      F_am = (k_a C_0/1000) (n d_m/100 000)²
 
 with ν in mm²/s at the temperature of the bearing, n in r/min, d_m in mm, F_am and C_0 in the same
-unit. Of thrust ball bearings F_am = A (n/1000)², A as the maker lists it.
+unit. Of thrust ball bearings F_am = A (n/1000)², A as the maker lists it. Of cylindrical roller
+bearings, with the thermal reference speed n_r,
+
+    F_rm = k_r (6 + 4 n/n_r) (d_m/100)²  kN,
+
+and of tapered and needle roller bearings F_rm = 0.02 C.
 
 Source: SKF, Rolling bearings (catalogue 10000 EN).
 """
@@ -19,11 +24,14 @@ from rolamento._data import toml_of
 
 __all__ = [
     "MinimumLoadFactors",
+    "RollerLoadFactor",
     "minimum_axial_load",
     "minimum_axial_load_of_thrust",
     "minimum_load_factors",
     "minimum_radial_load",
+    "minimum_radial_load_of_rollers",
     "minimum_share",
+    "roller_load_factor",
 ]
 
 _RPM = 30.0 / pi
@@ -37,9 +45,42 @@ class MinimumLoadFactors(NamedTuple):
     axial: float | None
 
 
-def minimum_share() -> float:
-    """Return P/C that a ball bearing needs."""
-    return float(toml_of("speeds")["minimum_load"]["share"])
+def minimum_share(element: str = "ball") -> float | None:
+    """Return P/C that a ball bearing, or F_r/C that a tapered or needle roller bearing needs.
+
+    None of cylindrical rollers, whose minimum load goes with the speed.
+    """
+    data = toml_of("speeds")["minimum_load"]
+    if element == "ball":
+        return float(data["share"])
+    share = data["rollers"].get(element)
+    return share if isinstance(share, float) else None
+
+
+class RollerLoadFactor(NamedTuple):
+    """k_r of a series of cylindrical roller bearings; checked: whether against a print."""
+
+    factor: float
+    checked: bool
+
+
+def roller_load_factor(series: str) -> RollerLoadFactor | None:
+    """Return k_r of a series such as ``"NU2"``; None where there is none."""
+    for row in toml_of("speeds")["minimum_load"]["rollers"]["cylindrical"]:
+        if series in row["series"]:
+            return RollerLoadFactor(row["k_r"], row.get("checked", True))
+    return None
+
+
+def minimum_radial_load_of_rollers(
+    factor: float, speed: float, reference_speed: float, mean_diameter: float
+) -> float:
+    """Return F_rm = k_r (6 + 4 n/n_r) (d_m/100)² kN of a cylindrical roller bearing; N.
+
+    factor: k_r; speed, reference_speed: n and n_r, rad/s; mean_diameter: d_m = (d + D)/2, m.
+    """
+    ratio = abs(speed) / reference_speed
+    return 1e3 * factor * (6.0 + 4.0 * ratio) * (1e3 * mean_diameter / 100.0) ** 2
 
 
 def minimum_load_factors(series: str, contact_angle: float | None) -> MinimumLoadFactors:

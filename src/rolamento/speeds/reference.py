@@ -5,9 +5,9 @@ With lengths in mm, forces in N, ν in mm²/s and n in r/min,
     (π n/30 000) [1e-7 f_0r (ν n)^(2/3) d_m³ + f_1r P_1 d_m] = q_r A_r     (W)
 
 at an outer ring 50 K above an ambient of 20 °C. Radial bearings: ν = 12 mm²/s, P_1 = 0.05 C_0r,
-A_r = π B (D + d), q_r = 0.016 W/mm² up to 50 000 mm², beyond that × (A_r/50 000)^-0.34. Normal
-clearance, oil bath to the middle of the lowest ball; the inner ring turns. The standard excludes
-thrust ball bearings.
+A_r = π B (D + d), T in the place of B for tapered roller bearings, q_r = 0.016 W/mm² up to
+50 000 mm², beyond that × (A_r/50 000)^-0.34. Normal clearance, oil bath to the middle of the lowest
+rolling element; the inner ring turns. The standard excludes thrust ball bearings.
 
 Source: ISO 15312:2003.
 """
@@ -36,31 +36,32 @@ _TRIAL: Final = 1000.0
 
 
 class ReferenceCoefficients(NamedTuple):
-    """f_0r and f_1r of a series."""
+    """f_0r and f_1r of a series; checked: whether against a print."""
 
     f_0r: float
     f_1r: float
+    checked: bool = True
 
 
 @cache
 def _by_series() -> dict[str, ReferenceCoefficients]:
     rows = toml_of("speeds")["reference"]["coefficients"]
     return {
-        name: ReferenceCoefficients(row["f_0r"], row["f_1r"])
+        name: ReferenceCoefficients(row["f_0r"], row["f_1r"], row.get("checked", True))
         for row in rows
         for name in row["series"]
     }
 
 
 def reference_coefficients(series: str) -> ReferenceCoefficients | None:
-    """Return f_0r and f_1r of a series such as ``"62"``; None where the standard has none."""
+    """Return f_0r and f_1r of a series such as ``"62"`` or ``"NU2"``; None where there are none."""
     return _by_series().get(series)
 
 
 def reference_heat_flow(bore: float, outside_diameter: float, width: float) -> float:
     """Return the heat that a radial bearing gives off under reference conditions, q_r A_r; W.
 
-    bore, outside_diameter, width: d, D and B; m. ISO 15312:2003.
+    bore, outside_diameter, width: d, D and B, or T of a tapered one; m. ISO 15312:2003.
     """
     conditions = toml_of("speeds")["reference"]
     radial, knee = conditions["radial"], conditions["knee_area"]
@@ -81,7 +82,7 @@ def thermal_reference_speed(
     Parameters
     ----------
     bore, outside_diameter, width
-        d, D and B, in m.
+        d, D and B, or T of a tapered one, in m.
     static_rating
         C_0r, in N.
     coefficients
