@@ -95,7 +95,11 @@ def roller_number_of(plain: str, joined: str, maker: str = "") -> RollerNumber |
     """
     if _STROKE.search(plain):  # 322/28, not 32228
         joined = "/".join("|".join(groups_of(part)) for part in _STROKE.split(plain))
-    for kind, pattern in (("cylindrical", _CYLINDRICAL), ("tapered", _TAPERED), ("needle", _NEEDLE)):
+    for kind, pattern in (
+        ("cylindrical", _CYLINDRICAL),
+        ("tapered", _TAPERED),
+        ("needle", _NEEDLE),
+    ):
         found = pattern.fullmatch(joined)
         if found is not None:
             return _of_series(kind, found, maker)
