@@ -210,6 +210,8 @@ def spread(
             case, place, bearing, varied, cases, threads=threads, fast=fast
         )
         press = _own_press(case, place, row, cases) if states is None else states[index].press
+        if press is None and not place.bearing.locates:
+            press = np.zeros(cases)
         placed.append(PlacedRow(row, place.sign, position, press))
     for part in placed:
         part.row.refuse(~valid)
@@ -407,6 +409,17 @@ def _check_own_fields(bearing: RollingBearing, arrays: Mapping[str, FloatArray])
             raise InputError(
                 said("is no quantity of such a bearing: {element}", element=bearing.element),
                 field=name,
+                example="bearing.pitch_diameter",
+            )
+    foreign = ()
+    if bearing.element != "ball":
+        tapered = bearing.element == "tapered"
+        foreign = ("diametral_clearance",) if tapered else ("contact_angle", "roller_half_angle")
+    for leaf in foreign:
+        if f"bearing.{leaf}" in arrays:
+            raise InputError(
+                said("is no quantity of such a bearing: {element}", element=bearing.element),
+                field=f"bearing.{leaf}",
                 example="bearing.pitch_diameter",
             )
     if "bearing.shim_angle" in arrays and bearing.kind != "four_point":

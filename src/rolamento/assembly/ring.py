@@ -296,7 +296,8 @@ def pressed_in(cases: Cases) -> tuple[FloatArray, ...]:
     Rows count from first contact on their own side. A clamped force is shared equally by the
     rows that face the same way, and acts at rest; the force of a pair is that of two such rows.
     """
-    shares = {sign: sum(placed.sign == sign for placed in cases.rows) for sign in (1.0, -1.0)}
+    free = [placed for placed in cases.rows if placed.press is None]
+    shares = {sign: sum(placed.sign == sign for placed in free) for sign in (1.0, -1.0)}
     press = []
     for placed in cases.rows:
         if placed.press is not None:
