@@ -86,6 +86,8 @@ _TABLES = (
     "inserts",
     "insert_housings",
     "phrases",
+    "roller_types",
+    "roller_designs",
 )
 """Of designations, whose values are meanings."""
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import acos, isfinite, pi, radians
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +27,12 @@ from rolamento.kinematics import (
     spin_resistance,
 )
 from rolamento.numerics import BoolArray
+from rolamento.roller_notes import (
+    are_rollers,
+    notes_on_rollers,
+    rollers_without_equilibrium,
+    which_elements,
+)
 from rolamento.status import (
     CONVERGED,
     INVALID_INPUT,
@@ -83,7 +89,8 @@ def notes_on(solved: Solved) -> tuple[Note, ...]:
         _free_directions, _free_tilt, _control, _gyroscopic_slip, _gyroscopic_left_out, _arches,
         _rolling, _estimated_geometry, _letters, _nearly_lost,
     )  # fmt: skip
-    return tuple(note for check in checks for note in check(solved))
+    notes = tuple(note for check in checks for note in check(solved))
+    return notes if solved.rollers is None else (*notes, *notes_on_rollers(solved))
 
 
 def jones_verdict(solved: Solved) -> NDArray[np.int64]:
@@ -105,15 +112,17 @@ def _lost_rows(solved: Solved) -> Iterator[Note]:
     lost = np.flatnonzero(loaded == 0).tolist()
     if lost and len(lost) < len(loaded):
         preloaded = solved.case.bearing.preload is not None
-        yield Note("row_unloaded", {"rows": lost, "preloaded": preloaded})
+        key = "row_unloaded" if solved.rollers is None else "row_of_elements_unloaded"
+        yield Note(key, {"rows": lost, "preloaded": preloaded})
 
 
 def _lost_contacts(solved: Solved) -> Iterator[Note]:
     """Balls that the inner ring does not touch."""
     free = ~solved.loaded[0]
     if free.all():
-        yield Note("no_ball_loaded")
+        yield Note("no_ball_loaded" if solved.rollers is None else "no_element_loaded")
         return
+    free &= ~are_rollers(solved)
     if solved.case.bearing.kind == "four_point":  # both rows of contacts are of the same balls
         free = np.tile(free.reshape(2, -1).all(axis=0), 2)
         free[len(free) // 2 :] = False
@@ -123,7 +132,7 @@ def _lost_contacts(solved: Solved) -> Iterator[Note]:
         pressed = bool((solved.outer.load[0, free] > 0.0).any())
         model = solved.case.model
         alone = model.cage == "none" and model.raceway_control != "friction"
-        balls = _balls(solved, free)
+        balls = which_elements(solved, free)
         yield Note(
             "balls_unloaded",
             {**balls, "pressed_outward": pressed, "cage_drives": pressed and not alone},
@@ -134,7 +143,7 @@ def _lost_contacts(solved: Solved) -> Iterator[Note]:
 
 def _pressures(solved: Solved) -> Iterator[Note]:
     for race, contacts in solved.contacts.items():
-        over = contacts.max_pressure[0] > STATIC_PRESSURE_LIMIT
+        over = (contacts.max_pressure[0] > STATIC_PRESSURE_LIMIT) & ~are_rollers(solved)
         if over.any():
             yield Note(
                 "contact_pressure_high",
@@ -142,20 +151,22 @@ def _pressures(solved: Solved) -> Iterator[Note]:
                     "race": race,
                     "max_pressure": float(contacts.max_pressure[0, over].max()),
                     "limit": STATIC_PRESSURE_LIMIT,
-                    **_balls(solved, over),
+                    **which_elements(solved, over),
                 },
             )
 
 
 def _past_edge(solved: Solved) -> Iterator[Note]:
     """Balls that the inner groove has left, so that nothing presses on them."""
+    if solved.rollers is not None:
+        return
     if solved.case.bearing.kind == "four_point":
         return  # a ball that is beside one arc is on the other
     inner, rows = solved.inner, solved.rows
     length = rows.per_element((rows.inner_conformity - 0.5) * rows.ball_diameter)
     past = ((inner.approach > PAST_EDGE * length) & (inner.load == 0.0))[0]
     if past.any():
-        yield Note("ball_past_groove_edge", _balls(solved, past))
+        yield Note("ball_past_groove_edge", which_elements(solved, past))
 
 
 def _shoulders(solved: Solved) -> Iterator[Note]:
@@ -184,7 +195,7 @@ def _shoulders(solved: Solved) -> Iterator[Note]:
                     "reach": float(reach[worst]),
                     "edge": float(ends[worst]),
                     "shoulder_given": given,
-                    **_balls(solved, over),
+                    **which_elements(solved, over),
                 },
             )
 
@@ -203,7 +214,7 @@ def _arches(solved: Solved) -> Iterator[Note]:
         if over.any():
             yield Note(
                 "ellipse_over_arch",
-                {"race": race, "reach": float(reach[over].min()), **_balls(solved, over)},
+                {"race": race, "reach": float(reach[over].min()), **which_elements(solved, over)},
             )
 
 
@@ -236,6 +247,8 @@ def _free_directions(solved: Solved) -> Iterator[Note]:
     free = _free(solved)
     if solved.case.bearing.kind == "self_aligning":
         free[3:] = False  # see _free_tilt
+    if solved.rollers is not None and not {"ball", "tapered"} & set(solved.rows.element):
+        free[0] = False  # cylindrical rollers let a shaft shift: that is what they are for
     arm = 0.5 * float(solved.rows.pitch_diameter[0, 0])
     arms = np.array([1.0, 1.0, 1.0, arm, arm])
     scaled = solved.stiffness.array[0] / np.outer(arms, arms)
@@ -243,7 +256,10 @@ def _free_directions(solved: Solved) -> Iterator[Note]:
     names = [axis for axis, is_free in zip(AXES, free, strict=True) if is_free]
     for value, vector in zip(values, vectors.T, strict=True):
         if value <= FREE_STIFFNESS * np.abs(scaled).max():
-            yield Note("direction_unsupported", {"axis": names[int(np.abs(vector).argmax())]})
+            key = "direction_unsupported"
+            if solved.rollers is not None:
+                key = "direction_unsupported_by_rollers"
+            yield Note(key, {"axis": names[int(np.abs(vector).argmax())]})
 
 
 def _free_tilt(solved: Solved) -> Iterator[Note]:
@@ -263,25 +279,29 @@ def _free(solved: Solved) -> BoolArray:
 
 def _control(solved: Solved) -> Iterator[Note]:
     """Where Jones's criterion does not confirm the assumed raceway control."""
+    if solved.rollers is not None:
+        return
     assumed = solved.case.model.raceway_control
     if assumed in ("none", "friction") or not _turns(solved) or _with_the_cage(solved):
         return
     if assumed == "jones":
         undecided = solved.elements.raceway_control[0] == RacewayControl.INDETERMINATE
         if undecided.any():
-            yield Note("jones_undecided", _balls(solved, undecided))
+            yield Note("jones_undecided", which_elements(solved, undecided))
         return
     against = RacewayControl.INNER if assumed == "outer" else RacewayControl.OUTER
     spinning = np.abs(solved.inner.contact_angle[0]) > SPINNING_ANGLE
     contradicted = (jones_verdict(solved)[0] == against) & spinning
     if contradicted.any():
-        yield Note("jones_contradicts", {"assumed": assumed, **_balls(solved, contradicted)})
+        yield Note(
+            "jones_contradicts", {"assumed": assumed, **which_elements(solved, contradicted)}
+        )
 
 
 def _gyroscopic_slip(solved: Solved) -> Iterator[Note]:
     """Balls whose gyroscopic moment needs more friction than a lubricated contact gives."""
     mode = solved.case.model.raceway_control
-    if mode == "friction" or _with_the_cage(solved):
+    if mode == "friction" or _with_the_cage(solved) or solved.rollers is not None:
         return
     inner, outer, moment = solved.inner, solved.outer, solved.elements.gyroscopic_moment
     if mode == "none":  # both races share it
@@ -299,7 +319,7 @@ def _gyroscopic_slip(solved: Solved) -> Iterator[Note]:
             {
                 "friction_coefficient": greatest if isfinite(greatest) else None,
                 "limit": FRICTION_LIMIT,
-                **_balls(solved, slipping),
+                **which_elements(solved, slipping),
             },
         )
 
@@ -336,7 +356,7 @@ def _gyroscopic_left_out(solved: Solved) -> Iterator[Note]:
 
 def _rolling(solved: Solved) -> Iterator[Note]:
     """What friction does that raceway control would not show."""
-    if solved.case.model.raceway_control != "friction":
+    if solved.case.model.raceway_control != "friction" or solved.rollers is not None:
         return
     rolling = solved.rolling
     if rolling is None:
@@ -360,7 +380,7 @@ def _rolling(solved: Solved) -> Iterator[Note]:
             {
                 "inner": float(inner[spinning].max()),
                 "outer": float(outer[spinning].max()),
-                **_balls(solved, spinning),
+                **which_elements(solved, spinning),
             },
         )
 
@@ -414,19 +434,6 @@ def _turns(solved: Solved) -> bool:
     return bool(solved.field("duty.inner_speed")[0] != solved.field("duty.outer_speed")[0])
 
 
-def _balls(solved: Solved, chosen: BoolArray) -> dict[str, Any]:
-    """Which balls of the first case a note is about; of a set also their rows."""
-    found = {
-        "balls": np.flatnonzero(chosen).tolist(),
-        "azimuths": solved.elements.azimuth[0, chosen].tolist(),
-    }
-    if len(solved.rows) < 2:
-        return found
-    row = solved.elements.row
-    whole = [int(one) for one in np.unique(row[chosen]) if chosen[row == one].all()]
-    return {**found, "rows": row[chosen].tolist(), "whole_rows": whole}
-
-
 # --- advice ---------------------------------------------------------------------------------------
 
 
@@ -442,8 +449,10 @@ def advice_on(solved: Solved, case: int = 0) -> Note | None:
     factor = _speed_factor(solved[case])
     if factor > _FASTEST and code != INVALID_INPUT:
         return Note("overspeed", {"speed_factor": factor, "limit": _FASTEST})
+    rolls = any(place.bearing.element != "ball" for place in given.bearing.places)
     if code == OVERLOADED:
-        return Note("overloaded", {"limit": _GREATEST_APPROACH})
+        key = "overloaded_rollers" if rolls else "overloaded"
+        return Note(key, {"limit": _GREATEST_APPROACH})
     if code == INVALID_INPUT:
         return Note("invalid_input")
     if code == OVER_SHOULDER and given.bearing.kind == "thrust":
@@ -453,6 +462,8 @@ def advice_on(solved: Solved, case: int = 0) -> Note | None:
             "over_shoulder",
             {"inner_edge": _edge(given, "inner"), "outer_edge": _edge(given, "outer")},
         )
+    if rolls:
+        return Note("not_converged", {**_residual(residual), "tolerance": TOLERANCE})
     alone = given.model.raceway_control == "inner" and given.model.cage == "none"
     if code == UNHELD_BALL or alone:
         return Note("unheld_ball")
@@ -510,6 +521,8 @@ def _no_equilibrium(case: Case, axis: int, axial_load: float) -> Note:
         return Note("thrust_pushed_aside" if axial_load > 0.0 else "thrust_unsupported")
     if bearing.kind == "self_aligning" and axis > 2:
         return Note("sphere_holds_no_moment", {"axis": AXES[axis]})
+    if any(place.bearing.element != "ball" for place in bearing.places):
+        return rollers_without_equilibrium(case, axis)
     if bearing.kind is not None:
         return Note("unsupported", {"axis": AXES[axis]})
     one_sided = [place.bearing.carries_one_way for place in bearing.places]

@@ -86,7 +86,7 @@ FORMULAS: dict[str, tuple[int, Callable[..., Any]]] = {
     "inlet": (2, inlet_distance_central),
     "replenishment": (
         4,
-        lambda nu, n, d, e: replenishment(nu, n, d, e, "bath", angular_contact=False),
+        lambda nu, n, d, e: replenishment(nu, n, d, e, "bath", kind="deep_groove"),
     ),
     "viscosity_ratio": (3, viscosity_ratio),
     "entrainment": (8, lambda *given: surface_speeds("inner", *given).entrainment),

@@ -342,7 +342,7 @@ class TestWrongInput:
             (("outer.npy", "--bearing", "6205", "--rate", "12000"), "--speed"),
             (("outer.npy", *KNOWN, "--speed", "0 rpm"), '--speed: "0 rpm": is that of both'),
             (("outer.npy", *KNOWN, "--speed", "1797"), "--speed '1797 rpm'"),
-            (("outer.npy", *KNOWN, "--outer-speed", "1797 rpm"), "no ball rolls"),
+            (("outer.npy", *KNOWN, "--outer-speed", "1797 rpm"), "nothing rolls"),
             (("outer.npy", *KNOWN, "--unit", "frob"), "before calibration: V, mV"),
             (("outer.npy", *KNOWN, "--scale", "100"), "--scale"),
             (("outer.npy", *KNOWN, "--angle", "95 deg"), "less than 90 deg"),

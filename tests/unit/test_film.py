@@ -124,9 +124,9 @@ def test_replenishment() -> None:
     """6305 with oil at 12.89 mm²/s and 2000 r/min, by hand: exponent 0.0171."""
     hand = 3e-8 * 12.89 * 2000.0 * (25.0 + 62.0) * (3.1 / (2.0 * 37.0)) ** 0.5
     arguments = (12.89e-6, 2000 * RPM, 0.025, 0.062)
-    found = replenishment(*arguments, "bath", angular_contact=False)
+    found = replenishment(*arguments, "bath", kind="deep_groove")
     assert float(found) == pytest.approx(np.exp(-hand), rel=1e-9)
-    assert float(replenishment(*arguments, "grease", angular_contact=False)) < float(found)
+    assert float(replenishment(*arguments, "grease", kind="deep_groove")) < float(found)
 
 
 # --- regimes ---

@@ -22,7 +22,8 @@ from rolamento.document.medium import Medium
 from rolamento.document.tables import to_csv
 from rolamento.document.terminal import terminal
 from rolamento.pages.given import model_text
-from rolamento.pages.state import balls_section, rosette, state_page
+from rolamento.pages.elements import element_sections
+from rolamento.pages.state import rosette, state_page
 from rolamento.solution import solve
 from rolamento.solved import Solved
 from rolamento.solved.form import control_names
@@ -334,7 +335,7 @@ def test_the_csv_leaves_empty_what_does_not_exist() -> None:
     rows = list(
         csv.DictReader(
             to_csv(
-                Document("", (balls_section(solved("218_combined", "duty.load.fx=-20 kN")),))
+                Document("", tuple(element_sections(solved("218_combined", "duty.load.fx=-20 kN"))))
             ).splitlines()
         )
     )

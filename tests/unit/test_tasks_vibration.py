@@ -79,7 +79,7 @@ REFUSED: list[tuple[dict[str, Any], str, str]] = [
     ({"track": True, "tacho": 2}, "track", "gives the speed in another way than tacho=…"),
     ({"speed_channel": "n", "speed": 10.0}, "speed", "is a steady speed, but speed_channel=…"),
     ({"angle": "wide"}, "angle", "number"),
-    ({"outer_speed": SPEED, "speed": SPEED}, "outer_speed", "no ball rolls"),
+    ({"outer_speed": SPEED, "speed": SPEED}, "outer_speed", "nothing rolls"),
     ({"start": 9.0}, "start", "must be before the end of the signal, 4 s"),
     ({"start": -1.0}, "start", "must be at least 0"),
     ({"duration": 9.0}, "duration", "which lasts 4 s"),

@@ -102,7 +102,7 @@ def analyse(
         What to solve, its file, or what `rolamento.solve` returned.
     model
         Of the friction in the contacts; by default "jones_full", and of many cases
-        "jones_simplified", a closed form.
+        "jones_simplified", a closed form; of roller bearings "roller_sliding".
     hysteresis
         Part α_h of the elastic work that the material loses, 0 to 1.
     compare
@@ -143,6 +143,7 @@ def _film_and_friction(
     if solved.case.lubricant is None:
         return None, None
     from rolamento.friction import friction, machine_of
+    from rolamento.friction.summary import default_model
     from rolamento.lubrication.films import film, has_film
 
     model, hysteresis, compare = choices
@@ -153,12 +154,18 @@ def _film_and_friction(
         if not has_friction(some):
             return found, None
         machine = None
-        if single and found is not None and life is not None:
-            rating, load = life.ratings.static_of_set, life.loads.static
-            machine = machine_of(some.case, found, rating, load)
+        if single and found is not None:
+            rolls = some.case.bearing.element != "ball"
+            rating, load = (
+                (np.nan, np.nan)
+                if life is None
+                else (life.ratings.static_of_set, life.loads.static)
+            )
+            if life is not None or rolls:
+                machine = machine_of(some.case, found, rating, load)
         return found, friction(
             some,
-            model=model or ("jones_full" if single else "jones_simplified"),
+            model=model or default_model(some, quick=not single),
             hysteresis=hysteresis,
             film_parameter=np.nan if found is None else found.minimum_film_parameter,
             machine=machine,

@@ -210,8 +210,6 @@ def spread(
             case, place, bearing, varied, cases, threads=threads, fast=fast
         )
         press = _own_press(case, place, row, cases) if states is None else states[index].press
-        if press is None and not place.bearing.locates:
-            press = np.zeros(cases)
         placed.append(PlacedRow(row, place.sign, position, press))
     for part in placed:
         part.row.refuse(~valid)
@@ -364,7 +362,7 @@ def _varied(
 
 def _own_fields(bearing: RollingBearing, place: RowPlace) -> set[str]:
     """What the row does not take from the set; an own angle excludes the set's clearance too."""
-    if type(place.bearing) is not type(bearing):
+    if place.bearing.element != bearing.element:
         return set(place.bearing.VARIES)  # nothing: other elements roll in it
     if bearing.rows is None:
         return set()

@@ -25,7 +25,8 @@ import numpy as np
 from rolamento.assembly.cases import Cases, PlacedRow
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.newton import Balance, balance
-from rolamento.rows.row import Held, Indices, IntArray
+from rolamento.rows.roller.row import RollerRow
+from rolamento.rows.row import Held, Indices, IntArray, Knowing, Row
 from rolamento.status import (
     CONVERGED,
     INVALID_INPUT,
@@ -153,6 +154,8 @@ class _Problem:
         held[:, :5] = cases.displacement[chosen]
         target, held = target / arms, held * arms
         touching = np.max([np.abs(e) for e in press], axis=0) > 0.0
+        start = held + _pushed(cases, chosen, free & ~touching[:, np.newaxis], target)
+        _propose(cases, chosen, press[0], arms, start)
         return cls(
             system=system,
             chosen=chosen,
@@ -162,7 +165,7 @@ class _Problem:
             arms=arms,
             free=free,
             target=target,
-            start=held + _pushed(cases, chosen, free & ~touching[:, np.newaxis], target),
+            start=start,
         )
 
     def solve(self) -> RingSolution:
@@ -239,6 +242,28 @@ class _Problem:
         return solution
 
 
+def _propose(
+    cases: Cases, chosen: Indices, press: FloatArray, arms: FloatArray, start: FloatArray
+) -> None:
+    """Begin where a row that is the whole bearing says that the ring comes to rest.
+
+    Only rows whose kernels know of the ring can tell; it is judged as any other start.
+    """
+    placed = cases.rows[0]
+    if len(cases.rows) > 1 or placed.sign < 0.0 or not isinstance(placed.row, Knowing):
+        return
+    known = cases.valid[chosen] & placed.row.valid[chosen] & (press == 0.0)
+    known &= placed.lever[chosen] == 0.0
+    if not known.any():
+        return
+    which = chosen[known]
+    place, settled = placed.row.near(
+        cases.free[which], cases.load[which], cases.displacement[which], which
+    )
+    rows = np.flatnonzero(known)[settled]
+    start[rows, :5] = place[settled] * arms[rows, :5]
+
+
 def _pushed(cases: Cases, chosen: Indices, loose: BoolArray, target: FloatArray) -> FloatArray:
     """Where to begin with what is loose: pushed in by the load, for rows that touch are stiff."""
     sizes = [placed.row.sizes for placed in cases.rows]
@@ -295,13 +320,17 @@ def pressed_in(cases: Cases) -> tuple[FloatArray, ...]:
 
     Rows count from first contact on their own side. A clamped force is shared equally by the
     rows that face the same way, and acts at rest; the force of a pair is that of two such rows.
+    Rows that float carry none of it.
     """
-    free = [placed for placed in cases.rows if placed.press is None]
-    shares = {sign: sum(placed.sign == sign for placed in free) for sign in (1.0, -1.0)}
+    held = [placed for placed in cases.rows if not floats(placed.row)]
+    shares = {sign: sum(placed.sign == sign for placed in held) for sign in (1.0, -1.0)}
     press = []
     for placed in cases.rows:
         if placed.press is not None:
             press.append(placed.press)
+            continue
+        if floats(placed.row):
+            press.append(np.zeros(len(cases)))
             continue
         touch = placed.row.first_contact()
         if cases.preload == "offset":
@@ -312,6 +341,11 @@ def pressed_in(cases: Cases) -> tuple[FloatArray, ...]:
         else:
             press.append(touch if cases.preload == "spring" else np.zeros(len(cases)))
     return tuple(press)
+
+
+def floats(row: Row) -> bool:
+    """Whether a row moves along the shaft without resistance: rollers without opposed ribs."""
+    return isinstance(row, RollerRow) and row.floats
 
 
 def condensed(stiffness: FloatArray, sprung: bool) -> FloatArray:

@@ -540,7 +540,8 @@ def _alone(
 ) -> RollingBearing:
     """A row of a set as a bearing: the set's, but for what the row has of its own."""
     kind = BY_ELEMENT[row.element]
-    if kind is type(bearing) and row.designation is None:
+    alike = (row.element == "tapered") == (bearing.element == "tapered")
+    if kind is type(bearing) and alike and row.designation is None:
         return bearing.replace(**{**plain, **row.own, "element": row.element})
     shared = {"ring_material"} & bearing.model_fields_set
     materials = {name: getattr(bearing, name) for name in shared}

@@ -25,7 +25,13 @@ from rolamento.catalogue.inference import (
     practice_of,
 )
 from rolamento.catalogue.letters import ClearanceClass, Letters, Part
-from rolamento.catalogue.records import CatalogueBearing
+from rolamento.catalogue.records import ROLLER_KINDS, CatalogueBearing
+from rolamento.catalogue.roller_inference import (
+    RollerCandidate,
+    inferred_rollers,
+    nominal_angle,
+    roller_diameters,
+)
 from rolamento.catalogue.rolling import RollingBearing, rolling_bearings
 from rolamento.catalogue.search import (
     Catalogue,
@@ -49,6 +55,8 @@ __all__ = [
     "Origin",
     "Part",
     "Practice",
+    "ROLLER_KINDS",
+    "RollerCandidate",
     "RollingBearing",
     "ambiguity_axis",
     "ball_name",
@@ -58,9 +66,12 @@ __all__ = [
     "catalogues",
     "geometry_of",
     "inferred_geometry",
+    "inferred_rollers",
     "listed",
+    "nominal_angle",
     "parse_designation",
     "practice_of",
+    "roller_diameters",
     "rolling_bearings",
     "with_ratings",
 ]

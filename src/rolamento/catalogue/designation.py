@@ -21,6 +21,7 @@ from rolamento.catalogue.letters import (
     letters_before,
     letters_behind,
 )
+from rolamento.catalogue.roller_designation import RollerNumber, roller_number_of
 from rolamento.errors import InputError
 from rolamento.units import MILLIMETRE
 from rolamento.words import said
@@ -140,7 +141,7 @@ def _other_type_sentence(kind: dict[str, Any]) -> str:
     return said(
         "is {kind}; the catalogue covers single-row deep-groove, single- and double-row"
         " angular-contact, four-point contact, self-aligning and single-direction thrust ball"
-        " bearings",
+        " bearings, and single-row cylindrical, tapered and needle roller bearings",
         kind=name,
     )
 
@@ -160,6 +161,8 @@ _FOUR_POINT: Final = re.compile(
 _ANGLE: Final = re.compile(r"(?<=[\s/-])(?P<angle>\d{1,2}(?:\.\d+)?)\s*(?:DEG|°)(?![A-Z])")
 _DESIGN: Final = re.compile(r"(?P<angle>AC|C|F)(?P<design>[DEB])(?=G[ABC]?(?:\||$)|\||$)")
 """SKF's letters of contact angle and internal design, behind the number of a spindle bearing."""
+_BORE_IN_MM: Final = re.compile(r"\b((?:HR\s*)?3\d\d|R?NA\s*\d\d)\s*/\s*(\d\d)(?!\d)", re.I)
+"""Of tapered and needle roller bearings."""
 _SPINDLE_SERIES: Final = ("70", "718", "719")
 _MILLIMETRES_A_CODE: Final = 5
 
@@ -180,6 +183,10 @@ class Designation:
         The basic number, such as ``"6205"`` or ``"7218"``; empty if it is of another system.
     series
         Such as ``"62"``; empty likewise.
+    bearing_type
+        Of a roller bearing: ``"NU"``, ``"NJ"`` …, ``"NA"``, ``"K"`` or ``"HK"``; else empty.
+    names
+        By which makers list a roller bearing, the likeliest first.
     insert
         Whether it is an insert bearing or a unit with one, with the inside of that number.
     bore
@@ -195,6 +202,8 @@ class Designation:
     maker: str = ""
     number: str = ""
     series: str = ""
+    bearing_type: str = ""
+    names: tuple[str, ...] = ()
     insert: bool = False
     bore: float | None = None
     contact_angle: float | None = None
@@ -228,7 +237,9 @@ class Designation:
     @property
     def kind(self) -> str:
         """What a series is that is neither deep-groove nor single-row angular contact; or empty."""
-        return str(designation_data()["kinds"].get(self.series, ""))
+        data = designation_data()
+        by_type = data["kinds_of_types"].get(self.bearing_type)
+        return str(by_type or data["kinds"].get(self.series, ""))
 
     @property
     def equivalents(self) -> tuple[str, ...]:
@@ -264,8 +275,17 @@ class Designation:
 
 
 def folded(text: str) -> str:
-    """Return a designation without case, spaces, hyphens, slashes and points."""
-    return re.sub(r"[\s\-/.,_]", "", text[:_LONGEST].replace("°", "deg")).casefold()
+    """Return a designation without case, spaces, hyphens, slashes and points.
+
+    A stroke before a bore in mm stays, as of 322/28, which is another bearing than 32228.
+    """
+    kept = with_kept_bore(text[:_LONGEST].replace("°", "deg"))
+    return re.sub(r"[\s\-/.,_]", "", kept).casefold()
+
+
+def with_kept_bore(text: str) -> str:
+    """Return a designation with a colon for the stroke before a bore in mm."""
+    return _BORE_IN_MM.sub(r"\1:\2", text)
 
 
 def parse_designation(text: str) -> Designation:
@@ -296,6 +316,9 @@ def parse_designation(text: str) -> Designation:
     plain = given if written is None else given[: written.start()] + given[written.end() :]
     angle = None if written is None else radians(float(written["angle"]))
     joined = "|".join(groups_of(plain))
+    rollers = None if angle is not None else roller_number_of(plain, joined, maker)
+    if rollers is not None:
+        return _with_rollers(known, rollers, whole)
     arched = _FOUR_POINT.fullmatch(joined)
     parts = arched or _NUMBER.fullmatch(joined)
     prefix = "" if parts is None or arched else parts["prefix"] or ""
@@ -333,6 +356,22 @@ def parse_designation(text: str) -> Designation:
         bore=_bore(parts["bore"]),
         contact_angle=angle,
         letters=whole + letters_behind(groups_of(rest), text, angular=angular),
+    )
+
+
+def _with_rollers(
+    known: Mapping[str, Any], rollers: RollerNumber, before: Letters
+) -> Designation:
+    coded = rollers.bore.removeprefix("code ")
+    in_mm = coded == rollers.bore
+    return Designation(
+        **known,
+        number=rollers.number,
+        series=rollers.series,
+        bearing_type=rollers.type,
+        names=tuple(folded(name) for name in rollers.names),
+        bore=float(coded) * MILLIMETRE if in_mm else _bore(coded),
+        letters=before + rollers.letters + letters_behind(groups_of(rollers.rest), known["text"]),
     )
 
 

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import pairwise
 from math import asin, radians, sin, tan
-from typing import Any, Final, Literal
+from typing import Any, Final, Literal, TypeVar
 
 from rolamento._data import toml_of
 from rolamento.catalogue.designation import Designation, folded
 from rolamento.catalogue.inference import Candidate, inferred_geometry
 from rolamento.catalogue.letters import ClearanceClass, Letters, Part
 from rolamento.catalogue.records import CatalogueBearing
+from rolamento.catalogue.roller_inference import RollerCandidate, inferred_rollers, nominal_angle
 from rolamento.catalogue.search import (
     Catalogue,
     Found,
@@ -27,6 +29,7 @@ from rolamento.ratings import SELF_ALIGNING_CONFORMITY, THRUST_CONFORMITY
 from rolamento.units import MILLIMETRE, readable
 from rolamento.words import said
 
+_C = TypeVar("_C", Candidate, RollerCandidate)
 Origin = Literal["published", "inferred", "assumed", "designation"]
 
 ASSUMED_CONFORMITY: Final = 0.52
@@ -42,9 +45,21 @@ _ROW_SPACING: Final = 0.42
 by where the contact lines meet the shaft."""
 _FOUR_POINT_ANGLE: Final = radians(35.0)
 """Of four-point bearings whose maker gives none: NSK's and SKF's."""
-_CLEARED: Final = ("deep_groove", "self_aligning", "four_point")
+_CLEARED: Final = ("deep_groove", "self_aligning", "four_point", "cylindrical", "needle")
 """Kinds with a class of clearance."""
 _BALLS: Final = ("ball_count", "ball_diameter")
+_ROLLERS: Final = ("roller_count", "roller_diameter", "effective_length", "pitch_diameter")
+_RIBS: Final = {  # inner, outer; those of one rib carry an axial load of the shaft toward +x
+    "NU": ("none", "both"),
+    "NJ": ("-", "both"),
+    "NUP": ("both", "both"),
+    "N": ("both", "none"),
+    "NF": ("both", "+"),
+    "NA": ("none", "both"),
+    "RNA": ("none", "both"),
+}
+"""Ends at which the rings of a type have ribs; a cage alone and a drawn cup have none."""
+_WITHOUT_INNER: Final = ("RNA", "K", "HK", "BK")
 _LEAST_ANGLE: Final = radians(1.0)
 _HALF_MICROMETRES: Final = 2e6
 """In a metre."""
@@ -72,7 +87,8 @@ class InternalGeometry:
         Of each field: ``"published"``, ``"inferred"`` from the ratings, ``"assumed"``, or
         ``"designation"``: its letters say so.
     candidates
-        All insides that the ratings allow, the best first; empty if nothing was inferred.
+        All insides that the ratings allow, the best first; empty if nothing was inferred. Of a
+        roller bearing each is a `RollerCandidate`.
     records
         What has to be known beside the built-in catalogue to find the same again.
     sisters
@@ -84,14 +100,24 @@ class InternalGeometry:
     designation: Designation
     fields: Mapping[str, Any]
     origins: Mapping[str, Origin]
-    candidates: tuple[Candidate, ...] = ()
+    candidates: tuple[Candidate, ...] | tuple[RollerCandidate, ...] = ()
     records: tuple[CatalogueBearing, ...] = ()
     sisters: tuple[CatalogueBearing, ...] = ()
 
     @property
     def is_inferred(self) -> bool:
-        """Whether the balls are inferred."""
-        return self.origins.get("ball_count") == "inferred"
+        """Whether the balls or rollers are inferred."""
+        return "inferred" in (self.origins.get("ball_count"), self.origins.get("roller_count"))
+
+    @property
+    def has_elements(self) -> bool:
+        """Whether it is known, or inferred, what rolls inside."""
+        return "ball_count" in self.fields or "roller_count" in self.fields
+
+    @property
+    def bearing_type(self) -> str:
+        """Of a roller bearing, what its designation names: ``"NU"``, ``"NA"``, ``"K"`` …, or ""."""
+        return _type_of(self.bearing, self.designation)
 
     @property
     def from_given_ratings(self) -> bool:
@@ -101,8 +127,9 @@ class InternalGeometry:
     @property
     def stands_in(self) -> bool:
         """Whether the catalogue has the bearing by another number than that of the designation."""
-        number, listed = self.designation.number, folded(self.bearing.designation)
-        return bool(number) and not self.designation.insert and not listed.startswith(number)
+        number, listed = folded(self.designation.number), folded(self.bearing.designation)
+        own = listed.removeprefix("hr").startswith(number)
+        return bool(number) and not self.designation.insert and not own
 
     @property
     def idle(self) -> tuple[Part, ...]:
@@ -118,6 +145,11 @@ class InternalGeometry:
     @property
     def lack_of_play(self) -> str:
         """What a user has to add if neither contact angle nor clearance is known, as a rule."""
+        if self.bearing_type in _WITHOUT_INNER:
+            return said(
+                "has no inner ring: its clearance follows from shaft and housing: give"
+                " diametral_clearance"
+            )
         if self.clearance_class is None:
             return said("does not define the contact angle: give contact_angle")
         return said(
@@ -130,7 +162,7 @@ class InternalGeometry:
     @property
     def clearance_class(self) -> ClearanceClass | None:
         """The class of the designation, CN if a bearing that has one names none."""
-        if self.bearing.kind not in _CLEARED:
+        if self.bearing.kind not in _CLEARED or self.bearing_type in _WITHOUT_INNER:
             return None
         return self.designation.clearance_class or "CN"
 
@@ -170,6 +202,8 @@ def _geometry_in(
 ) -> InternalGeometry:
     found = known.find(designation)
     bearing = found.bearing
+    if bearing.has_rollers:
+        return _roller_geometry(known, found, rank, with_balls)
     fields: dict[str, Any] = {}
     origins: dict[str, Origin] = {}
     candidates: tuple[Candidate, ...] = ()
@@ -197,6 +231,97 @@ def _geometry_in(
         records=() if known is catalogue_with(()) or is_built_in(bearing) else (bearing,),
         sisters=() if bearing.ball_count and bearing.ball_diameter else sisters,
     )
+
+
+def _roller_geometry(
+    known: Catalogue, found: Found, rank: int, with_rollers: bool
+) -> InternalGeometry:
+    """The inside of a roller bearing: what rolls, the ribs, the play."""
+    bearing, designation = found.bearing, found.designation
+    fields: dict[str, Any] = {"element": _ELEMENTS.get(bearing.kind, bearing.kind)}
+    origins: dict[str, Origin] = {"element": "published"}
+    candidates: tuple[RollerCandidate, ...] = ()
+    if with_rollers:
+        try:
+            candidates = _add_rollers(bearing, rank, fields, origins)
+        except InputError as error:
+            raise error.with_details(value=designation.text) from None
+    type_ = _type_of(bearing, designation)
+    if bearing.kind == "tapered":
+        fields["contact_angle"] = nominal_angle(bearing)
+        origins["contact_angle"] = "published"
+    else:
+        fields["inner_ribs"], fields["outer_ribs"] = _RIBS.get(type_, ("none", "none"))
+        origins["inner_ribs"] = origins["outer_ribs"] = "published"
+        named = designation.clearance_class or "CN"
+        if type_ not in _WITHOUT_INNER and bearing.kind in _CLEARED:
+            clearance = middle_clearance(bearing.bore, named, "cylindrical")
+            if clearance is not None:
+                fields["diametral_clearance"] = clearance
+                origins["diametral_clearance"] = "assumed"
+    if type_ == "NUP":
+        play = _axial_play(designation)
+        if play is not None:
+            fields["axial_play"], origins["axial_play"] = play, "assumed"
+    arrangement = designation.letters.arrangement
+    if arrangement is not None and bearing.kind == "tapered":
+        fields["arrangement"], origins["arrangement"] = arrangement, "designation"
+        if bearing.width is not None:  # of bearings side by side
+            fields["spacing"], origins["spacing"] = bearing.width, "assumed"
+    return InternalGeometry(
+        bearing=bearing,
+        designation=designation,
+        fields=fields,
+        origins=origins,
+        candidates=candidates,
+        records=() if known is catalogue_with(()) or is_built_in(bearing) else (bearing,),
+    )
+
+
+_ELEMENTS: Final = {"drawn_cup": "needle"}
+
+
+def _type_of(bearing: CatalogueBearing, designation: Designation) -> str:
+    """The type of a roller bearing by its designation, else by how its maker lists it."""
+    if not bearing.has_rollers or bearing.kind == "tapered":
+        return ""
+    listed = re.match(r"NUP|NU|NJ|NF|N(?=\s?\d)|RNA|NA|HK|BK|K(?=\s?\d)", bearing.designation)
+    if designation.bearing_type or listed:
+        return designation.bearing_type or str(listed and listed[0])
+    inner, outer = bearing.inner_raceway_diameter, bearing.outer_raceway_diameter
+    if bearing.kind == "drawn_cup":
+        return "HK"
+    is_cage = inner == bearing.bore and outer == bearing.outside_diameter
+    return "K" if bearing.kind == "needle" and is_cage else ""
+
+
+def _axial_play(designation: Designation) -> float | None:
+    """The middle of the axial play of an NUP bearing between its ribs, in m; None if no list has it."""
+    listed = toml_of("axial_play")["NUP"].get(designation.series, {})
+    pair = listed.get(designation.number[-2:])
+    return sum(pair) / _HALF_MICROMETRES if pair else None
+
+
+def _add_rollers(
+    bearing: CatalogueBearing, rank: int, fields: dict[str, Any], origins: dict[str, Origin]
+) -> tuple[RollerCandidate, ...]:
+    """Add rollers and pitch diameter; return what they were chosen from, if inferred."""
+    known = {name: getattr(bearing, name) for name in _ROLLERS}
+    candidates: tuple[RollerCandidate, ...] = ()
+    otherwise: Origin = "assumed"
+    if any(known[name] is None for name in _ROLLERS[:3]):
+        candidates, otherwise = inferred_rollers(bearing), "inferred"
+        chosen = _chosen(candidates, rank, bearing)
+        fields.update({name: getattr(chosen, name) for name in _ROLLERS})
+    else:
+        fields.update(known)
+        fields["pitch_diameter"] = known["pitch_diameter"] or bearing.mean_diameter
+    for name in _ROLLERS:
+        origins[name] = otherwise if known[name] is None else "published"
+    both = (bearing.inner_raceway_diameter, bearing.outer_raceway_diameter)
+    if None not in both and bearing.kind != "tapered":  # (E - F)/2 and (E + F)/2
+        origins["roller_diameter"] = origins["pitch_diameter"] = "published"
+    return candidates
 
 
 def _without_balls(
@@ -289,7 +414,7 @@ def with_ratings(
 
 
 def ambiguity_axis(
-    candidates: Sequence[Candidate], *, credible_only: bool = True
+    candidates: Sequence[Candidate] | Sequence[RollerCandidate], *, credible_only: bool = True
 ) -> dict[str, Any]:
     """Return the candidates as an axis of a study: any result becomes a band.
 
@@ -304,20 +429,18 @@ def ambiguity_axis(
     Returns
     -------
     dict
-        ``name`` and ``zipped`` with balls and pitch diameter in SI: the arguments of
+        ``name`` and ``zipped`` with balls or rollers and pitch diameter in SI: the arguments of
         `rolamento.studies.Axis`.
     """
     kept = [one for one in candidates if one.reproduces or not credible_only]
     kept = kept or list(candidates[:1])
     if not kept:
         raise InputError(said("has no candidates"), field="candidates")
+    of_rollers = isinstance(kept[0], RollerCandidate)
+    names = _ROLLERS if of_rollers else (*_BALLS, "pitch_diameter")
     return {
         "name": "internal geometry",
-        "zipped": {
-            "bearing.ball_count": [one.ball_count for one in kept],
-            "bearing.ball_diameter": [one.ball_diameter for one in kept],
-            "bearing.pitch_diameter": [one.pitch_diameter for one in kept],
-        },
+        "zipped": {f"bearing.{name}": [getattr(one, name) for one in kept] for name in names},
     }
 
 
@@ -347,10 +470,15 @@ def middle_clearance(bore: float, clearance_class: str, table: str = "") -> floa
     return None
 
 
-def _chosen(candidates: tuple[Candidate, ...], rank: int, bearing: CatalogueBearing) -> Candidate:
+def _chosen(candidates: tuple[_C, ...], rank: int, bearing: CatalogueBearing) -> _C:
     if not candidates:
         raise InputError(
             said(
+                "has ratings that no rollers of its section reproduce: give roller_count,"
+                " roller_diameter, effective_length and pitch_diameter"
+            )
+            if bearing.has_rollers
+            else said(
                 "has ratings that no standard balls reproduce: give ball_count, "
                 "ball_diameter and pitch_diameter"
             ),

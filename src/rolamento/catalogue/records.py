@@ -10,6 +10,7 @@ from __future__ import annotations
 import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
+from itertools import pairwise
 from math import degrees, isfinite, pi, radians
 from typing import Any, Final, Literal, cast, get_args
 
@@ -19,12 +20,15 @@ from rolamento._data import toml_of
 from rolamento._tables import Numerals, parse_table
 from rolamento.errors import FileError, InputError, UnknownKeyError, guess
 from rolamento.ratings import RatedType
-from rolamento.units import Dimension, to_si
+from rolamento.units import Dimension, readable, to_si
 from rolamento.words import said
 
 Kind = Literal[
-    "deep_groove", "angular_contact", "double_row", "four_point", "self_aligning", "thrust"
-]
+    "deep_groove", "angular_contact", "double_row", "four_point", "self_aligning", "thrust",
+    "cylindrical", "tapered", "needle", "drawn_cup",
+]  # fmt: skip
+ROLLER_KINDS: Final = ("cylindrical", "tapered", "needle", "drawn_cup")
+"""Of those, the roller bearings."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -39,15 +43,28 @@ class CatalogueBearing:
         Its name; may be empty.
     kind
         ``"deep_groove"``, ``"angular_contact"``, ``"double_row"`` (angular contact, back to back),
-        ``"four_point"``, ``"self_aligning"`` or ``"thrust"`` (single direction).
+        ``"four_point"``, ``"self_aligning"``, ``"thrust"`` (single direction), ``"cylindrical"``,
+        ``"tapered"``, ``"needle"`` or ``"drawn_cup"`` (needle roller bearing with a drawn cup).
     bore, outside_diameter, width
-        d, D and B, in m; of a thrust bearing its height T.
+        d, D and B, in m; of a thrust bearing its height T, of a tapered roller bearing its width
+        T. Without an inner ring the bore is the raceway of the shaft.
+    inner_width, outer_width
+        B and C of a tapered roller bearing, the widths of its cone and cup, in m.
+    inner_raceway_diameter, outer_raceway_diameter
+        F_w and E_w of a cylindrical or needle roller bearing, in m.
     contact_angle
         α, nominal, in rad.
     dynamic_rating, static_rating
         C and C_0 in N: radial, of a thrust bearing axial.
     axial_dynamic_rating, axial_static_rating
         C_a and C_0a in N of a four-point bearing whose maker gives these.
+    axial_limit, axial_factor, static_axial_factor
+        e, Y and Y_0 of a tapered roller bearing.
+    load_centre
+        a of a tapered roller bearing, in m: from the back face of its cup to where the contact
+        lines meet the shaft.
+    fatigue_load_limit
+        C_u of the maker, in N.
     load_centre_distance
         Of a double row, in m: where the contact lines of its rows meet the shaft.
     limiting_speed
@@ -58,6 +75,8 @@ class CatalogueBearing:
         Z, D and d_m (m), where published.
     inner_conformity, outer_conformity
         f_i and f_o, where published.
+    roller_count, roller_diameter, effective_length
+        Z, D_we (in the middle of a tapered roller) and L_we (m), where published.
     sources
         Where each figure comes from, by its name.
     """
@@ -81,6 +100,18 @@ class CatalogueBearing:
     pitch_diameter: float | None = None
     inner_conformity: float | None = None
     outer_conformity: float | None = None
+    inner_width: float | None = None
+    outer_width: float | None = None
+    inner_raceway_diameter: float | None = None
+    outer_raceway_diameter: float | None = None
+    axial_limit: float | None = None
+    axial_factor: float | None = None
+    static_axial_factor: float | None = None
+    load_centre: float | None = None
+    fatigue_load_limit: float | None = None
+    roller_count: int | None = None
+    roller_diameter: float | None = None
+    effective_length: float | None = None
     sources: Mapping[str, str] = field(default_factory=dict, hash=False)
 
     @property
@@ -97,6 +128,18 @@ class CatalogueBearing:
     def rated_as(self) -> RatedType:
         """By which formula of the standards it is rated."""
         return cast("RatedType", self.kind) if self.kind in get_args(RatedType) else "radial"
+
+    @property
+    def has_rollers(self) -> bool:
+        """Whether it is a roller bearing."""
+        return self.kind in ROLLER_KINDS
+
+    @property
+    def knows_elements(self) -> bool:
+        """Whether the number and size of what rolls in it are published."""
+        if self.has_rollers:
+            return None not in (self.roller_count, self.roller_diameter, self.effective_length)
+        return self.ball_count is not None and self.ball_diameter is not None
 
     @property
     def rows(self) -> int:
@@ -152,19 +195,24 @@ _EXAMPLE: Final = "designation,bore_mm,outside_diameter_mm,dynamic_rating_N"
 _LEAST_STEEP: Final = radians(20.0)
 """From where on Y does not depend on the load."""
 _LENGTHS: Final = (
-    "bore", "outside_diameter", "width", "load_centre_distance", "ball_diameter", "pitch_diameter"
+    "bore", "outside_diameter", "width", "load_centre_distance", "ball_diameter", "pitch_diameter",
+    "inner_width", "outer_width", "inner_raceway_diameter", "outer_raceway_diameter", "load_centre",
+    "roller_diameter", "effective_length",
 )  # fmt: skip
 _FORCES: Final = (
-    "dynamic_rating", "static_rating", "axial_dynamic_rating", "axial_static_rating"
+    "dynamic_rating", "static_rating", "axial_dynamic_rating", "axial_static_rating",
+    "fatigue_load_limit",
 )  # fmt: skip
-_RATIOS: Final = ("f0", "inner_conformity", "outer_conformity")
+_FACTORS: Final = ("axial_limit", "axial_factor", "static_axial_factor")
+_COUNTS: Final = ("ball_count", "roller_count")
+_RATIOS: Final = ("f0", "inner_conformity", "outer_conformity", *_FACTORS)
 _COLUMNS: Final[Mapping[str, tuple[str, float]]] = {
     **{f"{name}_mm": (name, 1e-3) for name in _LENGTHS},
     **{f"{name}_N": (name, 1.0) for name in _FORCES},
     **{f"{name}_kN": (name, 1e3) for name in _FORCES},
     "contact_angle_deg": ("contact_angle", pi / 180.0),
     "limiting_speed_rpm": ("limiting_speed", pi / 30.0),
-    **{name: (name, 1.0) for name in (*_RATIOS, "ball_count")},
+    **{name: (name, 1.0) for name in (*_RATIOS, *_COUNTS)},
 }
 _DIMENSIONS: Final[Mapping[str, Dimension]] = {
     **dict.fromkeys(_LENGTHS, "length"),
@@ -180,7 +228,8 @@ _LIMITS: Final[Mapping[str, tuple[float, float]]] = {
     "f0": (1.0, 50.0),
     "inner_conformity": (0.501, 1.0),
     "outer_conformity": (0.501, 1.0),
-    "ball_count": (3, 500),
+    **dict.fromkeys(_FACTORS, (0.01, 20.0)),
+    **dict.fromkeys(_COUNTS, (3, 500)),
 }
 
 
@@ -279,11 +328,13 @@ def _bearing_within_reason(
                 said("must be between {low:.6g} and {high:.6g} in SI units", low=low, high=high),
                 field=name,
             )
-    balls = figures.get("ball_count")
-    if balls is not None and balls != int(balls):
-        raise InputError(said("must be an integer"), field="ball_count", value=balls)
+    counts = {name: figures[name] for name in _COUNTS if name in figures}
+    for name, count in counts.items():
+        if count != int(count):
+            raise InputError(said("must be an integer"), field=name, value=count)
     if figures["outside_diameter"] <= figures["bore"]:
         raise InputError(said("must be greater than the bore"), field="outside_diameter")
+    _check_raceways(figures)
     kind = texts.get("kind") or ("angular_contact" if "contact_angle" in figures else "deep_groove")
     if kind not in get_args(Kind):
         raise InputError(
@@ -291,9 +342,7 @@ def _bearing_within_reason(
             field="kind",
             value=kind,
         )
-    values: dict[str, Any] = dict(figures)
-    if balls is not None:
-        values["ball_count"] = int(balls)
+    values: dict[str, Any] = {**figures, **{name: int(count) for name, count in counts.items()}}
     return CatalogueBearing(
         designation=texts["designation"],
         maker=texts.get("maker", ""),
@@ -301,6 +350,21 @@ def _bearing_within_reason(
         sources=dict.fromkeys(figures, texts.get("source") or source),
         **values,
     )
+
+
+def _check_raceways(figures: Mapping[str, float]) -> None:
+    """Refuse raceways that are not, in this order, between bore and outside diameter."""
+    names = ("bore", "inner_raceway_diameter", "outer_raceway_diameter", "outside_diameter")
+    given = [name for name in names if name in figures]
+    for inner, outer in pairwise(given):
+        if figures[outer] < figures[inner] or (inner, outer) == names[1:3] and (
+            figures[outer] == figures[inner]
+        ):  # fmt: skip
+            raise InputError(
+                said("must be greater than {name}, {low:.6g mm}", name=inner, low=figures[inner]),
+                field=outer,
+                value=readable(figures[outer], "length"),
+            )
 
 
 def _check_header(header: Sequence[str]) -> None:

@@ -18,7 +18,13 @@ from typing import Final, NamedTuple
 from rolamento._data import toml_of
 from rolamento._reading import read_text
 from rolamento._tables import table_text
-from rolamento.catalogue.designation import Designation, folded, other_type, parse_designation
+from rolamento.catalogue.designation import (
+    Designation,
+    folded,
+    other_type,
+    parse_designation,
+    with_kept_bore,
+)
 from rolamento.catalogue.letters import (
     Letters,
     designation_data,
@@ -192,6 +198,9 @@ class Catalogue:
         named = self._by_shorter_name(designation)
         if named is not None:
             return named
+        for key in designation.names:
+            if key in self._by_key:
+                return Found(self._by_key[key], designation)
         quick = designation.letters.design in _QUICK
         plain = None if quick else self._by_key.get(folded(designation.number))
         if plain is not None and _same_angle(plain, designation):
@@ -221,7 +230,7 @@ class Catalogue:
     def _own(self, bearing: CatalogueBearing, text: str) -> Found:
         """A bearing that is listed by that very text: its letters need not mean what others do."""
         plain = Designation(text=text.strip(), name=text.strip())
-        if folded(text).isdecimal():
+        if folded(text).isdecimal() or bearing.has_rollers:
             plain = parse_designation(text)
         return Found(bearing, replace(plain, contact_angle=bearing.contact_angle))
 
@@ -230,7 +239,7 @@ class Catalogue:
 
         A plain number is none: its letters may tell another contact angle.
         """
-        groups = groups_of(designation.name.upper())
+        groups = groups_of(with_kept_bore(designation.name.upper()))
         first = "" if designation.number or not groups else groups[0]
         before = letters_before(first, spindle=True)
         for start in (0, 1) if before.parts else (0,):

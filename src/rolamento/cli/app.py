@@ -115,7 +115,7 @@ def rolamento_command(
     ] = False,
     lang: LanguageOption = None,
 ) -> None:
-    """Ball bearing analysis: internal state, and what follows from it.
+    """Rolling bearing analysis: internal state, and what follows from it.
 
     To begin: rolamento demo. Options: rolamento COMMAND --help.
     """

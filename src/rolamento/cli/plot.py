@@ -34,7 +34,8 @@ def plot(
         typer.Option(
             metavar="KIND",
             help="For a state: rosette (default), balls, angles, pressures, "
-            "ellipses; for its life: aiso (a_ISO), sn (life over load), zone "
+            "ellipses; with rollers: along (pressure along them), between (the most loaded "
+            "one between the races); for its life: aiso (a_ISO), sn (life over load), zone "
             "(life over the load zone), helps (what would help); for a study: "
             "lines, map, histogram, scatter (default: what suits it).",
         ),
@@ -69,7 +70,7 @@ def plot(
 ) -> None:
     """Draw a state, its life or a study; several share a figure.
 
-    Ball loads, angles, pressures, ellipses, life, sweeps, distributions.
+    Loads, angles, pressures, ellipses, rollers, life, sweeps, distributions.
     """
     with plain_endings(lang):
         from rolamento.case.variant import read_variants

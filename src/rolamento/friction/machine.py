@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, fields, replace
+from math import tan
 from typing import Any
 
 import numpy as np
@@ -15,6 +16,7 @@ from rolamento.friction.skf import (
     Supply,
     angular_contact_constants,
     deep_groove_series,
+    roller_series,
     self_aligning_series,
     thrust_constants,
 )
@@ -28,9 +30,10 @@ class MachineBearing:
 
     bore_diameter, outside_diameter m; kinematic_viscosity of the oil, or the grease's base oil,
     at its temperature, m²/s; static_load_rating C_0, N; static_load_ratio P_0/C_0 for Palmgren's
-    model (left out without); contact_angle nominal, rad, for angular-contact bearings; constants
-    of the series for SKF's model (left out without). Viscosity, rating and ratio are numbers, or
-    arrays (cases,).
+    model (left out without); contact_angle nominal, rad, for angular-contact and tapered roller
+    bearings; constants of the series for SKF's model (left out without); axial_factor Y of tapered
+    roller bearings; by_row: whether each row of the set is such a bearing, with its own load.
+    Viscosity, rating and ratio are numbers, or arrays (cases,).
     """
 
     kind: BearingKind
@@ -44,6 +47,8 @@ class MachineBearing:
     supply: Supply = "grease"
     oil: str = "mineral"
     constants: SkfConstants | None = None
+    axial_factor: float | None = None
+    by_row: bool = False
 
     @property
     def mean_diameter(self) -> float:
@@ -68,12 +73,12 @@ def machine_of(
     Parameters
     ----------
     case
-        With a designation: one bearing, not a set. An oil is taken to stand in the housing as a low
-        bath, for the case does not say how it is supplied.
+        With a designation: one bearing, or a set of equal roller bearings. An oil is taken to stand
+        in the housing as a low bath, for the case does not say how it is supplied.
     film
         Of the solved cases: supplies the viscosity.
     static_load_rating, static_load
-        C_0 and P_0, numbers or (cases,); N.
+        C_0 and P_0, numbers or (cases,); N. Roller bearings need neither.
 
     Returns
     -------
@@ -81,6 +86,8 @@ def machine_of(
         None without a designation or a static rating; SKF's constants for the deep-groove and
         self-aligning series that are on file, and for the other kinds.
     """
+    if case.bearing.element != "ball":
+        return _of_rollers(case, film)
     told = case.bearing.told
     rating, load = np.broadcast_arrays(
         np.asarray(static_load_rating, np.float64),
@@ -104,6 +111,35 @@ def machine_of(
         lubrication="grease" if grease else "oil_bath",
         supply="grease" if grease else "low_oil_bath",
         constants=_constants(published.kind, designation.series or published.designation[:2]),
+    )
+
+
+def _of_rollers(case: Case, film: Film) -> MachineBearing | None:
+    """A roller bearing, or the equal ones of a set."""
+    bearing = case.bearing
+    told = bearing.told
+    if told is None or bearing.rows is not None:
+        return None
+    published, designation = told.bearing, told.designation
+    grease = case.lubricant is not None and case.lubricant.kind == "grease"
+    element = bearing.places[0].bearing.element
+    angle = published.contact_angle or bearing.places[0].bearing.row_angle
+    kind: BearingKind = element if element in ("cylindrical", "tapered") else "needle"
+    return MachineBearing(
+        kind=kind,
+        bore_diameter=published.bore,
+        outside_diameter=published.outside_diameter,
+        kinematic_viscosity=film.kinematic_viscosity,
+        static_load_rating=1.0,
+        static_load_ratio=0.0,
+        contact_angle=angle,
+        lubrication="grease" if grease else "oil_bath",
+        supply="grease" if grease else "low_oil_bath",
+        constants=None
+        if kind == "needle"
+        else roller_series(kind).get(designation.series or ""),
+        axial_factor=0.4 / tan(angle) if kind == "tapered" else None,
+        by_row=len(bearing.places) > 1,
     )
 
 

@@ -5,7 +5,7 @@ A model is a `TorqueModel` at the end of its own file, and `rolamento.friction.m
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from typing import TYPE_CHECKING, Final, Literal
 
@@ -40,7 +40,10 @@ FULL_FILM: Final = 3.0
 BOUNDARY: Final = 1.0
 """Film parameter λ below which the asperities carry the load."""
 
-REMARKS: Final = ("partial_film", "torque_at_rest")
+RIB_LOAD_SHARE: Final = 0.4
+"""F_a/F_r of cylindrical roller bearings up to which Palmgren's f2 is valid."""
+
+REMARKS: Final = ("partial_film", "torque_at_rest", "rib_film_unknown")
 """Keys of the notes that do not refuse a model."""
 
 
@@ -63,6 +66,10 @@ class ContactLoss:
         """The same times a factor, (cases, 1)."""
         return ContactLoss(self.inner * factor, self.outer * factor)
 
+    def beside(self, other: ContactLoss) -> ContactLoss:
+        """That of these elements and of others."""
+        return ContactLoss(self.inner + other.inner, self.outer + other.outer)
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Torque:
@@ -83,6 +90,8 @@ class Torque:
     losses
         heat by source in every contact at the speeds of the case, W; empty where the model
         does not resolve contacts, zero at rest
+    starting
+        of the first motion, (cases,), N·m, of a model of roller bearings that has its own
     """
 
     model: str
@@ -91,6 +100,7 @@ class Torque:
     power: FloatArray
     converged: BoolArray
     losses: Mapping[str, ContactLoss] = field(default_factory=dict)
+    starting: FloatArray | None = None
 
 
 def torque_of_losses(
@@ -111,6 +121,21 @@ def torque_of_parts(model: str, parts: Mapping[str, FloatArray], speed: FloatArr
     """The torque of a model without contacts; speed: of the rings relative to each other, rad/s."""
     total = np.asarray(np.sum(list(parts.values()), axis=0))
     return Torque(model, total, parts, total * np.abs(speed), np.isfinite(total))
+
+
+def added(torques: Sequence[Torque]) -> Torque:
+    """That of bearings side by side by one model without contacts."""
+    first = torques[0]
+    if len(torques) == 1:
+        return first
+    parts = {name: np.sum([one.parts[name] for one in torques], axis=0) for name in first.parts}
+    return Torque(
+        first.model,
+        np.sum([one.total for one in torques], axis=0),
+        parts,
+        np.sum([one.power for one in torques], axis=0),
+        np.all([one.converged for one in torques], axis=0),
+    )
 
 
 # --- what a model reads -----------------------------------------------------------------------
@@ -198,6 +223,8 @@ class TorqueModel:
         whether it resolves contacts, rather than the bearing as a whole
     closed_form
         whether a case takes microseconds
+    elements
+        what may roll in the rows; empty of models of any bearing
     """
 
     name: str
@@ -208,6 +235,11 @@ class TorqueModel:
     limits: Callable[[Setting], Mapping[str, BoolArray]]
     of_contacts: bool = True
     closed_form: bool = False
+    elements: tuple[str, ...] = ("ball",)
+
+    def knows(self, solved: Solved) -> bool:
+        """Whether the model is of one of the elements of a bearing."""
+        return not (self.of_contacts and set(self.elements).isdisjoint(solved.rows.element))
 
 
 # --- where a model is valid -------------------------------------------------------------------
@@ -228,12 +260,15 @@ class ModelValidity:
 
     def notes_of(self, case: int = 0) -> tuple[Note, ...]:
         """Return why the model is not valid for a case, and the remarks on it."""
-        values = {"inertia": {"share": INERTIA_SHARE}}
+        values = {"inertia": {"share": INERTIA_SHARE}, "axial_share": {"share": RIB_LOAD_SHARE}}
         return tuple(Note(k, values.get(k, {})) for k, where in self.limits.items() if where[case])
 
 
 def validity_of(model: TorqueModel, setting: Setting, converged: BoolArray) -> ModelValidity:
     """Judge a model for every case; converged: whether it found a result."""
+    if not model.knows(setting.solved):
+        known = np.zeros(len(setting), np.bool_)
+        return ModelValidity(model.name, known, {"for_balls": ~known})
     limits = {
         **model.limits(setting),
         **({"more_contacts": touches_both_arcs(setting.solved)} if model.of_contacts else {}),
@@ -297,7 +332,22 @@ def inertia_counts(solved: Solved, coefficient: FloatArray) -> BoolArray:
 
 
 def bears_on_both(solved: Solved) -> BoolArray:
-    """(cases, elements): whether an element bears on both races."""
+    """(cases, elements): whether a ball bears on both races."""
+    return np.asarray(_bears(solved) & ~rolls_on_lines(solved))
+
+
+def rollers_bear(solved: Solved) -> BoolArray:
+    """(cases, elements): whether a roller bears on both races."""
+    return np.asarray(_bears(solved) & rolls_on_lines(solved))
+
+
+def rolls_on_lines(solved: Solved) -> BoolArray:
+    """(elements,): which elements are rollers."""
+    rollers = np.array([element != "ball" for element in solved.rows.element])
+    return np.asarray(rollers[solved.rows.row_of_element])
+
+
+def _bears(solved: Solved) -> BoolArray:
     with np.errstate(invalid="ignore"):
         return np.asarray(solved.loaded & (solved.outer.load > 0.0))
 
@@ -313,6 +363,16 @@ def has_result(solved: Solved) -> BoolArray:
 def relative_speed(solved: Solved) -> FloatArray:
     """(cases,): of the inner ring to the outer; rad/s."""
     return np.asarray(solved.field("duty.inner_speed") - solved.field("duty.outer_speed"))
+
+
+def bearing_loads(setting: Setting) -> list[tuple[FloatArray, FloatArray]]:
+    """Radial and axial load of each bearing of the machine, (cases,) each; N."""
+    solved, machine = setting.solved, setting.machine
+    if machine is None or not machine.by_row:
+        load = solved.load
+        return [(np.hypot(load.fy, load.fz), load.fx)]
+    rows = np.moveaxis(solved.rows.load, 1, 0)
+    return [(np.hypot(row[:, 1], row[:, 2]), row[:, 0]) for row in rows]
 
 
 # --- how balls move under raceway control, and what that loses ---------------------------------

@@ -11,6 +11,7 @@ from rolamento.friction import (
     jones_full,
     jones_simplified,
     palmgren,
+    rollers,
     skf,
     todd,
 )
@@ -18,9 +19,16 @@ from rolamento.friction.model import TorqueModel
 
 TORQUE_MODELS: Final[Mapping[str, TorqueModel]] = {
     module.MODEL.name: module.MODEL
-    for module in (jones_full, jones_control, jones_simplified, harris_1971, todd, palmgren, skf)
-}
+    for module in (
+        jones_full, jones_control, jones_simplified, harris_1971, todd, rollers, palmgren, skf
+    )
+}  # fmt: skip
 """By name, in the order in which they are shown."""
 
-CONTACT_MODELS: Final = tuple(name for name, model in TORQUE_MODELS.items() if model.of_contacts)
-"""Names of the models of the friction in the contacts."""
+CONTACT_MODELS: Final = tuple(
+    name for name, model in TORQUE_MODELS.items() if model.of_contacts and "ball" in model.elements
+)
+"""Names of the models of the friction in the contacts of balls."""
+
+ROLLER_MODEL: Final = rollers.MODEL.name
+"""Name of the model of the friction in the contacts of rollers."""

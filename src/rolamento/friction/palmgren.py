@@ -27,16 +27,19 @@ from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
 from rolamento.friction.model import (
+    RIB_LOAD_SHARE,
     Setting,
     Torque,
     TorqueModel,
+    added,
+    bearing_loads,
     checked_numbers,
     checked_positive,
     limits_of_lubricated_bearings,
     relative_speed,
     torque_of_parts,
 )
-from rolamento.numerics import FloatArray
+from rolamento.numerics import BoolArray, FloatArray
 from rolamento.words import marked, said
 
 BearingKind = Literal[
@@ -80,9 +83,6 @@ RIB_FACTORS: Final[Mapping[str, float]] = {
 }  # fmt: skip
 """f2 of cylindrical roller bearings with cage and ribs of today's design, up to F_a = 0.4 F_r;
 older ones have three times as much."""
-
-RIB_LOAD_SHARE: Final = 0.4
-"""F_a/F_r up to which f2 is valid."""
 
 _KNEE = 2000.0
 _SLOW = 160e-7
@@ -236,20 +236,35 @@ def _checked_kind(kind: str) -> str:
 
 
 def _of_bearing(setting: Setting) -> Torque:
-    machine, load = setting.machine, setting.solved.load
+    machine = setting.machine
     assert machine is not None
     assert machine.static_load_ratio is not None
-    return palmgren(
-        kind=machine.kind,
-        lubrication=machine.lubrication,
-        speed=relative_speed(setting.solved),
-        mean_diameter=machine.mean_diameter,
-        kinematic_viscosity=machine.kinematic_viscosity,
-        radial_load=np.hypot(load.fy, load.fz),
-        axial_load=load.fx,
-        static_load_ratio=machine.static_load_ratio,
-        contact_angle=machine.contact_angle,
+    ratio = machine.static_load_ratio
+    return added(
+        [
+            palmgren(
+                kind=machine.kind,
+                lubrication=machine.lubrication,
+                speed=relative_speed(setting.solved),
+                mean_diameter=machine.mean_diameter,
+                kinematic_viscosity=machine.kinematic_viscosity,
+                radial_load=radial,
+                axial_load=axial,
+                static_load_ratio=ratio,
+                contact_angle=machine.contact_angle,
+            )
+            for radial, axial in bearing_loads(setting)
+        ]
     )
+
+
+def _limits(setting: Setting) -> dict[str, BoolArray]:
+    """The third term is valid up to a share of the radial load."""
+    limits = limits_of_lubricated_bearings(setting)
+    if setting.machine is None or setting.machine.kind != "cylindrical":
+        return limits
+    pushed = [np.abs(fa) > RIB_LOAD_SHARE * fr for fr, fa in bearing_loads(setting)]
+    return {**limits, "axial_share": np.any(pushed, axis=0)}
 
 
 MODEL: Final = TorqueModel(
@@ -258,7 +273,7 @@ MODEL: Final = TorqueModel(
     short_title=marked("Palmgren"),
     needs=("machine", "static_load_ratio"),
     evaluate=_of_bearing,
-    limits=limits_of_lubricated_bearings,
+    limits=_limits,
     of_contacts=False,
     closed_form=True,
 )

@@ -43,7 +43,7 @@ which tells what of the other kinds was at hand.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from math import pi, radians
 from typing import Any, Final, Literal
@@ -57,6 +57,8 @@ from rolamento.friction.model import (
     Setting,
     Torque,
     TorqueModel,
+    added,
+    bearing_loads,
     checked_numbers,
     checked_positive,
     limits_of_lubricated_bearings,
@@ -405,23 +407,30 @@ _SAME_ANGLE: Final = radians(1.0)
 
 
 def _of_bearing(setting: Setting) -> Torque:
-    machine, load = setting.machine, setting.solved.load
+    machine = setting.machine
     assert machine is not None
     assert machine.constants is not None
     speed = relative_speed(setting.solved)
-    moment = skf_moment(
-        machine.constants,
-        speed=speed,
-        bore_diameter=machine.bore_diameter,
-        outside_diameter=machine.outside_diameter,
-        kinematic_viscosity=machine.kinematic_viscosity,
-        radial_load=np.hypot(load.fy, load.fz),
-        axial_load=load.fx,
-        static_load_rating=machine.static_load_rating,
-        supply=machine.supply,
-        oil=machine.oil,
-    )
-    return skf_torque(moment, speed)
+    moments = [
+        skf_moment(
+            machine.constants,
+            speed=speed,
+            bore_diameter=machine.bore_diameter,
+            outside_diameter=machine.outside_diameter,
+            kinematic_viscosity=machine.kinematic_viscosity,
+            radial_load=radial,
+            axial_load=axial,
+            static_load_rating=machine.static_load_rating,
+            axial_factor=machine.axial_factor,
+            supply=machine.supply,
+            oil=machine.oil,
+        )
+        for radial, axial in bearing_loads(setting)
+    ]
+    whole = added([skf_torque(moment, speed) for moment in moments])
+    if machine.constants.kind not in ROLLERS_FULL_FILM:
+        return whole
+    return replace(whole, starting=np.sum([moment.starting for moment in moments], axis=0))
 
 
 def _limits(setting: Setting) -> dict[str, BoolArray]:

@@ -20,6 +20,7 @@ from rolamento.friction.model import (
     ModelValidity,
     Setting,
     Torque,
+    TorqueModel,
     checked_coefficient,
     checked_positive,
     controlling_race,
@@ -27,11 +28,18 @@ from rolamento.friction.model import (
     hysteresis_loss,
     over_cases,
     relative_speed,
+    rolls_on_lines,
     torque_of_losses,
     unit_motion,
     validity_of,
 )
-from rolamento.friction.models import CONTACT_MODELS, TORQUE_MODELS
+from rolamento.friction.models import CONTACT_MODELS, ROLLER_MODEL, TORQUE_MODELS
+from rolamento.friction.rollers import (
+    line_hysteresis_loss,
+    line_resistance_loss,
+    roller_sliding,
+    starting_losses,
+)
 from rolamento.friction.rolling_resistance import rolling_resistance_loss
 from rolamento.friction.traction import EllipseMesh
 from rolamento.lubrication.films import film, has_film, oil_of
@@ -51,17 +59,18 @@ class Friction:
     Attributes
     ----------
     friction_coefficient
-        μ between balls and races, (cases,)
+        μ between elements and races, (cases,)
     model
         of the friction in the contacts
     torque
         running torque of all sources, (cases,), N·m; at rest the limit of slow turning
     starting_torque
-        of the first motion: static friction and hysteresis, (cases,), N·m
+        of the first motion: static friction and hysteresis, (cases,), N·m; at the ribs of rollers
+        with 0.2 if no static coefficient is given
     power
         running torque times the relative speed of the rings, (cases,), W
     torque_by_source
-        "spin", "rolling_slip", "hysteresis", "rolling_resistance": (cases,), N·m
+        "spin", "rolling_slip", "rib" of rollers, "hysteresis", "rolling_resistance": (cases,), N·m
     heat
         the same sources, contact by contact: (cases, elements), W; sums up to the power
     film_parameter
@@ -132,6 +141,7 @@ class Friction:
                 "models": {
                     found.model: {
                         "torque": self.models[found.model].total[case],
+                        **_started(self.models[found.model].starting, case),
                         "parts": {k: p[case] for k, p in self.models[found.model].parts.items()},
                         "holds": found.valid[case],
                         "reasons": [note.to_mapping() for note in found.notes_of(case)],
@@ -143,6 +153,18 @@ class Friction:
         return mapping
 
 
+def _started(torque: FloatArray | None, case: int) -> dict[str, Any]:
+    """The starting torque of a model that has one of its own."""
+    return {} if torque is None else {"starting_torque": torque[case]}
+
+
+def default_model(solved: Solved, *, quick: bool = False) -> str:
+    """Name the model of the contacts that is used if none is named; quick: a closed form."""
+    if rolls_on_lines(solved).all():
+        return ROLLER_MODEL
+    return "jones_simplified" if quick else "jones_full"
+
+
 def no_friction_control() -> Note:
     """Say that the rows of a set have no friction control."""
     return Note("no_friction_control_of_sets")
@@ -151,7 +173,7 @@ def no_friction_control() -> Note:
 def friction(
     solved: Solved,
     *,
-    model: str = "jones_full",
+    model: str | None = None,
     friction_coefficient: ArrayLike | None = None,
     static_coefficient: ArrayLike | None = None,
     hysteresis: ArrayLike = DEFAULT_HYSTERESIS,
@@ -173,11 +195,12 @@ def friction(
     solved
         From `rolamento.solve`.
     model
-        Of the friction in the contacts: a name in `CONTACT_MODELS`.
+        Of the friction in the contacts: a name in `CONTACT_MODELS`, by default "jones_full", or
+        "roller_sliding", the default of roller bearings.
     friction_coefficient
-        μ between balls and races in the place of the lubricant's, a number or (cases,).
+        μ between elements and races in the place of the lubricant's, a number or (cases,).
     static_coefficient
-        μ at the first motion; μ itself if not given.
+        μ at the first motion; if not given μ itself, and 0.2 at the ribs of rollers.
     hysteresis
         α_h of the material; 0 leaves hysteresis out.
     dynamic_viscosity
@@ -201,9 +224,10 @@ def friction(
         For an unknown name, a missing coefficient, or a number out of range.
     """
     refuse_other(solved, "friction")
-    if model not in CONTACT_MODELS:
+    model = default_model(solved) if model is None else model
+    if model not in (*CONTACT_MODELS, ROLLER_MODEL):
         raise InputError(
-            said("must be one of {known}", known=", ".join(CONTACT_MODELS)),
+            said("must be one of {known}", known=", ".join((*CONTACT_MODELS, ROLLER_MODEL))),
             field="model",
             value=model,
             example='model="jones_full"',
@@ -254,22 +278,29 @@ def _friction_of(setting: Setting, model: str, compare: bool) -> Friction:
         thinnest = film(setting.solved, threads=1).minimum_film_parameter[:, np.newaxis]
         setting = replace(setting, film_parameter=thinnest)
     models = {
-        name: own.evaluate(setting)
+        name: own.evaluate(setting) if own.knows(setting.solved) else _no_torque(name, setting)
         for name, own in TORQUE_MODELS.items()
-        if name == model or ((compare or not own.of_contacts) and setting.supplies(own.needs))
+        if name == model or (_shown(own, setting, compare) and setting.supplies(own.needs))
     }
     beside = [_hysteresis(setting)]
     if setting.dynamic_viscosity is not None:
         beside.append(_rolling_resistance(setting, setting.dynamic_viscosity))
+    if setting.solved.rollers is not None and model != ROLLER_MODEL:
+        beside.append(_sliding(setting, roller_sliding(setting)))
     sources = [models[model], *beside]
     mu = setting.friction_coefficient
     with np.errstate(divide="ignore", invalid="ignore"):
         lift = np.where(mu > 0.0, setting.static_coefficient / mu, 1.0)[:, 0]
+    starting = beside[0].total
+    if model != ROLLER_MODEL:
+        starting = lift * models[model].total + starting
+    if setting.solved.rollers is not None:
+        starting = starting + _sliding(setting, starting_losses(setting)).total
     return Friction(
         friction_coefficient=mu[:, 0],
         model=model,
         torque=np.sum([source.total for source in sources], axis=0),
-        starting_torque=lift * models[model].total + beside[0].total,
+        starting_torque=starting,
         power=np.sum([source.power for source in sources], axis=0),
         torque_by_source={k: v for source in sources for k, v in source.parts.items()},
         heat={k: v for source in sources for k, v in source.losses.items()},
@@ -283,19 +314,54 @@ def _friction_of(setting: Setting, model: str, compare: bool) -> Friction:
     )
 
 
+def _shown(own: TorqueModel, setting: Setting, compare: bool) -> bool:
+    """Whether a model stands beside the one in use; that of rollers only where there are some."""
+    rolls = rolls_on_lines(setting.solved)
+    if own.name == ROLLER_MODEL:
+        return bool(rolls.all())
+    return compare or not own.of_contacts
+
+
+def _no_torque(name: str, setting: Setting) -> Torque:
+    """The torque of a model of other elements: none."""
+    nothing = np.full(len(setting), np.nan)
+    return Torque(name, nothing, {}, nothing, np.zeros(len(setting), np.bool_))
+
+
+def _sliding(setting: Setting, losses: Mapping[str, ContactLoss]) -> Torque:
+    return torque_of_losses(ROLLER_MODEL, setting.solved, losses, has_result(setting.solved))
+
+
 def _hysteresis(setting: Setting) -> Torque:
     solved = setting.solved
-    motion = unit_motion(solved, controlling_race(solved, setting.control))
-    lost = hysteresis_loss(solved, motion, setting.hysteresis)
+    rolls = rolls_on_lines(solved)
+    if rolls.all():
+        lost = line_hysteresis_loss(solved, setting.hysteresis)
+    else:
+        with np.errstate(all="ignore" if rolls.any() else None):
+            motion = unit_motion(solved, controlling_race(solved, setting.control))
+            lost = hysteresis_loss(solved, motion, setting.hysteresis)
+        if rolls.any():
+            lost = lost.beside(line_hysteresis_loss(solved, setting.hysteresis))
     return torque_of_losses(HYSTERESIS, solved, {HYSTERESIS: lost}, has_result(solved))
 
 
 def _rolling_resistance(setting: Setting, viscosity: FloatArray) -> Torque:
     """The oil's rolling resistance as a torque."""
     solved = setting.solved
+    rolls = rolls_on_lines(solved)
     speed = np.abs(relative_speed(solved))[:, np.newaxis]
     turning = np.where(speed > 0.0, speed, 1.0)
-    unit = rolling_resistance_loss(solved, viscosity[:, 0]).scaled(1.0 / turning)
+    if rolls.all():
+        lost = line_resistance_loss(solved, viscosity)
+    else:
+        with np.errstate(all="ignore" if rolls.any() else None):
+            lost = rolling_resistance_loss(solved, viscosity[:, 0])
+        if rolls.any():
+            lost = lost.beside(line_resistance_loss(solved, viscosity))
     return torque_of_losses(
-        ROLLING_RESISTANCE, solved, {ROLLING_RESISTANCE: unit}, has_result(solved)
+        ROLLING_RESISTANCE,
+        solved,
+        {ROLLING_RESISTANCE: lost.scaled(1.0 / turning)},
+        has_result(solved),
     )

@@ -36,8 +36,10 @@ REPLENISHMENT: Final[dict[Supply, float]] = {
     "oil_air": 6e-8,
 }
 """K_rs by the way of lubrication. SKF, General catalogue (2018), frictional moment."""
-BEARING_TYPE: Final = {"deep_groove": 3.1, "angular_contact": 4.4}
-"""K_z. As above."""
+BEARING_TYPE: Final = {
+    "deep_groove": 3.1, "angular_contact": 4.4, "cylindrical": 5.1, "tapered": 6.0,
+}  # fmt: skip
+"""K_z. As above; SKF has none of needle roller bearings, which take that of cylindrical ones."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -219,7 +221,7 @@ def replenishment(
     outside_diameter: float,
     supply: Supply,
     *,
-    angular_contact: bool,
+    kind: str,
 ) -> FloatArray:
     """Factor of how well the track is refilled between balls.
 
@@ -229,7 +231,7 @@ def replenishment(
     speed : array, of the rings against each other; rad/s.
     bore, outside_diameter : m.
     supply : way of lubrication.
-    angular_contact : whether the bearing is one, or else a deep-groove bearing.
+    kind : of bearing, a key of `BEARING_TYPE`.
 
     Returns
     -------
@@ -241,11 +243,11 @@ def replenishment(
     outside = 1e3 * float(
         in_reach(outside_diameter, "outside_diameter", "m", bore, 1e3, least_too=False)
     )
-    kind = BEARING_TYPE["angular_contact" if angular_contact else "deep_groove"]
+    spreading = BEARING_TYPE[kind]
     nu = in_reach(viscosity, "viscosity", "m²/s", 0.0, 1e6)
     omega = in_reach(speed, "speed", "rad/s", 0.0, 1e9)
     flow = nu * omega * 1e6 * 30.0 / np.pi
-    spread = (d + outside) * np.sqrt(kind / (2.0 * (outside - d)))
+    spread = (d + outside) * np.sqrt(spreading / (2.0 * (outside - d)))
     return np.asarray(np.exp(-REPLENISHMENT[supply] * flow * spread))
 
 

@@ -15,6 +15,7 @@ from rolamento.case.lubricant import Lubricant
 from rolamento.errors import InputError
 from rolamento.geometry import Race
 from rolamento.lubrication.film_thickness import (
+    FilmGroups,
     central_film,
     film_groups,
     flooded_distance_central,
@@ -27,10 +28,11 @@ from rolamento.lubrication.film_thickness import (
     replenishment,
     thermal_loading,
 )
+from rolamento.lubrication.line_film import line_film, line_groups
 from rolamento.lubrication.notes import notes_on
 from rolamento.lubrication.oil_state import OilState, oil_state, reference_viscosity
 from rolamento.lubrication.regime import regime_indices, regime_of, regimes
-from rolamento.numerics import FloatArray
+from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.blocks import in_blocks
 from rolamento.solved import NO_LOAD, RACES, Contacts, Solved, refuse_other
 from rolamento.words import Note, said
@@ -48,7 +50,8 @@ class ContactFilms:
     entrainment_speed
         u, mean of both surfaces (m/s)
     speed_parameter, load_parameter, material_parameter, ellipticity
-        U, W, G and k
+        U, W, G and k; of a roller W' of its slice with the most load, where the film is thinnest,
+        and k infinite
     central_thickness, minimum_thickness
         h_c and h_0 with all reductions (m); 0 where nothing turns, NaN where nothing touches
     thermal_factor, starvation_factor
@@ -167,19 +170,33 @@ class Film:
             {
                 "lubricant": self.lubricant,
                 **{name: getattr(self, name)[case] for name in whole},
-                "balls": [
-                    {
-                        "row": self.row[case, element],
-                        "azimuth": self.azimuth[case, element],
-                        "inner": self.inner.to_mapping(case, element),
-                        "outer": self.outer.to_mapping(case, element),
-                    }
-                    for element in range(self.row.shape[1])
-                ],
+                **self._entries(case),
                 "notes": [note.to_mapping() for note in self.notes_of(case)],
             }
         )
         return mapping
+
+    def _entries(self, case: int) -> dict[str, list[dict[str, Any]]]:
+        """The elements of one case: balls, and rollers where there are some."""
+        kinds = _kinds(self.case)
+        found: dict[str, list[dict[str, Any]]] = {"balls": []}
+        if set(kinds) != {"ball"}:
+            found["rollers"] = []
+        for element, row in enumerate(self.row[case]):
+            found["balls" if kinds[row] == "ball" else "rollers"].append(
+                {
+                    "row": row,
+                    "azimuth": self.azimuth[case, element],
+                    "inner": self.inner.to_mapping(case, element),
+                    "outer": self.outer.to_mapping(case, element),
+                }
+            )
+        return found
+
+
+def _kinds(case: Case) -> tuple[str, ...]:
+    """What rolls in each row."""
+    return tuple(place.bearing.element for place in case.bearing.places)
 
 
 def film(solved: Solved, *, threads: int | None = None) -> Film:
@@ -197,7 +214,8 @@ def film(solved: Solved, *, threads: int | None = None) -> Film:
     InputError
         If there is no lubricant, or no temperature of it.
 
-    Hamrock and Dowson (1977), with the reductions that `case.film` names.
+    Hamrock and Dowson (1977) for balls, Pan and Hamrock (1989) or Dowson and Toyoda (1979) for
+    rollers, with the reductions that `case.film` names.
     """
     refuse_other(solved, "film")
     lubricant_of(solved.case)
@@ -276,25 +294,15 @@ def _film_of_some(solved: Solved) -> Film:
 def _films_of_race(
     solved: Solved, race: Race, oil: OilState, model: FilmModel, refill: FloatArray
 ) -> ContactFilms:
-    """Hamrock and Dowson with the reductions of the model; oil and refill (cases, 1)."""
+    """The formulas with the reductions of the model; oil and refill (cases, 1)."""
     contacts = solved.contacts[race]
     other = solved.contacts["outer" if race == "inner" else "inner"]
-    touching = contacts.load > NO_LOAD * other.load
-    load, u, ellipticity = (
-        np.where(touching, values, np.nan)
-        for values in (contacts.load, contacts.entrainment, contacts.ellipticity)
-    )
-    groups = film_groups(
-        u,
-        load,
-        contacts.rolling_curvature,
-        ellipticity,
-        contacts.modulus,
-        oil.dynamic_viscosity,
-        oil.pressure_viscosity,
-    )
+    with np.errstate(invalid="ignore"):
+        touching = contacts.load > NO_LOAD * other.load
+    u = np.where(touching, contacts.entrainment, np.nan)
+    groups, central, minimum = _isothermal_films(contacts, touching, u, oil, model)
     thermal = _thermal_factor(contacts, u, oil, model)
-    central, minimum = central_film(groups) * thermal, minimum_film(groups) * thermal
+    central, minimum = central * thermal, minimum * thermal
     starved, starved_minimum = _starvation_factors(contacts, central, minimum, model, refill)
     radius = 1.0 / contacts.rolling_curvature
     thickness = central * starved * radius
@@ -314,6 +322,34 @@ def _films_of_race(
             thickness / roughness,
         )
     )
+
+
+def _isothermal_films(
+    contacts: Contacts, touching: BoolArray, u: FloatArray, oil: OilState, model: FilmModel
+) -> tuple[FilmGroups, FloatArray, FloatArray]:
+    """The groups, and both films over R_x, of points of contact and of lines."""
+    curvature, modulus = contacts.rolling_curvature, contacts.modulus
+    fluid = (oil.dynamic_viscosity, oil.pressure_viscosity)
+    points = touching if contacts.line is None else touching & np.isfinite(contacts.conformity)
+    load, ellipticity = (
+        np.where(points, values, np.nan) for values in (contacts.load, contacts.ellipticity)
+    )
+    groups = film_groups(u, load, curvature, ellipticity, modulus, *fluid)
+    central, minimum = central_film(groups), minimum_film(groups)
+    if contacts.line is None:
+        return groups, central, minimum
+    lines = touching & ~points
+    most = np.where(lines, contacts.line.load_per_length.max(axis=-1), np.nan)
+    of_lines = line_groups(u, most, curvature, modulus, *fluid)
+    both = FilmGroups(
+        of_lines.speed,
+        *(
+            np.where(lines, getattr(of_lines, name), getattr(groups, name))
+            for name in ("load", "material", "ellipticity")
+        ),
+    )
+    middle, least = line_film(of_lines, model.line or "pan_hamrock")
+    return both, np.where(lines, middle, central), np.where(lines, least, minimum)
 
 
 def _thermal_factor(
@@ -338,7 +374,10 @@ def _starvation_factors(
     model: FilmModel,
     refill: FloatArray,
 ) -> tuple[FloatArray, FloatArray]:
-    """Of the central and of the minimum film; the films over R_x without starvation are given."""
+    """Of the central and of the minimum film; the films over R_x without starvation are given.
+
+    The inlet distance is of ellipses only: lines are flooded, and a note says so.
+    """
     if model.starvation != "inlet_distance":
         return refill, refill
     assert model.inlet_distance is not None
@@ -346,10 +385,14 @@ def _starvation_factors(
     b = np.where(contacts.semi_minor > 0.0, contacts.semi_minor, np.nan)
     with np.errstate(divide="ignore", invalid="ignore"):
         distance = model.inlet_distance / b
-        return (
+        found = (
             inlet_distance_central(distance, flooded_distance_central(central, radius, b)),
             inlet_distance_minimum(distance, flooded_distance_minimum(minimum, radius, b)),
         )
+    if contacts.line is None:
+        return found
+    flooded = np.isnan(contacts.conformity)
+    return np.where(flooded, 1.0, found[0]), np.where(flooded, 1.0, found[1])
 
 
 def _refill(case: Case, model: FilmModel, oil: OilState, speed: FloatArray) -> FloatArray:
@@ -365,5 +408,12 @@ def _refill(case: Case, model: FilmModel, oil: OilState, speed: FloatArray) -> F
         model.bore,
         model.outside_diameter,
         model.supply,
-        angular_contact=case.bearing.contact_angle is not None,
+        kind=_refilled_kind(case),
     )
+
+
+def _refilled_kind(case: Case) -> str:
+    """The kind of bearing that the factor of replenishment has a constant for."""
+    if case.bearing.element == "ball":
+        return "deep_groove" if case.bearing.contact_angle is None else "angular_contact"
+    return "tapered" if case.bearing.element == "tapered" else "cylindrical"

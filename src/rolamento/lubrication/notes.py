@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from rolamento.case.lubricant import Lubricant
-from rolamento.lubrication.film_thickness import COMPUTED_RANGE
+from rolamento.lubrication.film_thickness import COMPUTED_RANGE, FilmGroups
+from rolamento.lubrication.line_film import line_film, rigid_film
 from rolamento.lubrication.regime import regime_of
 from rolamento.oil import MINIMUM_VISCOSITY
 from rolamento.words import Note
@@ -88,14 +89,31 @@ def _assumptions(film: Film, case: int, lubricant: Lubricant) -> Iterator[Note]:
 
 def _range(film: Film, case: int, there: BoolArray) -> Iterator[Note]:
     """Groups outside of what the formulas were fitted to."""
+    groups = {name: _of_contacts(film, case, name)[there] for name in _GROUPS.values()}
+    lines = np.isinf(groups["ellipticity"])
+    if lines.any():
+        yield from _lines(film, FilmGroups(*(values[lines] for values in groups.values())))
     outside = {}
     for symbol, name in _GROUPS.items():
-        values = _of_contacts(film, case, name)[there]
+        values = groups[name][~lines]
+        if not values.size:
+            return
         minimum, maximum = COMPUTED_RANGE[symbol]
         if values.min() < minimum or values.max() > maximum:
             outside[symbol] = [float(values.min()), float(values.max())]
     if outside:
         yield Note("outside_hamrock_dowson", outside)
+
+
+def _lines(film: Film, groups: FilmGroups) -> Iterator[Note]:
+    """Lines of contact too lightly loaded for their formulas, or starved as ellipses are."""
+    model = film.case.film
+    formula = None if model is None else model.line
+    _, least = line_film(groups, formula or "pan_hamrock")
+    if (rigid_film(groups) > least)[np.argmax(groups.load)]:
+        yield Note("film_of_light_lines")
+    if model is not None and model.starvation == "inlet_distance":
+        yield Note("lines_not_starved")
 
 
 def _reductions(film: Film, case: int, there: BoolArray) -> Iterator[Note]:

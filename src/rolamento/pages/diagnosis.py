@@ -228,10 +228,10 @@ def _search(found: DiagnosisResult) -> Iterable[str]:
 
 
 def _parts(diagnosis: Diagnosis) -> Section:
-    parts = diagnosis.components
+    parts, element = diagnosis.components, diagnosis.element
     bands = [part.band or (None, None) for part in parts]
     columns = (
-        Column(head="", values=[part_name(part.component) for part in parts], key="part"),
+        Column(head="", values=[part_name(part.component, element) for part in parts], key="part"),
         Column(
             head="",
             values=[ABBREVIATIONS[FAULTS[part.component]] for part in parts],
@@ -318,17 +318,31 @@ def _band(part: ComponentVerdict) -> str:
 
 
 def _legend(diagnosis: Diagnosis) -> Iterable[str]:
-    if diagnosis.trials:
+    if not diagnosis.trials:
+        return
+    values = {
+        "damage": DAMAGE,
+        "severe": SEVERE,
+        "trials": str(diagnosis.trials),
+        "least": -log10(diagnosis.false_alarm),
+    }
+    if diagnosis.element == "ball":
         yield said(
             "Depth: swing of the squared envelope at that frequency over its mean; damage from"
             " {damage:.0f %}, severe from {severe:.0f %}. Evidence: −log10 of the probability that"
             " noise without such peaks gives them, all {trials} trials counted; a finding from"
             " {least:.3}. Healthy bearings have such peaks too: depth decides. Band: where it"
             " resonates most clearly. Ball: its damage strikes twice per revolution.",
-            damage=DAMAGE,
-            severe=SEVERE,
-            trials=str(diagnosis.trials),
-            least=-log10(diagnosis.false_alarm),
+            **values,
+        )
+    else:
+        yield said(
+            "Depth: swing of the squared envelope at that frequency over its mean; damage from"
+            " {damage:.0f %}, severe from {severe:.0f %}. Evidence: −log10 of the probability that"
+            " noise without such peaks gives them, all {trials} trials counted; a finding from"
+            " {least:.3}. Healthy bearings have such peaks too: depth decides. Band: where it"
+            " resonates most clearly. Roller: its damage strikes twice per revolution.",
+            **values,
         )
 
 
@@ -339,7 +353,7 @@ def _why(diagnosis: Diagnosis) -> Section:
     by_reasons: dict[str, list[str]] = {}
     for part in parts:
         text = "\n".join(note.text for note in part.reasons)
-        by_reasons.setdefault(text, []).append(part_name(part.component))
+        by_reasons.setdefault(text, []).append(part_name(part.component, diagnosis.element))
     blocks = [
         block
         for text, names in by_reasons.items()

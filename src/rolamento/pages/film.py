@@ -57,7 +57,7 @@ def film_sections(film: Film) -> list[Section]:
         return [Section(said("Lubricant film"), tuple(blocks), key="film")]
     heading = Statement(said("at the contact with the thinnest film"), "faint", indent=2)
     blocks += [heading, _thinnest(film), _regimes(film)]
-    return [Section(said("Lubricant film"), tuple(blocks), key="film"), _balls(film)]
+    return [Section(said("Lubricant film"), tuple(blocks), key="film"), _elements(film)]
 
 
 def _oil(film: Film) -> list[Statement]:
@@ -150,8 +150,8 @@ _ONLY_IN_FILES: Final = (
 )
 
 
-def _balls(film: Film) -> Section:
-    """Show the films of all balls, the minimum of each column marked."""
+def _elements(film: Film) -> Section:
+    """Show the films of all rolling elements, the minimum of each column marked."""
     count = film.azimuth.shape[1]
     columns = [
         Column(head="#", values=list(range(count)), key="ball", tone="faint"),
@@ -187,4 +187,13 @@ def _balls(film: Film) -> Section:
         " ◂ minimum"
     )
     table = Table(columns=tuple(columns), key="films", legends=(legend,), rule=True)
-    return Section(said("Films of the balls"), (table,), key="films")
+    return Section(_whose(film), (table,), key="films")
+
+
+def _whose(film: Film) -> str:
+    kinds = {place.bearing.element for place in film.case.bearing.places}
+    if kinds == {"ball"}:
+        return said("Films of the balls")
+    if "ball" in kinds:
+        return said("Films of the rolling elements")
+    return said("Films of the rollers")

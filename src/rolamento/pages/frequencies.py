@@ -7,6 +7,7 @@ from math import isfinite
 from typing import TYPE_CHECKING, Final
 
 from rolamento.case.bearing import Bearing
+from rolamento.case.roller_bearing import RollerBearing
 from rolamento.document import (
     CellContent,
     Column,
@@ -39,6 +40,11 @@ _LINES: Final[dict[LineName, str]] = {
     "ball_spin": marked("ball, one revolution"),
     "ball_spin_twice": marked("ball, both races"),
 }
+_OF_ROLLERS: Final[dict[LineName, str]] = {
+    **_LINES,
+    "ball_spin": marked("roller, one revolution"),
+    "ball_spin_twice": marked("roller, both races"),
+}
 
 
 def frequencies_page(found: FrequencyResult) -> Document:
@@ -47,7 +53,7 @@ def frequencies_page(found: FrequencyResult) -> Document:
     sections += [_lines(found, one) for one in found.by_source if isfinite(one.cage.order)]
     sections.append(_harmonics(found))
     if found.alternatives:
-        sections.append(_alternatives(found.alternatives))
+        sections.append(_alternatives(found.alternatives, found.nominal.element))
     sections += _notes(found)
     sections.append(in_files("lines", _COLUMNS, _every_line(found)))
     return Document(found.title, tuple(sections), kind="frequencies", main="lines")
@@ -83,8 +89,18 @@ def _every_line(found: FrequencyResult) -> Iterator[tuple[CellContent, ...]]:
                     yield one.source, one.row, *called, *own, *[None] * 4
 
 
-def balls_of(bearing: Bearing) -> str:
-    """Say what the frequencies follow from: the balls and the circle of their centres."""
+def balls_of(bearing: Bearing | RollerBearing) -> str:
+    """Say what the frequencies follow from: the balls and the circle of their centres, or rollers.
+
+    Of a set, those of its first row.
+    """
+    if isinstance(bearing, RollerBearing):
+        return said(
+            "{count} rollers of {roller:.5 mm}, pitch diameter {pitch:.6 mm}",
+            count=bearing.roller_count,
+            roller=bearing.roller_diameter,
+            pitch=bearing.pitch_diameter,
+        )
     return said(
         "{count} balls of {ball:.5 mm}, pitch diameter {pitch:.6 mm}",
         count=bearing.ball_count,
@@ -95,6 +111,12 @@ def balls_of(bearing: Bearing) -> str:
 
 def contact_angle(frequencies: FaultFrequencies) -> str:
     """Say which contact angle the frequencies are of."""
+    if frequencies.element == "tapered":
+        return said(
+            "contact angles {inner:.4 °} (inner) and {outer:.4 °} (outer)",
+            inner=frequencies.inner_contact_angle,
+            outer=frequencies.outer_contact_angle,
+        )
     return said("contact angle {angle:.4 °}", angle=frequencies.inner_contact_angle)
 
 
@@ -130,7 +152,7 @@ def _lines(found: FrequencyResult, one: FaultFrequencies) -> Section:
     nominal, several = one.source == "nominal", bool(found.nominal.rows)
     lines = list(one.lines.values())
     columns = [
-        Column(head="", values=[said(_LINES[name]) for name in one.lines], key="line"),
+        Column(head="", values=[said(_names(one)[name]) for name in one.lines], key="line"),
         Column(head="", values=[ABBREVIATIONS[name] for name in one.lines], key="abbreviation"),
         Column(head=said("order"), values=[line.order for line in lines], form=".4f", key="order"),
         Column(
@@ -147,14 +169,28 @@ def _lines(found: FrequencyResult, one: FaultFrequencies) -> Section:
         " at their worst together."
     )
     if not nominal and found.solved is not None:
-        legend = said(
-            "Order: of the cage as driven by the loads. Minimum, mean, maximum: over the {count}"
-            " balls in contact with the inner ring.",
-            count=int(found.solved.loaded_elements[0, one.row]),
-        )
+        legend = _loaded_legend(one, int(found.solved.loaded_elements[0, one.row]))
     name = f"{one.source}_{one.row}" if several else one.source
     table = Table(columns=tuple(columns), key=f"lines_{name}", legends=(legend,))
     return Section(_heading(one, several=several), (table,), key=name)
+
+
+def _names(one: FaultFrequencies) -> dict[LineName, str]:
+    return _LINES if one.rolling_element == "ball" else _OF_ROLLERS
+
+
+def _loaded_legend(one: FaultFrequencies, count: int) -> str:
+    if one.rolling_element == "ball":
+        return said(
+            "Order: of the cage as driven by the loads. Minimum, mean, maximum: over the {count}"
+            " balls in contact with the inner ring.",
+            count=count,
+        )
+    return said(
+        "Order: of the cage as driven by the loads. Minimum, mean, maximum: over the {count}"
+        " rollers in contact with the inner ring.",
+        count=count,
+    )
 
 
 def _heading(one: FaultFrequencies, *, several: bool) -> str:
@@ -227,7 +263,12 @@ def _harmonics(found: FrequencyResult) -> Section:
     }
     rows = [(kind, number) for kind in FAULTS for number in numbers]
     columns = [
-        Column(head="", values=[part_name(kind) for kind, _ in rows], key="part", once=True),
+        Column(
+            head="",
+            values=[part_name(kind, best.element) for kind, _ in rows],
+            key="part",
+            once=True,
+        ),
         Column(
             head="",
             values=[ABBREVIATIONS[FAULTS[kind]] for kind, _ in rows],
@@ -254,6 +295,11 @@ def _harmonics(found: FrequencyResult) -> Section:
         "Sidebands: of a stationary load, with the ring that is damaged, or with the cage for a"
         " ball."
     )
+    if best.rolling_element == "roller":
+        legend = said(
+            "Sidebands: of a stationary load, with the ring that is damaged, or with the cage for"
+            " a roller."
+        )
     headings = {
         (True, "nominal"): said("Harmonics and sidebands by the geometry"),
         (True, "loaded"): said("Harmonics and sidebands under load"),
@@ -264,12 +310,12 @@ def _harmonics(found: FrequencyResult) -> Section:
     return Section(headings[in_hertz, best.source], (table,), key="harmonics")
 
 
-def _alternatives(alternatives: Sequence[Alternative]) -> Section:
+def _alternatives(alternatives: Sequence[Alternative], element: str) -> Section:
     orders: tuple[tuple[LineName, str], ...] = (
         ("cage", said("cage")),
         ("ball_pass_outer", said_in("race", "outer")),
         ("ball_pass_inner", said_in("race", "inner")),
-        ("ball_spin_twice", said("ball")),
+        ("ball_spin_twice", part_name("ball", element)),
     )
     columns = (
         Column(
@@ -314,6 +360,11 @@ def _alternatives(alternatives: Sequence[Alternative]) -> Section:
         "Ball: both races. × marks a geometry that misses a printed rating by more than three"
         " tolerances; the band leaves it out."
     )
+    if element != "ball":
+        legend = said(
+            "Roller: both races. × marks a geometry that misses a printed rating by more than three"
+            " tolerances; the band leaves it out."
+        )
     table = Table(columns=columns, key="alternatives", legends=(legend,))
     heading = said("Other geometries that the ratings allow (orders)")
     return Section(heading, (table,), key="alternatives")

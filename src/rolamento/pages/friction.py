@@ -32,6 +32,7 @@ __all__ = ["friction_page", "friction_sections", "power_unit", "torque_unit", "v
 _SOURCES: Final = {
     "spin": marked("spin"),
     "rolling_slip": marked("slip in rolling"),
+    "rib": marked("sliding at the ribs"),
     "hysteresis": marked("elastic hysteresis"),
     "rolling_resistance": marked("oil at the inlets"),
 }
@@ -42,6 +43,9 @@ _REASONS: Final = {
     "no_film": marked("no film"),
     "more_contacts": marked("balls on both arcs"),
     "other_angle": marked("constants for 40°"),
+    "for_balls": marked("for balls"),
+    "axial_share": marked("axial load too high"),
+    "rib_film_unknown": marked("rib: no film assumed"),
     "torque_at_rest": marked("at rest"),
     "torque_unknown": marked("no result"),
 }
@@ -54,7 +58,9 @@ def friction_page(analysis: Analysis) -> Document:
     sections = [head(solved)]
     if analysis.friction is not None:
         sections += friction_sections(solved, analysis.friction)
-    return Document(solved.title or untitled(), tuple(sections), kind="friction", main="models")
+    return Document(
+        solved.title or untitled(solved.case), tuple(sections), kind="friction", main="models"
+    )
 
 
 def torque_unit(values: Sequence[float]) -> str:
@@ -113,13 +119,18 @@ def _torque_and_heat(solved: Solved, friction: Friction) -> Section:
 def _totals(friction: Friction) -> Table:
     running, starting = float(friction.torque[0]), float(friction.starting_torque[0])
     power = float(friction.power[0])
-    torque, watt = torque_unit([running, starting]), power_unit([power])
-    units = [torque, torque, watt]
+    rows = [(said("running torque"), running), (said("starting torque"), starting)]
+    for name, found in friction.models.items():
+        if found.starting is not None:
+            text = said("starting torque, {model}", model=torque_model_name(name))
+            rows.append((text, float(found.starting[0])))
+    torque, watt = torque_unit([value for _, value in rows]), power_unit([power])
+    units = [torque] * len(rows) + [watt]
+    rows.append((said("power loss"), power))
     values = [
-        Number(value, f".4 [{unit}]")
-        for value, unit in zip((running, starting, power), units, strict=True)
+        Number(value, f".4 [{unit}]") for (_, value), unit in zip(rows, units, strict=True)
     ]
-    labels = [said("running torque"), said("starting torque"), said("power loss")]
+    labels = [label for label, _ in rows]
     columns = (
         Column(head="", values=labels, key="quantity"),
         Column(head="", values=values, key="value", tone="strong"),
@@ -165,6 +176,10 @@ def _sources(friction: Friction) -> list[Section]:
         " not included",
         model=torque_model_name(friction.model),
     )
+    if "rib" in names:
+        legend = said(
+            "torque and heat of the contacts; seals, cage and churning of the oil are not included"
+        )
     table = Table(columns=tuple(columns), key="sources", legends=(legend,), gap=3)
     return [Section("", (table,), key="sources")]
 
@@ -175,7 +190,10 @@ def _models(solved: Solved, friction: Friction) -> Section:
 
     added = float(friction.torque[0] - friction.models[friction.model].total[0])
     entries: list[tuple[str, float, float, str, bool]] = []
+    of_balls = [own for own in friction.validity if "for_balls" in own.limits]
     for found in friction.validity:
+        if found in of_balls:
+            continue
         own = float(friction.models[found.model].total[0])
         whole = own + added if TORQUE_MODELS[found.model].of_contacts else own
         valid = bool(found.valid[0])
@@ -218,6 +236,7 @@ def _models(solved: Solved, friction: Friction) -> Section:
             tones=["" if entry[4] else "warning" for entry in entries],
         ),
     )
-    table = Table(columns=columns, key="models")
+    legends = (said("the models of Jones, Harris and Todd are for balls"),) if of_balls else ()
+    table = Table(columns=columns, key="models", legends=legends)
     nowhere = [Statement(n.text, "warning", indent=2) for n in friction.without_model(solved)]
     return Section(said("Friction torque by model"), (table, *nowhere), key="models")

@@ -55,7 +55,7 @@ def friction_over_page(curves: Sequence[FrictionCurve]) -> Document:
     curves
         The case's own first, then its variants.
     """
-    title = curves[0].case.title or untitled()
+    title = curves[0].case.title or untitled(curves[0].case)
     sections = [Section("", (Title(title),), key="head")]
     for number, curve in enumerate(curves):
         sections.append(_torques(curve, number))

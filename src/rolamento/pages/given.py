@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import nan
 from typing import Final
 
 from rolamento.case import Case
 from rolamento.case.arrangement import Preload
-from rolamento.case.bearing import Bearing, RowPlace, ball_bearing
+from rolamento.case.bearing import Bearing, RowPlace
 from rolamento.case.duty import AXES, LOADS, Duty
+from rolamento.case.profile import Profile
+from rolamento.case.roller_bearing import RollerBearing
 from rolamento.case.rolling_bearing import RollingBearing
 from rolamento.document import Entry, KeyValues, Section, Title
 from rolamento.solved import Solved
@@ -26,18 +29,25 @@ def head(solved: Solved) -> Section:
     """Return the title, what was given, and how the solution ended."""
     case = solved.case
     entries = (
-        Entry(said("bearing"), _bearing(ball_bearing(case))),
+        Entry(said("bearing"), _bearing(case.bearing)),
         Entry(said("duty"), _duty(case.duty)),
         Entry(said("model"), model_text(case)),
         *_status(solved),
     )
     given = tuple(entry for entry in entries if entry.content)  # at rest no model matters
-    return Section("", (Title(solved.title or untitled()), KeyValues(given)), key="given")
+    return Section("", (Title(solved.title or untitled(case)), KeyValues(given)), key="given")
 
 
-def untitled() -> str:
-    """Return what a case without a title is called."""
-    return said("Ball bearing")
+def untitled(case: Case) -> str:
+    """Return what a case without a title is called: by what rolls in it."""
+    names = {
+        "ball": said("Ball bearing"),
+        "cylindrical": said("Cylindrical roller bearing"),
+        "tapered": said("Tapered roller bearing"),
+        "needle": said("Needle roller bearing"),
+    }
+    kinds = {place.bearing.element for place in case.bearing.places}
+    return names[kinds.pop()] if len(kinds) == 1 else said("Set of bearings of several kinds")
 
 
 def quantity(value: float, dimension: Dimension) -> str:
@@ -48,34 +58,142 @@ def quantity(value: float, dimension: Dimension) -> str:
 # --- bearing -----------------------------------------------------------------------------------
 
 
-def _bearing(bearing: Bearing) -> str:
-    geometry = said(
+def _bearing(bearing: Bearing | RollerBearing) -> str:
+    if isinstance(bearing, RollerBearing):
+        lines = [_rollers(bearing), _between_rings(bearing), *_profiles(bearing)]
+    else:
+        lines = [_balls(bearing), _grooves(bearing)]
+    return "\n".join((*lines, _materials(bearing), *_arrangement_lines(bearing)))
+
+
+def _balls(bearing: Bearing) -> str:
+    return said(
         "{count} balls of {ball}, pitch diameter {pitch}",
         count=bearing.ball_count,
         ball=quantity(bearing.ball_diameter, "length"),
         pitch=quantity(bearing.pitch_diameter, "length"),
     )
+
+
+def _grooves(bearing: Bearing) -> str:
     if bearing.kind == "self_aligning":
-        conformities = said(
+        return said(
             "{play}, conformity {inner:.5} inner, outer race a sphere of radius {radius}",
             play=_play(bearing),
             inner=bearing.inner_conformity,
             radius=quantity(bearing.outer_conformity * bearing.ball_diameter, "length"),
         )
-    else:
-        conformities = said(
-            "{play}, conformity {inner:.5} inner, {outer:.5} outer",
-            play=_play(bearing),
-            inner=bearing.inner_conformity,
-            outer=bearing.outer_conformity,
-        )
-    rings, balls = bearing.ring_material, bearing.ball_material
-    materials = (
-        said("rings and balls of {rings}", rings=rings.name)
-        if rings == balls
-        else said("rings of {rings}, balls of {balls}", rings=rings.name, balls=balls.name)
+    return said(
+        "{play}, conformity {inner:.5} inner, {outer:.5} outer",
+        play=_play(bearing),
+        inner=bearing.inner_conformity,
+        outer=bearing.outer_conformity,
     )
-    return "\n".join((geometry, conformities, materials, *_arrangement_lines(bearing)))
+
+
+def _rollers(bearing: RollerBearing) -> str:
+    """How many rollers of which size, and on which circle."""
+    values = {
+        "count": bearing.roller_count,
+        "diameter": quantity(_short(bearing.roller_diameter), "length"),
+        "length": quantity(_short(bearing.effective_length), "length"),
+        "pitch": quantity(_short(bearing.pitch_diameter), "length"),
+    }
+    return {
+        "cylindrical": said(
+            "{count} cylindrical rollers of {diameter}, effective length {length}, pitch diameter"
+            " {pitch}",
+            **values,
+        ),
+        "tapered": said(
+            "{count} tapered rollers of {diameter} mean diameter, effective length {length}, pitch"
+            " diameter {pitch}",
+            **values,
+        ),
+        "needle": said(
+            "{count} needle rollers of {diameter}, effective length {length}, pitch diameter"
+            " {pitch}",
+            **values,
+        ),
+    }[bearing.element]
+
+
+def _between_rings(bearing: RollerBearing) -> str:
+    """The angles of tapered rollers, or the clearance and the ribs of others."""
+    if bearing.element == "tapered":
+        return said(
+            "contact angle {angle} at the outer race, half angle of the rollers {half}",
+            angle=quantity(bearing.row_angle, "angle"),
+            half=quantity(_short(bearing.roller_half_angle or 0.0), "angle"),
+        )
+    play = quantity(_short(bearing.diametral_clearance or 0.0), "length")
+    ribs = {
+        "none": said("none"),
+        "+": said("toward +x"),
+        "-": said("toward −x"),
+        "both": said("both sides"),
+    }
+    return said(
+        "diametral clearance {clearance}; ribs: inner ring {inner}, outer ring {outer}",
+        clearance=play,
+        inner=ribs[bearing.inner_ribs],
+        outer=ribs[bearing.outer_ribs],
+    )
+
+
+def _profiles(bearing: RollerBearing) -> list[str]:
+    """The profile of the rollers, and those of the races that have one."""
+    races = {"inner": bearing.inner_profile, "outer": bearing.outer_profile}
+    own = {name: profile for name, profile in races.items() if profile.kind != "none"}
+    lines = [said("rollers {profile}", profile=_profile(bearing.roller_profile))]
+    if "inner" in own:
+        lines.append(said("inner race {profile}", profile=_profile(own["inner"])))
+    if "outer" in own:
+        lines.append(said("outer race {profile}", profile=_profile(own["outer"])))
+    return [", ".join(lines)]
+
+
+def _profile(profile: Profile) -> str:
+    """Say what a profile is, as it follows on what has it."""
+    if profile.kind == "iso" and profile.factor is not None:
+        return said(
+            "with the logarithmic profile of ISO/TS 16281, factor {factor:.3}",
+            factor=profile.factor,
+        )
+    if profile.kind in ("crowned", "tangential"):
+        radius = quantity(profile.radius or nan, "length")
+        if profile.kind == "crowned":
+            return said("crowned, radius {radius}", radius=radius)
+        return said(
+            "straight over {flat}, with ends of radius {radius}",
+            flat=quantity(profile.flat_length or 0.0, "length"),
+            radius=radius,
+        )
+    if profile.kind == "logarithmic" and profile.amplitude is not None:
+        return said(
+            "with a logarithmic profile, amplitude {amplitude}",
+            amplitude=quantity(profile.amplitude, "length"),
+        )
+    return {
+        "none": said("straight"),
+        "iso": said("with the logarithmic profile of ISO/TS 16281"),
+        "logarithmic": said("with a logarithmic profile"),
+        "table": said("with a profile as measured"),
+    }[profile.kind]
+
+
+def _materials(bearing: RollingBearing) -> str:
+    rings, elements = bearing.ring_material, bearing.element_material
+    rollers = bearing.element != "ball"
+    if rings == elements:
+        if rollers:
+            return said("rings and rollers of {rings}", rings=rings.name)
+        return said("rings and balls of {rings}", rings=rings.name)
+    if rollers:
+        return said(
+            "rings of {rings}, rollers of {rollers}", rings=rings.name, rollers=elements.name
+        )
+    return said("rings of {rings}, balls of {balls}", rings=rings.name, balls=elements.name)
 
 
 def _play(bearing: Bearing) -> str:
@@ -143,18 +261,11 @@ def _kind(arrangement: str) -> str:
 def _place(bearing: RollingBearing, place: RowPlace) -> str:
     """One row of a list: its side, its place, and what it has of its own."""
     row, own = place.bearing, []
-    if row.element_count != bearing.element_count:
-        own.append(said("{count} balls", count=row.element_count))
-    for name, symbol in (("ball_diameter", "D"), ("pitch_diameter", "d_m")):
-        if getattr(row, name, None) != getattr(bearing, name, None):
-            own.append(f"{symbol} {quantity(_short(getattr(row, name)), 'length')}")
-    if row.contact_angle is not None and row.contact_angle != bearing.contact_angle:
-        own.append(f"α {quantity(row.contact_angle, 'angle')}")
-    elif row.contact_angle is None and row.diametral_clearance != bearing.diametral_clearance:
-        own.append(f"P_d {quantity(_short(row.diametral_clearance or 0.0), 'length')}")
-    for name, symbol in (("inner_conformity", "f_i"), ("outer_conformity", "f_o")):
-        if getattr(row, name, None) != getattr(bearing, name, None):
-            own.append(f"{symbol} {manner().short(getattr(row, name))}")
+    if row.element != bearing.element:
+        own += [_rollers(row), _between_rings(row)] if isinstance(row, RollerBearing) else []
+        own += [_balls(row), _grooves(row)] if isinstance(row, Bearing) else []
+    else:
+        own += _own_sizes(bearing, row)
     if place.offset is not None and _own_offsets(bearing):
         own.append(said("pressed in by {offset:.4 µm}", offset=place.offset))
     if place.phase != 0.0:
@@ -165,6 +276,36 @@ def _place(bearing: RollingBearing, place: RowPlace) -> str:
         position=quantity(place.position, "length"),
     )
     return where + (f" ({'; '.join(own)})" if own else "")
+
+
+_SIZES: Final = (
+    ("ball_diameter", "D"),
+    ("roller_diameter", "D_we"),
+    ("effective_length", "L_we"),
+    ("pitch_diameter", "d_m"),
+)
+
+
+def _own_sizes(bearing: RollingBearing, row: RollingBearing) -> list[str]:
+    """What a row of a list has of its own, if its elements are of the same kind."""
+    own = []
+    if row.element_count != bearing.element_count:
+        rollers, count = row.element != "ball", row.element_count
+        own.append(
+            said("{count} rollers", count=count) if rollers else said("{count} balls", count=count)
+        )
+    for name, symbol in _SIZES:
+        value = getattr(row, name, None)
+        if value is not None and value != getattr(bearing, name, None):
+            own.append(f"{symbol} {quantity(_short(value), 'length')}")
+    if row.contact_angle is not None and row.contact_angle != bearing.contact_angle:
+        own.append(f"α {quantity(row.contact_angle, 'angle')}")
+    elif row.contact_angle is None and row.diametral_clearance != bearing.diametral_clearance:
+        own.append(f"P_d {quantity(_short(row.diametral_clearance or 0.0), 'length')}")
+    for name, symbol in (("inner_conformity", "f_i"), ("outer_conformity", "f_o")):
+        if getattr(row, name, None) != getattr(bearing, name, None):
+            own.append(f"{symbol} {manner().short(getattr(row, name))}")
+    return own
 
 
 def _short(value: float) -> float:
@@ -229,10 +370,27 @@ def _imposed(duty: Duty) -> list[str]:
 
 
 def model_text(case: Case) -> str:
-    """Return the choices that matter: at rest, none does."""
-    duty, model = case.duty, case.model
-    if duty.inner_speed == 0.0 == duty.outer_speed:
-        return ""
+    """Return the choices that matter: at rest, none but how a line of contact carries."""
+    elements = [place.bearing.element for place in case.bearing.places]
+    texts = [] if set(elements) == {"ball"} else [_line_contact(case)]
+    if case.duty.inner_speed != 0.0 or case.duty.outer_speed != 0.0:
+        texts += _in_motion(case, elements)
+    return ", ".join(texts)
+
+
+def _line_contact(case: Case) -> str:
+    """How a line of contact carries: it decides on the life of rollers."""
+    slices = case.model.slices
+    if case.model.roller_contact == "coupled":
+        return said("{slices} slices coupled by the elastic half-space", slices=slices)
+    return said("{slices} independent slices (ISO/TS 16281)", slices=slices)
+
+
+def _in_motion(case: Case, elements: Sequence[str]) -> list[str]:
+    """What matters once the rings turn."""
+    model = case.model
+    if "ball" not in elements:  # rollers have no choice of control
+        return [] if model.centrifugal_force else [said("no centrifugal force")]
     control = {
         "outer": said("outer raceway control"),
         "inner": said("inner raceway control"),
@@ -252,7 +410,7 @@ def model_text(case: Case) -> str:
         texts.append(said("no centrifugal force"))
     if not model.gyroscopic_moment:
         texts.append(said("no gyroscopic moment"))
-    return ", ".join(texts)
+    return texts
 
 
 def _status(solved: Solved) -> list[Entry]:

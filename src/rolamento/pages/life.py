@@ -122,7 +122,9 @@ def life_page(
         pictures = (*_charts(summary), *figures)
         sections += [Section("", pictures, key="figures")] * bool(pictures)
     sections += notes_section(list(solved.notes[0]))
-    return Document(solved.title or untitled(), tuple(sections), kind="life", main="theories")
+    return Document(
+        solved.title or untitled(solved.case), tuple(sections), kind="life", main="theories"
+    )
 
 
 def _charts(summary: LifeSummary) -> Iterator[Figure]:

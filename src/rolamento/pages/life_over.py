@@ -52,7 +52,7 @@ def life_over_page(curves: Sequence[LifeCurve]) -> Document:
     curves
         The case's own first, then its variants.
     """
-    title = curves[0].case.title or untitled()
+    title = curves[0].case.title or untitled(curves[0].case)
 
     def draw() -> Picture:
         from rolamento.plots.life import life_figure

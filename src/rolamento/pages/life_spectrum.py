@@ -47,7 +47,7 @@ def life_spectrum_page(found: SpectrumLife) -> Document:
     found
         Of `rolamento.tasks.life_spectrum.life_under`.
     """
-    title = found.case.title or untitled()
+    title = found.case.title or untitled(found.case)
     heading = said("Life under {count} steps of duty", count=len(found.steps))
     sections = [
         Section("", (Title(title),)),

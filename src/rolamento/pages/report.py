@@ -35,10 +35,11 @@ from rolamento.friction.model import REMARKS
 from rolamento.life.record import BOUNDS, OUTSIDE
 from rolamento.life.theories import THEORIES
 from rolamento.pages.clearance import STEPS
+from rolamento.pages.elements import element_tables, roller_pictures
 from rolamento.pages.equations import equations_of, references_of
 from rolamento.pages.given import untitled
 from rolamento.pages.preload import STAGE_NAMES
-from rolamento.pages.state import balls_table, rosette_section, stiffness_section
+from rolamento.pages.state import rosette_section, stiffness_section
 from rolamento.studies.names import torque_model_name
 from rolamento.vibration.frequencies import ABBREVIATIONS, LineName
 from rolamento.words import Note, counted, in_unit, manner, marked, said
@@ -83,7 +84,7 @@ def report_page(report: Report) -> Document:
         sections += inner
     many = len(report.cases) > 1
     return Document(
-        _title(report) if many else report.cases[0].title or untitled(),
+        _title(report) if many else report.cases[0].title or untitled(report.cases[0].case),
         tuple(sections),
         kind="report",
         main="summary",
@@ -152,9 +153,9 @@ def _title(report: Report) -> str:
 
 def _case_titles(report: Report) -> list[Entry]:
     if len(report.cases) == 1:
-        return [Entry(said("case"), report.cases[0].title or untitled())]
+        return [Entry(said("case"), report.cases[0].title or untitled(report.cases[0].case))]
     return [
-        Entry(said("case {name}", name=case.name), case.title or untitled())
+        Entry(said("case {name}", name=case.name), case.title or untitled(case.case))
         for case in report.cases
     ]
 
@@ -681,7 +682,9 @@ def _results(report: Report) -> list[Section | Beside]:
     add(said("Clearance in operation"), "clearance", _clearance(report))
     sections += _ring_and_rosettes(report)
     add(said("Rows and preload"), "rows", _rows(report))
-    sections += [_distribution(report, case) for case in report.cases if case.converged]
+    for case in report.cases:
+        if case.converged:
+            sections += [_distribution(report, case), *_pictures(report, case)]
     add(said("Ball loads compared"), "ball_loads", _ball_loads(report))
     add(said("Contact stresses"), "contacts", _contacts(report))
     add(said("Lubricant film"), "film", _film(report))
@@ -1164,12 +1167,31 @@ def _rosette(report: Report, case: CaseReport) -> Section:
 
 
 def _distribution(report: Report, case: CaseReport) -> Section:
-    """The loads of the balls, a line each."""
+    """The loads of the elements, a line each."""
     heading = said("Load distribution")
     if len(report.cases) > 1:
         heading = said("{what}, case {name}", what=heading, name=case.name)
-    table = replace(balls_table(case.analysis.solved), key=f"balls_{case.name}")
-    return Section(heading, (table,), f"distribution_{case.name}", level=3)
+    tables = tuple(
+        replace(table, key=f"{name}_{case.name}")
+        for name, table in element_tables(case.analysis.solved).items()
+    )
+    return Section(heading, tables, f"distribution_{case.name}", level=3)
+
+
+def _pictures(report: Report, case: CaseReport) -> list[Section]:
+    """What rollers bear along their length, and how the most loaded one lies."""
+    sections = []
+    for found in roller_pictures(case.analysis.solved):
+        heading = found.heading
+        if len(report.cases) > 1:
+            heading = said("{what}, case {name}", what=heading, name=case.name)
+        figures = (
+            replace(figure, key=f"{figure.key}_{case.name}")
+            for figure in found.blocks
+            if isinstance(figure, Figure)
+        )
+        sections.append(Section(heading, tuple(figures), f"{found.key}_{case.name}", level=3))
+    return sections
 
 
 def _ball_loads(report: Report) -> tuple[Table, ...]:

@@ -1,4 +1,4 @@
-"""The page of `solve`: the inner ring, the rows of a set, stiffness, the balls and their contacts.
+"""The page of `solve`: inner ring, rows of a set, stiffness, rolling elements and their contacts.
 
 The bearing is seen from the +x end, so that x points at the reader: +z is up, +y is to the right,
 and azimuths run clockwise like the hours.
@@ -6,8 +6,8 @@ and azimuths run clockwise like the hours.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from math import cos, isfinite, nan, pi, sin
+from collections.abc import Sequence
+from math import cos, isfinite, pi, sin
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -31,25 +31,32 @@ from rolamento.document import (
 )
 from rolamento.geometry import Race
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.pages.elements import (
+    Values,
+    column,
+    element_sections,
+    heaviest_section,
+    main_table,
+    of_element,
+    roller_pictures,
+    without_rounding,
+)
 from rolamento.pages.given import BOTH, facing, head, untitled
 from rolamento.pages.preload import stage_table
 from rolamento.solved import NO_LOAD, RACES, Preloading, Rolling, Solved
-from rolamento.solved.form import control_names
-from rolamento.words import ABSENT, Note, decimals_for, in_unit, manner, said, said_in
+from rolamento.words import ABSENT, Note, decimals_for, in_unit, manner, said, worded
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Picture
 
     from rolamento.analysis import Analysis
 
-__all__ = ["balls_table", "notes_section", "rosette", "state_page", "stiffness_section"]
+__all__ = ["notes_section", "rosette", "state_page", "stiffness_section"]
 
 _SHIFTS: Final = 3
 """x, y, z come before the tilts, forces before moments."""
 _NEGLIGIBLE: Final = 1e-9
 """Of the stiffnesses on the diagonal: what is less is rounding, and written 0."""
-_NO_MOTION: Final = 1e-9
-"""Angles (rad) and ratios that are rounding."""
 
 
 def state_page(solved: Solved, analysis: Analysis | None = None) -> Document:
@@ -66,13 +73,14 @@ def state_page(solved: Solved, analysis: Analysis | None = None) -> Document:
     notes = list(solved.notes[0])
     if solved.converged[0]:
         sections += [*_set(solved), _middle(solved), stiffness_section(solved)]
-        sections += [balls_section(solved), *_rolling(solved)]
-    else:  # files have its balls all the same, without numbers
-        sections.append(Section("", (all_of_the_balls(solved),), key="balls"))
+        sections += [*element_sections(solved), *roller_pictures(solved), *_rolling(solved)]
+    else:  # files have its elements all the same, without numbers
+        sections += element_sections(solved)
     if analysis is not None:
         sections += _what_follows(solved, analysis, notes)
     sections += notes_section(notes)
-    return Document(solved.title or untitled(), tuple(sections), kind="solve", main="balls")
+    main = main_table(solved)
+    return Document(solved.title or untitled(solved.case), tuple(sections), kind="solve", main=main)
 
 
 def notes_section(notes: Sequence[Note]) -> list[Section]:
@@ -85,8 +93,8 @@ def notes_section(notes: Sequence[Note]) -> list[Section]:
 
 
 def _middle(solved: Solved) -> Beside:
-    """Show the ring above the heaviest ball, and the rosettes beside them."""
-    left = (_ring(solved), _heaviest(solved))
+    """Show the ring above the heaviest element, and the rosettes beside them."""
+    left = (_ring(solved), heaviest_section(solved))
     return Beside(left, (rosette_section(solved),), key="ring")
 
 
@@ -191,231 +199,7 @@ def _without_noise(matrix: list[list[float]], row: int, column: int) -> float:
     return 0.0 if value * value <= _NEGLIGIBLE**2 * diagonal else float(value)
 
 
-# --- the ball with the maximum load ------------------------------------------------------------
-
-
-def _heaviest(solved: Solved) -> Section:
-    """Show the contacts of the ball with the maximum load and the stresses under them."""
-    ball = int(np.argmax(np.maximum(solved.inner.load[0], solved.outer.load[0])))
-    shown = (
-        (said("load"), "N", "load"),
-        (said("contact angle"), "°", "contact_angle"),
-        (said("approach"), "µm", "deflection"),
-        (said("maximum pressure"), "MPa", "max_pressure"),
-        (said("ellipse, semi-major"), "mm", "semi_major"),
-        (said("ellipse, semi-minor"), "mm", "semi_minor"),
-        (said("maximum shear"), "MPa", "max_shear"),
-        ("  " + said("at a depth of"), "mm", "max_shear_depth"),
-        (said("orthogonal shear"), "MPa", "orthogonal_shear"),
-        ("  " + said("at a depth of"), "mm", "orthogonal_shear_depth"),
-    )
-    races = {"inner": said_in("race", "inner"), "outer": said_in("race", "outer")}
-    columns = [
-        Column(head="", values=[label for label, _, _ in shown], key="quantity"),
-        Column(head="", values=[unit for _, unit, _ in shown], key="unit"),
-    ]
-    for race in RACES:
-        contacts = solved.contacts[race]
-        touched = contacts.load[0, ball] > 0.0
-        values = [
-            _five_figures(float(getattr(contacts, name)[0, ball]), unit) if touched else nan
-            for _, unit, name in shown
-        ]
-        columns.append(Column(head=races[race], values=values, key=race, align="right"))
-    names = {"number": ball, "azimuth": float(solved.elements.azimuth[0, ball])}
-    if len(solved.rows) < 2:
-        heading = said("Heaviest ball: #{number} at {azimuth:.5 °}", **names)
-    else:
-        row = int(solved.elements.row[ball])
-        heading = said("Heaviest ball: #{number} of row {row} at {azimuth:.5 °}", **names, row=row)
-    return Section(heading, (Table(columns=tuple(columns), key="heaviest"),), key="heaviest")
-
-
-def _five_figures(value: float, unit: str) -> Number:
-    return Number(value, f".{decimals_for([float(in_unit(value, unit))], 5)}f [{unit}]")
-
-
-# --- the balls ---------------------------------------------------------------------------------
-
-Values = Callable[[Solved], FloatArray]
-"""A number of every ball of a single case in SI; (balls,)."""
-
-
-def _of_ball(name: str) -> Values:
-    return lambda solved: getattr(solved.elements, name)[0]
-
-
-def _of_contact(race: Race, name: str) -> Values:
-    """Numbers of the contacts with a race; NaN where ball and race do not touch."""
-
-    def values(solved: Solved) -> FloatArray:
-        touched = solved.loaded[0] if race == "inner" else solved.outer.load[0] > 0.0
-        return np.where(touched, getattr(solved.contacts[race], name)[0], np.nan)
-
-    return values
-
-
-def _without_rounding(of: Values) -> Values:
-    """Give rounding errors, such as the spin at a race in control, as zero."""
-
-    def values(solved: Solved) -> FloatArray:
-        numbers = of(solved)
-        return np.where(np.abs(numbers) < _NO_MOTION, 0.0, numbers)
-
-    return values
-
-
-def _column(
-    solved: Solved,
-    head: str,
-    unit: str,
-    of: Values,
-    key: str,
-    *,
-    figures: int = 4,
-    most: int = 2,
-    peak: bool = False,
-) -> Column:
-    return Column(
-        head=head,
-        values=of(solved).tolist(),
-        unit=unit,
-        key=key,
-        figures=figures,
-        most=most,
-        peak="maximum" if peak else "",
-    )
-
-
-_CONTACT_COLUMNS: Final = (
-    ("load", "N"),
-    ("contact_angle", "°"),
-    ("deflection", "µm"),
-    ("semi_major", "mm"),
-    ("semi_minor", "mm"),
-    ("max_pressure", "MPa"),
-    ("mean_pressure", "MPa"),
-    ("max_shear", "MPa"),
-    ("max_shear_depth", "mm"),
-    ("orthogonal_shear", "MPa"),
-    ("orthogonal_shear_depth", "mm"),
-    ("spin_to_roll", ""),
-)
-_BALL_COLUMNS: Final = (
-    ("centrifugal_force", "N"),
-    ("gyroscopic_moment", "N·mm"),
-    ("orbital_speed", "rpm"),
-    ("ball_speed", "rpm"),
-    ("attitude", "°"),
-)
-
-
-def balls_section(solved: Solved) -> Section:
-    """Show the balls, a line each: their contacts, and their motion where the rings turn."""
-    return Section(said("Balls"), (balls_table(solved), all_of_the_balls(solved)), key="balls")
-
-
-def balls_table(solved: Solved) -> Table:
-    """Return a line for every ball: loads, angles, pressures; then its motion."""
-    turning = solved.case.duty.inner_speed != 0.0 or solved.case.duty.outer_speed != 0.0
-    count = len(solved.elements.row)
-    columns = [
-        Column(head="#", values=list(range(count)), key="ball", tone="faint"),
-        _column(solved, "ψ", "°", _of_ball("azimuth"), "azimuth", figures=5),
-    ]
-    for name, symbol, unit, figures, peak in (
-        ("load", "Q", "N", 5, True),
-        ("contact_angle", "α", "°", 4, False),
-        ("max_pressure", "p", "MPa", 4, True),
-    ):
-        columns += [
-            _column(
-                solved,
-                f"{symbol}_{race[0]}",
-                unit,
-                _of_contact(race, name),
-                f"{race}_{name}",
-                figures=figures,
-                peak=peak,
-            )
-            for race in RACES
-        ]
-    columns.append(Column(head="Q_i", values=solved.inner.load[0].tolist(), bar=True))
-    breaks: tuple[Break, ...] = ()
-    if turning:
-        heading = said("Motion of the balls")
-        legend = said(
-            "F_c centrifugal force, M_g gyroscopic moment, n_m orbital speed, n_R ball speed, "
-            "s spin-to-roll ratio"
-        )
-        breaks = (Break(len(columns), heading, legend),)
-        columns += _motion(solved)
-    legend = said("Q load, α contact angle, p maximum pressure; i inner, o outer; ◂ maximum")
-    return Table(
-        columns=tuple(columns),
-        legends=(legend,),
-        groups=_row_names(solved),
-        rule=True,
-        fixed=2,
-        breaks=breaks,
-    )
-
-
-def _motion(solved: Solved) -> list[Column]:
-    spins = [
-        _column(
-            solved,
-            f"s_{race[0]}",
-            "–",
-            _without_rounding(_of_contact(race, "spin_to_roll")),
-            f"{race}_spin_to_roll",
-            most=4,
-        )
-        for race in RACES
-    ]
-    return [
-        _column(solved, "F_c", "N", _of_ball("centrifugal_force"), "centrifugal_force", figures=5),
-        _column(solved, "M_g", "N·mm", _of_ball("gyroscopic_moment"), "gyroscopic_moment"),
-        _column(solved, "n_m", "rpm", _of_ball("orbital_speed"), "orbital_speed", figures=5),
-        _column(solved, "n_R", "rpm", _of_ball("ball_speed"), "ball_speed", figures=5),
-        *spins,
-    ]
-
-
-def all_of_the_balls(solved: Solved) -> Table:
-    """Return the table of balls that is written to files: all numbers, touching or not."""
-    elements = solved.elements
-    columns = [
-        Column(head="row", values=elements.row.tolist(), key="row"),
-        Column(head="ball", values=list(range(len(elements.row))), key="ball"),
-        Column(head="azimuth", values=elements.azimuth[0].tolist(), unit="°", key="azimuth"),
-    ]
-    columns += [
-        Column(head=name, values=values, unit=unit, key=f"{race}_{name}")
-        for race in RACES
-        for name, unit in _CONTACT_COLUMNS
-        for values in [getattr(solved.contacts[race], name)[0].tolist()]
-    ]
-    columns += [
-        Column(head=name, values=getattr(elements, name)[0].tolist(), unit=unit, key=name)
-        for name, unit in _BALL_COLUMNS
-    ]
-    control = list(control_names(solved))
-    columns.append(Column(head="raceway_control", values=control, key="raceway_control"))
-    return Table(columns=tuple(columns), key="balls", only_in_files=True)
-
-
-def _row_names(solved: Solved) -> tuple[tuple[int, str], ...]:
-    """Where the balls of each row of a set begin, and what it is called."""
-    if len(solved.rows) < 2:
-        return ()
-    return tuple(
-        (int(first), said("row {number}", number=row))
-        for row, first in enumerate(solved.rows.starts)
-    )
-
-
-# --- the rosette: a small polar drawing of the ball loads ---------------------------------------
+# --- the rosette: a small polar drawing of the loads ----------------------------------------------
 
 _HEIGHT: Final = 11
 _GAP: Final = 2
@@ -432,7 +216,12 @@ def rosette_section(solved: Solved) -> Section:
     count = len(solved.rows)
     heading = said("Load rosette") if count == 1 else said("Load rosettes")
     figure = Figure(
-        caption=said("Ball loads round the bearing, seen from +x"),
+        caption=worded(
+            solved.rows.element,
+            said("Ball loads round the bearing, seen from +x"),
+            said("Roller loads round the bearing, seen from +x"),
+            said("Loads of the rolling elements round the bearing, seen from +x"),
+        ),
         draw=lambda: _picture(solved),
         key="rosette",
         sketch=lambda width, draws: _sketch(solved, width, draws),
@@ -493,14 +282,14 @@ def rosette(
     rim: float,
     braille: bool = True,
 ) -> Sketch:
-    """Draw a spoke for each ball, as long as its load, within a rim.
+    """Draw a spoke for each element, as long as its load, within a rim.
 
     Parameters
     ----------
     loads
-        Of the balls; what is not a number or not above zero is left out.
+        Of the elements; what is not a number or not above zero is left out.
     azimuths
-        Of the balls, in rad.
+        Of the elements, in rad.
     height
         In lines; the drawing is twice as many characters wide.
     rim
@@ -571,14 +360,28 @@ def _set(solved: Solved) -> list[Section]:
 
 
 def _rows(solved: Solved) -> Section:
-    """Show a line for each row: its place, what it takes, its loaded balls, its peaks."""
+    """Show a line for each row: its place, what it takes, its loaded elements, its peaks."""
     rows, bearing = solved.rows, solved.case.bearing
     faces = [facing(bearing, place) for place in bearing.places]
     loaded = zip(solved.loaded_elements[0], rows.element_count, strict=True)
-    legend = said(
-        "faces + carries axial load toward +x, − toward −x{both}; moments about x = 0; loaded: "
-        "balls that the inner ring presses on; Q_i, p_i maximum",
-        both=said(", ± both ways") if BOTH in faces else "",
+    both = said(", ± both ways") if BOTH in faces else ""
+    legend = worded(
+        solved.rows.element,
+        said(
+            "faces + carries axial load toward +x, − toward −x{both}; moments about x = 0; loaded: "
+            "balls that the inner ring presses on; Q_i, p_i maximum",
+            both=both,
+        ),
+        said(
+            "faces + carries axial load toward +x, − toward −x{both}; moments about x = 0; loaded: "
+            "rollers that the inner ring presses on; Q_i, p_i maximum",
+            both=both,
+        ),
+        said(
+            "faces + carries axial load toward +x, − toward −x{both}; moments about x = 0; loaded: "
+            "rolling elements that the inner ring presses on; Q_i, p_i maximum",
+            both=both,
+        ),
     )
     columns = [
         Column(head=said("row"), values=list(range(len(rows))), key="row"),
@@ -646,26 +449,29 @@ def _preload(solved: Solved, preload: Preloading) -> Section:
         entries.append(Entry(said("at rest"), Number(preload.at_rest, ".4 N")))
     if not preload.stages and (duty.inner_speed or duty.outer_speed):
         entries.append(Entry(said("at speed"), Number(preload.at_speed, ".4 N")))
-    entries += [*_lift(duty, preload), *_loss(solved, preload)]
+    entries += [*_lift(solved, preload), *_loss(solved, preload)]
     stages = (stage_table(preload.stages),) if preload.stages else ()
     block = (KeyValues(tuple(entries), indent=2, label_tone=""),) if entries else ()
     return Section(said("Preload"), (*stages, *block), key="preload")
 
 
-def _lift(duty: Duty, preload: Preloading) -> list[Entry]:
-    """Where the first ball lifts off, unless it takes its row along."""
+def _lift(solved: Solved, preload: Preloading) -> list[Entry]:
+    """Where the first element lifts off, unless it takes its row along."""
     if preload.lift_row is None or preload.lift_factor == preload.loss_factor:
         return []
+    label = worded(
+        solved.rows.element, said("first ball"), said("first roller"), said("first rolling element")
+    )
     values = {
         "row": preload.lift_row,
         "factor": preload.lift_factor,
-        "load": _resulting_load(duty, preload.lift_factor),
+        "load": _resulting_load(solved.case.duty, preload.lift_factor),
     }
     if preload.lift_factor < 1.0:
         text = said("has lifted off in row {row}, at {factor:.3} × the load: {load}", **values)
-        return [Entry(said("first ball"), text, "warning")]
+        return [Entry(label, text, "warning")]
     text = said("lifts off in row {row} at {factor:.3} × the load: {load}", **values)
-    return [Entry(said("first ball"), text)]
+    return [Entry(label, text)]
 
 
 def _loss(solved: Solved, preload: Preloading) -> list[Entry]:
@@ -674,7 +480,12 @@ def _loss(solved: Solved, preload: Preloading) -> list[Entry]:
     lost = [int(other) for other in np.flatnonzero(solved.loaded_elements[0] == 0)]
     if row is None or not isfinite(preload.loss_factor):
         if lost:
-            text = said("no ball of row {rows} presses on the inner ring", rows=lost)
+            text = worded(
+                solved.rows.element,
+                said("no ball of row {rows} presses on the inner ring", rows=lost),
+                said("no roller of row {rows} presses on the inner ring", rows=lost),
+                said("no rolling element of row {rows} presses on the inner ring", rows=lost),
+            )
             return [Entry(label, text, "warning-strong")]
         loaded = any(getattr(duty.load, name) for name in LOADS)
         text = said("no row loses all contact as this load increases")
@@ -727,21 +538,19 @@ def _rolling(solved: Solved) -> list[Section]:
     )
     columns = (
         Column(head="#", values=list(range(len(solved.elements.row))), key="ball"),
-        _column(solved, "ψ", "°", _of_ball("azimuth"), "azimuth", figures=5),
-        _column(solved, "β", "°", _without_rounding(_of_ball("attitude")), "attitude"),
-        _column(solved, "β′", "°", _without_rounding(_of_ball("yaw")), "yaw", figures=3, most=3),
+        column(solved, "ψ", "°", of_element("azimuth"), "azimuth", figures=5),
+        column(solved, "β", "°", without_rounding(of_element("attitude")), "attitude"),
+        column(solved, "β′", "°", without_rounding(of_element("yaw")), "yaw", figures=3, most=3),
         *(
-            _column(solved, f"s_{race[0]}", "–", _spin(race), f"{race}_spin", figures=3, most=3)
+            column(solved, f"s_{race[0]}", "–", _spin(race), f"{race}_spin", figures=3, most=3)
             for race in RACES
         ),
         *(
-            _column(
-                solved, f"P_{race[0]}", "W", _of_rolling(race, "power"), f"{race}_power", most=3
-            )
+            column(solved, f"P_{race[0]}", "W", _of_rolling(race, "power"), f"{race}_power", most=3)
             for race in RACES
         ),
         *(
-            _column(solved, f"v_{race[0]}", "mm/s", _of_rolling(race, "slip"), f"{race}_slip")
+            column(solved, f"v_{race[0]}", "mm/s", _of_rolling(race, "slip"), f"{race}_slip")
             for race in RACES
         ),
     )
@@ -758,7 +567,7 @@ def _spin(race: Race) -> Values:
         touched: BoolArray = own.load[0] > NO_LOAD * other.load[0]
         return np.where(touched, own.spin_to_roll[0], np.nan)
 
-    return _without_rounding(values)
+    return without_rounding(values)
 
 
 def _of_rolling(race: Race, name: str) -> Values:

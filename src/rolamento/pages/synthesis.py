@@ -42,7 +42,6 @@ _STANDARD_INPUT: Final = "-"
 _SURFACES: Final = {
     "outer": PARTS["outer_race"],
     "inner": PARTS["inner_race"],
-    "ball": PARTS["ball"],
     "shaft": marked("shaft"),
 }
 _NOISES: Final = {"white": marked("white"), "pink": marked("pink")}
@@ -76,14 +75,14 @@ def _written(found: SynthesisResult) -> str:
         return said("Written: {path}, {duration:.6 s} of a healthy bearing.", **given)
     return said(
         "Written: {path}, {duration:.6 s} of a bearing with damage to {parts}.",
-        parts=_together(one.fault for one in found.faults),
+        parts=_together((one.fault for one in found.faults), found.recipe.frequencies.element),
         **given,
     )
 
 
-def _together(faults: Iterable[Fault]) -> str:
+def _together(faults: Iterable[Fault], element: str) -> str:
     """Name the damaged parts, each once."""
-    return listed(dict.fromkeys(the_part(fault.kind) for fault in faults))
+    return listed(dict.fromkeys(the_part(fault.kind, element) for fault in faults))
 
 
 # --- what the signal is made of ----------------------------------------------------------------
@@ -199,6 +198,7 @@ def _files(found: SynthesisResult) -> Iterable[str]:
 
 def _planted(found: SynthesisResult) -> Section:
     faults, noisy = found.faults, found.made.truth.noise_level > 0.0
+    element = found.recipe.frequencies.element
     to_noise = Column(
         head=said("to noise"),
         values=[one.to_noise for one in faults],
@@ -207,7 +207,7 @@ def _planted(found: SynthesisResult) -> Section:
         key="to_noise",
     )
     columns = (
-        Column(head="", values=[part_name(one.truth.kind) for one in faults], key="part"),
+        Column(head="", values=[part_name(one.truth.kind, element) for one in faults], key="part"),
         Column(
             head=said("order"),
             values=[one.truth.order for one in faults],
@@ -258,7 +258,8 @@ def _impacts(one: PlantedFault) -> float | int:
 def _lines(found: SynthesisResult) -> Section:
     """Show the strongest peaks of waviness and shaft, of those that the rate holds."""
     held = [line for line in found.lines if line.frequency < 0.5 * found.recipe.rate]
-    blocks: list[Block] = [_line_table(held[:_MOST_LINES])] if held else []
+    element = found.recipe.frequencies.element
+    blocks: list[Block] = [_line_table(held[:_MOST_LINES], element)] if held else []
     blocks += [Statement(text, "faint", indent=2) for text in _left_out(found, len(held))]
     return Section(said("Peaks"), tuple(blocks), key="lines")
 
@@ -279,10 +280,19 @@ def _left_out(found: SynthesisResult, held: int) -> Iterable[str]:
         )
 
 
-def _line_table(lines: list[PlantedLine]) -> Table:
+def _line_table(lines: list[PlantedLine], element: str) -> Table:
     waves = [float("nan") if line.source == "shaft" else line.waves for line in lines]
     columns = (
-        Column(head="", values=[said(_SURFACES[line.source]) for line in lines], key="source"),
+        Column(
+            head="",
+            values=[
+                part_name("ball", element)
+                if line.source == "ball"
+                else said(_SURFACES[line.source])
+                for line in lines
+            ],
+            key="source",
+        ),
         Column(head=said("waves"), values=waves, key="waves"),
         Column(head=said("order"), values=[line.order for line in lines], form=".4f", key="order"),
         Column(

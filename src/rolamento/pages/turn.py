@@ -53,7 +53,7 @@ def turn_page(turn: CageTurn) -> Document:
     turn
         Converged or not; what needs every instant is left out if one has no result.
     """
-    title = turn.case.title or untitled()
+    title = turn.case.title or untitled(turn.case)
     sections = [Section("", (Title(title), _head(turn)), key="given")]
     if turn.converged:
         sections += [_displacement(turn), _load(turn), _stiffness(turn)]

@@ -28,6 +28,12 @@ _NAMES_OF_MODULES: Final = {
         "sn_figure",
         "what_helps",
     ),
+    "roller": (
+        "compared_rollers",
+        "pressure_along_rollers",
+        "pressures_of_both_races",
+        "roller_between_races",
+    ),
     "saving": ("save_figure",),
     "severity": ("severity_figure", "severity_trend_figure", "zone_bars"),
     "slip": ("slip_map", "slip_maps"),

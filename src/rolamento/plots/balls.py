@@ -1,8 +1,8 @@
-"""What every ball bears: loads, contact angles, pressures over its azimuth; the load rosette."""
+"""What every element bears: loads, contact angles, pressures over azimuth; the load rosette."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from math import degrees
 from typing import Any, Final
 
@@ -35,7 +35,7 @@ from rolamento.plots.style import (
     series,
 )
 from rolamento.solved import NO_LOAD, RACES, Solved, refuse_other
-from rolamento.words import said, said_in
+from rolamento.words import said, said_in, worded
 
 Floats = NDArray[np.float64]
 _TURN: Final = 360.0
@@ -47,7 +47,7 @@ _DIRECTIONS: Final = ("0°, +z", "45°", "90°\n+y", "135°", "180°", "225°", 
 
 @in_style
 def ball_loads(solved: Solved, axes: Axes | None = None) -> Axes:
-    """Draw the contact loads of the balls over their azimuth, for each race and row.
+    """Draw the contact loads of balls or rollers over their azimuth, for each race and row.
 
     Parameters
     ----------
@@ -78,7 +78,7 @@ def contact_angles(solved: Solved, axes: Axes | None = None) -> Axes:
     """
     axes = _over_azimuth(solved, axes, "contact_angle", DEGREE, said("Contact angle"))
     bearing = solved.case.bearing
-    one = bearing.arrangement is None and bearing.rows is None
+    one = bearing.element == "ball" and bearing.arrangement is None and bearing.rows is None
     if solved.converged[0] and one and bearing.contact_angle is not None:
         angle = degrees(bearing.contact_angle)
         axes.axhline(angle, color=GREY, linewidth=0.9, zorder=1.5, label=said("free (unloaded)"))
@@ -88,7 +88,7 @@ def contact_angles(solved: Solved, axes: Axes | None = None) -> Axes:
 
 @in_style
 def pressures(solved: Solved, axes: Axes | None = None) -> Axes:
-    """Draw the maximum Hertz pressures of the contacts over azimuth.
+    """Draw the maximum pressures of the contacts over azimuth; of rollers along their length.
 
     Parameters, result and errors as of `ball_loads`; where ball and race do not touch, nothing is
     drawn.
@@ -166,7 +166,8 @@ def compared_states(
                 place += 1
     for label in states.keys() - shown.keys():
         axes.plot([], [], label=f"{label}: {no_result()}", color=GREY, linestyle="")
-    _frame_azimuth(axes, unit.label(name), from_zero=zero)
+    elements = [one for solved in shown.values() for one in solved.rows.element]
+    _frame_azimuth(axes, unit.label(name), elements, from_zero=zero)
     return axes
 
 
@@ -193,6 +194,23 @@ def check_one_case(solved: Solved, figure: str) -> None:
         )
 
 
+def refuse_rollers(solved: Solved) -> None:
+    """Refuse a bearing with rollers, whose contacts are lines.
+
+    Raises
+    ------
+    InputError
+        Naming a figure that suits them.
+    """
+    if set(solved.rows.element) != {"ball"}:
+        raise InputError(
+            said("is for ball bearings: rollers touch along lines"),
+            field="solved",
+            value=", ".join(dict.fromkeys(solved.rows.element)),
+            example="pressures_of_both_races(solved)",
+        )
+
+
 def race_word(race: Race) -> str:
     """Name the race in a word."""
     return said_in("race", "inner") if race == "inner" else said_in("race", "outer")
@@ -215,7 +233,7 @@ def row_keywords(race: Race, row: int) -> dict[str, Any]:
 
 
 def rows_in_order(solved: Solved) -> list[NDArray[np.intp]]:
-    """Return the balls of each row in order of azimuth, as indices."""
+    """Return the elements of each row in order of azimuth, as indices."""
     order = np.argsort(solved.elements.azimuth[0], kind="stable")
     return [order[solved.elements.row[order] == row] for row in range(len(solved.rows))]
 
@@ -246,22 +264,28 @@ def _over_azimuth(
             label = race_name(race, row, len(rows))
             line = _all_round(azimuth, unit.of(numbers[race][balls]))
             axes.plot(*line, label=label, **row_keywords(race, row))
-    _frame_azimuth(axes, unit.label(name), from_zero=from_zero)
+    _frame_azimuth(axes, unit.label(name), solved.rows.element, from_zero=from_zero)
     return axes
 
 
-def _frame_azimuth(axes: Axes, label: str, *, from_zero: bool) -> None:
+def _frame_azimuth(axes: Axes, label: str, elements: Iterable[str], *, from_zero: bool) -> None:
     axes.set_xlim(-_MARGIN, _TURN + _MARGIN)
     axes.set_xticks(np.arange(0.0, _TURN + 1.0, _STEP))
     if from_zero:
         axes.set_ylim(bottom=0.0)
-    label_x(axes, DEGREE.label(said("Azimuth of the ball")))
+    azimuth = worded(
+        elements,
+        said("Azimuth of the ball"),
+        said("Azimuth of the roller"),
+        said("Azimuth of the rolling element"),
+    )
+    label_x(axes, DEGREE.label(azimuth))
     label_y(axes, label)
     legend_above(axes)
 
 
 def _all_round(azimuth: Floats, values: Floats) -> tuple[Floats, Floats]:
-    """Put balls in order, and before and after them the turns that come round to the same balls."""
+    """Put elements in order, and before and after them the turns that come round to the same."""
     order = np.argsort(azimuth, kind="stable")
     turns = (-_TURN, 0.0, _TURN)
     around = np.concatenate([azimuth[order] + turn for turn in turns])

@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike
 from rolamento.errors import InputError
 from rolamento.geometry import Race, edge_cosine
 from rolamento.plots.axes_units import DEGREE, MILLIMETRE
-from rolamento.plots.balls import check_one_case, rows_in_order, touching
+from rolamento.plots.balls import check_one_case, refuse_rollers, rows_in_order, touching
 from rolamento.plots.frame import (
     GREY,
     empty_frame,
@@ -115,9 +115,10 @@ def contact_ellipses(
     Raises
     ------
     InputError
-        If this is not one solved case, or it has no such ball.
+        If this is not one solved case of a ball bearing, or it has no such ball.
     """
     check_one_case(solved, "contact_ellipses")
+    refuse_rollers(solved)
     axes = new_figure()[1] if axes is None else require_axes(axes)
     if not solved.converged[0]:
         return empty_frame(axes, no_result(str(solved.status.code[0])))
@@ -134,6 +135,7 @@ def ellipses_of_both_races(
     Parameters and errors as of `contact_ellipses`; both races are drawn to the same scale.
     """
     check_one_case(solved, "ellipses_of_both_races")
+    refuse_rollers(solved)
     _, (inner, outer) = new_stacked_figure(2)
     if not solved.converged[0]:
         message = no_result(str(solved.status.code[0]))

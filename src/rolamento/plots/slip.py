@@ -23,6 +23,7 @@ from rolamento.friction.slip import (
 )
 from rolamento.geometry import Race
 from rolamento.plots.axes_units import MILLIMETRE
+from rolamento.plots.balls import refuse_rollers
 from rolamento.plots.frame import (
     PlainNumbers,
     empty_frame,
@@ -101,7 +102,7 @@ def slip_map(
     Raises
     ------
     InputError
-        If there is no such ball, or the quantity is not known.
+        If this is no ball bearing, there is no such ball, or the quantity is not known.
     """
     axes = new_figure(height=62.0)[1] if axes is None else axes
     if quantity not in QUANTITIES:
@@ -110,6 +111,7 @@ def slip_map(
             field="quantity",
             value=quantity,
         )
+    refuse_rollers(solved)
     if not solved.converged[0]:
         return empty_frame(axes, no_result(str(solved.status.code[0])))
     contact = _contact(solved, race, ball)

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from rolamento.vibration.demodulation import Kurtogram
-    from rolamento.vibration.diagnosis import Component, ComponentVerdict, Diagnosis
+    from rolamento.vibration.diagnosis import Component, Diagnosis
     from rolamento.vibration.signal import Signal
 
 
@@ -75,7 +75,7 @@ def diagnosis_figure(signal: Signal, diagnosis: Diagnosis, *, title: str = "") -
     fault = diagnosis.clearest_fault
     with styled():
         figure, (first, second, third) = new_stacked_figure(3, height=230.0)
-        waveform(signal, first, **_of_fault(signal, fault))
+        waveform(signal, first, **_of_fault(signal, diagnosis))
         kurtogram_map(kurtogram_of(signal), second, band=None if fault is None else fault.band)
         envelope_lines(diagnosis, third)
         if title:
@@ -87,20 +87,21 @@ def impacts_figure(signal: Signal, diagnosis: Diagnosis, *, title: str = "") -> 
     """Draw the waveform of a diagnosis: of a fault a few periods, with its impacts marked."""
     with styled():
         figure, axes = new_figure(height=70.0)
-        waveform(signal, axes, **_of_fault(signal, diagnosis.clearest_fault))
+        waveform(signal, axes, **_of_fault(signal, diagnosis))
         if title:
             add_title(figure, title)
     return figure
 
 
-def _of_fault(signal: Signal, fault: ComponentVerdict | None) -> dict[str, Any]:
-    """Return what `waveform` shows of a fault."""
+def _of_fault(signal: Signal, diagnosis: Diagnosis) -> dict[str, Any]:
+    """Return what `waveform` shows of the clearest fault."""
+    fault, element = diagnosis.clearest_fault, diagnosis.element
     if fault is None:
         return {}
     period = 1.0 / fault.frequency
     return {
         "period": period,
-        "part": part_name(fault.component),
+        "part": part_name(fault.component, element),
         "span": (0.0, min(_PERIODS * period, signal.duration)),
         "band": fault.band,
     }
@@ -489,7 +490,7 @@ def _mark_component(
     drawn: _Drawn,
 ) -> None:
     hertz, level, mark = drawn
-    verdict, name = diagnosis.of(part), part_name(part)
+    verdict, name = diagnosis.of(part), part_name(part, diagnosis.element)
     if verdict.band is not None:
         keywords: dict[str, Any] = {"color": look.color, "linestyle": "", "marker": look.marker}
         lines = [(line.frequency, f"{line.multiple:g}×") for line in verdict.lines]

@@ -11,7 +11,7 @@ All arrays run over cases and are in SI; forces are those of the ring on the row
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Protocol, Self
+from typing import Protocol, Self, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -163,5 +163,20 @@ class Row(Protocol):
         """Keep what the tables are made from, of cases that are not lost.
 
         shown: the guiding race that they name.
+        """
+        ...
+
+
+@runtime_checkable
+class Knowing(Protocol):
+    """A row whose kernels find the place of a ring that holds nothing else."""
+
+    def near(
+        self, free: BoolArray, load: FloatArray, place: FloatArray, which: Indices
+    ) -> tuple[FloatArray, BoolArray]:
+        """Where the ring comes to rest, and whether it did; (len(which), 5), (len(which),).
+
+        free: whether the load is given on a degree of freedom, else the place; of the chosen
+        cases, (len(which), 5) each.
         """
         ...

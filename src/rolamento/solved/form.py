@@ -521,7 +521,7 @@ def _row_entry(item: object, field: str, place: RowPlace) -> Mapping[str, Any]:
     geometry["modulus"] = effective_modulus(bearing.ring_material, bearing.element_material)
     known = _entry(item, field)
     if bearing.element != "ball":
-        names: dict[str, Any] = dict.fromkeys(GEOMETRY_COLUMNS)
+        names: dict[str, Any] = dict.fromkeys(GEOMETRY_COLUMNS)  # rollers have no conformity
         return {**names, **{name.replace("roller", "ball"): v for name, v in known.items()}}
     return {**geometry, **known}
 

@@ -256,6 +256,8 @@ def _machine(solved: Solved) -> MachineBearing | None:
     """What the models of lubricated machine bearings need; None where the case does not give it."""
     if not (has_life(solved.case) and has_film(solved)):
         return None
+    if solved.case.bearing.element != "ball":
+        return machine_of(solved.case, film(solved), np.nan, np.nan)
     try:
         basis = Basis.of(solved, conditions_of(solved))
     except InputError as error:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Final
 from rolamento.case import Case, load_case, override
 from rolamento.case.bearing import Bearing
 from rolamento.case.duty import AXES, LOADS, Duty
+from rolamento.case.roller_bearing import RollerBearing
 from rolamento.errors import InputError
 from rolamento.units import from_si, readable, to_si
 from rolamento.words import said
@@ -17,7 +18,7 @@ from rolamento.words import said
 if TYPE_CHECKING:
     from rolamento.vibration.frequencies import AngleChoice
 
-BearingLike = str | os.PathLike[str] | Bearing | Case
+BearingLike = str | os.PathLike[str] | Bearing | RollerBearing | Case
 """A designation, a case file (``"-"``: on standard input), a bearing or a case."""
 
 _ANGLE_EXAMPLE: Final = 'angle="zero", angle="free" or angle="15 deg"'
@@ -47,7 +48,7 @@ def case_of(
     """
     if isinstance(bearing, Case):
         case = override(bearing, settings) if settings else bearing
-    elif isinstance(bearing, Bearing):
+    elif isinstance(bearing, Bearing | RollerBearing):
         case = Case(bearing=bearing, duty=Duty())
         case = override(case, settings) if settings else case
     else:
@@ -92,18 +93,22 @@ def has_load(case: Case) -> bool:
     return any(given) or case.bearing.preload is not None
 
 
-def angle_of(given: str | float) -> float | AngleChoice:
-    """Return a contact angle that is given (rad), or which of its two choices.
+def angle_of(given: str | float, bearing: Bearing | RollerBearing) -> float | AngleChoice:
+    """Return a contact angle that is given for a bearing (rad), or which of its two choices.
 
     Raises
     ------
     InputError
-        If it is none, or no ball could have it.
+        If it is none, no ball could have it, or the bearing has rollers.
     """
     if given == "zero":
         return "zero"
     if given == "free":
         return "free"
+    if isinstance(bearing, RollerBearing):
+        rule = said("is of ball bearings; rollers keep the angles of their raceways")
+        example = 'bearing.contact_angle = "14 deg"'
+        raise InputError(rule, field="angle", value=given, example=example)
     try:
         angle = to_si(given, "angle") if isinstance(given, str) else given
     except InputError as error:

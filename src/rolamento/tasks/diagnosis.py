@@ -11,7 +11,8 @@ from math import ceil, inf, isfinite, pi
 from typing import Any, Final, Literal, Unpack
 
 from rolamento.case import Case
-from rolamento.case.bearing import Bearing, ball_bearing
+from rolamento.case.bearing import Bearing
+from rolamento.case.roller_bearing import RollerBearing
 from rolamento.catalogue import catalogue, rolling_bearings
 from rolamento.errors import InputError
 from rolamento.solution import solve
@@ -37,6 +38,7 @@ from rolamento.vibration.reading import open_signal
 from rolamento.vibration.signal import Signal
 from rolamento.vibration.spectrum import Indicators, indicators
 from rolamento.words import Note, said
+from rolamento.words.naming import of_element
 
 SCHEMA: Final = 2
 Conclusion = Literal["fault", "undecided", "watch", "nothing_found", "no_verdict"]
@@ -88,7 +90,7 @@ class DiagnosisResult:
 
     title: str
     bearing_name: str
-    bearing: Bearing
+    bearing: Bearing | RollerBearing
     frequencies: FaultFrequencies
     diagnosis: Diagnosis
     settings: DiagnosisSettings
@@ -150,7 +152,7 @@ class DiagnosisResult:
         if self.speed_lost and not self.still and not self.diagnosis.stated:
             return (Note("no_speed_no_verdict"),)
         if self.verdict == "no_verdict" and not self.still:
-            return self._untested()
+            return self._said(self._untested())
         return self.diagnosis.statement(still=self.still)
 
     def _untested(self) -> tuple[Note, ...]:
@@ -175,10 +177,14 @@ class DiagnosisResult:
     def _shared(self) -> tuple[Note, ...]:
         return () if self.lookalikes is None else (self.lookalikes.shared,)
 
+    def _said(self, notes: Iterable[Note]) -> tuple[Note, ...]:
+        """Return notes as they are said of what rolls in the bearing."""
+        return tuple(of_element(note, self.diagnosis.element) for note in notes)
+
     @property
     def notes(self) -> tuple[Note, ...]:
         """What is to be known: of the diagnosis, and of how it was made."""
-        return (*self.diagnosis.notes, *self._own_notes())
+        return (*self.diagnosis.notes, *self._said(self._own_notes()))
 
     def _own_notes(self) -> Iterator[Note]:
         faults = [part for part in self.diagnosis.components if part.verdict == "fault"]
@@ -425,7 +431,7 @@ def diagnose(
         return DiagnosisResult(
             title=held.first.title or os.fspath(path),
             bearing_name=name_of(bearing, case),
-            bearing=ball_bearing(case),
+            bearing=case.bearing,
             frequencies=frequencies,
             diagnosis=found,
             settings=wide.settings,
@@ -438,12 +444,15 @@ def diagnose(
             slip=wide.slip,
             covers_balls=wide.covers_balls,
             other_rows=wide.other_rows,
-            lookalikes=_lookalikes(found, frequencies, ball_bearing(case), wide.settings),
+            lookalikes=_lookalikes(found, frequencies, case.bearing, wide.settings),
         )
 
 
 def _lookalikes(
-    found: Diagnosis, frequencies: FaultFrequencies, bearing: Bearing, settings: DiagnosisSettings
+    found: Diagnosis,
+    frequencies: FaultFrequencies,
+    bearing: Bearing | RollerBearing,
+    settings: DiagnosisSettings,
 ) -> Lookalikes | None:
     """Return the bearings of the catalogue that share what was found, the sought one left out."""
     name = ""
@@ -491,7 +500,7 @@ def _frequencies_sought(
     inner, outer = case.duty.inner_speed, case.duty.outer_speed
     if inner == outer:
         raise InputError(
-            said("equals that of the inner ring: no ball rolls"),
+            said("equals that of the inner ring: nothing rolls"),
             field="outer_speed",
             value=f"{rpm_of(outer):.6g} rpm",
             example='outer_speed="0 rpm"',
@@ -501,8 +510,8 @@ def _frequencies_sought(
         found = frequencies_of(solved)
         if isfinite(found.cage.order):
             return found, solved
-    choice = angle_of("zero" if angle is None else angle)
-    return nominal_frequencies(ball_bearing(case), inner, outer, contact_angle=choice), solved
+    choice = angle_of("zero" if angle is None else angle, case.bearing)
+    return nominal_frequencies(case.bearing, inner, outer, contact_angle=choice), solved
 
 
 @dataclass(frozen=True, slots=True)

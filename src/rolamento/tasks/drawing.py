@@ -27,13 +27,15 @@ _STANDARD_INPUT: Final = "-"
 
 
 class Kind(StrEnum):
-    """What can be drawn: the first five of a state, then four of its life, then of a study."""
+    """What can be drawn: of a state, the last two of rollers; four of its life; then of a study."""
 
     rosette = "rosette"
     balls = "balls"
     angles = "angles"
     pressures = "pressures"
     ellipses = "ellipses"
+    along = "along"
+    between = "between"
     aiso = "aiso"
     sn = "sn"
     zone = "zone"
@@ -51,6 +53,7 @@ _OF_CONTACTS: Final = {
     Kind.angles: "contact_angle",
     Kind.pressures: "max_pressure",
 }
+_OF_SEVERAL: Final = (*_OF_CONTACTS, Kind.along)
 _MOST_FILES: Final = 7
 _OF_STATES: Final = tuple(kind for kind in Kind if kind not in _OF_STUDIES)
 
@@ -88,10 +91,12 @@ def draw(
         The JSON of a state, as ``solve --json`` writes it (``"-"`` is standard input), or the
         NetCDF file of a study; or several of one or the other.
     kind
-        Of a state: rosette (default), balls, angles, pressures, ellipses; of its life: aiso
-        (a_ISO), sn (life over load), zone (life over the load zone), helps (what would help); of
-        a study: lines, map, histogram, scatter (default: what suits it). Several states: balls
-        (default), angles, pressures; several studies: lines, histogram.
+        Of a state: rosette (default), balls (loads over azimuth, of rollers too), angles,
+        pressures, ellipses; of one with rollers: along (pressure along them), between (the most
+        loaded one between the races); of its life: aiso (a_ISO), sn (life over load), zone (life
+        over the load zone), helps (what would help); of a study: lines, map, histogram, scatter
+        (default: what suits it). Several states: balls (default), angles, pressures, along;
+        several studies: lines, histogram.
     variable
         The output of a study to draw.
     over
@@ -194,11 +199,12 @@ def _of_states(
 ) -> tuple[Axes, str, str | None]:
     """Draw states in one frame, and the variants of each; return title and failure too."""
     from rolamento.plots.balls import compared_states
+    from rolamento.plots.roller import compared_rollers
     from rolamento.solution import solve
     from rolamento.solved import Solved
     from rolamento.studies.names import setting_name
 
-    _check(kind, tuple(_OF_CONTACTS), "several states")
+    _check(kind, _OF_SEVERAL, "several states")
     read = [Solved.read(path) for path in paths]
     names = _labelled(paths, [solved.title for solved in read], labels)
     states: dict[str, Solved] = {}
@@ -216,12 +222,14 @@ def _of_states(
     failed = [solved for solved in states.values() if not solved.converged[0]]
     failure = str(failed[0].status.code[0]) if len(failed) == len(states) else None
     title = read[0].title if len({solved.title for solved in read}) == 1 else ""
+    if kind is Kind.along:
+        return compared_rollers(states), title, failure
     return compared_states(states, _OF_CONTACTS[kind]), title, failure
 
 
 def _of_state(path: str, kind: Kind) -> tuple[Axes, str, str | None]:
     """Draw a state; return title and failure too."""
-    from rolamento.plots import balls, ellipses
+    from rolamento.plots import balls, ellipses, roller
     from rolamento.plots.frame import empty_frame, no_result
     from rolamento.plots.style import new_figure
     from rolamento.solved import Solved
@@ -231,6 +239,8 @@ def _of_state(path: str, kind: Kind) -> tuple[Axes, str, str | None]:
     _check(kind, _OF_STATES, "the JSON of a state")
     if kind is Kind.ellipses:
         axes: Axes = ellipses.ellipses_of_both_races(solved)[0]
+    elif kind is Kind.along:
+        axes = roller.pressures_of_both_races(solved)[0]
     elif kind in _OF_LIFE and failure is not None:
         axes = empty_frame(new_figure()[1], no_result(failure))
     elif kind in _OF_LIFE:
@@ -241,6 +251,7 @@ def _of_state(path: str, kind: Kind) -> tuple[Axes, str, str | None]:
             Kind.balls: balls.ball_loads,
             Kind.angles: balls.contact_angles,
             Kind.pressures: balls.pressures,
+            Kind.between: roller.roller_between_races,
         }
         axes = drawers[kind](solved)
     return axes, solved.title, failure

@@ -8,7 +8,8 @@ from math import isfinite
 from typing import Any, Final
 
 from rolamento.case import is_designation
-from rolamento.case.bearing import Bearing, ball_bearing
+from rolamento.case.bearing import Bearing
+from rolamento.case.roller_bearing import RollerBearing
 from rolamento.errors import InputError
 from rolamento.solution import solve
 from rolamento.solved import Solved
@@ -60,7 +61,7 @@ class FrequencyResult:
     """
 
     title: str
-    bearing: Bearing
+    bearing: Bearing | RollerBearing
     nominal: FaultFrequencies
     loaded: FaultFrequencies | None
     solved: Solved | None
@@ -157,16 +158,16 @@ def fault_frequencies(
     case = case_of(bearing, settings, inner, outer)
     duty = case.duty
     told = inner is not None or outer is not None or duty.inner_speed or duty.outer_speed
-    has_no_duty = isinstance(bearing, Bearing) or is_designation(bearing)
+    has_no_duty = isinstance(bearing, Bearing | RollerBearing) or is_designation(bearing)
     speeds = None if has_no_duty and not told else duty.inner_speed, duty.outer_speed
-    contact_angle = angle_of(angle)
-    own = ball_bearing(case)
+    contact_angle = angle_of(angle, case.bearing)
+    own = case.bearing
     solved = solve(case) if has_load(case) else None
     return FrequencyResult(
         title=name_of(bearing, case),
         bearing=own,
         nominal=banded_frequencies(
-            ball_bearing(case),
+            case.bearing,
             *speeds,
             slip=slip,
             contact_angle=contact_angle,

@@ -14,7 +14,8 @@ import numpy as np
 
 from rolamento._json import dumps
 from rolamento._writing import write_text
-from rolamento.case.bearing import Bearing, ball_bearing
+from rolamento.case.bearing import Bearing
+from rolamento.case.roller_bearing import RollerBearing
 from rolamento.errors import InputError
 from rolamento.solution import solve
 from rolamento.solved import Solved
@@ -41,6 +42,7 @@ from rolamento.vibration.synthesis import (
 from rolamento.vibration.synthesis import synthesise as signal_of
 from rolamento.vibration.writing import check_signal_name, write_signal
 from rolamento.words import Note, said
+from rolamento.words.naming import of_element
 
 SCHEMA: Final = 2
 _MOST_IMPACTS: Final = 1_000_000
@@ -100,7 +102,7 @@ class SynthesisResult:
 
     name: str
     source: str
-    bearing: Bearing
+    bearing: Bearing | RollerBearing
     made: Synthesis
     load: LoadName
     extent: float
@@ -162,7 +164,10 @@ class SynthesisResult:
             notes.append(Note("frequency_modulation"))
         if "inferred" in self.bearing.origins.values():
             notes.append(Note("signal_of_estimated_geometry"))
-        return tuple(notes)
+        element = self.recipe.frequencies.rolling_element
+        if self.recipe.waviness and element == "roller":
+            notes.append(Note("waviness_of_rollers"))
+        return tuple(of_element(note, element) for note in notes)
 
     def truth(self) -> dict[str, Any]:
         """Return the truth and the recipe as plain data, in SI units, Hz and dB.
@@ -293,14 +298,14 @@ def synthesise(
             (
                 said("is missing: nothing rotates")
                 if inner == 0.0
-                else said("is that of both rings: no ball rolls")
+                else said("is that of both rings: nothing rolls")
             ),
             field="speed",
             example='speed="1797 rpm"',
         )
     solved = solve(case) if has_load(case) else None
     if solved is None:
-        frequencies = nominal_frequencies(ball_bearing(case), inner, outer, slip=slip)
+        frequencies = nominal_frequencies(case.bearing, inner, outer, slip=slip)
     elif not solved.converged[0]:
         return Unsolved(solved)
     else:
@@ -333,7 +338,7 @@ def synthesise(
     found = SynthesisResult(
         name=name,
         source=os.fspath(bearing) if isinstance(bearing, str | os.PathLike) else name,
-        bearing=ball_bearing(case),
+        bearing=case.bearing,
         made=made,
         load=kind,
         extent=extent if kind == "radial" else nan,
@@ -386,7 +391,9 @@ def _distribution(
     if kind == "uniform":
         return LoadDistribution.uniform()
     if kind == "radial":
-        return LoadDistribution.radial(extent=extent, azimuth=azimuth)
+        return LoadDistribution.radial(
+            extent=extent, azimuth=azimuth, element=frequencies.rolling_element
+        )
     if kind != "solved":
         rule = said("must be one of uniform, radial, solved")
         raise InputError(rule, field="load", value=kind, example='load="radial"')
@@ -420,8 +427,8 @@ def _refuse_silence(made: Synthesis) -> None:
     if recipe.faults and has_ratio and made.truth.noise_level == 0.0 and not struck:
         raise InputError(
             said(
-                "is the ratio to faults without any impact: no ball is loaded where "
-                "they are, or the signal is too short"
+                "is the ratio to faults without any impact: no rolling element is "
+                "loaded where they are, or the signal is too short"
             ),
             field="ratio",
             value=recipe.noise.ratio if recipe.noise else None,
@@ -430,7 +437,8 @@ def _refuse_silence(made: Synthesis) -> None:
         rule = said("is silent: no part of it has any amplitude")
         if recipe.faults:
             rule = said(
-                "is silent: no ball is loaded where the damage lies, or the signal is too short"
+                "is silent: no rolling element is loaded where the damage lies, or the signal is "
+                "too short"
             )
         raise InputError(rule, field="signal", example='load="uniform"')
 

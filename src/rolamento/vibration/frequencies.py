@@ -10,6 +10,9 @@ and damage to the outer race is met Z |ω_m - ω_o|, to the inner Z |ω_i - ω_m
 times in 2π. A slipping ball rolls on the outer race, on which centrifugal force presses it, and
 slips on the inner: cage and ball slow down by the same part.
 
+Rollers have the same formulas with the angle β of their axis for α, 0 of cylindrical ones: exact
+for tapered rollers whose cone has its apex with those of the raceways (`roller_kinematics`).
+
 Sources: Harris, Rolling Bearing Analysis, 3rd ed. (1991); Braga and Almeida, equations 19 and 22.
 See docs/theory/vibration-frequencies.md.
 """
@@ -18,21 +21,26 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
-from math import cos, isfinite, nan, pi
-from typing import Any, Final, Literal, NamedTuple, cast
+from math import cos, isfinite, nan, pi, sin
+from typing import Any, Final, Literal, NamedTuple
 
 import numpy as np
 
 from rolamento._json import plain
 from rolamento.case.bearing import Bearing
+from rolamento.case.roller_bearing import RollerBearing
 from rolamento.errors import InputError
 from rolamento.geometry import ring_geometry
 from rolamento.kinematics import ball_motion
 from rolamento.numerics import FloatArray
+from rolamento.roller_kinematics import apex_half_angle, apex_mismatch, roller_motion
 from rolamento.solved import Solved, refuse_other
 from rolamento.words import Note, said
+from rolamento.words.naming import of_element
 
 FaultKind = Literal["outer_race", "inner_race", "ball", "cage"]
+RollingElement = Literal["ball", "roller"]
+"""What rolls, of whatever form."""
 LineName = Literal["cage", "ball_pass_outer", "ball_pass_inner", "ball_spin", "ball_spin_twice"]
 
 LINES: Final[tuple[LineName, ...]] = (
@@ -124,7 +132,7 @@ class Harmonic:
 
 @dataclass(frozen=True, slots=True)
 class FaultFrequencies:
-    """Fault frequencies of a row of balls.
+    """Fault frequencies of a row of balls or rollers; of rollers all that is said of balls.
 
     The shaft is the ring that turns: the inner one, or the outer if the inner stands still.
     Frequencies are positive; `turns` holds the signs.
@@ -144,7 +152,7 @@ class FaultFrequencies:
     slip
         part by which the cage lags behind rolling, seen from the outer ring
     inner_contact_angle, outer_contact_angle
-        rad; of a solved case, the mean weighted by the loads
+        rad; of a solved case, the mean weighted by the loads; of rollers those of the raceways
     turns
         signed speeds over the shaft's
     cage
@@ -160,6 +168,8 @@ class FaultFrequencies:
         most. Empty for a single row.
     notes
         what a user should know
+    element
+        what rolls: "ball", "cylindrical", "tapered" or "needle"
     """
 
     source: Literal["nominal", "loaded"]
@@ -180,6 +190,12 @@ class FaultFrequencies:
     row: int = 0
     rows: tuple[FaultFrequencies, ...] = ()
     notes: tuple[Note, ...] = ()
+    element: str = "ball"
+
+    @property
+    def rolling_element(self) -> RollingElement:
+        """What rolls, of whatever form."""
+        return "ball" if self.element == "ball" else "roller"
 
     @property
     def lines(self) -> dict[LineName, FaultLine]:
@@ -253,6 +269,8 @@ class FaultFrequencies:
     def to_mapping(self) -> dict[str, Any]:
         """Give the frequencies as plain mappings and lists in SI units, NaN as None."""
         mapping: dict[str, Any] = plain(asdict(replace(self, rows=(), notes=())))
+        if self.element == "ball":
+            mapping.pop("element")
         return {
             **mapping,
             "rows": [row.to_mapping() for row in self.rows],
@@ -309,6 +327,8 @@ AngleChoice = Literal["zero", "free"]
 _TURN: Final = 2.0 * pi
 _RIGHT_ANGLE: Final = 0.5 * pi
 _MOST_SPEED: Final = 1e7
+_TRUE_CONES: Final = 0.02
+"""Part by which a half angle may be off that of one apex, as it is where both are rounded."""
 
 
 class _Shaft(NamedTuple):
@@ -338,7 +358,7 @@ class _Shaft(NamedTuple):
 
 
 def nominal_frequencies(
-    bearing: Bearing,
+    bearing: Bearing | RollerBearing,
     inner_speed: float | None = None,
     outer_speed: float = 0.0,
     *,
@@ -350,15 +370,16 @@ def nominal_frequencies(
     Parameters
     ----------
     bearing
-        Its free contact angle is taken, if it is given by one.
+        Of balls or rollers; its free contact angle is taken, if it is given by one.
     inner_speed, outer_speed
         Of the rings, signed (rad/s). With neither, the inner ring turns, and there are orders but
         no Hz.
     slip
         Part s of the cage's speed against the outer ring that it lags behind, from -1 to 1.
     contact_angle
-        For a bearing given by its clearance: "zero", as under radial load, or "free", as under
-        axial load. Or an angle for any bearing (rad).
+        For a ball bearing given by its clearance: "zero", as under radial load, or "free", as under
+        axial load. Or an angle for any ball bearing (rad). Rollers have the angles of their
+        raceways.
 
     Raises
     ------
@@ -367,8 +388,9 @@ def nominal_frequencies(
     """
     shaft = shaft_of(inner_speed, outer_speed)
     _check_slip(slip)
+    check_angle(bearing, contact_angle)
     rows = [
-        _nominal_row(cast("Bearing", place.bearing), shaft, slip, contact_angle, index)
+        _nominal_row(place.bearing, shaft, slip, contact_angle, index)
         for index, place in enumerate(bearing.element_rows)
     ]
     return rows[0] if len(rows) == 1 else replace(rows[0], rows=tuple(rows))
@@ -472,10 +494,26 @@ def line_orders(turns: Turns, ball_count: int) -> dict[LineName, float]:
     }
 
 
+def check_angle(bearing: Bearing | RollerBearing, contact_angle: float | AngleChoice) -> None:
+    """Refuse a contact angle for a bearing that has rollers alone; InputError."""
+    if isinstance(bearing, RollerBearing) and not isinstance(contact_angle, str):
+        raise InputError(
+            said("is of ball bearings; rollers keep the angles of their raceways"),
+            field="contact_angle",
+            value=contact_angle,
+            example='bearing.contact_angle = "14 deg"',
+        )
+
+
 def nominal_angle(
-    bearing: Bearing, contact_angle: float | AngleChoice
+    bearing: Bearing | RollerBearing, contact_angle: float | AngleChoice
 ) -> tuple[float, tuple[Note, ...]]:
-    """Return the contact angle of a plain bearing (rad), and what to say about it."""
+    """Return the angle of γ = D cos α/d_m of a plain bearing (rad), and what to say about it.
+
+    Of rollers it is that of their axis.
+    """
+    if isinstance(bearing, RollerBearing):
+        return axis_angle(bearing), _apex_notes(bearing)
     if isinstance(contact_angle, str):
         if contact_angle not in ("zero", "free"):
             raise InputError(
@@ -499,15 +537,43 @@ def nominal_angle(
     return contact_angle, ()
 
 
+def axis_angle(bearing: RollerBearing) -> float:
+    """Return the angle of the rollers' axis to the shaft, β = α - φ; rad."""
+    return bearing.row_angle - (bearing.roller_half_angle or 0.0)
+
+
+def _apex_notes(bearing: RollerBearing) -> tuple[Note, ...]:
+    """Say so where the cones of rollers and raceways cannot roll truly."""
+    half, axis = bearing.roller_half_angle or 0.0, axis_angle(bearing)
+    sizes = bearing.roller_diameter, bearing.pitch_diameter
+    if abs(float(apex_mismatch(*sizes, axis, half))) <= _TRUE_CONES:
+        return ()
+    inner, outer = sin(axis - half), sin(axis + half)
+    values = {
+        "half_angle": half,
+        "apex_half_angle": float(apex_half_angle(*sizes, bearing.row_angle)),
+        "order_by_angles": inner / (inner + outer),
+    }
+    return (Note("no_common_apex", values),)
+
+
 def _nominal_row(
-    bearing: Bearing, shaft: _Shaft, slip: float, contact_angle: float | AngleChoice, row: int
+    bearing: Bearing | RollerBearing,
+    shaft: _Shaft,
+    slip: float,
+    contact_angle: float | AngleChoice,
+    row: int,
 ) -> FaultFrequencies:
     angle, notes = nominal_angle(bearing, contact_angle)
-    turns = turns_of(bearing.ball_diameter / bearing.pitch_diameter, angle, *shaft.ratios, slip)
-    orders = line_orders(turns, bearing.ball_count)
+    count, ratio = bearing.element_count, bearing.element_diameter / bearing.pitch_diameter
+    turns = turns_of(ratio, angle, *shaft.ratios, slip)
+    orders = line_orders(turns, count)
     lines = {name: plain_line(order, shaft.frequency) for name, order in orders.items()}
-    row_of = _Row("nominal", bearing.ball_count, shaft, slip, row)
-    return row_of.record((angle, angle), turns, lines, (*shaft.notes, *notes))
+    angles = (angle, angle)
+    if isinstance(bearing, RollerBearing):
+        angles = (bearing.inner_contact_angle, bearing.row_angle)
+    row_of = _Row("nominal", count, shaft, slip, row, bearing.element)
+    return row_of.record(angles, turns, lines, (*shaft.notes, *notes))
 
 
 class _Row(NamedTuple):
@@ -518,6 +584,7 @@ class _Row(NamedTuple):
     shaft: _Shaft
     slip: float
     row: int
+    element: str
 
     def record(
         self,
@@ -544,7 +611,10 @@ class _Row(NamedTuple):
             ball_spin=lines["ball_spin"],
             ball_spin_twice=lines["ball_spin_twice"],
             row=self.row,
-            notes=notes,
+            notes=tuple(
+                of_element(note, "ball" if self.element == "ball" else "roller") for note in notes
+            ),
+            element=self.element,
         )
 
     def without_result(self, key: str) -> FaultFrequencies:
@@ -572,7 +642,8 @@ class _LoadedBalls(NamedTuple):
 
 def _loaded_row(solved: Solved, shaft: _Shaft, slip: float, row: int) -> FaultFrequencies:
     count = int(solved.rows.element_count[row])
-    row_of = _Row("loaded", count, shaft, slip, row)
+    element = solved.case.bearing.element_rows[row].bearing.element
+    row_of = _Row("loaded", count, shaft, slip, row, element)
     if not solved.converged[0]:
         return row_of.without_result("no_solution_no_frequencies")
     if not solved.loaded_elements[0, row]:
@@ -602,8 +673,11 @@ def _loaded_balls(solved: Solved, shaft: _Shaft, slip: float, row: int) -> _Load
     )
     if shaft.speed == 0.0:
         control = np.where(elements.raceway_control[0, own] == -1, -1, 1)
-        ratio = rows.ball_diameter[0, row] / rows.pitch_diameter[0, row]
-        motion = ball_motion(inner_angle, outer_angle, ratio, 1.0, control=control)
+        diameter, pitch = rows.ball_diameter[0, row], rows.pitch_diameter[0, row]
+        motion = ball_motion(inner_angle, outer_angle, diameter / pitch, 1.0, control=control)
+        if solved.case.bearing.element_rows[row].bearing.element != "ball":
+            axis, half = 0.5 * (outer_angle + inner_angle), 0.5 * (outer_angle - inner_angle)
+            motion = roller_motion(diameter, pitch, axis, half, 1.0)
         cage, ball_speed = motion.orbital_speed, motion.ball_speed
     else:
         cage = elements.orbital_speed[0, own] / shaft.speed

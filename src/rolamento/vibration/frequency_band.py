@@ -12,9 +12,10 @@ from dataclasses import dataclass, replace
 from functools import partial
 from itertools import product
 from math import pi
-from typing import Final, NamedTuple, cast
+from typing import Final, NamedTuple
 
 from rolamento.case.bearing import Bearing
+from rolamento.case.roller_bearing import RollerBearing
 from rolamento.catalogue import Candidate
 from rolamento.errors import InputError
 from rolamento.geometry import ring_geometry
@@ -25,6 +26,7 @@ from rolamento.vibration.frequencies import (
     FaultLine,
     LineBand,
     LineName,
+    check_angle,
     line_orders,
     nominal_angle,
     nominal_frequencies,
@@ -119,7 +121,7 @@ class _Place(NamedTuple):
 
 
 def alternatives_of(
-    bearing: Bearing,
+    bearing: Bearing | RollerBearing,
     inner_speed: float | None = None,
     outer_speed: float = 0.0,
     *,
@@ -131,6 +133,7 @@ def alternatives_of(
     Parameters as of `nominal_frequencies`.
     """
     inner, outer = shaft_of(inner_speed, outer_speed).ratios
+    check_angle(bearing, contact_angle)
     angle, _ = nominal_angle(bearing, contact_angle)
     found = []
     for one in _candidates(bearing):
@@ -151,7 +154,7 @@ def alternatives_of(
 
 
 def banded_frequencies(
-    bearing: Bearing,
+    bearing: Bearing | RollerBearing,
     inner_speed: float | None = None,
     outer_speed: float = 0.0,
     *,
@@ -180,7 +183,7 @@ def banded_frequencies(
     )
     banded = partial(_with_bands, slip=(slip, min(slip + allowed.slip, 1.0)), speed=allowed.speed)
     rows = [
-        banded(row, _places(cast("Bearing", place.bearing), contact_angle, allowed))
+        banded(row, _places(place.bearing, contact_angle, allowed))
         for row, place in zip(found.rows or (found,), bearing.element_rows, strict=True)
     ]
     return rows[0] if not found.rows else replace(rows[0], rows=tuple(rows))
@@ -246,12 +249,12 @@ def _around(value: float, part: float) -> Interval:
 
 
 def _places(
-    bearing: Bearing, contact_angle: float | AngleChoice, allowed: Tolerances
+    bearing: Bearing | RollerBearing, contact_angle: float | AngleChoice, allowed: Tolerances
 ) -> list[_Place]:
     """Return the geometry as it is given, and those that the ratings also allow."""
     angles = _angles(bearing, contact_angle, allowed)
-    own = (bearing.ball_diameter, bearing.pitch_diameter)
-    insides = [(bearing.ball_count, own[0], (own[1], own[1]))]
+    own = (bearing.element_diameter, bearing.pitch_diameter)
+    insides = [(bearing.element_count, own[0], (own[1], own[1]))]
     if allowed.candidates:
         insides += [
             (one.ball_count, one.ball_diameter, one.pitch_diameter_range)
@@ -269,17 +272,23 @@ def _places(
     ]
 
 
-def _angles(bearing: Bearing, contact_angle: float | AngleChoice, allowed: Tolerances) -> Interval:
+def _angles(
+    bearing: Bearing | RollerBearing, contact_angle: float | AngleChoice, allowed: Tolerances
+) -> Interval:
     angle, _ = nominal_angle(bearing, contact_angle)
+    if isinstance(bearing, RollerBearing) and bearing.element != "tapered":
+        return angle, angle
     if allowed.contact_angle is not None:
         spread = allowed.contact_angle
         return max(angle - spread, 0.0), min(angle + spread, _RIGHT_ANGLE)
+    if isinstance(bearing, RollerBearing):
+        return angle, angle
     if bearing.contact_angle is None and isinstance(contact_angle, str):
         return 0.0, ring_geometry(bearing).free_contact_angle
     return angle, angle
 
 
-def _candidates(bearing: Bearing) -> tuple[Candidate, ...]:
+def _candidates(bearing: Bearing | RollerBearing) -> tuple[Candidate, ...]:
     """Return which other balls are possible, if they are inferred and not the user's own."""
     told = bearing.told
     return told.candidates if told and "inferred" in bearing.origins.values() else ()

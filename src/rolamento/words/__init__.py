@@ -1,5 +1,6 @@
 """Words: languages, numbers as people write them, notes and their sentences."""
 
+from rolamento.words.elements import worded
 from rolamento.words.manner import (
     ABSENT,
     ENDLESS,
@@ -44,4 +45,5 @@ __all__ = [
     "said_in",
     "speaking",
     "unit_of",
+    "worded",
 ]

@@ -59,6 +59,7 @@ UNITS: Final[dict[str, tuple[float, float]]] = {
     "N·m": (1.0, 0.0),
     "N·mm": (1e3, 0.0),
     "µN·m": (1e6, 0.0),
+    "N/mm": (1e-3, 0.0),
     "N/µm": (1e-6, 0.0),
     "N/mrad": (1e-3, 0.0),
     "N·m/mm": (1e-3, 0.0),

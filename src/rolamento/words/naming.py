@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from typing import Final
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any, Final
 
+from rolamento.words.note import Note
 from rolamento.words.speaking import marked, said
 
 __all__ = [
     "PARTS",
+    "by_element",
     "either",
     "listed",
+    "of_element",
     "one_line",
     "part_name",
     "shortened",
@@ -22,37 +25,72 @@ PARTS: Final[Mapping[str, str]] = {
     "outer_race": marked("outer race"),
     "inner_race": marked("inner race"),
     "ball": marked("ball"),
+    "roller": marked("roller"),
     "cage": marked("cage"),
 }
 _THE_PARTS: Final[Mapping[str, str]] = {
     "outer_race": marked("the outer race"),
     "inner_race": marked("the inner race"),
     "ball": marked("a ball"),
+    "roller": marked("a roller"),
     "cage": marked("the cage"),
     "ball_or_cage": marked("a ball or the cage"),
+    "roller_or_cage": marked("a roller or the cage"),
 }
 _FIRST: Final[Mapping[str, str]] = {
     "outer_race": marked("The outer race"),
     "inner_race": marked("The inner race"),
     "ball": marked("A ball"),
+    "roller": marked("A roller"),
     "cage": marked("The cage"),
     "ball_or_cage": marked("A ball or the cage"),
+    "roller_or_cage": marked("A roller or the cage"),
 }
 
 
-def part_name(part: str) -> str:
-    """Return the name of a part, as it stands in a table: "outer race"."""
-    return said(PARTS[part])
+_OF_ROLLERS: Final[Mapping[str, str]] = {"ball": "roller", "ball_or_cage": "roller_or_cage"}
 
 
-def the_part(part: str) -> str:
-    """Return the name of a part within a sentence: "the outer race", "a ball"."""
-    return said(_THE_PARTS[part])
+def part_name(part: str, element: str = "ball") -> str:
+    """Return the name of a part, as it stands in a table: "outer race".
+
+    element: what rolls in the bearing; its part "ball" is a roller where no balls do.
+    """
+    return said(PARTS[part if part != "ball" or element == "ball" else "roller"])
+
+
+def the_part(part: str, element: str = "ball") -> str:
+    """Return the name of a part within a sentence: "the outer race", "a ball"; as `part_name`."""
+    return said(_THE_PARTS[part if part != "ball" or element == "ball" else "roller"])
 
 
 def the_part_first(part: str) -> str:
     """Return the name of a part at the beginning of a sentence: "The outer race"."""
     return said(_FIRST[part])
+
+
+def by_element(balls: str, rollers: str) -> Callable[[Mapping[str, Any]], str]:
+    """Return the sentence of a note whose value `element` is "roller" where rollers roll."""
+
+    def sentence(values: Mapping[str, Any]) -> str:
+        return said(rollers if values.get("element") == "roller" else balls, **values)
+
+    return sentence
+
+
+def of_element(note: Note, element: str) -> Note:
+    """Return a note as it is said where so rolls, "ball" or "roller": its parts, and `element`."""
+    if element == "ball":
+        return note
+    return Note(note.key, {**_of_rollers(dict(note.values)), "element": element})
+
+
+def _of_rollers(value: Any) -> Any:
+    if isinstance(value, Mapping):
+        return {name: _of_rollers(one) for name, one in value.items()}
+    if isinstance(value, list | tuple):
+        return [_of_rollers(one) for one in value]
+    return _OF_ROLLERS.get(value, value) if isinstance(value, str) else value
 
 
 def listed(items: Iterable[str]) -> str:

@@ -231,10 +231,12 @@ def _cut(
     some = slice(0, 1) if same else slice(None)
     length, diameter, pitch, half, axis = (a[some] for a in (length, diameter, pitch, half, axis))
     place = slice_places(length, slices)
-    sizes: dict[str, Any] = {"length": length[:, np.newaxis], "diameter": diameter[:, np.newaxis]}
-    roller = drop(bearing.roller_profile, place, tapered=bool((half > 0.0).any()), **sizes)
+    tapered = bool((half > 0.0).any())
+    sizes = {"length": length[:, np.newaxis], "diameter": diameter[:, np.newaxis]}
+    roller = drop(bearing.roller_profile, place, tapered=tapered, **sizes)
     races = [
-        drop(profile, place, **sizes) for profile in (bearing.inner_profile, bearing.outer_profile)
+        drop(getattr(bearing, f"{race}_profile"), place, tapered=tapered, **sizes)
+        for race in ("inner", "outer")
     ]
     drops = np.stack([roller + race for race in races], axis=1)
     curvature = np.stack(

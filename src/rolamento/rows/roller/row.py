@@ -91,6 +91,12 @@ class RollerRow:
         return (1.0,)
 
     @property
+    def floats(self) -> bool:
+        """Whether no ribs and no cones hold it along the shaft."""
+        p = self.numbers.p
+        return not (self.numbers.tapered or np.any(p[layout.RIB_AHEAD] + p[layout.RIB_BEHIND] > 0))
+
+    @property
     def valid(self) -> BoolArray:
         """Which cases have numbers that can be solved; (cases,)."""
         sound = np.isfinite(self.numbers.p).all(axis=0)

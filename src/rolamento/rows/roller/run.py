@@ -6,6 +6,7 @@ import logging
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from time import perf_counter
 from typing import Any, Final, Self
 
 import numpy as np
@@ -24,6 +25,9 @@ _log = logging.getLogger("rolamento")
 CHUNK: Final = 64
 LITTLE: Final = 2000
 """Slices of all rollers of one case that are solved without the compiler, if it is not loaded."""
+LONG: Final = 1.0
+"""Seconds of plain Python in this process after which the compiler is worth loading."""
+_spent: Final = [0.0]
 
 
 @dataclass(slots=True)
@@ -116,9 +120,12 @@ def _run_threads(
 
     Loading the compiler takes longer than that.
     """
-    if cases == 1 and not coupled and slices <= LITTLE and not kernel.is_loaded:
+    little = cases == 1 and not coupled and slices <= LITTLE and not kernel.is_loaded
+    if little and (_spent[0] < LONG or not kernel.is_cached):
+        start = perf_counter()
         with np.errstate(all="ignore"):
             run(kernel, 0, 1)
+        _spent[0] += perf_counter() - start
         return
     if cases and not kernel.is_cached:
         _log.warning("compiling the solver for this machine, once: this takes about half a minute")

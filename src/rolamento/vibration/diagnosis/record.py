@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from math import isfinite, pi
-from typing import Any, Final, Literal
+from typing import TYPE_CHECKING, Any, Final, Literal
 
 import numpy as np
 
@@ -13,6 +13,10 @@ from rolamento.vibration._checks import Band
 from rolamento.vibration.diagnosis.settings import Component
 from rolamento.vibration.diagnosis.size import GRADES, Grade
 from rolamento.words import Note
+from rolamento.words.naming import of_element
+
+if TYPE_CHECKING:
+    from rolamento.vibration.frequencies import RollingElement
 
 Verdict = Literal["fault", "undecided", "watch", "nothing_found", "not_tested"]
 """Of a part: damaged; undecided, as the evidence against it is as strong; peaks as in many healthy
@@ -155,6 +159,14 @@ class ComponentVerdict:
     reasons: tuple[Note, ...]
     doubts: tuple[Note, ...] = ()
 
+    def of_element(self, element: RollingElement) -> ComponentVerdict:
+        """Return the verdict with its notes as they are said of balls, or of rollers."""
+        reasons, doubts = (
+            tuple(of_element(note, element) for note in notes)
+            for notes in (self.reasons, self.doubts)
+        )
+        return replace(self, reasons=reasons, doubts=doubts)
+
     def to_mapping(self) -> dict[str, Any]:
         """Return all of it as plain mappings and lists."""
         return {
@@ -234,6 +246,8 @@ class Diagnosis:
         lines that stand out and belong to nothing that is known, the clearest first
     notes
         what its reader should know
+    element
+        what rolls, "ball" or "roller": what the component "ball" is
     """
 
     components: tuple[ComponentVerdict, ...]
@@ -251,6 +265,7 @@ class Diagnosis:
     spectra: EnvelopeSpectra
     unexplained: tuple[UnexplainedLine, ...]
     notes: tuple[Note, ...]
+    element: RollingElement = "ball"
 
     @property
     def faults(self) -> tuple[Component, ...]:
@@ -311,7 +326,7 @@ class Diagnosis:
             notes.append(Note("other_peaks"))
         if untested:
             notes.append(Note("parts_untested", {"parts": untested}))
-        return tuple(notes)
+        return tuple(of_element(note, self.element) for note in notes)
 
     def _stated(self, part: ComponentVerdict) -> Note:
         verdict = "part_severely_damaged" if part.grade == "severe" else "part_damaged"

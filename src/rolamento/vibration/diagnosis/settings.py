@@ -11,7 +11,7 @@ from rolamento.vibration._checks import checked_number
 from rolamento.words import said
 
 if TYPE_CHECKING:
-    from rolamento.vibration.frequencies import FaultFrequencies
+    from rolamento.vibration.frequencies import FaultFrequencies, RollingElement
 
 
 Component = Literal["outer_race", "inner_race", "ball", "cage"]
@@ -43,6 +43,8 @@ class FaultOrders:
     known
         orders of other things that turn and are known to be there, such as the other shafts of a
         gearbox, or a half order; they and their multiples are left out, as those of the shaft are
+    element
+        what rolls, "ball" or "roller": the component "ball" is called so
 
     Raises
     ------
@@ -57,6 +59,7 @@ class FaultOrders:
     outer_spacing: float = 0.0
     inner_spacing: float = 1.0
     known: tuple[float, ...] = ()
+    element: RollingElement = "ball"
 
     def __post_init__(self) -> None:
         present = [name for name in COMPONENTS if getattr(self, name) is not None]
@@ -119,6 +122,7 @@ class FaultOrders:
             outer_spacing=frequencies.spacing("outer_race"),
             inner_spacing=frequencies.spacing("inner_race"),
             known=known,
+            element=frequencies.rolling_element,
         )
 
     def fundamental(self, component: Component) -> float | None:

@@ -40,6 +40,7 @@ from rolamento.vibration.diagnosis.shaft import ShaftLines, shaft_lines
 from rolamento.vibration.diagnosis.size import DAMAGE, grade_of
 from rolamento.vibration.signal import Signal
 from rolamento.words import Note, said
+from rolamento.words.naming import of_element
 
 _SLOW: Final = 0.25
 """Of the lowest order that is looked for: modulations up to there are of the load."""
@@ -215,8 +216,9 @@ def judge(
             )
     undecided = _other_speeds(verdict, unexplained, whole)
     notes = [*_notes(spectra), *_of_unexplained(unexplained)]
+    element = orders.element
     return Diagnosis(
-        components=tuple(verdicts),
+        components=tuple(part.of_element(element) for part in verdicts),
         false_alarm=settings.false_alarm,
         tolerance=settings.tolerance,
         trials=trials,
@@ -230,7 +232,8 @@ def judge(
         resolution=1.0 / spectra.turns,
         spectra=_pictured(whole, {part: np.array(f.per_band) for part, f in findings.items() if f}),
         unexplained=unexplained,
-        notes=tuple(notes),
+        notes=tuple(of_element(note, element) for note in notes),
+        element=element,
     )
 
 

@@ -12,6 +12,7 @@ the strongest, and with what the path to the sensor leaves of it.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final, Literal, NamedTuple, Self
 
@@ -23,7 +24,12 @@ from rolamento.geometry import Race
 from rolamento.numerics import FloatArray
 from rolamento.solved import Solved, refuse_other
 from rolamento.vibration._checks import check_within
-from rolamento.vibration.frequencies import FAULTS, FaultFrequencies, FaultKind
+from rolamento.vibration.frequencies import (
+    FAULTS,
+    FaultFrequencies,
+    FaultKind,
+    RollingElement,
+)
 from rolamento.vibration.signal import real_numbers
 from rolamento.vibration.synthesis.transfer import TransferPath
 from rolamento.words import said
@@ -31,6 +37,9 @@ from rolamento.words import said
 _TURN: Final = 2.0 * np.pi
 _POINTS: Final = 720
 _MOST_POSITIONS: Final = 360
+
+EXPONENTS: Final[Mapping[RollingElement, float]] = {"ball": 1.5, "roller": 10.0 / 9.0}
+"""With which the load of a contact goes with its approach: Hertz; ISO/TS 16281 for rollers."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -43,11 +52,14 @@ class LoadDistribution:
         rising, within a turn; rad, 0 at +z
     inner, outer
         loads over the maximum of their race, 0 to 1
+    exponent
+        with which the load goes with the approach: 3/2 of balls, 10/9 of rollers
     """
 
     azimuth: FloatArray
     inner: FloatArray
     outer: FloatArray
+    exponent: float = EXPONENTS["ball"]
 
     def __post_init__(self) -> None:
         arrays = [
@@ -63,18 +75,24 @@ class LoadDistribution:
         for name, loads in (("inner", inner), ("outer", outer)):
             if not np.all((loads >= 0.0) & (loads <= 1.0)):
                 raise InputError(said("must be fractions from 0 to 1"), field=name)
+        check_within("exponent", self.exponent, 1.0, 2.0, "exponent = 1.5")
         for name, array in zip(("azimuth", "inner", "outer"), arrays, strict=True):
             object.__setattr__(self, name, array)
 
     def at(self, azimuth: ArrayLike, race: Race) -> FloatArray:
         """Load at azimuths (rad) over the maximum; the shape of the azimuths.
 
-        Straight between the points in the approach of ball and race, which goes with Q^(2/3).
+        Straight between the points in the approach, which goes with Q^(2/3) of balls and Q^(9/10)
+        of rollers.
         """
         loads = self.inner if race == "inner" else self.outer
         angle = real_numbers(azimuth, "azimuth", "azimuth = [0.0, 1.57]")
-        approach = np.interp(angle, self.azimuth, np.cbrt(loads**2), period=_TURN)
-        return np.asarray(approach**1.5)
+        if self.exponent == EXPONENTS["ball"]:
+            return np.asarray(
+                np.interp(angle, self.azimuth, np.cbrt(loads**2), period=_TURN) ** 1.5
+            )
+        known = loads ** (1.0 / self.exponent)
+        return np.asarray(np.interp(angle, self.azimuth, known, period=_TURN) ** self.exponent)
 
     @classmethod
     def uniform(cls) -> Self:
@@ -82,8 +100,12 @@ class LoadDistribution:
         return cls(np.zeros(1), np.ones(1), np.ones(1))
 
     @classmethod
-    def radial(cls, extent: float = 0.5, azimuth: float = 0.0) -> Self:
+    def radial(
+        cls, extent: float = 0.5, azimuth: float = 0.0, element: RollingElement = "ball"
+    ) -> Self:
         """Stribeck's: q = [1 - (1 - cos ψ)/(2 ε)]^(3/2) about the direction of a radial load.
+
+        Of rollers with the exponent 10/9.
 
         Parameters
         ----------
@@ -91,13 +113,16 @@ class LoadDistribution:
             ε, of the load zone: ½ is half the bearing, 1 and more all of it.
         azimuth
             Of the load (rad).
+        element
+            What rolls, "ball" or "roller".
 
         Sjövall (1933); Harris (1991).
         """
         check_within("extent", extent, 1e-3, 1e6, "extent = 0.5")
         psi = np.arange(_POINTS, dtype=np.float64) * (_TURN / _POINTS)
-        load = np.maximum(1.0 - (1.0 - np.cos(psi - azimuth)) / (2.0 * extent), 0.0) ** 1.5
-        return cls(psi, load, load)
+        approach = np.maximum(1.0 - (1.0 - np.cos(psi - azimuth)) / (2.0 * extent), 0.0)
+        exponent = EXPONENTS[element]
+        return cls(psi, approach**exponent, approach**exponent, exponent)
 
     @classmethod
     def of_solved(cls, solved: Solved, *, row: int = 0, positions: int = 8) -> Self:
@@ -123,7 +148,7 @@ class LoadDistribution:
         own = solved.elements.row == row
         if len(solved) != 1 or not solved.converged[0] or not own.any():
             raise InputError(
-                said("must be a single case with a result and such a row of balls"),
+                said("must be a single case with a result and such a row"),
                 field="solved",
                 value=row,
             )
@@ -134,10 +159,14 @@ class LoadDistribution:
             for table in (solved.elements.azimuth, solved.inner.load, solved.outer.load)
         )
         if not (inner.max() > 0.0 and outer.max() > 0.0):
-            raise InputError(said("loads no ball of this row"), field="solved", value=row)
+            raise InputError(
+                said("loads no rolling element of this row"), field="solved", value=row
+            )
         azimuth = np.mod(azimuth, _TURN)
         order = np.argsort(azimuth)
-        return cls(azimuth[order], inner[order] / inner.max(), outer[order] / outer.max())
+        loads = inner[order] / inner.max(), outer[order] / outer.max()
+        kind = solved.case.bearing.element_rows[row].bearing.element
+        return cls(azimuth[order], *loads, EXPONENTS["ball" if kind == "ball" else "roller"])
 
 
 def _solved_between(solved: Solved, row: int, positions: int) -> Solved:

@@ -6,7 +6,14 @@ from collections.abc import Iterable, Mapping
 from math import floor
 from typing import TYPE_CHECKING, Any, Final
 
-from rolamento.words.naming import either, listed, part_name, the_part, the_part_first
+from rolamento.words.naming import (
+    by_element,
+    either,
+    listed,
+    part_name,
+    the_part,
+    the_part_first,
+)
 from rolamento.words.speaking import counted, manner, marked, said
 
 if TYPE_CHECKING:
@@ -158,7 +165,15 @@ def _telling(values: Values) -> str:
             said("Slip of up to {slip:.3 %} is usual and hides that.", slip=values["slip"])
         )
     own, other = values["balls"]
-    if own != other:
+    if own != other and "elements" in values:
+        sentences.append(
+            said(
+                "They have {own} and {other} rolling elements: the orders of both races add up to"
+                " that number, whatever the slip.",
+                own=own, other=other,
+            )
+        )  # fmt: skip
+    elif own != other:
         sentences.append(
             said(
                 "They have {own} and {other} balls: the orders of both races add up to that number,"
@@ -201,21 +216,29 @@ def _harmonics(values: Values) -> str:
     )  # fmt: skip
 
 
-def _sidebands(values: Values) -> str:
-    spacing, strongest = values["spacing"], values["strongest"]
-    first = (
-        said(
-            "Sidebands at ±{spacing:.4} × shaft speed: the damaged spot passes through the load"
-            " zone as the cage carries the ball round.",
-            spacing=spacing,
-        )
-        if values["carrier"] == "cage"
-        else said(
-            "Sidebands at ±{spacing:.4} × shaft speed: the damaged spot passes through the load"
-            " zone as the ring turns.",
-            spacing=spacing,
-        )
+_CARRIED: Final = by_element(
+    marked(
+        "Sidebands at ±{spacing:.4} × shaft speed: the damaged spot passes through the load"
+        " zone as the cage carries the ball round."
+    ),
+    marked(
+        "Sidebands at ±{spacing:.4} × shaft speed: the damaged spot passes through the load"
+        " zone as the cage carries the roller round."
+    ),
+)
+
+
+def _turned(values: Values) -> str:
+    return said(
+        "Sidebands at ±{spacing:.4} × shaft speed: the damaged spot passes through the load"
+        " zone as the ring turns.",
+        spacing=values["spacing"],
     )
+
+
+def _sidebands(values: Values) -> str:
+    strongest = values["strongest"]
+    first = (_CARRIED if values["carrier"] == "cage" else _turned)(values)
     if strongest is None:
         return first
     second = said("The strongest is {level:.0f dB} above the noise.", level=strongest)
@@ -439,9 +462,15 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "It lies at the limit of the allowed slip and may lie beyond: check the speed, the bearing"
         " and the contact angle."
     ),
-    "carries_the_ball": marked(
-        "Its peaks accompany those of the ball: a damaged ball enters and leaves the load zone once"
-        " in each revolution of the cage. Nothing else points to the cage."
+    "carries_the_ball": by_element(
+        marked(
+            "Its peaks accompany those of the ball: a damaged ball enters and leaves the load zone"
+            " once in each revolution of the cage. Nothing else points to the cage."
+        ),
+        marked(
+            "Its peaks accompany those of the roller: a damaged roller enters and leaves the load"
+            " zone once in each revolution of the cage. Nothing else points to the cage."
+        ),
     ),
     "of_first": _of_first,
     "beside_first": _beside_first,
@@ -522,9 +551,15 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " not, damage may remain undetected. Give a measured speed, or a part of the record."
     ),
     "no_loaded_frequencies": _not_loaded,
-    "range_not_covered": marked(
-        "Under this load the orders of some balls deviate by more than {tolerance:.3 %}: those were"
-        " not searched."
+    "range_not_covered": by_element(
+        marked(
+            "Under this load the orders of some balls deviate by more than {tolerance:.3 %}: those"
+            " were not searched."
+        ),
+        marked(
+            "Under this load the orders of some rollers deviate by more than {tolerance:.3 %}:"
+            " those were not searched."
+        ),
     ),
     "other_rows": _rows,
     "unexplained_peaks": _unexplained,

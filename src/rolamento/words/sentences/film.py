@@ -73,6 +73,14 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     "film_at_rest": marked("Nothing rotates: no film separates the surfaces."),
     "outside_hamrock_dowson": _outside_hamrock_dowson,
+    "film_of_light_lines": marked(
+        "The rollers are so lightly loaded that even the heaviest contact hardly deforms: the film"
+        " is thicker than stated."
+    ),
+    "lines_not_starved": marked(
+        "The reduction by the inlet distance is of elliptical contacts: the line contacts of the"
+        " rollers are taken as fully flooded."
+    ),
     "film_heated": marked(
         "Inlet shear heating leaves only {factor:.0f %} of the film at some contacts."
     ),

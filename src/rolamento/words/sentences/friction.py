@@ -15,6 +15,8 @@ _WHY: Final = {
     "full_film": marked("A full film leaves no Coulomb friction: {models}."),
     "no_film": marked("There is no lubricant film: {models}."),
     "other_angle": marked("The constants are for another contact angle: {models}."),
+    "for_balls": marked("For ball bearings only: {models}."),
+    "axial_share": marked("The axial load on the ribs is too high: {models}."),
     "torque_at_rest": marked("Nothing rotates: {models}."),
     "torque_unknown": marked("No result: {models}."),
 }
@@ -49,6 +51,16 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     "other_angle": marked(
         "The manufacturer's constants are for bearings of another contact angle."
+    ),
+    "for_balls": marked("The model is of balls, and there are none."),
+    "axial_share": marked(
+        "The axial load on the ribs is more than {share:.0f %} of the radial load: the constant of"
+        " the model does not hold."
+    ),
+    "rib_film_unknown": marked(
+        "The film between roller end and rib is not known (bearing.roller_end_radius, lubricant,"
+        " roughness): the rib slides with the coefficient of friction of the lubricant, an upper"
+        " bound."
     ),
     "torque_at_rest": marked("Nothing rotates: the torque is that of the first motion."),
     "torque_unknown": marked("The state, or the model, has no result."),

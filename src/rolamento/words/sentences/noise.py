@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, Final
 
-from rolamento.words.naming import listed, part_name
+from rolamento.words.naming import by_element, listed, part_name
 from rolamento.words.speaking import marked, said, said_in
 
 if TYPE_CHECKING:
@@ -31,12 +31,20 @@ def _incomplete(values: Mapping[str, Any]) -> str:
     )
 
 
-def _unstruck(values: Mapping[str, Any]) -> str:
-    return said(
+_UNSTRUCK: Final = by_element(
+    marked(
         "Damage without any impact of non-zero force: {parts}. No ball is loaded where it lies, or"
-        " the signal is too short.",
-        parts=listed(map(part_name, values["parts"])),
-    )
+        " the signal is too short."
+    ),
+    marked(
+        "Damage without any impact of non-zero force: {parts}. No roller is loaded where it lies,"
+        " or the signal is too short."
+    ),
+)
+
+
+def _unstruck(values: Mapping[str, Any]) -> str:
+    return _UNSTRUCK({**values, "parts": listed(map(part_name, values["parts"]))})
 
 
 SENTENCES: Final[dict[str, Sentence]] = {

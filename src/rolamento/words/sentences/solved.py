@@ -8,18 +8,18 @@ from typing import Any, Final
 from rolamento.words.sentences import Sentence
 from rolamento.words.speaking import counted, marked, said, said_in
 
-__all__ = ["SENTENCES"]
+__all__ = ["SENTENCES", "direction", "race_of", "where_of"]
 
 _MOST_ROWS: Final = 6
 
 Values = Mapping[str, Any]
 
 
-# --- how notes name balls -----------------------------------------------------------------------
+# --- how notes name elements --------------------------------------------------------------------
 
 
-def _where(values: Values) -> str:
-    """Say where some balls are; of a set, row by row."""
+def where_of(values: Values) -> str:
+    """Say where some elements are; of a set, row by row."""
     azimuths = values["azimuths"]
     if "rows" not in values:
         return said("azimuth {azimuths:.4 °}", azimuths=azimuths)
@@ -40,7 +40,7 @@ def _count(values: Values) -> int:
 
 
 def _balls_unloaded(values: Values) -> str:
-    n, where = _count(values), _where(values)
+    n, where = _count(values), where_of(values)
     if not values["pressed_outward"]:
         return counted(
             "{n} ball without inner contact ({where}): no force acts on it.",
@@ -66,7 +66,8 @@ def _balls(values: Values) -> str:
     return counted("{n} ball", "{n} balls", _count(values))
 
 
-def _race(values: Values) -> str:
+def race_of(values: Values) -> str:
+    """Name the race of a note."""
     return said_in("race", "inner") if values["race"] == "inner" else said_in("race", "outer")
 
 
@@ -76,8 +77,8 @@ def _contact_pressure_high(values: Values) -> str:
         " {limit:.0f MPa} (ISO 76), at which balls begin to indent the raceway permanently:"
         " {balls} ({where}).",
         balls=_balls(values),
-        race=_race(values),
-        where=_where(values),
+        race=race_of(values),
+        where=where_of(values),
         max_pressure=values["max_pressure"],
         limit=values["limit"],
     )
@@ -91,17 +92,17 @@ def _ball_past_groove_edge(values: Values) -> str:
         "{n} balls beyond the edge of the inner groove ({where}): no contact force is computed"
         " there. In the real bearing such balls may bear on the edge of the shoulder, and the"
         " loads of all balls differ from those shown.",
-        _count(values), where=_where(values),
+        _count(values), where=where_of(values),
     )  # fmt: skip
 
 
 def _ellipse_over_shoulder(values: Values) -> str:
     numbers = {
         "balls": _balls(values),
-        "race": _race(values),
+        "race": race_of(values),
         "reach": values["reach"],
         "edge": values["edge"],
-        "where": _where(values),
+        "where": where_of(values),
     }
     if values["shoulder_given"]:
         return said(
@@ -124,9 +125,9 @@ def _ellipse_over_arch(values: Values) -> str:
         " arc begins: it reaches down to {reach:.1f °} ({balls}, {where}). The pressure at that"
         " edge is higher than shown.",
         balls=_balls(values),
-        race=_race(values),
+        race=race_of(values),
         reach=values["reach"],
-        where=_where(values),
+        where=where_of(values),
     )
 
 
@@ -184,7 +185,7 @@ def _sphere_holds_no_moment(values: Values) -> str:
     return said(
         "A self-aligning bearing bears no moment: nothing supports the inner ring {direction}. Take"
         " the moment away, or hold the tilt with a displacement.",
-        direction=_along(values["axis"]),
+        direction=direction(values["axis"]),
     )
 
 
@@ -194,12 +195,12 @@ def _jones_undecided(values: Values) -> str:
         " control of the race that it last rolled on, initially the outer one.",
         "Jones's criterion favours neither race at {n} balls ({where}): they are kept under the"
         " control of the race that they last rolled on, initially the outer one.",
-        _count(values), where=_where(values),
+        _count(values), where=where_of(values),
     )  # fmt: skip
 
 
 def _jones_contradicts(values: Values) -> str:
-    numbers = {"balls": _balls(values), "where": _where(values)}
+    numbers = {"balls": _balls(values), "where": where_of(values)}
     if values["assumed"] == "outer":
         return said(
             "Jones's criterion contradicts outer raceway control at {balls} ({where});"
@@ -218,7 +219,7 @@ def _gyroscopic_slip(values: Values) -> str:
         "Holding the gyroscopic moment as assumed takes a coefficient of friction of"
         " {friction_coefficient:.2f}, more than about {limit:.1f}: {balls} will slip ({where}).",
         balls=_balls(values),
-        where=_where(values),
+        where=where_of(values),
         friction_coefficient=values["friction_coefficient"],
         limit=values["limit"],
     )
@@ -230,7 +231,7 @@ def _spin_at_both_races(values: Values) -> str:
         " the inner and {outer:.2f} at the outer race: no raceway control describes it.",
         "{n} balls spin at both races ({where}), with spin-to-roll ratios of up to {inner:.2f} at"
         " the inner and {outer:.2f} at the outer race: no raceway control describes them.",
-        _count(values), where=_where(values), inner=values["inner"], outer=values["outer"],
+        _count(values), where=where_of(values), inner=values["inner"], outer=values["outer"],
     )  # fmt: skip
 
 
@@ -274,7 +275,7 @@ def _row_unloaded(values: Values) -> str:
 # --- advice -------------------------------------------------------------------------------------
 
 
-def _along(axis: str) -> str:
+def direction(axis: str) -> str:
     """Say in which direction the ring is not held."""
     if axis in ("ry", "rz"):
         return said("against tilting about {axis} ({name})", axis=axis[1], name=axis)
@@ -285,7 +286,7 @@ def _unsupported(values: Values) -> str:
     return said(
         "Nothing supports the inner ring {direction}: the balls never come to carry the load."
         " Apply a smaller load, or hold this degree of freedom with a displacement.",
-        direction=_along(values["axis"]),
+        direction=direction(values["axis"]),
     )
 
 
@@ -294,7 +295,7 @@ def _unsupported_one_sided(values: Values) -> str:
         "Nothing supports the inner ring {direction}: balls would have to bear on the shoulder that"
         " an angular contact bearing does not have. Add axial preload (duty.load.fx), reduce the"
         " moment, or hold the tilt.",
-        direction=_along(values["axis"]),
+        direction=direction(values["axis"]),
     )
 
 

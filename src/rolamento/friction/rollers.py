@@ -1,0 +1,308 @@
+"""Sliding of rollers: on ribs, and along raceways whose apex is not theirs; and what else they lose.
+
+A roller rolls without differential slip where the cones of roller and raceways have one apex. Then
+all that slides is its end on the rib, at the height h over the raceway, where Coulomb's friction
+takes μ F_rib v. With the axial load F_a on a tapered bearing this is the torque e μ F_a that NSK
+and Aihara (1987) give. The coefficient falls with the film between rib and roller end where the
+radius of the end is known; else it is that of the lubricant, which bounds it from above.
+
+There is no model of skew, nor of the shear of the film on raceways under traction.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from typing import Any, Final
+
+import numpy as np
+
+from rolamento.case.roller_bearing import RollerBearing
+from rolamento.friction.line_losses import (
+    RIB_COEFFICIENT,
+    RIB_FILM,
+    inlet_force,
+    line_hysteresis,
+    rib_coefficient,
+    slip_moment,
+)
+from rolamento.friction.model import (
+    ContactLoss,
+    Setting,
+    Torque,
+    TorqueModel,
+    has_result,
+    relative_speed,
+    rollers_bear,
+    torque_of_losses,
+)
+from rolamento.geometry import Race
+from rolamento.kinematics import BallMotion
+from rolamento.lubrication.film_thickness import film_groups, minimum_film, thermal_loading
+from rolamento.lubrication.films import has_film, oil_of
+from rolamento.numerics import BoolArray, FloatArray
+from rolamento.roller_kinematics import RibMotion, rib_motion, roller_motion
+from rolamento.solved import RACES, Solved
+from rolamento.words import marked
+
+SLIPS: Final = 1e-3
+"""Of the speed of entrainment: a line that slips more at its ends slips by its shape."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class RollerShape:
+    """The rollers of solved cases; (cases, elements) each, NaN for balls; m, rad.
+
+    axis and taper are the angles β and φ; end_radius is NaN where it is not given.
+    """
+
+    diameter: FloatArray
+    pitch: FloatArray
+    length: FloatArray
+    axis: FloatArray
+    taper: FloatArray
+    rib_height: FloatArray
+    end_radius: FloatArray
+
+    @classmethod
+    def of(cls, solved: Solved) -> RollerShape:
+        """Read that of a result, fields that vary over the cases included."""
+        columns = [_shape_of_row(solved, index) for index in range(len(solved.rows))]
+        rows = (
+            np.stack([column[part.name] for column in columns], axis=1) for part in fields(cls)
+        )
+        return cls(*map(solved.rows.per_element, rows))
+
+    @property
+    def motion(self) -> BallMotion:
+        """For a unit speed of the inner ring relative to the outer."""
+        return roller_motion(self.diameter, self.pitch, self.axis, self.taper, 1.0)
+
+    def rib(self, race: Race) -> RibMotion:
+        """The motion at a rib, likewise."""
+        end = np.where(np.isnan(self.end_radius), np.inf, self.end_radius)
+        return rib_motion(
+            race, self.diameter, self.pitch, self.length, self.axis, self.taper,
+            self.rib_height, 1.0, 0.0, end,
+        )  # fmt: skip
+
+    @property
+    def rib_curvature(self) -> tuple[FloatArray, FloatArray]:
+        """1/R of roller end and inner rib along sliding, and across it; 1/m, NaN if unknown.
+
+        The rib's normal meets the shaft's axis behind the centre of the sphere: along sliding the
+        rib is hollow, R_s r_P/r_C with the distances of contact and centre from the axis; across it
+        it is straight.
+        """
+        place = 0.5 * self.length / np.cos(self.taper) - self.rib_height * np.tan(self.taper)
+        inner = self.axis - self.taper
+        off_axis = 0.5 * self.diameter + 0.5 * self.length * np.tan(self.taper)
+        off_axis = off_axis - self.rib_height / np.cos(self.taper)
+        contact = 0.5 * (self.pitch - self.diameter * np.cos(self.axis))
+        contact = contact + place * np.sin(inner) + self.rib_height * np.cos(inner)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            back = np.sqrt(self.end_radius**2 - off_axis**2)
+            centre = 0.5 * self.pitch + (0.5 * self.length - back) * np.sin(self.axis)
+            across = 1.0 / self.end_radius
+            along = np.where(centre > 0.0, across * centre / contact, np.nan)
+        return along, across
+
+
+def _shape_of_row(solved: Solved, index: int) -> dict[str, FloatArray]:
+    rows, place = solved.rows, solved.case.bearing.places[index]
+    bearing, nothing = place.bearing, np.full(len(solved), np.nan)
+    if not isinstance(bearing, RollerBearing):
+        return {part.name: nothing for part in fields(RollerShape)}
+
+    def number(name: str, own: float | None) -> FloatArray:
+        full = f"bearing.{name}"
+        if full in solved.varied:
+            return solved.field(full)
+        return nothing if own is None else np.full(len(solved), own)
+
+    diameter = rows.ball_diameter[:, index]
+    taper = number("roller_half_angle", bearing.roller_half_angle or 0.0)
+    given = number("rib_height", bearing.rib_height)
+    return {
+        "diameter": diameter,
+        "pitch": rows.pitch_diameter[:, index],
+        "length": number("roller_length", bearing.roller_length),
+        "axis": number("contact_angle", bearing.row_angle) - taper,
+        "taper": taper,
+        "rib_height": np.where(np.isnan(given), 0.1 * diameter, given),
+        "end_radius": number("roller_end_radius", bearing.roller_end_radius),
+    }
+
+
+# --- sliding -----------------------------------------------------------------------------------
+
+
+def rib_film_parameter(setting: Setting, shape: RollerShape) -> FloatArray:
+    """Λ between the inner rib and tapered rollers, (cases, elements); NaN where it is not known.
+
+    1.25 times the minimum film by Hamrock and Dowson over the combined roughness of the inner race
+    and the rollers, for that of the rib is not given. Aihara (1987), equations 16 and 17.
+    """
+    solved = setting.solved
+    unknown = np.full(shape.diameter.shape, np.nan)
+    surface = solved.case.surface
+    assert solved.rollers is not None
+    if surface is None or not has_film(solved):
+        return unknown
+    oil = oil_of(solved).columns()
+    along, across = shape.rib_curvature
+    speed = np.abs(relative_speed(solved))[:, np.newaxis]
+    force = np.abs(solved.rollers.rib_force)
+    known = rollers_bear(solved) & (force > 0.0) & (along > 0.0)
+    ellipticity = np.where(known, 1.03 * (along / across) ** 0.64, np.nan)
+    groups = film_groups(
+        np.where(known, shape.rib("inner").entrainment * speed, np.nan),
+        np.where(known, force, np.nan),
+        np.where(known, along, np.nan),
+        ellipticity,
+        solved.inner.modulus,
+        oil.dynamic_viscosity,
+        oil.pressure_viscosity,
+    )
+    height = RIB_FILM * minimum_film(groups) / np.where(known, along, np.nan)
+    return np.asarray(np.where(known, height / surface.inner_combined, np.nan))
+
+
+def roller_sliding(
+    setting: Setting, *, coefficient: FloatArray | None = None
+) -> dict[str, ContactLoss]:
+    """Losses of sliding at a unit speed of the rings: "rib" and "rolling_slip"; W s/rad.
+
+    coefficient : μ at the ribs, (cases or 1, 1), in the place of what the film leaves of it.
+    """
+    solved = setting.solved
+    rollers = solved.rollers
+    assert rollers is not None
+    shape, loaded = RollerShape.of(solved), rollers_bear(solved)
+    mu = setting.friction_coefficient
+    at_rib = coefficient
+    if at_rib is None:
+        parameter = rib_film_parameter(setting, shape)
+        at_rib = np.where(np.isnan(parameter), mu, rib_coefficient(np.nan_to_num(parameter), mu))
+    force = np.where(loaded, np.abs(rollers.rib_force), 0.0) * at_rib
+    tapered = solved.rows.per_element(np.array([solved.rows.element]) == "tapered")
+    rib = ContactLoss(
+        np.where(force > 0.0, force * shape.rib("inner").sliding, 0.0),
+        np.where((force > 0.0) & ~tapered, force * shape.rib("outer").sliding, 0.0),
+    )
+    motion = shape.motion
+    slip = ContactLoss(
+        *(
+            np.where(loaded, mu * moment * np.abs(spin), 0.0)
+            for moment, spin in (
+                (slip_moment(rollers.inner.load_per_length, rollers.slice_place), motion.inner_spin),
+                (slip_moment(rollers.outer.load_per_length, rollers.slice_place), motion.outer_spin),
+            )
+        )
+    )
+    return {"rib": rib, "rolling_slip": slip}
+
+
+def starting_losses(setting: Setting) -> dict[str, ContactLoss]:
+    """What slides at the first motion, μ = 0.2 at the ribs if no static coefficient is given."""
+    own = setting.static_coefficient
+    same = own == setting.friction_coefficient
+    return roller_sliding(setting, coefficient=np.where(same, RIB_COEFFICIENT, own))
+
+
+# --- oil and hysteresis, which every model is given -----------------------------------------------
+
+
+def line_hysteresis_loss(solved: Solved, loss: FloatArray) -> ContactLoss:
+    """Loss of every line of contact by elastic hysteresis at a unit speed; α_h (cases or 1, 1)."""
+    motion = RollerShape.of(solved).motion
+    rates = {"inner": motion.inner_roll, "outer": motion.outer_roll}
+    return ContactLoss(
+        *(_along(solved, race, _hysteresis_of(race, loss), rates[race]) for race in RACES)
+    )
+
+
+def line_resistance_loss(solved: Solved, viscosity: FloatArray) -> ContactLoss:
+    """Power of the oil at the inlets of every line of contact as it was solved: 2 t u; W.
+
+    viscosity : η₀ at the inlets, (cases, 1). The pressure-viscosity coefficient and the heat of
+    shear are the oil's of the case; without an oil there is nothing.
+    """
+    if not has_film(solved):
+        nothing = np.zeros(solved.inner.load.shape)
+        return ContactLoss(nothing, nothing)
+    oil = oil_of(solved).columns()
+    heated = solved.case.film is None or solved.case.film.thermal != "none"
+
+    def of_race(race: Race) -> FloatArray:
+        contacts = solved.contacts[race]
+        speed = np.abs(contacts.entrainment)
+        bears = rollers_bear(solved)
+        u = np.where(bears, speed, 0.0)
+        heating = thermal_loading(viscosity, oil.viscosity_temperature, u, oil.thermal_conductivity)
+
+        def force(line: Any) -> FloatArray:
+            return inlet_force(
+                line.load_per_length,
+                contacts.rolling_curvature[..., np.newaxis],
+                contacts.modulus[..., np.newaxis],
+                viscosity[..., np.newaxis],
+                oil.pressure_viscosity[..., np.newaxis],
+                u[..., np.newaxis],
+                heating[..., np.newaxis] if heated else 0.0,
+            )
+
+        return _along(solved, race, force, 2.0 * u)
+
+    return ContactLoss(*map(of_race, RACES))
+
+
+def _hysteresis_of(race: Race, loss: FloatArray) -> Any:
+    return lambda line: line_hysteresis(line.load_per_length, line.half_width, loss[..., np.newaxis])
+
+
+def _along(solved: Solved, race: Race, per_length: Any, rate: FloatArray) -> FloatArray:
+    """What a loss per length adds up to along the lines of a race, times a rate."""
+    assert solved.rollers is not None
+    line = getattr(solved.rollers, race)
+    width = solved.rows.per_element(solved.rows.effective_length) / solved.rollers.slices
+    bears = rollers_bear(solved)
+    whole = np.nansum(np.where(bears[..., np.newaxis], per_length(line), 0.0), axis=-1)
+    return np.asarray(np.where(bears, whole * width * np.abs(rate), 0.0))
+
+
+# --- the model ---------------------------------------------------------------------------------
+
+
+def _of_contacts(setting: Setting) -> Torque:
+    solved = setting.solved
+    return torque_of_losses(MODEL.name, solved, roller_sliding(setting), has_result(solved))
+
+
+def _limits(setting: Setting) -> dict[str, BoolArray]:
+    solved = setting.solved
+    rollers = solved.rollers
+    assert rollers is not None
+    shape, bears = RollerShape.of(solved), rollers_bear(solved)
+    motion = shape.motion
+    with np.errstate(invalid="ignore"):
+        end = 0.5 * solved.rows.per_element(solved.rows.effective_length)
+        fast = SLIPS * 0.5 * np.abs(motion.ball_speed) * shape.diameter
+        slips = bears & (np.maximum(abs(motion.inner_spin), abs(motion.outer_spin)) * end > fast)
+        presses = bears & (np.abs(rollers.rib_force) > 0.0)
+    unknown = presses & np.isnan(rib_film_parameter(setting, shape))
+    return {
+        "full_film": (setting.regime == "full_film") & np.any(slips, axis=-1),
+        "rib_film_unknown": np.any(unknown, axis=-1),
+    }
+
+
+MODEL: Final = TorqueModel(
+    name="roller_sliding",
+    title=marked("Sliding of the rollers"),
+    short_title=marked("Rollers"),
+    needs=("friction_coefficient",),
+    evaluate=_of_contacts,
+    limits=_limits,
+    closed_form=True,
+    elements=("cylindrical", "tapered", "needle"),
+)

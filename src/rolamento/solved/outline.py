@@ -1,0 +1,67 @@
+"""How a roller lies between its races before they are pressed flat: tilt, profiles, overlap."""
+
+from __future__ import annotations
+
+from math import cos, sin
+from typing import TYPE_CHECKING, NamedTuple
+
+from rolamento.numerics import FloatArray
+
+if TYPE_CHECKING:
+    from rolamento.solved.result import Solved
+
+__all__ = ["RollerOutline", "roller_outline"]
+
+
+class RollerOutline(NamedTuple):
+    """A roller's outline and those of its races over its length, taper taken out; (slices,), m.
+
+    place: from the roller's middle, toward +x. drop: of its profile. inner, outer: how far it
+    overlaps the races; below zero a gap. tilt, ring_tilt: slope of its axis and of the inner ring
+    at its azimuth, positive where the +x end stands outward (rad).
+    """
+
+    place: FloatArray
+    drop: FloatArray
+    inner: FloatArray
+    outer: FloatArray
+    tilt: float
+    ring_tilt: float
+
+
+def roller_outline(solved: Solved, roller: int) -> RollerOutline:
+    """Return how a roller of a single case lies between its races.
+
+    Parameters
+    ----------
+    solved
+        One case with a result.
+    roller
+        Which of the elements, a roller.
+
+    Returns
+    -------
+    RollerOutline
+        The overlap of a slice is the approach of the roller's middle, less what tilt and the
+        profiles of roller and race take away there (ISO/TS 16281:2008, 4.2.2).
+    """
+    from rolamento.contact.profile import drop
+
+    rollers = solved.rollers
+    assert rollers is not None
+    place = rollers.slice_place[0, roller]
+    row = solved.case.bearing.places[int(solved.elements.row[roller])].bearing
+    size = {"length": row.effective_length, "diameter": row.roller_diameter}
+    own = drop(row.roller_profile, place, **size)
+    tilt, azimuth = float(rollers.tilt[0, roller]), float(solved.elements.azimuth[0, roller])
+    ry, rz = float(solved.displacement.ry[0]), float(solved.displacement.rz[0])
+    ring = rz * sin(azimuth) - ry * cos(azimuth)
+    slopes = {"inner": ring - tilt, "outer": tilt}
+    inner, outer = (
+        float(solved.contacts[race].approach[0, roller])
+        + slopes[race] * place
+        - own
+        - drop(getattr(row, f"{race}_profile"), place, **size)
+        for race in ("inner", "outer")
+    )
+    return RollerOutline(place, own, inner, outer, tilt, ring)

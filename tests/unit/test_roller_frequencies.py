@@ -1,0 +1,223 @@
+"""Fault frequencies of roller bearings: of a record, in words, and back out of a made signal."""
+
+from __future__ import annotations
+
+import json
+from math import cos, pi, radians, sin, tan
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+from rolamento.case import Bearing, Case, Duty
+from rolamento.case.roller_bearing import RollerBearing
+from rolamento.cli.app import app
+from rolamento.errors import InputError
+from rolamento.roller_kinematics import apex_half_angle
+from rolamento.tasks.diagnosis import DiagnosisResult, diagnose
+from rolamento.tasks.frequencies import fault_frequencies
+from rolamento.tasks.synthesis import SynthesisResult, synthesise
+from rolamento.vibration.frequencies import LINES, FaultFrequencies, nominal_frequencies
+from rolamento.vibration.frequency_band import Tolerances, banded_frequencies
+from rolamento.vibration.synthesis import (
+    Fault,
+    LoadDistribution,
+    Noise,
+    Waviness,
+)
+from rolamento.words.naming import of_element
+from rolamento.words.note import Note
+from rolamento.words.sentences import sentence
+
+SPEED = 1500.0 * pi / 30.0
+NU205: dict[str, Any] = {
+    "element": "cylindrical",
+    "roller_count": 13,
+    "roller_diameter": 0.0075,
+    "effective_length": 0.0082,
+    "pitch_diameter": 0.039,
+    "diametral_clearance": 3e-5,
+}
+TAPER: dict[str, Any] = {
+    "element": "tapered",
+    "roller_count": 17,
+    "roller_diameter": 0.0072,
+    "effective_length": 0.01,
+    "pitch_diameter": 0.0463,
+    "contact_angle": radians(14.0),
+}
+
+
+def tapered(**changes: Any) -> RollerBearing:
+    """A tapered bearing, of one apex unless a half angle is given."""
+    fields = {**TAPER, **changes}
+    half = float(
+        apex_half_angle(
+            fields["roller_diameter"], fields["pitch_diameter"], fields["contact_angle"]
+        )
+    )
+    return RollerBearing(**{"roller_half_angle": half, **fields})
+
+
+def orders(found: FaultFrequencies) -> dict[str, float]:
+    return {name: line.order for name, line in found.lines.items()}
+
+
+def test_cylindrical_rollers_have_the_frequencies_of_balls_at_contact_angle_zero() -> None:
+    found = nominal_frequencies(RollerBearing(**NU205), SPEED)
+    ball = Bearing(
+        ball_count=13,
+        ball_diameter=0.0075,
+        pitch_diameter=0.039,
+        contact_angle=0.0,
+        inner_conformity=0.52,
+        outer_conformity=0.52,
+    )
+    assert orders(found) == orders(nominal_frequencies(ball, SPEED))
+    assert found.element == "cylindrical"
+    assert found.to_mapping()["element"] == "cylindrical"
+    assert "element" not in nominal_frequencies(ball, SPEED).to_mapping()
+
+
+@pytest.mark.parametrize("outer_speed", [0.0, -40.0, 300.0])
+def test_tapered_rollers_of_one_apex_go_by_the_angles_of_their_cones(outer_speed: float) -> None:
+    bearing = tapered()
+    found = nominal_frequencies(bearing, SPEED, outer_speed)
+    inner, outer = sin(bearing.inner_contact_angle), sin(bearing.row_angle)
+    cage = (SPEED * inner + outer_speed * outer) / (inner + outer)
+    assert found.turns.cage * SPEED == pytest.approx(cage, rel=1e-12)
+    assert found.ball_pass_outer.order == pytest.approx(17 * abs(cage - outer_speed) / SPEED)
+    # the roller's surface meets both races at the middle of its line
+    axis = bearing.row_angle - (bearing.roller_half_angle or 0.0)
+    track = 0.5 * bearing.pitch_diameter + 0.5 * bearing.roller_diameter * cos(axis)
+    spin = (outer_speed - cage) * track / (0.5 * bearing.roller_diameter)
+    assert found.turns.ball * SPEED == pytest.approx(spin, rel=1e-12)
+    assert found.inner_contact_angle == bearing.inner_contact_angle
+    assert found.outer_contact_angle == bearing.row_angle
+    assert not found.notes
+
+
+def test_cones_without_a_common_apex_roll_at_their_middle_and_are_told() -> None:
+    bearing = tapered(roller_half_angle=radians(1.5))
+    found = nominal_frequencies(bearing, SPEED)
+    assert found.cage.order == pytest.approx(
+        0.5 * (1.0 - 0.0072 / 0.0463 * cos(radians(12.5))), rel=1e-12
+    )
+    (note,) = found.notes
+    assert note.key == "no_common_apex"
+    inner, outer = sin(radians(11.0)), sin(radians(14.0))
+    assert note.values["order_by_angles"] == pytest.approx(inner / (inner + outer))
+    half = note.values["apex_half_angle"]
+    assert tan(half) == pytest.approx(0.0072 / 0.0463 * sin(radians(14.0) - half))
+    assert "no common apex" in note.text
+
+
+def test_a_set_has_the_frequencies_of_every_row() -> None:
+    ring = tapered(arrangement="DB", spacing=0.02)
+    found = nominal_frequencies(ring, SPEED)
+    assert [row.row for row in found.rows] == [0, 1]
+    assert orders(found.rows[1]) == orders(nominal_frequencies(tapered(), SPEED))
+
+
+def test_bands_hold_what_the_tolerances_leave_open() -> None:
+    allowed = Tolerances(ball_diameter=1e-4, pitch_diameter=2e-4, contact_angle=radians(0.5))
+    for bearing in (RollerBearing(**NU205), tapered()):
+        found = banded_frequencies(bearing, SPEED, tolerances=allowed)
+        for name in LINES:
+            band = found.lines[name].band
+            assert band is not None
+            assert band.order_low < found.lines[name].order < band.order_high
+    # a cylindrical roller has no angle that could be off
+    alone = banded_frequencies(
+        RollerBearing(**NU205), SPEED, tolerances=Tolerances(contact_angle=0.1)
+    )
+    band = alone.cage.band
+    assert band is not None
+    assert band.order_low == band.order_high == alone.cage.order
+
+
+def test_rollers_keep_the_angles_of_their_raceways() -> None:
+    with pytest.raises(InputError, match="rollers keep the angles"):
+        nominal_frequencies(tapered(), SPEED, contact_angle=0.3)
+    with pytest.raises(InputError) as caught:
+        fault_frequencies(tapered(), speed=SPEED, angle="15 deg")
+    assert caught.value.field == "angle"
+    # of a bearing given by its clearance both choices are the same
+    free = nominal_frequencies(RollerBearing(**NU205), SPEED, contact_angle="free")
+    assert orders(free) == orders(nominal_frequencies(RollerBearing(**NU205), SPEED))
+
+
+def test_the_page_calls_rollers_rollers(tmp_path: Path) -> None:
+    path = tmp_path / "nu205.toml"
+    path.write_text(
+        "[bearing]\nelement = 'cylindrical'\nroller_count = 13\nroller_diameter = '7.5 mm'\n"
+        "effective_length = '8.2 mm'\npitch_diameter = '39 mm'\ndiametral_clearance = '30 um'\n"
+        "[duty]\ninner_speed = '1500 rpm'\n",
+        "utf-8",
+    )
+    shown = CliRunner().invoke(app, ["frequencies", str(path), "--lang", "en"])
+    assert shown.exit_code == 0
+    assert "13 rollers of 7.5 mm" in shown.output
+    assert "roller, both races" in shown.output
+    assert "ball" not in shown.output
+    written = CliRunner().invoke(app, ["frequencies", str(path), "--json"])
+    told = json.loads(written.output)
+    assert told["nominal"]["element"] == "cylindrical"
+    assert told["nominal"]["ball_pass_outer"]["order"] == pytest.approx(5.25)
+
+
+# --- synthetic signals and their diagnosis -------------------------------------------------------
+
+
+CASE = Case(bearing=tapered(), duty=Duty(inner_speed=1430.0 * pi / 30.0))
+"""No line near a multiple of the mains' frequency."""
+
+
+def made(path: Path, *faults: Fault, **options: Any) -> SynthesisResult:
+    given = {"noise": Noise(ratio=0.0, of="faults"), "duration": 4.0, "seed": 3, **options}
+    found = synthesise(CASE, path, faults=faults, **given)
+    assert isinstance(found, SynthesisResult)
+    return found
+
+
+@pytest.mark.parametrize("part", ["outer_race", "ball"])
+def test_a_planted_fault_of_a_tapered_bearing_is_found_again(tmp_path: Path, part: Any) -> None:
+    path = tmp_path / "made.npz"
+    planted = made(path, Fault(kind=part)).faults[0].truth
+    found = diagnose(path, CASE)
+    assert isinstance(found, DiagnosisResult)
+    assert found.diagnosis.faults == (part,)
+    assert found.diagnosis.of(part).order == pytest.approx(planted.order, rel=2e-3)
+    told = json.dumps(found.to_mapping()["statement"])
+    assert ("A roller" in told) is (part == "ball")
+    assert "ball" not in " ".join(note.text for part in found.diagnosis.components
+                                  for note in part.reasons)  # fmt: skip
+
+
+def test_loads_between_rollers_go_with_the_power_of_a_line_contact() -> None:
+    rollers = LoadDistribution.radial(extent=0.5, element="roller")
+    balls = LoadDistribution.radial(extent=0.5)
+    at = np.array([0.0, 0.3, 1.0, 2.0])
+    approach = np.maximum(np.cos(at), 0.0)
+    np.testing.assert_allclose(rollers.at(at, "outer"), approach ** (10.0 / 9.0), atol=1e-4)
+    np.testing.assert_allclose(balls.at(at, "outer"), approach**1.5, atol=1e-4)
+
+
+def test_waviness_of_rollers_says_what_it_is_of(tmp_path: Path) -> None:
+    wavy = (Waviness(surface="outer", amplitudes=((17, 1e-8), (16, 1e-8))),)
+    found = made(tmp_path / "wavy.npz", waviness=wavy, noise=None, duration=1.0)
+    assert [note.key for note in found.notes] == ["waviness_of_rollers"]
+    line = found.lines[0]
+    assert line.waves == 16  # Z - 1, of which the ring feels the passage of all rollers
+    assert line.order == pytest.approx(17.0 * found.recipe.frequencies.cage.order)
+
+
+def test_notes_name_what_rolls() -> None:
+    note = Note("carries_the_ball")
+    assert of_element(note, "ball") is note
+    assert "damaged roller" in of_element(note, "roller").text
+    nested = of_element(Note("undecided_speed", {"speeds": [["ball", 10.0]]}), "roller")
+    assert nested.values["speeds"] == [["roller", 10.0]]
+    assert "a roller" in sentence(nested.key, nested.values)
