@@ -44,6 +44,9 @@ __all__ = [
 
 LIMITS: Final[tuple[Limit, Limit, Limit]] = ("maximum", "mean", "minimum")
 """Of the clearance, from the loosest set to the tightest."""
+_OWN: Final = ("contact_angle", "diametral_clearance")
+
+
 class _Placed(NamedTuple):
     """A row and where the axial distance of its groove centres has come to; arrays (cases,), m.
 

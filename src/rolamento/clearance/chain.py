@@ -549,9 +549,7 @@ class Chain:
         return ChainResult(initial, on_shaft, in_housing, clearance)
 
 
-def initial_band(
-    assembly: Assembly, bearing: Bearing | RollerBearing
-) -> tuple[Band, float | None]:
+def initial_band(assembly: Assembly, bearing: Bearing | RollerBearing) -> tuple[Band, float | None]:
     """Clearance before mounting, without load, and the reading if it was measured.
 
     What a gauge reads of a roller bearing is its clearance: the approach under the measuring load
