@@ -273,6 +273,11 @@ class RollerBearing(RollingBearing):
         return self.element == "tapered"
 
     @property
+    def locates(self) -> bool:
+        """Whether clamped rings can press the row in along x."""
+        return self.element == "tapered"
+
+    @property
     def row_angle(self) -> float:
         """α: that of the outer raceway of tapered rollers, else 0; rad."""
         return self.contact_angle or 0.0
