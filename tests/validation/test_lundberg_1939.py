@@ -41,5 +41,5 @@ def test_logarithmic_profile_presses_evenly(pressure: float) -> None:
         approach, 0.0, drops, effective_length=L, curvature=PLANE, modulus=MODULUS,
         roller_diameter=D, share=0.0,
     )  # fmt: skip
-    np.testing.assert_allclose(pressed.max_pressure[8:-8], pressure, rtol=2e-3)
-    np.testing.assert_allclose(pressed.load_per_length[8:-8], load, rtol=4e-3)
+    np.testing.assert_allclose(pressed.max_pressure[8:-8], pressure, rtol=5e-3)
+    np.testing.assert_allclose(pressed.load_per_length[8:-8], load, rtol=1e-2)
