@@ -52,7 +52,7 @@ def held_at(row: RollerRow, place: Array) -> Any:
     return row.held(place[np.newaxis], np.array([0]), np.ones((1, row.element_count)))
 
 
-# --- an independent roller: points and normals in the plane, nothing eliminated --------------------
+# --- an independent roller: points and normals in the plane, nothing eliminated -------------------
 
 
 @dataclass
