@@ -8,13 +8,11 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from scipy.optimize import root
 
 from rolamento.assembly.cases import spread
 from rolamento.case import Case
 from rolamento.rows.roller import layout
 from rolamento.rows.roller.row import RollerRow
-from rolamento.solution import solve
 
 Array = NDArray[np.float64]
 
