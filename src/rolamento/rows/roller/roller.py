@@ -127,7 +127,7 @@ def balance(p: Array, column: int, ring: Array, turn: float, sums: Array) -> For
     pushed, stiffness = rib(p, column, ring[0] + lever * (ring[2] + 2.0 * turn))
     g0 = ai * qi + ao * qo - force * p[layout.CENTRIFUGAL_SHIFT, column]
     g1 = bi * qi + mi + bo * qo - mo - force * p[layout.CENTRIFUGAL_TURN, column]
-    g1 += 2.0 * lever * pushed - p[layout.GYROSCOPIC, column]
+    g1 += 2.0 * lever * pushed - p[layout.MOMENT, column]
     h00 = ai * ai * qi_u + ao * ao * qo_u
     h01 = ai * (bi * qi_u + qi_w) + ao * (bo * qo_u - qo_w)
     h10 = ai * (bi * qi_u + mi_u) + ao * (bo * qo_u - mo_u)
@@ -249,7 +249,7 @@ def condensed(
     pushed, rate = rib(p, column, ring[0] + reach * (ring[2] + 2.0 * turn))
     force[0] = sine * q + pushed
     force[1] = cosine * q - p[layout.CENTRIFUGAL, column]
-    force[2] = lever * q - m + reach * pushed - p[layout.GYROSCOPIC, column]
+    force[2] = lever * q - m + reach * pushed - p[layout.MOMENT, column]
     half = 0.5 * p[layout.LENGTH, column]
     extra = added(p, column)
     h00, h11 = h00 + extra, h11 + extra * half * half
