@@ -17,6 +17,7 @@ from rolamento.contact.coupled import coupled_slices
 from rolamento.contact.slices import independent_slices
 from rolamento.numerics import FloatArray as Array
 from rolamento.numerics.compiled import inline_exact, shared
+from rolamento.numerics.newton import LEAST_DAMPING, LEAST_HELP, MUCH_SHORTER
 from rolamento.rows.roller import layout
 
 EXPONENT: Final = 10.0 / 9.0
@@ -193,13 +194,14 @@ def relax(
     if sums[0, 0] + sums[1, 0] == 0.0 and p[layout.CENTRIFUGAL, column] > 0.0:
         shift, turn = thrown_out(p, column, ring, line[2])
         g0, g1, h00, h01, h10, h11, scale = press(p, column, line, ring, shift, turn, found)
-    steps = 0
+    steps, damping = 0, 0.0
     while True:
         size = max(scale, least)
         residual = max(abs(g0), abs(g1) / half) / size
         if not residual > PRECISION or steps >= STEPS:
             break
-        a, d = h00 + extra, h11 / (half * half) + extra
+        more = extra + damping * max(h00, h11 / (half * half))
+        a, d = h00 + more, h11 / (half * half) + more
         b, c = h01 / half, h10 / half
         determinant = a * d - b * c
         s0 = -(d * g0 - b * g1 / half) / determinant
@@ -209,7 +211,8 @@ def relax(
         if not (slope > 0.0 and length < np.inf):
             break
         steps += 1
-        part = min(1.0, longest / length)
+        whole = min(1.0, longest / length)
+        part = whole
         old_shift, old_turn, old = shift, turn, residual
         for _ in range(SHORTENINGS):
             shift, turn = old_shift + part * s0, old_turn + part * s1 / half
@@ -218,6 +221,11 @@ def relax(
             if ahead >= -OVERSHOOT * slope:
                 break
             part *= min(max(slope / (slope - ahead), 0.1), 0.6)
+        # along what hardly holds, a whole step would be cut to nothing in all the rest as well
+        if part < MUCH_SHORTER * whole:
+            damping = max(4.0 * damping, LEAST_HELP)
+        elif part == 1.0:
+            damping = 0.03 * damping if damping > LEAST_DAMPING else 0.0
         if shift == old_shift and turn == old_turn and old <= 100.0 * PRECISION:
             break  # no step betters its rounding
     state[0], state[1] = shift, turn
