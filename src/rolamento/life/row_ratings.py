@@ -46,7 +46,7 @@ _ROW_SHARE: Final = 0.7
 _ROLLER_ROW_SHARE: Final = 7.0 / 9.0
 _SAME: Final = 1e-9
 INNER_GROOVE, OUTER_GROOVE = 0.52, 0.53
-GROOVES: Final[dict[RatedType, tuple[float, float]]] = {
+GROOVES: Final[dict[Rated, tuple[float, float]]] = {
     "radial": (INNER_GROOVE, OUTER_GROOVE),
     "self_aligning": (SELF_ALIGNING_CONFORMITY, np.inf),
     "thrust": (0.54, 0.54),
@@ -106,7 +106,7 @@ class Ratings:
     @property
     def fatigue_of_rows_in_factor(self) -> FloatArray:
         """The same of each row; (cases, rows)."""
-        return self.fatigue / np.array([_IN_FACTOR[kind] for kind in self.kinds])
+        return np.asarray(self.fatigue / [_IN_FACTOR[kind] for kind in self.kinds])
 
 
 _IN_FACTOR: Final[dict[Rated, float]] = {
@@ -283,7 +283,7 @@ def _by_geometry(
     rows = solved.rows
     inside = (rows.element_count[own], rows.ball_diameter[:, own])
     around = (rows.pitch_diameter[:, own], angle[:, own])
-    if kind in ("roller", "roller_thrust"):
+    if kind == "roller" or kind == "roller_thrust":
         thrust = kind == "roller_thrust"
         shape = (*inside, rows.effective_length[:, own], *around)
         static = roller_static_rating(*shape, thrust=thrust)
@@ -325,7 +325,7 @@ def _fatigue_by_contacts(
     rows = solved.rows
     count, pitch = rows.element_count[own], rows.pitch_diameter[:, own]
     diameter, modulus = rows.ball_diameter[:, own], rows.modulus[:, own]
-    if kind not in ("roller", "roller_thrust"):
+    if kind != "roller" and kind != "roller_thrust":
         return fatigue_load_limit_of_contacts(
             count,
             diameter,

@@ -231,11 +231,6 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "The equivalent load is below C/50, the usual minimum load of roller bearings: the rollers"
         " may slide instead of roll, which no fatigue theory includes."
     ),
-    "misaligned_beyond_use": marked(
-        "The rings are tilted against each other by more than 0.0012 rad (4′), which manufacturers"
-        " allow at most in general: the ends of the rollers are overloaded. Only the reference life"
-        " includes it, by the profiles of rollers and raceways."
-    ),
     "edge_factor_left_out": marked(
         "The slices of the rollers are coupled, so their loads contain the peaks at the edges: the"
         " edge factor of ISO/TS 16281 is not applied, and the life is not to be compared with that"
