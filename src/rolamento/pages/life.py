@@ -42,6 +42,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure as Picture
 
     from rolamento.life import Change, Headline, Life, LifeSummary
+    from rolamento.life.rib_load import RibLoad
+    from rolamento.life.row_ratings import Ratings
     from rolamento.solved import Solved
 
 __all__ = [
@@ -433,6 +435,10 @@ def _helps(change: str, ratio: float) -> str:
         ),
         "thicker_oil": said("A thicker oil would help most: life × {ratio:.3}.", ratio=ratio),
         "cleaner_oil": said("Cleaner oil would help most: life × {ratio:.3}.", ratio=ratio),
+        "less_tilt": said("Half the tilt would help most: life × {ratio:.3}.", ratio=ratio),
+        "profiled_rollers": said(
+            "Rollers with a logarithmic profile would help most: life × {ratio:.3}.", ratio=ratio
+        ),
     }[change]
 
 
@@ -639,6 +645,8 @@ def validity_section(summary: LifeSummary) -> Section:
 def ratings_section(summary: LifeSummary) -> Section:
     """Show ratings with their sources, and the loads that stand against them."""
     ratings, loads, sources = summary.ratings, summary.loads, summary.rating_sources
+    if sources["fatigue"] == "estimate" and bool(ratings.rollers.all()):
+        sources["fatigue"] = "estimate_of_rollers"
     load = float(loads.dynamic[0])
     dynamic = float(ratings.dynamic_of_set[0])
     axial = "a" if ratings.is_axial else ""
@@ -652,6 +660,8 @@ def ratings_section(summary: LifeSummary) -> Section:
             )
         ),
     ]
+    if ratings.mixed:
+        rows = [*_ratings_of_rows(ratings)]
     if isfinite(load):
         text = said(
             "X = {x:.3}, Y = {y:.3}, e = {e:.3}; C/P = {ratio:.3}",
@@ -666,6 +676,8 @@ def ratings_section(summary: LifeSummary) -> Section:
     if isfinite(reference):
         text = said("equivalent load whose rating life is the reference life")
         rows.append(("P_ref", reference, text))
+    if summary.rib_load is not None:
+        rows.append(_permissible(summary.rib_load))
     unit = _unit_of_force(value for _, value, _ in rows)
     columns = (
         Column(head="", values=[symbol for symbol, _, _ in rows], key="symbol"),
@@ -684,6 +696,34 @@ def ratings_section(summary: LifeSummary) -> Section:
     return Section(said("Ratings and loads"), (table,), key="ratings")
 
 
+def _ratings_of_rows(ratings: Ratings) -> Iterator[tuple[str, float, str]]:
+    """Ratings of the rows of a set that has balls and rollers, and none of its own."""
+    for index in range(len(ratings.kinds)):
+        for symbol, values in (
+            ("C", ratings.dynamic), ("C_0", ratings.static), ("C_u", ratings.fatigue)
+        ):  # fmt: skip
+            yield symbol, float(values[0, index]), said("of row {row}", row=index)
+
+
+def _permissible(load: RibLoad) -> tuple[str, float, str]:
+    """How much axial load the ribs may carry for long, beside what they do."""
+    values = {"axial": float(load.axial[0]), "nsk": float(load.nsk[0]), "skf": float(load.skf[0])}
+    both = isfinite(values["nsk"])
+    text = (
+        said(
+            "axial load that the ribs may carry continuously: {nsk:.4 N} by NSK, {skf:.4 N} by "
+            "SKF; they carry {axial:.4 N}",
+            **values,
+        )
+        if both
+        else said(
+            "axial load that the ribs may carry continuously, by SKF; they carry {axial:.4 N}",
+            **values,
+        )
+    )
+    return "F_ap", float(load.permissible[0]), text
+
+
 def _source(source: str, rating: str, value: float) -> str:
     """Say where a rating comes from; what is no word of the engine is the catalogue's source."""
     if not isfinite(value):
@@ -695,6 +735,7 @@ def _source(source: str, rating: str, value: float) -> str:
         else said("from the geometry, ISO 76"),
         "contacts": said("where the weaker race reaches 1500 MPa, ISO 281"),
         "estimate": said("estimate C_0/22, ISO 281"),
+        "estimate_of_rollers": said("estimate C_0/8.2, ISO 281"),
     }.get(source, source)
 
 

@@ -240,6 +240,11 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "The axial load on the ribs exceeds the permissible continuous one by the rules of NSK or"
         " SKF: the sliding of the roller ends on the ribs heats and wears them."
     ),
+    "rollers_loaded_otherwise": marked(
+        "The load distribution is not the one that the standard assumes, with normal clearance and"
+        " aligned rings: the reference life, which uses the actual one, is less than a third or"
+        " more than three times this one."
+    ),
     "theory_of_balls": marked(
         "This theory is for point contact: it does not apply to bearings with rollers."
     ),
@@ -268,5 +273,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "less_clearance": marked("diametral clearance {change:+.0f µm}"),
     "more_clearance": marked("diametral clearance {change:+.0f µm}"),
     "thicker_oil": marked("viscosity {change:+.0f %}, about one ISO VG grade"),
+    "less_tilt": marked("tilt of the rings {change:+.0f %}"),
+    "profiled_rollers": marked("rollers with the logarithmic profile of ISO/TS 16281"),
     "cleaner_oil": marked("contamination factor {change:+.1f}, at most 1"),
 }
