@@ -24,7 +24,7 @@ from rolamento.case.rolling_bearing import RollingBearing
 from rolamento.case.varied import bounded, varied_arrays
 from rolamento.clearance.batch import MOUNTED_FIELDS
 from rolamento.errors import InputError
-from rolamento.geometry import sphere_conformity
+from rolamento.geometry import apex_half_angle, sphere_conformity
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.rows.ball.row import BallRow, Traction, ball_row
 from rolamento.rows.grooves import GrooveRow, four_point_row, thrust_row
@@ -357,6 +357,10 @@ def _varied(
     elements = _material(rings if follows else row.element_material, row.MATERIAL, arrays)
     attributes = {name: getattr(row, name) for name in (*numbers, *row.STAYS)}
     made = {**attributes, **given, "ring_material": rings, row.MATERIAL: elements}
+    known = given.keys() | own | bearing.model_fields_set
+    if row.element == "tapered" and "roller_half_angle" not in known:  # cones keep one apex
+        sizes = (made[name] for name in ("roller_diameter", "pitch_diameter", "contact_angle"))
+        made["roller_half_angle"] = apex_half_angle(*sizes)
     return SimpleNamespace(**made)
 
 
@@ -407,6 +411,17 @@ def _check_own_fields(bearing: RollingBearing, arrays: Mapping[str, FloatArray])
             raise InputError(
                 said("is no quantity of such a bearing: {element}", element=bearing.element),
                 field=name,
+                example="bearing.pitch_diameter",
+            )
+    foreign = ()
+    if bearing.element != "ball":
+        tapered = bearing.element == "tapered"
+        foreign = ("diametral_clearance",) if tapered else ("contact_angle", "roller_half_angle")
+    for leaf in foreign:
+        if f"bearing.{leaf}" in arrays:
+            raise InputError(
+                said("is no quantity of such a bearing: {element}", element=bearing.element),
+                field=f"bearing.{leaf}",
                 example="bearing.pitch_diameter",
             )
     if "bearing.shim_angle" in arrays and bearing.kind != "four_point":
