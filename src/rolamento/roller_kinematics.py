@@ -34,7 +34,6 @@ from rolamento.numerics import FloatArray
 __all__ = [
     "RibMotion",
     "RollerBody",
-    "apex_half_angle",
     "apex_mismatch",
     "rib_motion",
     "roller_body",

@@ -15,7 +15,7 @@ from rolamento.case import Bearing, Case, Duty
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.cli.app import app
 from rolamento.errors import InputError
-from rolamento.roller_kinematics import apex_half_angle
+from rolamento.geometry import apex_half_angle
 from rolamento.tasks.diagnosis import DiagnosisResult, diagnose
 from rolamento.tasks.frequencies import fault_frequencies
 from rolamento.tasks.synthesis import SynthesisResult, synthesise

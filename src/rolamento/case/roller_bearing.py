@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Any, ClassVar, Final, Self, cast
+from typing import Annotated, Any, ClassVar, Final, Self
 
 from pydantic import ConfigDict, Field, model_validator
 
@@ -52,6 +52,14 @@ def _length_as_effective(told: dict[str, Any]) -> float:
     return float(told.get("effective_length", math.nan))
 
 
+def _half_angle_of_one_apex(told: dict[str, Any]) -> float | None:
+    """That of tapered rollers which roll truly: cones that have their apex with the raceways."""
+    angle = told.get("contact_angle")
+    if told.get("element") != "tapered" or angle is None:
+        return None
+    return float(apex_half_angle(told["roller_diameter"], told["pitch_diameter"], angle))
+
+
 def _usual_outer_ribs(told: dict[str, Any]) -> Ribs:
     """Those of NU; the inner ring alone holds tapered rollers."""
     return "none" if told.get("element") == "tapered" else "both"
@@ -60,15 +68,6 @@ def _usual_outer_ribs(told: dict[str, Any]) -> Ribs:
 def _usual_inner_ribs(told: dict[str, Any]) -> Ribs:
     """A tapered roller leans on the rib at its large end."""
     return "-" if told.get("element") == "tapered" else "none"
-
-
-def _half_angle_of_one_apex(told: dict[str, Any]) -> float | None:
-    """φ of tapered rollers that roll along all their length; None of others."""
-    names = ("roller_diameter", "pitch_diameter", "contact_angle")
-    known = [told.get(name) for name in names]
-    if told.get("element") != "tapered" or not all(known):
-        return None
-    return float(apex_half_angle(*cast("list[float]", known)))
 
 
 class RollerBearing(RollingBearing):
@@ -102,7 +101,7 @@ class RollerBearing(RollingBearing):
         α of tapered rollers, that of the outer raceway's line of action, in rad.
     roller_half_angle
         φ of tapered rollers, half of the angle of their cone, in rad; the inner raceway's line of
-        action is at α - 2φ. If not given, that of cones which have one apex with the raceways.
+        action is at α - 2φ. If not given, that of cones which all have one apex.
     diametral_clearance
         s of cylindrical and needle rollers, in m; negative for an interference.
     inner_ribs, outer_ribs

@@ -67,9 +67,7 @@ class RollerShape:
     def of(cls, solved: Solved) -> RollerShape:
         """Read that of a result, fields that vary over the cases included."""
         columns = [_shape_of_row(solved, index) for index in range(len(solved.rows))]
-        rows = (
-            np.stack([column[part.name] for column in columns], axis=1) for part in fields(cls)
-        )
+        rows = (np.stack([column[part.name] for column in columns], axis=1) for part in fields(cls))
         return cls(*map(solved.rows.per_element, rows))
 
     @property
@@ -194,8 +192,14 @@ def roller_sliding(
         *(
             np.where(loaded, mu * moment * np.abs(spin), 0.0)
             for moment, spin in (
-                (slip_moment(rollers.inner.load_per_length, rollers.slice_place), motion.inner_spin),
-                (slip_moment(rollers.outer.load_per_length, rollers.slice_place), motion.outer_spin),
+                (
+                    slip_moment(rollers.inner.load_per_length, rollers.slice_place),
+                    motion.inner_spin,
+                ),
+                (
+                    slip_moment(rollers.outer.load_per_length, rollers.slice_place),
+                    motion.outer_spin,
+                ),
             )
         )
     )
@@ -257,7 +261,9 @@ def line_resistance_loss(solved: Solved, viscosity: FloatArray) -> ContactLoss:
 
 
 def _hysteresis_of(race: Race, loss: FloatArray) -> Any:
-    return lambda line: line_hysteresis(line.load_per_length, line.half_width, loss[..., np.newaxis])
+    return lambda line: line_hysteresis(
+        line.load_per_length, line.half_width, loss[..., np.newaxis]
+    )
 
 
 def _along(solved: Solved, race: Race, per_length: Any, rate: FloatArray) -> FloatArray:
