@@ -170,6 +170,11 @@ class RollingBearing(Record):
         raise NotImplementedError
 
     @property
+    def locates(self) -> bool:
+        """Whether clamped rings can press the row in along x."""
+        return True
+
+    @property
     def element_diameter(self) -> float:
         """D of a rolling element, the mean of a tapered one; m."""
         raise NotImplementedError
