@@ -36,6 +36,12 @@ def friction_outputs() -> tuple[Output, ...]:
             needs=_COEFFICIENT,
         ),
         Output(
+            "rib_torque",
+            "N*m",
+            _source("rib"),
+            needs=_COEFFICIENT,
+        ),
+        Output(
             "rolling_resistance_torque",
             "N*m",
             _source("rolling_resistance"),
@@ -47,9 +53,9 @@ def friction_outputs() -> tuple[Output, ...]:
 
 
 def _of_models() -> Iterator[Output]:
-    from rolamento.friction import CONTACT_MODELS, TORQUE_MODELS
+    from rolamento.friction import CONTACT_MODELS, ROLLER_MODEL, TORQUE_MODELS
 
-    for model in CONTACT_MODELS:
+    for model in (*CONTACT_MODELS, ROLLER_MODEL):
         known = TORQUE_MODELS[model]
         for name, unit in (("torque", "N*m"), ("power", "W")):
             yield Output(
@@ -124,7 +130,10 @@ def _total(model: str, attribute: str) -> Callable[[Evaluation], Floats]:
 
 def _source(name: str) -> Callable[[Evaluation], Floats]:
     def compute(given: Evaluation) -> Floats:
-        found = given.of(_friction, model="jones_simplified").torque_by_source.get(name)
+        from rolamento.friction.summary import default_model
+
+        model = default_model(given.solved, quick=True)
+        found = given.of(_friction, model=model).torque_by_source.get(name)
         unknown = np.isnan(_coefficient(given))
         return np.where(unknown, np.nan, np.nan if found is None else found)
 
