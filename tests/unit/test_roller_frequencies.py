@@ -171,7 +171,7 @@ def test_the_page_calls_rollers_rollers(tmp_path: Path) -> None:
 # --- synthetic signals and their diagnosis -------------------------------------------------------
 
 
-CASE = Case(bearing=tapered(), duty=Duty(inner_speed=1430.0 * pi / 30.0))
+CASE = Case(bearing=tapered(), duty=Duty(inner_speed=1610.0 * pi / 30.0))
 """No line near a multiple of the mains' frequency."""
 
 

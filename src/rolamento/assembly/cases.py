@@ -413,6 +413,17 @@ def _check_own_fields(bearing: RollingBearing, arrays: Mapping[str, FloatArray])
                 field=name,
                 example="bearing.pitch_diameter",
             )
+    foreign = ()
+    if bearing.element != "ball":
+        tapered = bearing.element == "tapered"
+        foreign = ("diametral_clearance",) if tapered else ("contact_angle", "roller_half_angle")
+    for leaf in foreign:
+        if f"bearing.{leaf}" in arrays:
+            raise InputError(
+                said("is no quantity of such a bearing: {element}", element=bearing.element),
+                field=f"bearing.{leaf}",
+                example="bearing.pitch_diameter",
+            )
     if "bearing.shim_angle" in arrays and bearing.kind != "four_point":
         raise InputError(
             said("is of four-point bearings only"),

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any, Final, NamedTuple, cast
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 
@@ -18,9 +18,10 @@ from rolamento.assembly.cases import Cases, RowState, spread
 from rolamento.assembly.ring import pressed_in
 from rolamento.assembly.solve import solve_cases
 from rolamento.case import Case
-from rolamento.case.arrangement import BallRow, Preload
-from rolamento.case.bearing import Bearing, ball_bearing
+from rolamento.case.arrangement import Preload
+from rolamento.case.bearing import Bearing, RowPlace
 from rolamento.case.duty import Duty
+from rolamento.case.roller_bearing import RollerBearing
 from rolamento.clearance.batch import MOUNTED_FIELDS
 from rolamento.clearance.operating import OperatingClearance, operating_clearance
 from rolamento.clearance.sets import RunningRow, Stage, running_rows, width_of
@@ -43,24 +44,24 @@ __all__ = [
 
 LIMITS: Final[tuple[Limit, Limit, Limit]] = ("maximum", "mean", "minimum")
 """Of the clearance, from the loosest set to the tightest."""
-_GEOMETRY: Final = ("ball_diameter", "pitch_diameter", "inner_conformity", "outer_conformity")
 _OWN: Final = ("contact_angle", "diametral_clearance")
 
 
 class _Placed(NamedTuple):
     """A row and where the axial distance of its groove centres has come to; arrays (cases,), m.
 
-    angular: whether it is given by its contact angle.
+    element: what rolls in it. angular: whether it is given by its contact angle.
     """
 
     row: RunningRow
     axial: FloatArray
+    element: str
     angular: bool
 
     @property
     def closed(self) -> BoolArray:
         """Where the fits have taken its whole clearance, and with it the free contact angle."""
-        return np.asarray(self.angular & ~(self.row.clearance > 0.0))
+        return np.asarray(self.angular & self.row.closed)
 
     @property
     def offset(self) -> FloatArray:
@@ -106,7 +107,7 @@ def mounted_cases(
         placed = _placed(case, arrays, "running", None, cases)
         shut = [bool(np.all(one.closed)) for one in placed]
         states = [_state(one, shut=all_shut) for one, all_shut in zip(placed, shut, strict=True)]
-    own = {f"bearing.{name}" for name in _OWN}
+    own = _of_rows(case)
     kept = {name: array for name, array in of_set.items() if name not in own}
     found = spread(plain, kept, threads=threads, states=states)
     varied = {name: array for name, array in kept.items() if name in arrays}
@@ -129,7 +130,7 @@ def running_set(case: Case) -> Case:
     assert mounting is not None
     clearances_of_set(case)  # which refuses by name what the arrays below leave as NaN
     placed = _placed(case, {}, "running", mounting.limit, 1)
-    facing = len({place.sign for place in case.bearing.places}) > 1
+    facing = _facing(case)
     preload = case.bearing.preload
     clamped = facing and (preload is None or preload.spring is None)
     if preload is None and not any(one.angular for one in placed):
@@ -138,7 +139,7 @@ def running_set(case: Case) -> Case:
     for place, one in zip(case.bearing.places, placed, strict=True):
         shut = bool(one.closed[0])
         _refuse_shut(one)
-        numbers = {name: float(getattr(one.row, name)[0]) for name in _GEOMETRY}
+        numbers = {name: float(array[0]) for name, array in one.row.geometry.items()}
         if one.angular and not shut:
             numbers["contact_angle"] = float(one.row.contact_angle[0])
         else:
@@ -146,13 +147,13 @@ def running_set(case: Case) -> Case:
         counts_from_touch = clamped or preload is not None or (one.angular and not shut)
         offset = one.offset if counts_from_touch else one.axial
         rows.append(
-            BallRow(
+            place.bearing.ROW(
+                element=place.bearing.element,
                 orientation="+" if place.sign > 0.0 else "-",
                 position=place.position,
                 phase=place.phase,
-                ball_count=place.bearing.element_count,
                 offset=float(offset[0]),
-                **numbers,
+                **{**_inside(place), **numbers},
             )
         )
     if clamped:
@@ -172,12 +173,11 @@ def clearances_of_set(case: Case) -> tuple[OperatingClearance, ...]:
         As `operating_clearance`.
     """
     assert case.mounting is not None
-    found: dict[Bearing, OperatingClearance] = {}
-    for place in ball_bearing(case).places:
-        bearing = cast("Bearing", place.bearing)
-        if bearing not in found:
-            found[bearing] = operating_clearance(
-                bearing,
+    found: dict[Bearing | RollerBearing, OperatingClearance] = {}
+    for place in case.bearing.places:
+        if place.bearing not in found:
+            found[place.bearing] = operating_clearance(
+                place.bearing,
                 case.mounting,
                 case.temperature,
                 inner_speed=case.duty.inner_speed,
@@ -196,7 +196,7 @@ def preload_stages(case: Case) -> tuple[PreloadStage, ...]:
     """
     mounting, duty = case.mounting, case.duty
     assert mounting is not None
-    if len({place.sign for place in case.bearing.places}) < 2:
+    if not _facing(case):
         return ()
     chosen = LIMITS.index(mounting.limit)
     turning = bool(duty.inner_speed or duty.outer_speed)
@@ -238,12 +238,16 @@ def notes_on_set(case: Case, stages: Sequence[PreloadStage]) -> tuple[Note, ...]
         notes.append(Note("preload_in_operation", {"unmounted": first.preload[chosen], **limits}))
         if limits["loosest"] == 0.0:
             notes.append(Note("preload_lost_mounted", {"always": limits["tightest"] == 0.0}))
-        if any(angle == 0.0 for angle in last.contact_angle):
+        balls = [place.bearing.element == "ball" for place in case.bearing.places]
+        angles = zip(last.contact_angle, balls, strict=True)
+        if any(angle == 0.0 for angle, of_balls in angles if of_balls):
             notes.append(Note("no_free_angle"))
     if case.temperature is not None and case.temperature.inner_ring is not None:
         width = width_of(case)
         key = "distance_of_seats" if width is None else "distance_of_rings"
         notes.append(Note(key, {} if width is None else {"width": width}))
+    if any(place.bearing.element == "tapered" for place in case.bearing.places):
+        notes.append(Note("clearance_of_tapered"))
     of_rows = dict.fromkeys(
         note
         for found in clearances_of_set(case)
@@ -258,15 +262,35 @@ def _plain(case: Case) -> Case:
     return case.replace(mounting=None, temperature=warm)
 
 
+def _of_rows(case: Case) -> set[str]:
+    """The fields that each row runs with its own values of."""
+    names = _OWN if case.bearing.element == "ball" else ("diametral_clearance",)
+    return {f"bearing.{name}" for name in names}
+
+
+def _facing(case: Case) -> bool:
+    """Whether rows that can be pressed in face each other."""
+    return len({place.sign for place in case.bearing.places if place.bearing.locates}) > 1
+
+
+def _inside(place: RowPlace) -> dict[str, Any]:
+    """What a row is made of, beside what the temperatures and the fits change."""
+    bearing = place.bearing
+    if isinstance(bearing, Bearing):
+        return {"ball_count": bearing.ball_count}
+    names = set(type(bearing).model_fields) & set(bearing.ROW.model_fields)
+    kept = {name: getattr(bearing, name) for name in names - {"element", "designation"}}
+    return {name: value for name, value in kept.items() if value is not None}
+
+
 def _refuse_shut(one: _Placed) -> None:
     """Refuse an interference that is past all sense, as a single bearing does."""
-    clearance, reach = float(one.row.clearance[0]), float(one.row.reach[0])
-    if clearance > -0.25 * reach:
+    if one.element == "tapered" or not one.row.shut[0]:
         return
     raise InputError(
         said(
             "closes the bearing: its operating clearance would be {clearance}",
-            clearance=from_si(float(f"{clearance:.4g}"), "length"),
+            clearance=from_si(float(f"{float(one.row.clearance[0]):.4g}"), "length"),
         ),
         field="mounting",
         example='a looser shaft_tolerance, or clearance_class = "C3"',
@@ -277,53 +301,60 @@ def _placed(
     case: Case, arrays: Mapping[str, FloatArray], stage: Stage, limit: Limit | None, cases: int
 ) -> list[_Placed]:
     """The rows at a stage, each with the axial distance of its groove centres."""
-    before = _over(running_rows(case, arrays, "unmounted", limit), cases)
-    after = (
-        before if stage == "unmounted" else _over(running_rows(case, arrays, stage, limit), cases)
-    )
+    before = [row.over(cases) for row in running_rows(case, arrays, "unmounted", limit)]
+    after = before
+    if stage != "unmounted":
+        after = [row.over(cases) for row in running_rows(case, arrays, stage, limit)]
     plain = _plain(case)
     given = {name: array for name, array in arrays.items() if name not in MOUNTED_FIELDS}
+    elements = [place.bearing.element for place in case.bearing.places]
     angular = [_angular(case, index, arrays) for index in range(len(before))]
     start = [
-        replace(_state(_Placed(row, row.touch, own), shut=False), press=None)
-        for row, own in zip(before, angular, strict=True)
+        replace(_state(_Placed(row, row.touch, element, own), shut=False), press=None)
+        for row, element, own in zip(before, elements, angular, strict=True)
     ]
-    left_out = {f"bearing.{name}" for name in _OWN}
-    fields = {name: array for name, array in given.items() if name not in left_out}
+    fields = {name: array for name, array in given.items() if name not in _of_rows(case)}
     fields = {name: np.broadcast_to(array, cases) for name, array in fields.items()}
     fields = fields or {"duty.inner_speed": np.zeros(cases)}
     held = spread(plain, fields, states=start)
     press = pressed_in(held)
     springs = held.preload == "spring"
-    facing = len({place.sign for place in case.bearing.places}) > 1
     placed = []
-    for row, new, own, e in zip(before, after, angular, press, strict=True):
+    for row, new, element, own, e in zip(before, after, elements, angular, press, strict=True):
         axial = np.asarray((row.touch + e if own else e) * new.stretch)
-        placed.append(_Placed(new, (new.touch if springs else axial) + new.along, own))
-    if not facing:  # x takes up what the rows have in common
-        mean = np.mean([one.offset if one.angular else one.axial for one in placed], axis=0)
-        placed = [one._replace(axial=one.axial - mean) for one in placed]
+        placed.append(_Placed(new, (new.touch if springs else axial) + new.along, element, own))
+    if not _facing(case):  # x takes up what the rows have in common
+        held_axially = [
+            one
+            for one, place in zip(placed, case.bearing.places, strict=True)
+            if place.bearing.locates
+        ]
+        common = [one.offset if one.angular else one.axial for one in held_axially or placed]
+        placed = [one._replace(axial=one.axial - np.mean(common, axis=0)) for one in placed]
     return placed
 
 
 def _angular(case: Case, index: int, arrays: Mapping[str, FloatArray]) -> bool:
     """Whether a row is given by its contact angle, which may be what varies."""
+    row = case.bearing.places[index].bearing
+    if row.element != "ball":
+        return row.element == "tapered"
     own = case.bearing.rows[index].own if case.bearing.rows is not None else {}
     if not own.keys() & set(_OWN):
         if "bearing.diametral_clearance" in arrays:
             return False
         if "bearing.contact_angle" in arrays:
             return True
-    return bool(case.bearing.places[index].bearing.contact_angle)
-
-
-def _over(rows: tuple[RunningRow, ...], cases: int) -> list[RunningRow]:
-    return [RunningRow(*(np.broadcast_to(part, cases) for part in row)) for row in rows]
+    return bool(row.contact_angle)
 
 
 def _state(one: _Placed, *, shut: bool) -> RowState:
     """What the assembly takes; shut: an angular row without clearance, given by that."""
-    geometry: dict[str, Any] = {name: getattr(one.row, name) for name in _GEOMETRY}
+    geometry: dict[str, Any] = dict(one.row.geometry)
+    if one.element == "tapered":
+        return RowState(geometry, one.offset)
+    if one.element != "ball":
+        return RowState({**geometry, "diametral_clearance": one.row.clearance}, one.axial)
     if one.angular and not shut:
         angle = np.where(one.closed, np.nan, one.row.contact_angle)
         geometry.update(contact_angle=angle, diametral_clearance=None)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Any, ClassVar, Final, Self
+from typing import Annotated, Any, ClassVar, Final, Self, cast
 
 from pydantic import ConfigDict, Field, model_validator
 
@@ -53,11 +53,12 @@ def _length_as_effective(told: dict[str, Any]) -> float:
 
 
 def _half_angle_of_one_apex(told: dict[str, Any]) -> float | None:
-    """That of tapered rollers which roll truly: cones that have their apex with the raceways."""
-    angle = told.get("contact_angle")
-    if told.get("element") != "tapered" or angle is None:
+    """φ of tapered rollers that roll along all their length; None of others."""
+    names = ("roller_diameter", "pitch_diameter", "contact_angle")
+    known = [told.get(name) for name in names]
+    if told.get("element") != "tapered" or not all(known):
         return None
-    return float(apex_half_angle(told["roller_diameter"], told["pitch_diameter"], angle))
+    return float(apex_half_angle(*cast("list[float]", known)))
 
 
 def _usual_outer_ribs(told: dict[str, Any]) -> Ribs:
@@ -269,6 +270,11 @@ class RollerBearing(RollingBearing):
     @property
     def carries_one_way(self) -> bool:
         """Whether the row carries axial load toward one side only."""
+        return self.element == "tapered"
+
+    @property
+    def locates(self) -> bool:
+        """Whether clamped rings can press the row in along x."""
         return self.element == "tapered"
 
     @property

@@ -170,6 +170,11 @@ class RollingBearing(Record):
         raise NotImplementedError
 
     @property
+    def locates(self) -> bool:
+        """Whether clamped rings can press the row in along x."""
+        return True
+
+    @property
     def element_diameter(self) -> float:
         """D of a rolling element, the mean of a tapered one; m."""
         raise NotImplementedError
@@ -323,7 +328,7 @@ class RollingBearing(Record):
         told = dict(geometry.fields)
         arrangement = given.get("arrangement") or told.get("arrangement")
         if isinstance(arrangement, str):
-            told = {"spacing": geometry.width, **told}
+            told = {"spacing": geometry.spacing(arrangement), **told}
             if len(set(ARRANGEMENTS.get(cast("Arrangement", arrangement), ()))) > 1:
                 told["preload"] = _listed_preload(geometry, given)
         for name in missing & told.keys():

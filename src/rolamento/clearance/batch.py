@@ -13,8 +13,9 @@ from typing import Any, Final
 import numpy as np
 
 from rolamento.case import Case
-from rolamento.case.bearing import Bearing, ball_bearing, clearance_fits
+from rolamento.case.bearing import Bearing, clearance_fits
 from rolamento.case.mounting import Mounting
+from rolamento.case.roller_bearing import RollerBearing, roller_clearance_fits
 from rolamento.clearance.chain import (
     Chain,
     PartTemperatures,
@@ -38,14 +39,6 @@ MOUNTED_FIELDS: Final = tuple(
 )
 """What a batch may vary of a mounted bearing beside its geometry and its duty."""
 
-_GEOMETRY: Final = (
-    "ball_diameter",
-    "pitch_diameter",
-    "inner_conformity",
-    "outer_conformity",
-    "contact_angle",
-    "diametral_clearance",
-)
 _OF_SETS: Final = (
     "bearing.spacing",
     *(f"bearing.preload.{name}" for name in ("force", "offset", "spring")),
@@ -80,15 +73,13 @@ def operating_batch(
     assert case.mounting is not None
     assert not case.bearing.is_set, "a set has a preload too: see rolamento.assembly.mounted"
     arrays = {name: np.asarray(array, np.float64) for name, array in values.items()}
-    bearing = row_bearing(ball_bearing(case), ball_bearing(case), {}, arrays)
+    bearing = row_bearing(case.bearing, case.bearing, {}, arrays)
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
         clearance = _clearance(case, bearing, arrays)
         field, running = _as_given(bearing, clearance)
-    kept = {
-        name: array
-        for name, array in arrays.items()
-        if name not in (*MOUNTED_FIELDS, "bearing.diametral_clearance", "bearing.contact_angle")
-    }
+    rivals = ("bearing.diametral_clearance", "bearing.contact_angle")
+    replaced = (*MOUNTED_FIELDS, *(rivals if case.bearing.element == "ball" else (field,)))
+    kept = {name: array for name, array in arrays.items() if name not in replaced}
     warm = None if case.temperature is None else case.temperature.of_bearing
     return case.replace(mounting=None, temperature=warm), {**kept, field: running}
 
@@ -104,7 +95,7 @@ def _clearance(case: Case, bearing: Any, arrays: Mapping[str, FloatArray]) -> Fl
         arrays.get("duty.outer_speed", case.duty.outer_speed),
     )
     try:
-        initial, reading = initial_of_row(assembly, ball_bearing(case), arrays)
+        initial, reading = initial_of_row(assembly, case.bearing, arrays)
         chain = Chain(assembly, initial, reading, shaft_bands(mounting), housing_bands(mounting))
     except InputError as error:
         raise error.with_details(field=f"mounting.{error.field}") from None
@@ -124,7 +115,7 @@ def inside_seats(assembly: Any, mounting: Any) -> Any:
 
 
 def initial_of_row(
-    assembly: Any, row: Bearing, arrays: Mapping[str, FloatArray]
+    assembly: Any, row: Bearing | RollerBearing, arrays: Mapping[str, FloatArray]
 ) -> tuple[Band, float | None]:
     """Clearance before mounting; the bearing's own if that is what varies.
 
@@ -159,6 +150,12 @@ def initial_of_row(
 
 def _as_given(bearing: Any, clearance: FloatArray) -> tuple[str, FloatArray]:
     """The field that the bearing is given by, and its values as it runs."""
+    if bearing.element == "tapered":
+        angle = bearing.contact_angle + 0.0 * clearance
+        return "bearing.contact_angle", np.asarray(angle)
+    if bearing.element != "ball":
+        fits = roller_clearance_fits(clearance, bearing.roller_diameter)
+        return "bearing.diametral_clearance", np.where(fits, clearance, np.nan)
     reach = bearing.ball_diameter * (bearing.inner_conformity + bearing.outer_conformity - 1.0)
     fits = clearance_fits(clearance, reach)
     if bearing.contact_angle is None:
@@ -172,23 +169,29 @@ def _as_given(bearing: Any, clearance: FloatArray) -> tuple[str, FloatArray]:
 
 
 def row_bearing(
-    bearing: Bearing, row: Bearing, own: Mapping[str, Any], arrays: Mapping[str, FloatArray]
+    bearing: Bearing | RollerBearing,
+    row: Bearing | RollerBearing,
+    own: Mapping[str, Any],
+    arrays: Mapping[str, FloatArray],
 ) -> Any:
     """A row's bearing with the arrays for its attributes; own: what the row has of its own."""
+    shared = type(row) is type(bearing)
     common = {
         name: arrays[f"bearing.{name}"]
-        for name in _GEOMETRY
-        if f"bearing.{name}" in arrays and name not in own
+        for name in row.VARIES
+        if shared and f"bearing.{name}" in arrays and name not in own
     }
-    given = {name: common.get(name, getattr(row, name)) for name in _GEOMETRY}
-    if "diametral_clearance" in common:
+    given = {name: common.get(name, getattr(row, name)) for name in row.VARIES}
+    if row.element == "ball" and "diametral_clearance" in common:
         given["contact_angle"] = None
-    elif "contact_angle" in common:
+    elif row.element == "ball" and "contact_angle" in common:
         given["diametral_clearance"] = None
     rings = _material(row.ring_material, "ring_material", arrays)
-    follows = "ball_material" not in bearing.model_fields_set
-    balls = _material(rings if follows else row.ball_material, "ball_material", arrays)
-    return SimpleNamespace(**given, ring_material=rings, ball_material=balls)
+    follows = row.MATERIAL not in bearing.model_fields_set
+    elements = _material(rings if follows else row.element_material, row.MATERIAL, arrays)
+    return SimpleNamespace(
+        **given, element=row.element, ring_material=rings, element_material=elements
+    )
 
 
 def _material(material: Any, part: str, arrays: Mapping[str, FloatArray]) -> Any:

@@ -20,6 +20,7 @@ from numpy.typing import ArrayLike
 from rolamento.case.bearing import Bearing
 from rolamento.case.material import Material
 from rolamento.case.mounting import Mounting, SeatMaterial
+from rolamento.case.roller_bearing import RollerBearing
 from rolamento.clearance.effects import (
     Finish,
     bore_shrinkage,
@@ -34,6 +35,7 @@ from rolamento.clearance.effects import (
 )
 from rolamento.clearance.measuring_load import clearance_from_reading, usual_measuring_load
 from rolamento.clearance.standards import (
+    TABLES,
     Band,
     Limit,
     bore_deviations,
@@ -66,7 +68,7 @@ class Temperatures(Protocol):
 
     @property
     def balls(self) -> float | None:
-        """Of the balls; those of the inner ring if None."""
+        """Of the balls or rollers; that of the inner ring if None."""
         ...
 
     @property
@@ -156,15 +158,15 @@ class Assembly:
     Of a batch all numbers may be arrays (cases,).
     """
 
-    bearing: Bearing
+    bearing: Bearing | RollerBearing
     mounting: Mounting
     inner_raceway: float
-    """Diameter at the bottom of the groove."""
+    """Diameter at the bottom of the groove; of tapered rollers in the middle of their length."""
     outer_raceway: float
     initial_clearance: float
     """The bearing's own, or the one that goes with its contact angle."""
     expansion_change: float
-    """Of the clearance, by free expansion of rings and balls."""
+    """Of the clearance, by free expansion of rings and rolling elements."""
     spin_change: float
     """Of the clearance, by free growth of the rings as they turn."""
     strains: Strains
@@ -210,7 +212,7 @@ class Assembly:
 
 
 def assembly_of(
-    bearing: Bearing,
+    bearing: Bearing | RollerBearing,
     mounting: Mounting,
     temperatures: Temperatures,
     inner_speed: float,
@@ -245,13 +247,13 @@ def gathered(
     InputError
         If a temperature or an expansion that is needed is missing.
     """
-    inner, outer, clearance = raceways(bearing)
+    inner, outer, across, clearance = raceways(bearing)
     warm = _Rises.of(mounting, temperatures)
     ring_expansion = _expansion_if_warm(
         mounting.ring_expansion, bearing.ring_material, "ring_expansion", warm
     )
     ball_expansion = _expansion_if_warm(
-        mounting.ball_expansion, bearing.ball_material, "ball_expansion", warm
+        mounting.ball_expansion, bearing.element_material, "ball_expansion", warm
     )
     shaft, housing = mounting.shaft_material, mounting.housing_material
     of_shaft = shaft.thermal_expansion if shaft else ring_expansion
@@ -269,7 +271,7 @@ def gathered(
             clearance_change(
                 inner_raceway=inner,
                 outer_raceway=outer,
-                ball_diameter=bearing.ball_diameter,
+                ball_diameter=across,
                 inner_rise=warm.inner,
                 outer_rise=warm.outer,
                 ball_rise=warm.balls,
@@ -316,8 +318,20 @@ def gathered(
     )
 
 
-def raceways(bearing: Any) -> tuple[Any, Any, Any]:
-    """Diameters at the bottom of the grooves, and the clearance; m, numbers or arrays."""
+def raceways(bearing: Any) -> tuple[Any, Any, Any, Any]:
+    """Diameters of the raceways, what an element takes of the radius between them, the clearance.
+
+    All in m, numbers or arrays. Balls: at the bottom of the grooves, D. Rollers, whose axis is at β
+    to the bearing's: d_pw ∓ D_we cos β in the middle of their length, D_we cos β, beside which the
+    clearance is nothing; that of a tapered row counts from first contact.
+    """
+    if bearing.element != "ball":
+        lean = 0.0
+        if bearing.element == "tapered":
+            lean = bearing.contact_angle - bearing.roller_half_angle
+        across = bearing.roller_diameter * np.cos(lean)
+        clearance = 0.0 if bearing.element == "tapered" else bearing.diametral_clearance
+        return bearing.pitch_diameter - across, bearing.pitch_diameter + across, across, clearance
     angle, clearance = bearing.contact_angle, bearing.diametral_clearance
     places = groove_places(
         bearing.ball_diameter,
@@ -333,7 +347,8 @@ def raceways(bearing: Any) -> tuple[Any, Any, Any]:
         )
     groove = bearing.inner_conformity * bearing.ball_diameter
     inner = _number_or_array(2.0 * (places.inner_groove_radius - groove))
-    return inner, inner + 2.0 * bearing.ball_diameter + clearance, clearance
+    outer = inner + 2.0 * bearing.ball_diameter + clearance
+    return inner, outer, bearing.ball_diameter, clearance
 
 
 def _number_or_array(value: FloatArray) -> Any:
@@ -484,7 +499,7 @@ class Chain:
     @classmethod
     def of(
         cls,
-        bearing: Bearing,
+        bearing: Bearing | RollerBearing,
         mounting: Mounting,
         temperatures: Temperatures | None,
         inner_speed: float,
@@ -534,10 +549,39 @@ class Chain:
         return ChainResult(initial, on_shaft, in_housing, clearance)
 
 
-def initial_band(assembly: Assembly, bearing: Bearing) -> tuple[Band, float | None]:
-    """Clearance before mounting, without load, and the reading if it was measured."""
+def initial_band(assembly: Assembly, bearing: Bearing | RollerBearing) -> tuple[Band, float | None]:
+    """Clearance before mounting, without load, and the reading if it was measured.
+
+    What a gauge reads of a roller bearing is its clearance: the approach under the measuring load
+    is negligible (NSK, Rolling Bearings, E1102, page A88).
+    """
     mounting = assembly.mounting
+    _check_given_clearance(mounting, bearing)
+    reading = mounting.measured_clearance
+    named = mounting.clearance_class
+    if named is None and reading is None:
+        named = bearing.clearance_class
+    if named is not None:
+        return class_clearance(mounting.bore, named, TABLES[bearing.element]), None
+    if reading is None:
+        return Band(assembly.initial_clearance, assembly.initial_clearance), None
+    found = reading
+    if isinstance(bearing, Bearing):
+        load = mounting.measuring_load or usual_measuring_load(mounting.bore)
+        found = clearance_from_reading(bearing, reading, load)
+    return Band(found, found), reading
+
+
+def _check_given_clearance(mounting: Any, bearing: Bearing | RollerBearing) -> None:
+    """Refuse a class or a reading of a bearing that is not given by its clearance."""
     given = [n for n in ("clearance_class", "measured_clearance") if getattr(mounting, n)]
+    if given and bearing.element == "tapered":
+        raise InputError(
+            said("is not of tapered rollers: clearance or preload of a pair is set at mounting"),
+            field=given[0],
+            value=getattr(mounting, given[0]),
+            example='preload = { offset = "-20 um" } in [bearing]',
+        )
     if given and bearing.contact_angle:
         raise InputError(
             said(
@@ -546,16 +590,13 @@ def initial_band(assembly: Assembly, bearing: Bearing) -> tuple[Band, float | No
             field=given[0],
             value=getattr(mounting, given[0]),
         )
-    if mounting.clearance_class is not None:
-        return class_clearance(mounting.bore, mounting.clearance_class), None
-    reading = mounting.measured_clearance
-    if reading is None and bearing.clearance_class is not None:
-        return class_clearance(mounting.bore, bearing.clearance_class), None
-    if reading is not None:
-        load = mounting.measuring_load or usual_measuring_load(mounting.bore)
-        found = clearance_from_reading(bearing, reading, load)
-        return Band(found, found), reading
-    return Band(assembly.initial_clearance, assembly.initial_clearance), None
+    if mounting.measuring_load is not None and bearing.element != "ball":
+        raise InputError(
+            said("is of ball bearings: it hardly changes the reading of a roller bearing"),
+            field="measuring_load",
+            value=readable(mounting.measuring_load, "force"),
+            example='measured_clearance = "0.045 mm" without measuring_load',
+        )
 
 
 def shaft_bands(mounting: Mounting) -> tuple[Band, ...]:

@@ -12,19 +12,21 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from math import acos
+from math import acos, tan
 from typing import Any, Final, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.case import Case
-from rolamento.case.bearing import Bearing, ball_bearing, clearance_fits
+from rolamento.case.bearing import Bearing, clearance_fits
 from rolamento.case.mounting import Mounting
+from rolamento.case.roller_bearing import RollerBearing, roller_clearance_fits
 from rolamento.clearance.chain import Assembly, Chain, ChainResult, Temperatures
 from rolamento.clearance.measuring_load import usual_measuring_load
 from rolamento.clearance.standards import (
     BEARING_TOLERANCE_SOURCE,
+    TABLES,
     TOLERANCE_SOURCE,
     Band,
     Limit,
@@ -80,15 +82,18 @@ class OperatingClearance:
         what to know about it
     """
 
-    bearing: Bearing
+    bearing: Bearing | RollerBearing
     steps: tuple[Step, ...]
     minimum: float
     mean: float
     maximum: float
     warnings: tuple[Note, ...]
 
-    def operating_bearing(self, limit: Limit = "mean") -> Bearing:
+    def operating_bearing(self, limit: Limit = "mean") -> Bearing | RollerBearing:
         """The bearing as it runs: with this clearance, or the contact angle that goes with it.
+
+        A tapered row is as it was: what it gains or loses moves its first contact, from which x
+        counts.
 
         Raises
         ------
@@ -118,7 +123,9 @@ class OperatingClearance:
         }
 
 
-def bearing_with_clearance(bearing: Bearing, clearance: float) -> Bearing:
+def bearing_with_clearance(
+    bearing: Bearing | RollerBearing, clearance: float
+) -> Bearing | RollerBearing:
     """A bearing of another clearance (m), or of the contact angle that goes with it.
 
     Raises
@@ -126,29 +133,40 @@ def bearing_with_clearance(bearing: Bearing, clearance: float) -> Bearing:
     InputError
         If the clearance closes the bearing, or opens it too far.
     """
-    distance = ring_geometry(bearing).groove_centre_distance
     shown = readable(float(f"{clearance:.4g}"), "length")
+    if isinstance(bearing, RollerBearing):
+        if bearing.element == "tapered":
+            return bearing
+        if not roller_clearance_fits(clearance, bearing.roller_diameter):
+            raise _beyond(shown, closed=clearance < 0.0)
+        return bearing.replace(diametral_clearance=clearance)
+    distance = ring_geometry(bearing).groove_centre_distance
     angular = bearing.contact_angle is not None and bearing.contact_angle > 0.0
     if not clearance_fits(clearance, distance) or (angular and clearance < 0.0):
-        if clearance >= 0.0:
-            rule = said("opens the bearing too far: its operating clearance would be {clearance}",
-                        clearance=shown)  # fmt: skip
-        elif angular:
-            rule = said(
-                "closes the bearing: an operating clearance of {clearance} leaves no contact angle",
-                clearance=shown,
-            )
-        else:
-            rule = said("closes the bearing: its operating clearance would be {clearance}",
-                        clearance=shown)  # fmt: skip
-        raise InputError(
-            rule,
-            field="mounting",
-            example='a looser shaft_tolerance, or clearance_class = "C3"',
-        )
+        raise _beyond(shown, closed=clearance < 0.0, angular=angular)
     if angular:
         return bearing.replace(contact_angle=acos(1.0 - clearance / (2.0 * distance)))
     return bearing.replace(contact_angle=None, diametral_clearance=clearance)
+
+
+def _beyond(clearance: str, *, closed: bool, angular: bool = False) -> InputError:
+    """Of a mounting that leaves no bearing."""
+    if not closed:
+        rule = said(
+            "opens the bearing too far: its operating clearance would be {clearance}",
+            clearance=clearance,
+        )
+    elif angular:
+        rule = said(
+            "closes the bearing: an operating clearance of {clearance} leaves no contact angle",
+            clearance=clearance,
+        )
+    else:
+        rule = said(
+            "closes the bearing: its operating clearance would be {clearance}", clearance=clearance
+        )
+    example = 'a looser shaft_tolerance, or clearance_class = "C3"'
+    return InputError(rule, field="mounting", example=example)
 
 
 _TIGHTEST: Final = 1e-3
@@ -156,7 +174,7 @@ _TIGHTEST: Final = 1e-3
 
 
 def operating_clearance(
-    bearing: Bearing,
+    bearing: Bearing | RollerBearing,
     mounting: Mounting,
     temperatures: Temperatures | None = None,
     *,
@@ -205,7 +223,7 @@ def clearance_of_case(case: Case) -> OperatingClearance:
             example='[mounting] with bore = "25 mm" and outside_diameter = "62 mm"',
         )
     return operating_clearance(
-        ball_bearing(case),
+        case.bearing,
         case.mounting,
         case.temperature,
         inner_speed=case.duty.inner_speed,
@@ -241,6 +259,9 @@ def _numbers_at_limits(values: NDArray[np.float64] | float) -> tuple[float, floa
     return float(low), float(mean), float(high)
 
 
+_TEMPERATURE_STEPS: Final = {"tapered": "step_temperature_tapered"}
+
+
 def _chain_steps(chain: Chain, result: ChainResult) -> tuple[Step, ...]:
     assembly, mounting = chain.assembly, chain.assembly.mounting
     steps: list[Step] = []
@@ -255,13 +276,14 @@ def _chain_steps(chain: Chain, result: ChainResult) -> tuple[Step, ...]:
         add("initial", result.initial, "step_initial", _origin_of_clearance(assembly))
     else:
         add("initial", chain.reading, "step_reading", Note("source_measured"))
-        add(
-            "measuring_load",
-            result.initial - chain.reading,
-            "step_measuring_load",
-            Note("source_equilibrium"),
-            load=mounting.measuring_load or usual_measuring_load(mounting.bore),
-        )
+        if isinstance(assembly.bearing, Bearing):
+            add(
+                "measuring_load",
+                result.initial - chain.reading,
+                "step_measuring_load",
+                Note("source_equilibrium"),
+                load=mounting.measuring_load or usual_measuring_load(mounting.bore),
+            )
     standards = {"tolerances": TOLERANCE_SOURCE, "bearing": BEARING_TOLERANCE_SOURCE}
     for name, fit, given in (
         ("shaft_fit", result.shaft, mounting.shaft_tolerance),
@@ -285,7 +307,7 @@ def _chain_steps(chain: Chain, result: ChainResult) -> tuple[Step, ...]:
         add(
             "temperature",
             assembly.expansion_change,
-            "step_temperature",
+            _TEMPERATURE_STEPS.get(assembly.bearing.element, "step_temperature"),
             Note("source_temperature"),
             inner_raceway=assembly.inner_raceway,
             outer_raceway=assembly.outer_raceway,
@@ -298,19 +320,21 @@ def _chain_steps(chain: Chain, result: ChainResult) -> tuple[Step, ...]:
 
 
 def _origin_of_clearance(assembly: Assembly) -> Note:
+    if assembly.bearing.element == "tapered":
+        return Note("source_first_contact")
     named = assembly.mounting.clearance_class or assembly.bearing.clearance_class
     if named is not None:
-        source = clearance_source(named)
+        source = clearance_source(named, TABLES[assembly.bearing.element])
         return Note("source_clearance_class", {"standard": source, "name": named})
     return Note("source_own_clearance")
 
 
 def _warnings(chain: Chain, result: ChainResult, low: float, mean: float) -> tuple[Note, ...]:
     found = []
-    if mean < 0.0:
-        found.append("interference")
-    elif low < 0.0:
-        found.append("interference_at_minimum")
+    element = chain.assembly.bearing.element
+    if low < 0.0 and element != "tapered":  # of which only first contact moves
+        of_mean = "interference" if element == "ball" else "interference_of_rollers"
+        found.append(of_mean if mean < 0.0 else "interference_at_minimum")
     for name, fit in (("inner_ring_loose", result.shaft), ("outer_ring_loose", result.housing)):
         if fit is not None and fit.interference[1] > 0.0 and fit.effective.min() <= 0.0:
             found.append(name)
@@ -322,6 +346,9 @@ def _warnings(chain: Chain, result: ChainResult, low: float, mean: float) -> tup
 
 def clearance_notes(found: OperatingClearance) -> tuple[Note, ...]:
     """The clearance in operation and its warnings."""
+    if found.bearing.element == "tapered":
+        shift = -0.5 * found.mean / tan(found.bearing.row_angle)
+        return (Note("first_contact_moves", {"shift": shift}), *found.warnings)
     limits = {"minimum": found.minimum, "mean": found.mean, "maximum": found.maximum}
     return (Note("clearance_in_operation", limits), *found.warnings)
 
@@ -381,7 +408,7 @@ class ClearanceSamples:
 
 
 def sample_clearance(
-    bearing: Bearing,
+    bearing: Bearing | RollerBearing,
     mounting: Mounting,
     temperatures: Temperatures | None = None,
     *,

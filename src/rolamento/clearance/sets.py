@@ -20,21 +20,33 @@ by its rings over B and by spacers over the rest; else by shaft and housing.
 
 Springs move after their rings: of such a set only the differences of σ S between rows act.
 
+A row of tapered rollers has no grooves: its inner raceway, the rollers on it and their rib move as
+one against the cone of the outer raceway, at α to the bearing's axis. What the chain leaves of the
+diametral clearance P, from first contact on, presses it in less by (P/2) cot α, so that
+
+    e' = e + σ S - (P'/2) cot α.
+
+All parts as warm as each other change nothing but the size. With equal rings and rollers this is
+the rule of Timken's manual for the setting of two rows: half the growth of the mean outer raceway
+times cot α, and the distance of the rows.
+
 Rigid rings; plane press fits; expansion free in every direction. Sources: as of `effects`; the
-place of the groove centres: Harris, Rolling Bearing Analysis, 3rd ed. (1991), chapters 2 and 3.
+place of the groove centres: Harris, Rolling Bearing Analysis, 3rd ed. (1991), chapters 2 and 3;
+tapered rollers: The Timken Company, Mounting, Fitting and Setting Your Bearings, chapter E 2.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from types import SimpleNamespace
-from typing import Any, Final, Literal, NamedTuple, cast
+from typing import Any, Final, Literal
 
 import numpy as np
 
 from rolamento.case import Case
-from rolamento.case.bearing import Bearing, ball_bearing
+from rolamento.case.roller_bearing import roller_clearance_fits
 from rolamento.clearance.batch import (
     initial_of_row,
     inside_seats,
@@ -53,48 +65,60 @@ from rolamento.clearance.chain import (
 from rolamento.clearance.standards import Limit
 from rolamento.errors import InputError
 from rolamento.geometry import free_contact_angle
-from rolamento.numerics import FloatArray
+from rolamento.numerics import BoolArray, FloatArray
 
 __all__ = ["STAGES", "RunningRow", "Stage", "running_rows", "width_of"]
+
+_PAST_SENSE: Final = 0.25
+"""Of the distance of the groove centres."""
 
 Stage = Literal["unmounted", "mounted", "warm", "running"]
 STAGES: Final[tuple[Stage, ...]] = ("unmounted", "mounted", "warm", "running")
 """What has happened so far: nothing, the fits, the temperatures too, the rings' growth too."""
 
 
-class RunningRow(NamedTuple):
+@dataclass(frozen=True, slots=True)
+class RunningRow:
     """One row at a stage; arrays that broadcast over cases, SI.
 
     Attributes
     ----------
-    ball_diameter, pitch_diameter, inner_conformity, outer_conformity
-        As the temperatures leave them.
+    geometry
+        By field of the row's bearing, as the temperatures leave it.
     clearance
-        Diametral clearance; NaN where the row does not lie between its seats.
-    reach
-        BD, the distance of the groove centres at first contact.
+        Diametral clearance, of tapered rollers from first contact; NaN where the row does not lie
+        between its seats.
+    contact_angle
+        Free contact angle, 0 of balls under interference; that of the outer raceway of tapered
+        rollers; rad.
     touch
-        BD sin α, the axial distance of the groove centres at first contact; 0 under interference.
+        Axial distance of the groove centres at first contact, BD sin α, 0 under interference; of
+        tapered rollers how far first contact has moved.
     stretch
         What the temperatures multiply axial distances within the row by.
     along
         σ S of the module: how much further the row's place along the shaft presses it in.
+    closed
+        Where balls given by their contact angle have no clearance left to have one.
+    shut
+        Where the interference is past all sense.
     """
 
-    ball_diameter: FloatArray
-    pitch_diameter: FloatArray
-    inner_conformity: FloatArray
-    outer_conformity: FloatArray
+    geometry: Mapping[str, FloatArray]
     clearance: FloatArray
-    reach: FloatArray
+    contact_angle: FloatArray
     touch: FloatArray
     stretch: FloatArray
     along: FloatArray
+    closed: BoolArray
+    shut: BoolArray
 
-    @property
-    def contact_angle(self) -> FloatArray:
-        """Free contact angle; rad, 0 under interference."""
-        return free_contact_angle(self.clearance, self.reach)
+    def over(self, cases: int) -> RunningRow:
+        """The same row with arrays (cases,)."""
+        names = ("clearance", "contact_angle", "touch", "stretch", "along", "closed", "shut")
+        wide = {name: np.broadcast_to(getattr(self, name), cases) for name in names}
+        geometry = {name: np.broadcast_to(array, cases) for name, array in self.geometry.items()}
+        return RunningRow(geometry=geometry, **wide)
 
 
 def width_of(case: Case) -> float | None:
@@ -136,14 +160,13 @@ def running_rows(
         for name in ("inner_speed", "outer_speed")
     ]
     rows, strains = [], None
-    for index, place in enumerate(ball_bearing(case).places):
-        alone = cast("Bearing", place.bearing)
+    for index, place in enumerate(case.bearing.places):
         own = case.bearing.rows[index].own if case.bearing.rows is not None else {}
-        bearing = row_bearing(ball_bearing(case), alone, own, arrays)
+        bearing = row_bearing(case.bearing, place.bearing, own, arrays)
         assembly = gathered(bearing, mounting, warm, *speeds)
         strains = assembly.strains
         try:
-            initial, reading = initial_of_row(assembly, alone, arrays)
+            initial, reading = initial_of_row(assembly, place.bearing, arrays)
             chain = Chain(
                 assembly, initial, reading, shaft_bands(mounting), housing_bands(mounting)
             )
@@ -152,17 +175,18 @@ def running_rows(
         at = limit or mounting.limit
         found = initial.at(at) if stage == "unmounted" else chain.at(at)
         clearance = np.where(inside_seats(assembly, mounting), found, np.nan)
-        rows.append(_row(bearing, clearance, strains))
+        make = _balls if bearing.element == "ball" else _rollers
+        rows.append(make(bearing, clearance, strains))
     assert strains is not None
     moved = _moved_along(case, arrays, strains)
     signs = (place.sign for place in case.bearing.places)
     return tuple(
-        row._replace(along=np.asarray(sign * shift))
+        replace(row, along=np.asarray(sign * shift))
         for row, sign, shift in zip(rows, signs, moved, strict=True)
     )
 
 
-def _row(bearing: SimpleNamespace, clearance: FloatArray, strains: Strains) -> RunningRow:
+def _balls(bearing: SimpleNamespace, clearance: FloatArray, strains: Strains) -> RunningRow:
     diameter = np.asarray(bearing.ball_diameter, np.float64)
     balls = 1.0 + np.asarray(strains.balls)
     inner = bearing.inner_conformity * ((1.0 + np.asarray(strains.inner_ring)) / balls)
@@ -170,18 +194,48 @@ def _row(bearing: SimpleNamespace, clearance: FloatArray, strains: Strains) -> R
     reach = diameter * balls * (inner + outer - 1.0)
     lengths = [np.asarray(f) - 0.5 for f in (bearing.inner_conformity, bearing.outer_conformity)]
     mean = lengths[0] * strains.inner_ring + lengths[1] * strains.outer_ring
-    across = 0.5 * (np.asarray(strains.inner_ring) + np.asarray(strains.outer_ring))
+    angle = free_contact_angle(clearance, reach)
     return RunningRow(
-        ball_diameter=np.asarray(diameter * balls),
-        pitch_diameter=np.asarray(bearing.pitch_diameter * (1.0 + across)),
-        inner_conformity=np.asarray(inner),
-        outer_conformity=np.asarray(outer),
+        geometry={
+            "ball_diameter": np.asarray(diameter * balls),
+            "pitch_diameter": _pitch(bearing, strains),
+            "inner_conformity": np.asarray(inner),
+            "outer_conformity": np.asarray(outer),
+        },
         clearance=clearance,
-        reach=np.asarray(reach),
-        touch=np.asarray(reach * np.sin(free_contact_angle(clearance, reach))),
+        contact_angle=np.asarray(angle),
+        touch=np.asarray(reach * np.sin(angle)),
         stretch=np.asarray(1.0 + mean / (lengths[0] + lengths[1])),
         along=np.zeros(()),
+        closed=np.asarray(~(clearance > 0.0)),
+        shut=np.asarray(~(clearance > -_PAST_SENSE * reach)),
     )
+
+
+def _rollers(bearing: SimpleNamespace, clearance: FloatArray, strains: Strains) -> RunningRow:
+    diameter = bearing.roller_diameter * (1.0 + np.asarray(strains.balls))
+    angle, touch = np.zeros(()), 0.0 * clearance
+    if bearing.element == "tapered":
+        angle = np.asarray(bearing.contact_angle, np.float64)
+        touch = 0.5 * clearance / np.tan(angle)
+    return RunningRow(
+        geometry={
+            "roller_diameter": np.asarray(diameter),
+            "pitch_diameter": _pitch(bearing, strains),
+        },
+        clearance=clearance,
+        contact_angle=angle,
+        touch=np.asarray(touch),
+        stretch=np.ones(()),
+        along=np.zeros(()),
+        closed=np.zeros((), np.bool_),
+        shut=np.asarray(~roller_clearance_fits(clearance, diameter)),
+    )
+
+
+def _pitch(bearing: SimpleNamespace, strains: Strains) -> FloatArray:
+    across = 0.5 * (np.asarray(strains.inner_ring) + np.asarray(strains.outer_ring))
+    return np.asarray(bearing.pitch_diameter * (1.0 + across))
 
 
 def _moved_along(

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import asdict, dataclass
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
 from rolamento._json import plain
 from rolamento.case import Case
-from rolamento.case.bearing import Bearing, ball_bearing
-from rolamento.clearance import OperatingClearance, clearance_of_case, sample_clearance
+from rolamento.clearance import (
+    OperatingClearance,
+    clearance_notes,
+    clearance_of_case,
+    sample_clearance,
+)
 from rolamento.errors import InputError
 from rolamento.solved import PreloadStage
 from rolamento.words import Note, said
@@ -61,12 +65,17 @@ def mounted_clearance(case: Case) -> Mounted:
     """
     if case.mounting is None or not case.bearing.is_set:
         found = clearance_of_case(case)
-        return Mounted((found,), (), found.warnings, of_set=False)
+        return Mounted((found,), (), _notes_on(found), of_set=False)
     from rolamento.assembly.mounted import clearances_of_set, notes_on_set, preload_stages
 
     rows = clearances_of_set(case)
     stages = preload_stages(case)
     return Mounted(rows, stages, notes_on_set(case, stages), of_set=True)
+
+
+def _notes_on(found: OperatingClearance) -> tuple[Note, ...]:
+    """What its page says; the sum of the steps is there already, unless it is no clearance."""
+    return clearance_notes(found) if found.bearing.element == "tapered" else found.warnings
 
 
 def mounted_samples(case: Case, samples: int, seed: int) -> ClearanceSamples:
@@ -80,13 +89,13 @@ def mounted_samples(case: Case, samples: int, seed: int) -> ClearanceSamples:
         As `sample_clearance`, and for a set whose rows differ.
     """
     assert case.mounting is not None
-    bearings = {place.bearing for place in ball_bearing(case).places}
+    bearings = {place.bearing for place in case.bearing.places}
     if len(bearings) > 1:
         raise InputError(
             said("is for sets of equal rows: these differ"), field="samples", value=samples
         )
     return sample_clearance(
-        cast("Bearing", bearings.pop()),
+        bearings.pop(),
         case.mounting,
         case.temperature,
         inner_speed=case.duty.inner_speed,

@@ -16,8 +16,20 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " their limits."
     ),
     "interference": marked("The mean clearance in operation is negative: the balls are preloaded."),
+    "interference_of_rollers": marked(
+        "The mean clearance in operation is negative: the rollers are preloaded."
+    ),
     "interference_at_minimum": marked(
         "The minimum clearance in operation is negative: some bearings are preloaded."
+    ),
+    "first_contact_moves": marked(
+        "A single tapered roller bearing has no clearance of its own: mounting, temperatures and"
+        " speeds move the first contact of its rollers, from which x counts, by {shift:.1f µm}"
+        " along the shaft. In a pair they change the preload."
+    ),
+    "clearance_of_tapered": marked(
+        "The diametral clearance of tapered rollers counts from first contact: a change of it moves"
+        " first contact along the shaft by half of it times cot α."
     ),
     "inner_ring_loose": marked(
         "In operation the inner ring may lose all its interference: it may creep on the shaft."
@@ -63,11 +75,13 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "−contraction of the raceway under p(δ − smoothing + thermal expansion − rotation)"
     ),
     "step_temperature": "α_r (T_e d_e − T_i d_i) − 2 α_b T_b D",
+    "step_temperature_tapered": "α_r (T_e d_e − T_i d_i) − 2 α_w T_w D_we cos β",
     "step_speed": marked("centrifugal expansion of the rotating raceways"),
     "step_wear": marked("as given"),
     # their sources
     "source_clearance_class": marked("{standard}, class {name}"),
     "source_own_clearance": marked("the bearing's own"),
+    "source_first_contact": marked("counted from first contact"),
     "source_measured": marked("measured"),
     "source_equilibrium": marked("radial equilibrium"),
     "source_fit": marked("Lamé; Harris 1991, chapter 3"),
