@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from rolamento.solved import Solved
 
 _COEFFICIENT: Final = ("lubricant.friction_coefficient",)
+_OF_BALLS: Final = (*_COEFFICIENT, "balls")
+_OF_ROLLERS: Final = (*_COEFFICIENT, "rollers")
 _OIL: Final = ("lubricant", "temperature.lubricant")
 
 
@@ -39,7 +41,7 @@ def friction_outputs() -> tuple[Output, ...]:
             "rib_torque",
             "N*m",
             _source("rib"),
-            needs=_COEFFICIENT,
+            needs=_OF_ROLLERS,
         ),
         Output(
             "rolling_resistance_torque",
@@ -62,7 +64,7 @@ def _of_models() -> Iterator[Output]:
                 f"friction_{name}_{model}",
                 unit,
                 _total(model, name),
-                needs=_COEFFICIENT,
+                needs=_OF_ROLLERS if model == ROLLER_MODEL else _OF_BALLS,
                 slow=not known.closed_form,
             )
 
@@ -88,14 +90,14 @@ def _of_contacts() -> Iterator[Output]:
             "W",
             _spin_loss(race),
             None,
-            _COEFFICIENT,
+            _OF_BALLS,
         )
         yield from family(
             f"{race}_pressure_slip",
             "W/m^2",
             _pressure_slip(race),
             None,
-            (),
+            ("balls",),
         )
 
 
