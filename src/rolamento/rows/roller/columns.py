@@ -19,7 +19,7 @@ import numpy as np
 
 from rolamento.case import Case
 from rolamento.case.bearing import RowPlace
-from rolamento.contact.coupled import body_term, influence_table
+from rolamento.contact.coupled import body_term, influence_table, scratch
 from rolamento.contact.hertz import effective_modulus
 from rolamento.contact.line import contact_constant, roller_share, slice_places
 from rolamento.contact.profile import drop
@@ -61,7 +61,7 @@ class Cut:
         n = self.slices if self.coupled else 1
         return (
             self.coupled, self.place, self.drops, self.curvature, self.body, self.table,
-            np.empty((n + 8, n)),
+            scratch(n),
         )  # fmt: skip
 
     def part(self, index: Any) -> Cut:
