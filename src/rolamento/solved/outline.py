@@ -19,8 +19,8 @@ class RollerOutline(NamedTuple):
     """A roller's outline and those of its races over its length, taper taken out; (slices,), m.
 
     place: from the roller's middle, toward +x of its row. drop: of its profile. inner, outer: how
-    far it overlaps the races; below zero a gap. tilt, ring_tilt: slope of its axis and of the inner ring
-    at its azimuth, positive where that +x end stands outward (rad).
+    far it overlaps the races; below zero a gap. tilt, ring_tilt: slope of its axis and of the inner
+    ring at its azimuth, positive where that +x end stands outward (rad).
     """
 
     place: FloatArray
