@@ -1,4 +1,4 @@
-"""The geometry of ball and grooves: curvatures, free contact angle, clearances.
+"""The geometry of balls and grooves, and of cones: curvatures, contact angles, clearances.
 
 Pure functions of plain numbers or arrays, and `RingGeometry`, which gathers what the mechanics
 of a bearing needs. Angles are counted from the radial plane; conformity is the radius of the
@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import pi, sin
-from typing import Any, Literal, NamedTuple, Protocol
+from typing import Any, Final, Literal, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike
 from rolamento.numerics import FloatArray
 
 Race = Literal["inner", "outer"]
+_APEX_STEPS: Final = 60
 
 
 class BearingGeometry(Protocol):
@@ -175,6 +176,40 @@ def sphere_conformity(
     """
     slope = np.sqrt(1.0 + np.asarray(tangent, dtype=np.float64) ** 2)
     return np.asarray(0.5 * np.asarray(pitch_diameter) / np.asarray(ball_diameter) * slope + 0.5)
+
+
+def apex_half_angle(
+    roller_diameter: ArrayLike, pitch_diameter: ArrayLike, outer_contact_angle: ArrayLike
+) -> FloatArray:
+    """Half angle φ of a roller whose cone has its apex with those of both raceways; rad.
+
+    Parameters
+    ----------
+    roller_diameter, pitch_diameter : arrays, D and d_m, at the roller's middle; m.
+    outer_contact_angle : array, α_o, of the outer raceway, from 0 to 90°; rad.
+        All broadcast against each other.
+
+    Returns
+    -------
+    Array of the broadcast shape: the root of tan φ = (D/d_m) sin(α_o - φ), from 0 to α_o.
+
+    From the triangle of apex, roller's middle and its surface.
+    """
+    diameter, pitch, outer = np.broadcast_arrays(
+        *(
+            np.asarray(one, np.float64)
+            for one in (roller_diameter, pitch_diameter, outer_contact_angle)
+        )
+    )
+    ratio = diameter / pitch
+    angle = np.arctan(ratio * np.sin(outer))
+    for _ in range(_APEX_STEPS):  # Newton; the left side rises, the right side falls with φ
+        excess = np.tan(angle) - ratio * np.sin(outer - angle)
+        step = excess / (1.0 / np.cos(angle) ** 2 + ratio * np.cos(outer - angle))
+        angle = np.clip(angle - step, 0.0, outer)
+        if not np.any(np.abs(step) > 1e-16):
+            break
+    return np.asarray(angle)
 
 
 def race_curvature(

@@ -23,27 +23,23 @@ derived in docs/theory/kinematics.md.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Final
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento.geometry import Race
+from rolamento.geometry import Race, apex_half_angle
 from rolamento.kinematics import BallMotion, nominal_orbit
 from rolamento.numerics import FloatArray
 
 __all__ = [
     "RibMotion",
     "RollerBody",
-    "apex_half_angle",
     "apex_mismatch",
     "rib_motion",
     "roller_body",
     "roller_gyroscopic_moment",
     "roller_motion",
 ]
-
-_MOST_STEPS: Final = 60
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,37 +111,6 @@ def roller_motion(
         (orbit - outer_ring + along) * np.cos(outer) - across * np.sin(outer),
     )
     return BallMotion(*fields)
-
-
-def apex_half_angle(
-    roller_diameter: ArrayLike, pitch_diameter: ArrayLike, outer_contact_angle: ArrayLike
-) -> FloatArray:
-    """Half angle φ of a roller whose cone has its apex with those of both raceways; rad.
-
-    Parameters
-    ----------
-    roller_diameter, pitch_diameter : arrays, D and d_m, at the roller's middle; m.
-    outer_contact_angle : array, α_o, of the outer raceway, from 0 to 90°; rad.
-        All broadcast against each other.
-
-    Returns
-    -------
-    Array of the broadcast shape: the root of tan φ = (D/d_m) sin(α_o - φ), from 0 to α_o.
-
-    From the triangle of apex, roller's middle and its surface.
-    """
-    diameter, pitch, outer = np.broadcast_arrays(
-        *_numbers(roller_diameter, pitch_diameter, outer_contact_angle)
-    )
-    ratio = diameter / pitch
-    angle = np.arctan(ratio * np.sin(outer))
-    for _ in range(_MOST_STEPS):  # Newton; the left side rises, the right side falls with φ
-        excess = np.tan(angle) - ratio * np.sin(outer - angle)
-        step = excess / (1.0 / np.cos(angle) ** 2 + ratio * np.cos(outer - angle))
-        angle = np.clip(angle - step, 0.0, outer)
-        if not np.any(np.abs(step) > 1e-16):
-            break
-    return np.asarray(angle)
 
 
 def apex_mismatch(

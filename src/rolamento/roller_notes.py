@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 __all__ = [
     "USUAL_MISALIGNMENT",
     "are_rollers",
+    "misalignment",
     "notes_on_rollers",
     "rollers_without_equilibrium",
     "which_elements",
@@ -65,6 +66,11 @@ def which_elements(solved: Solved, chosen: BoolArray) -> dict[str, Any]:
     return {**found, "rows": row[chosen].tolist(), "whole_rows": whole}
 
 
+def misalignment(solved: Solved) -> float:
+    """Return the angle between the rings of the first case (rad)."""
+    return float(np.hypot(solved.displacement.ry[0], solved.displacement.rz[0]))
+
+
 def notes_on_rollers(solved: Solved) -> Iterator[Note]:
     """Return the notes on the rollers of a single case with a result."""
     rollers = solved.rollers
@@ -96,7 +102,7 @@ def _pressures(solved: Solved) -> Iterator[Note]:
 
 def _misaligned(solved: Solved) -> Iterator[Note]:
     """A tilt between the rings beyond what makers let pass."""
-    tilt = float(np.hypot(solved.displacement.ry[0], solved.displacement.rz[0]))
+    tilt = misalignment(solved)
     kinds = [element for element in solved.rows.element if element != "ball"]
     kind = min(kinds, key=lambda one: USUAL_MISALIGNMENT[one])
     if tilt > USUAL_MISALIGNMENT[kind]:

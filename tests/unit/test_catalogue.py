@@ -146,16 +146,14 @@ def test_small_insert_bearings_depend_on_the_maker() -> None:
 @pytest.mark.parametrize(
     ("text", "kind"),
     [
-        ("NU 210", "a cylindrical roller bearing; the catalogue covers"),
-        ("NJ 2210 ECP", "a cylindrical roller bearing"),
-        ("NUP210 NSK", "a cylindrical roller bearing"),
-        ("N 210", "a cylindrical roller bearing"),
-        ("30206", "a tapered roller bearing"),
-        ("22216 EK/C3", "a spherical roller bearing"),
-        ("HK 2020", "a needle roller bearing"),
-        ("NA 4905", "a needle roller bearing"),
-        ("HK2020", "a needle roller bearing"),
-        ("NU 210", "a cylindrical roller bearing"),
+        ("NU 2910", "a cylindrical roller bearing of a size or series in no list; give its"),
+        ("NN 3010", "a cylindrical roller bearing"),
+        ("NUP296 NSK", "a cylindrical roller bearing"),
+        ("30296", "a tapered roller bearing of a size or series in no list"),
+        ("22216 EK/C3", "a spherical roller bearing; the catalogue covers"),
+        ("HK 2021", "a needle roller bearing of a size or series in no list"),
+        ("NKI 25/20", "a needle roller bearing"),
+        ("K 10x13x11", "a needle roller bearing"),
         ("K81106", "a cylindrical roller thrust bearing"),
         ("239/500", "a spherical roller bearing"),
         ("BS2-2210-2CS", "a spherical roller bearing"),
@@ -268,7 +266,8 @@ def test_unknown_designation_offers_the_nearest() -> None:
 
 def test_search_as_one_types() -> None:
     search = catalogue().search
-    assert [bearing.designation for bearing in search("620")] == [f"620{i}" for i in range(10)] + [
+    found = [bearing.designation for bearing in search("620") if not bearing.has_rollers]
+    assert found == [f"620{i}" for i in range(10)] + [
         f"S 620{i} {angle}" for i in range(10) for angle in "CE"
     ]
     assert [bearing.designation for bearing in search("nsk 6305")] == ["6305"]

@@ -23,8 +23,8 @@ from rolamento.life.l_able import (
     refusals,
     surface_factor,
 )
+from rolamento.life.iso16281 import ROLLER_SLOPE
 from rolamento.life.spectrum import (
-    ROLLER_SLOPE,
     miner_life,
     races_under_spectrum,
     revolution_shares,

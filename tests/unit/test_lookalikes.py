@@ -119,7 +119,7 @@ def test_bearings_that_none_or_all_resemble(of_6310: Path) -> None:
 
     six, bearing = Bearing.named("6310"), found.bearing
     ratio = bearing.ball_diameter / bearing.pitch_diameter
-    twin = RollingBearing("twin", six.ball_count, ratio, 0.0, False)
+    twin = RollingBearing("twin", six.element_count, ratio, 0.0, False)
     assert among(twin) == "no_line_tells_bearings"
     assert among(RollingBearing("other", 31, ratio, 0.0, False)) == "lines_of_no_other_bearing"
     more = RollingBearing("more", 9, 0.319, 0.0, False)
@@ -141,7 +141,8 @@ def test_orders_are_those_of_the_frequencies() -> None:
 def test_balls_are_kept_for_every_bearing_that_has_none() -> None:
     """After a change of the catalogue: python scripts/rolling.py."""
     kept = {bearing.designation: bearing for bearing in rolling_bearings()}
-    without = [b for b in catalogue().bearings if b.ball_count is None or b.ball_diameter is None]
+    balls = [b for b in catalogue().bearings if not b.has_rollers]
+    without = [b for b in balls if not b.knows_elements]
     for bearing in [b for b in without if b.designation not in kept]:
         with pytest.raises((InputError, IndexError)):
             inferred_geometry(bearing, most=1)[0]
@@ -149,7 +150,7 @@ def test_balls_are_kept_for_every_bearing_that_has_none() -> None:
         if bearing.designation in kept:
             best, found = inferred_geometry(bearing, most=1)[0], kept[bearing.designation]
             assert found.is_inferred
-            assert found.ball_count == best.ball_count
+            assert found.element_count == best.ball_count
             assert found.diameter_ratio == pytest.approx(best.ball_diameter / best.pitch_diameter)
 
 

@@ -20,6 +20,7 @@ ASLEEP = re.compile(r"# ([a-z_0-9]+) = (.+)$")
 DESIGNATIONS = (
     *("6310/C3", "6008", "6212-2Z", "6320", "S 6012 C", "EX 70 25deg", "S 61912 C"),
     *("SKF 6205", "QJ210", "1210", "51210"),
+    *("NU 205/C3", "NJ 2210", "30206", "NA 4905"),
 )
 
 
@@ -36,14 +37,22 @@ def test_it_solves_at_once(designation: str | None) -> None:
         assert 0.05 < (case.duty.load.fz or case.duty.load.fx or 0.0) / 1e3 < 100.0
 
 
-def test_it_has_every_field_once() -> None:
+def fields_in(text: str) -> list[str]:
     table, found = "", []
-    for line in case_template("6310").splitlines():
+    for line in text.splitlines():
         if heading := re.fullmatch(r"(?:# )?\[([a-z._]+)\]", line):
             table = f"{heading[1]}."
         elif field := re.match(r"(?:# )?([a-z_0-9]+) = ", line):
             found.append(f"{table}{field[1]}")
-    assert len(found) == len({*found})
+    return found
+
+
+def test_it_has_every_field_once() -> None:
+    found: list[str] = []
+    for designation in ("6310", "NU 205", "30206"):
+        own = fields_in(case_template(designation))
+        assert len(own) == len({*own})
+        found += own
     left = {name for name in Case.fields() if name not in found}
     # what is given by its name as a whole, and the factors of one theory
     whole = (*(f"{name}." for name in Case.fields()), "life.tallian_")
@@ -51,7 +60,19 @@ def test_it_has_every_field_once() -> None:
     assert {*TABLES} >= {name.rpartition(".")[0] for name in found}
 
 
-@pytest.mark.parametrize("designation", ["6310/C3", "S 6012 C"])
+def test_balls_have_no_fields_of_rollers_and_rollers_none_of_balls() -> None:
+    balls, needles, cones = (
+        {*fields_in(case_template(name))} for name in ("6310", "NA 4905", "30206")
+    )
+    assert not any("roller" in name or "_ribs" in name for name in balls)
+    assert not any(name.startswith("bearing.ball") for name in needles | cones)
+    assert "model.slices" in needles
+    assert "model.raceway_control" not in needles
+    assert "bearing.roller_half_angle" in cones - needles
+    assert "bearing.inner_ribs" in needles - cones
+
+
+@pytest.mark.parametrize("designation", ["6310/C3", "S 6012 C", "NU 205/C3", "30210"])
 def test_every_field_that_sleeps_can_be_read(designation: str) -> None:
     table, known = "", Case.fields()
     for line in case_template(designation).splitlines():

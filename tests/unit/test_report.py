@@ -21,8 +21,8 @@ from rolamento.document import Document
 from rolamento.document.medium import Medium
 from rolamento.document.tables import to_csv
 from rolamento.document.terminal import terminal
-from rolamento.pages.given import model_text
 from rolamento.pages.elements import element_sections
+from rolamento.pages.given import model_text
 from rolamento.pages.state import rosette, state_page
 from rolamento.solution import solve
 from rolamento.solved import Solved

@@ -15,7 +15,7 @@ from rolamento.case import Bearing, Case, Duty
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.cli.app import app
 from rolamento.errors import InputError
-from rolamento.roller_kinematics import apex_half_angle
+from rolamento.geometry import apex_half_angle
 from rolamento.tasks.diagnosis import DiagnosisResult, diagnose
 from rolamento.tasks.frequencies import fault_frequencies
 from rolamento.tasks.synthesis import SynthesisResult, synthesise
@@ -171,7 +171,7 @@ def test_the_page_calls_rollers_rollers(tmp_path: Path) -> None:
 # --- synthetic signals and their diagnosis -------------------------------------------------------
 
 
-CASE = Case(bearing=tapered(), duty=Duty(inner_speed=1430.0 * pi / 30.0))
+CASE = Case(bearing=tapered(), duty=Duty(inner_speed=1610.0 * pi / 30.0))
 """No line near a multiple of the mains' frequency."""
 
 

@@ -7,9 +7,9 @@ from math import cos, pi, radians, sin, tan
 import numpy as np
 import pytest
 
+from rolamento.geometry import apex_half_angle
 from rolamento.kinematics import ball_mass, ball_motion, gyroscopic_moment, nominal_orbit
 from rolamento.roller_kinematics import (
-    apex_half_angle,
     apex_mismatch,
     rib_motion,
     roller_body,

@@ -19,9 +19,8 @@ from rolamento.life.iso281_modified import (
     fatigue_load_limit_of_lines,
     life_modification_factor,
 )
-from rolamento.life.iso16281 import system_life
+from rolamento.life.iso16281 import ROLLER_SLOPE, system_life
 from rolamento.life.lamina import (
-    SLOPE,
     edge_factor,
     lamina_life,
     one_number_of_slices,
@@ -181,9 +180,9 @@ def test_fatigue_load_limit_from_the_contact_is_the_estimate(
     shape = (13, diameter, length, pitch)
     static = roller_static_rating(*shape)
     estimate = float(fatigue_load_limit(static, pitch, rollers=True))
-    exact = float(fatigue_load_limit_of_lines(*shape, 0.0, STEEL, drop))
+    exact = float(fatigue_load_limit_of_lines(*shape, 0.0, STEEL, drop, drop))
     assert exact == pytest.approx(estimate, rel=0.06)
-    straight = float(fatigue_load_limit_of_lines(*shape, 0.0, STEEL, 0.0 * drop))
+    straight = float(fatigue_load_limit_of_lines(*shape, 0.0, STEEL, 0 * drop, 0 * drop))
     size = min(1.0, 0.1 / pitch) ** 0.3
     # (1500/4000)² of the static load, shared 0.2453 Z instead of Z/5
     assert straight / size == pytest.approx(
@@ -214,7 +213,7 @@ def test_lamina_life_is_the_rating_life(degrees: float) -> None:
         lamina_life(0.83 * race, load, turning=turning, edges=False)
         for race, turning in zip(races, (True, False), strict=True)
     ]
-    assert float(system_life(np.array(lives), slope=SLOPE)) == pytest.approx(1.0, abs=0.02)
+    assert float(system_life(np.array(lives), slope=ROLLER_SLOPE)) == pytest.approx(1.0, abs=0.02)
 
 
 def test_slices_do_not_matter_but_for_the_edge() -> None:

@@ -155,13 +155,10 @@ def _film_and_friction(
             return found, None
         machine = None
         if single and found is not None:
-            rolls = some.case.bearing.element != "ball"
-            rating, load = (
-                (np.nan, np.nan)
-                if life is None
-                else (life.ratings.static_of_set, life.loads.static)
-            )
-            if life is not None or rolls:
+            if some.case.bearing.element != "ball":  # the models of rollers need no rating
+                machine = machine_of(some.case, found, np.nan, np.nan)
+            elif life is not None:
+                rating, load = life.ratings.static_of_set, life.loads.static
                 machine = machine_of(some.case, found, rating, load)
         return found, friction(
             some,

@@ -24,7 +24,7 @@ from rolamento.case.rolling_bearing import RollingBearing
 from rolamento.case.varied import bounded, varied_arrays
 from rolamento.clearance.batch import MOUNTED_FIELDS
 from rolamento.errors import InputError
-from rolamento.geometry import sphere_conformity
+from rolamento.geometry import apex_half_angle, sphere_conformity
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.rows.ball.row import BallRow, Traction, ball_row
 from rolamento.rows.grooves import GrooveRow, four_point_row, thrust_row
@@ -357,6 +357,10 @@ def _varied(
     elements = _material(rings if follows else row.element_material, row.MATERIAL, arrays)
     attributes = {name: getattr(row, name) for name in (*numbers, *row.STAYS)}
     made = {**attributes, **given, "ring_material": rings, row.MATERIAL: elements}
+    known = given.keys() | own | bearing.model_fields_set
+    if row.element == "tapered" and "roller_half_angle" not in known:  # cones keep one apex
+        sizes = (made[name] for name in ("roller_diameter", "pitch_diameter", "contact_angle"))
+        made["roller_half_angle"] = apex_half_angle(*sizes)
     return SimpleNamespace(**made)
 
 

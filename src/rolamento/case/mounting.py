@@ -133,9 +133,7 @@ class Mounting(Record):
     bore: _Diameter = Field(examples=["25 mm"])
     outside_diameter: _Diameter = Field(examples=["62 mm"])
     clearance_class: Annotated[
-        Literal[
-            "C2", "CN", "C3", "C4", "C5", "CM", "CT", "CC1", "CC2", "CC", "CC3", "CC4", "CC5"
-        ]
+        Literal["C2", "CN", "C3", "C4", "C5", "CM", "CT", "CC1", "CC2", "CC", "CC3", "CC4", "CC5"]
         | None,
         Replaces("measured_clearance"),
     ] = Field(None, examples=["C3"])

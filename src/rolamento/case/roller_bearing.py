@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Any, ClassVar, Final, Self
+from typing import Annotated, Any, ClassVar, Final, Self, cast
 
 from pydantic import ConfigDict, Field, model_validator
 
@@ -27,6 +27,7 @@ from rolamento.case.rolling_bearing import (
     RollingBearing,
 )
 from rolamento.errors import InputError
+from rolamento.geometry import apex_half_angle
 from rolamento.units import readable
 from rolamento.words import said
 
@@ -39,7 +40,7 @@ _MOST_INTERFERENCE: Final = 0.02
 def _required_unless_told(schema: dict[str, Any]) -> None:
     """In the JSON schema, require the geometry only where no designation and no row tells it."""
     own = schema.pop("required", [])
-    angles = [*own, "contact_angle", "roller_half_angle"]
+    angles = [*own, "contact_angle"]
     schema["anyOf"] = [
         {"required": names}
         for names in (["designation"], ["rows"], [*own, "diametral_clearance"], angles)
@@ -49,6 +50,15 @@ def _required_unless_told(schema: dict[str, Any]) -> None:
 def _length_as_effective(told: dict[str, Any]) -> float:
     """The length of rollers of which only the effective one is given."""
     return float(told.get("effective_length", math.nan))
+
+
+def _half_angle_of_one_apex(told: dict[str, Any]) -> float | None:
+    """φ of tapered rollers that roll along all their length; None of others."""
+    names = ("roller_diameter", "pitch_diameter", "contact_angle")
+    known = [told.get(name) for name in names]
+    if told.get("element") != "tapered" or not all(known):
+        return None
+    return float(apex_half_angle(*cast("list[float]", known)))
 
 
 def _usual_outer_ribs(told: dict[str, Any]) -> Ribs:
@@ -92,7 +102,7 @@ class RollerBearing(RollingBearing):
         α of tapered rollers, that of the outer raceway's line of action, in rad.
     roller_half_angle
         φ of tapered rollers, half of the angle of their cone, in rad; the inner raceway's line of
-        action is at α - 2φ.
+        action is at α - 2φ. If not given, that of cones which all have one apex.
     diametral_clearance
         s of cylindrical and needle rollers, in m; negative for an interference.
     inner_ribs, outer_ribs
@@ -199,7 +209,7 @@ class RollerBearing(RollingBearing):
     ) = Field(None, examples=["14 deg"])
     roller_half_angle: (
         Annotated[float, Quantity("angle", at_least="0 deg", below="45 deg", varies=True)] | None
-    ) = Field(None, examples=["2 deg"])
+    ) = Field(default_factory=_half_angle_of_one_apex, examples=["2 deg"])
     diametral_clearance: (
         Annotated[float, Quantity("length", at_least="-1 m", at_most="1 m", varies=True)] | None
     ) = Field(None, examples=["0.03 mm"])
@@ -286,7 +296,7 @@ class RollerBearing(RollingBearing):
     def _never_written(self) -> tuple[str, ...]:
         given = self.model_fields_set
         names = (
-            "roller_length", "inner_ribs", "outer_ribs",
+            "roller_length", "roller_half_angle", "inner_ribs", "outer_ribs",
             "roller_profile", "inner_profile", "outer_profile",
         )  # fmt: skip
         return tuple(name for name in names if name not in given)

@@ -328,7 +328,7 @@ class RollingBearing(Record):
         told = dict(geometry.fields)
         arrangement = given.get("arrangement") or told.get("arrangement")
         if isinstance(arrangement, str):
-            told = {"spacing": geometry.width, **told}
+            told = {"spacing": geometry.spacing(arrangement), **told}
             if len(set(ARRANGEMENTS.get(cast("Arrangement", arrangement), ()))) > 1:
                 told["preload"] = _listed_preload(geometry, given)
         for name in missing & told.keys():

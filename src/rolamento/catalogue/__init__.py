@@ -44,6 +44,7 @@ from rolamento.catalogue.search import (
 
 __all__ = [
     "ASSUMED_CONFORMITY",
+    "ROLLER_KINDS",
     "Candidate",
     "Catalogue",
     "CatalogueBearing",
@@ -55,7 +56,6 @@ __all__ = [
     "Origin",
     "Part",
     "Practice",
-    "ROLLER_KINDS",
     "RollerCandidate",
     "RollingBearing",
     "ambiguity_axis",

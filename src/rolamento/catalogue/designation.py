@@ -359,9 +359,7 @@ def parse_designation(text: str) -> Designation:
     )
 
 
-def _with_rollers(
-    known: Mapping[str, Any], rollers: RollerNumber, before: Letters
-) -> Designation:
+def _with_rollers(known: Mapping[str, Any], rollers: RollerNumber, before: Letters) -> Designation:
     coded = rollers.bore.removeprefix("code ")
     in_mm = coded == rollers.bore
     return Designation(

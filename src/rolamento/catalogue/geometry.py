@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import pairwise
-from math import asin, radians, sin, tan
+from math import asin, cos, radians, sin, tan
 from typing import Any, Final, Literal, TypeVar
 
 from rolamento._data import toml_of
@@ -25,6 +25,7 @@ from rolamento.catalogue.search import (
     standard_width,
 )
 from rolamento.errors import InputError
+from rolamento.geometry import apex_half_angle
 from rolamento.ratings import SELF_ALIGNING_CONFORMITY, THRUST_CONFORMITY
 from rolamento.units import MILLIMETRE, readable
 from rolamento.words import said
@@ -142,6 +143,26 @@ class InternalGeometry:
         bearing = self.bearing
         return bearing.width or standard_width(bearing.bore, bearing.outside_diameter)
 
+    def spacing(self, arrangement: str) -> float | None:
+        """Return the distance of neighbouring rows of equal bearings side by side, in m.
+
+        Parameters
+        ----------
+        arrangement
+            ``"DB"``, ``"DF"`` …
+
+        Their width; of a pair of tapered bearings by the load centre a, which tells how far the
+        middle of the rollers is from the cup's back face: x = a - ½(d_pw + D_we cos α) tan α. None
+        if the width is not known.
+        """
+        width, centre = self.width, self.bearing.load_centre
+        told = [self.fields.get(name) for name in ("pitch_diameter", "roller_diameter")]
+        if width is None or centre is None or None in told or arrangement not in ("DB", "DF"):
+            return width
+        angle, (pitch, roller) = self.fields["contact_angle"], told
+        middle = centre - 0.5 * (pitch + roller * cos(angle)) * tan(angle)
+        return float(2.0 * (middle if arrangement == "DB" else width - middle))
+
     @property
     def lack_of_play(self) -> str:
         """What a user has to add if neither contact angle nor clearance is known, as a rule."""
@@ -248,8 +269,13 @@ def _roller_geometry(
             raise error.with_details(value=designation.text) from None
     type_ = _type_of(bearing, designation)
     if bearing.kind == "tapered":
-        fields["contact_angle"] = nominal_angle(bearing)
+        angle = nominal_angle(bearing)
+        fields["contact_angle"] = angle
         origins["contact_angle"] = "published"
+        if with_rollers:
+            size = (fields["roller_diameter"], fields["pitch_diameter"])
+            fields["roller_half_angle"] = float(apex_half_angle(*size, angle))
+            origins["roller_half_angle"] = "inferred"
     else:
         fields["inner_ribs"], fields["outer_ribs"] = _RIBS.get(type_, ("none", "none"))
         origins["inner_ribs"] = origins["outer_ribs"] = "published"
@@ -264,11 +290,7 @@ def _roller_geometry(
         if play is not None:
             fields["axial_play"], origins["axial_play"] = play, "assumed"
     arrangement = designation.letters.arrangement
-    if arrangement is not None and bearing.kind == "tapered":
-        fields["arrangement"], origins["arrangement"] = arrangement, "designation"
-        if bearing.width is not None:  # of bearings side by side
-            fields["spacing"], origins["spacing"] = bearing.width, "assumed"
-    return InternalGeometry(
+    geometry = InternalGeometry(
         bearing=bearing,
         designation=designation,
         fields=fields,
@@ -276,6 +298,13 @@ def _roller_geometry(
         candidates=candidates,
         records=() if known is catalogue_with(()) or is_built_in(bearing) else (bearing,),
     )
+    if arrangement is None or bearing.kind != "tapered":
+        return geometry
+    fields["arrangement"], origins["arrangement"] = arrangement, "designation"
+    spacing = geometry.spacing(arrangement)
+    if spacing is not None:
+        fields["spacing"], origins["spacing"] = spacing, "assumed"
+    return geometry
 
 
 _ELEMENTS: Final = {"drawn_cup": "needle"}
@@ -296,7 +325,7 @@ def _type_of(bearing: CatalogueBearing, designation: Designation) -> str:
 
 
 def _axial_play(designation: Designation) -> float | None:
-    """The middle of the axial play of an NUP bearing between its ribs, in m; None if no list has it."""
+    """The middle of the axial play of an NUP bearing between its ribs, in m; None if not listed."""
     listed = toml_of("axial_play")["NUP"].get(designation.series, {})
     pair = listed.get(designation.number[-2:])
     return sum(pair) / _HALF_MICROMETRES if pair else None

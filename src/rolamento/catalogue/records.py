@@ -357,9 +357,9 @@ def _check_raceways(figures: Mapping[str, float]) -> None:
     names = ("bore", "inner_raceway_diameter", "outer_raceway_diameter", "outside_diameter")
     given = [name for name in names if name in figures]
     for inner, outer in pairwise(given):
-        if figures[outer] < figures[inner] or (inner, outer) == names[1:3] and (
+        if figures[outer] < figures[inner] or ((inner, outer) == names[1:3] and (
             figures[outer] == figures[inner]
-        ):  # fmt: skip
+        )):  # fmt: skip
             raise InputError(
                 said("must be greater than {name}, {low:.6g mm}", name=inner, low=figures[inner]),
                 field=outer,

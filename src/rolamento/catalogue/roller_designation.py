@@ -1,8 +1,8 @@
 """What the designation of a roller bearing says: type, series, bore, design, and what follows.
 
 Cylindrical roller bearings by DIN 623-1 (NU 205, NJ 2205, N 10/500), tapered ones by DIN 623-1 and
-with NSK's letters (30205, HR 32005 XJ, 320/28), needle roller bearings (NA 4905), cages (K 10X14X13)
-and drawn cups (HK 1612). What the letters mean is in data/designations.toml.
+with NSK's letters (30205, HR 32005 XJ, 320/28), needle roller bearings (NA 4905), cages with
+needles (K 10X14X13) and drawn cups (HK 1612). What the letters mean is in data/designations.toml.
 """
 
 from __future__ import annotations
@@ -32,6 +32,7 @@ _DRAWN_CUP: Final = re.compile(r"(?P<type>HK|BK)\|?(?P<bore>\d\d)\|?(?P<width>\d
 _CAGE: Final = re.compile(
     r"K\|?(?P<inner>\d{1,3})\|?[X×]\|?(?P<outer>\d{1,3})\|?[X×]\|?(?P<width>\d{1,3})" + _REST
 )
+_SERIES: Final = {"cylindrical": _CYLINDRICAL, "tapered": _TAPERED, "needle": _NEEDLE}
 _STROKE: Final = re.compile(r"(?<=\d)\s*/\s*(?=(?:22|28|32)(?!\d))")
 """Before a bore in mm, where a blank or a hyphen would not tell it from two figures of a code."""
 _STANDARD: Final = ""
@@ -95,7 +96,11 @@ def roller_number_of(plain: str, joined: str, maker: str = "") -> RollerNumber |
     """
     if _STROKE.search(plain):  # 322/28, not 32228
         joined = "/".join("|".join(groups_of(part)) for part in _STROKE.split(plain))
-    for kind, pattern in (("cylindrical", _CYLINDRICAL), ("tapered", _TAPERED), ("needle", _NEEDLE)):
+    for kind, pattern in (
+        ("cylindrical", _CYLINDRICAL),
+        ("tapered", _TAPERED),
+        ("needle", _NEEDLE),
+    ):
         found = pattern.fullmatch(joined)
         if found is not None:
             return _of_series(kind, found, maker)

@@ -217,9 +217,7 @@ def _places(bearing: CatalogueBearing, angle: float) -> _Places:
         rated_static = static * (length / one)
         error = np.zeros(count.shape) if listed is None else np.log(rated / listed)
         error_static = (
-            np.zeros(count.shape)
-            if listed_static is None
-            else np.log(rated_static / listed_static)
+            np.zeros(count.shape) if listed_static is None else np.log(rated_static / listed_static)
         )
         own = chi + (error / tolerance["dynamic"]) ** 2 + (error_static / tolerance["static"]) ** 2
         if bearing.width and bearing.effective_length is None:

@@ -1,6 +1,6 @@
-"""How every bearing of the catalogue rolls: balls, ratio of diameters and contact angle.
+"""How every bearing of the catalogue rolls: balls or rollers, ratio of diameters and angle.
 
-All that fault frequencies need. To infer the balls of a bearing takes its ratings and tenths of a
+All that fault frequencies need. To infer the inside of a bearing takes its ratings and tenths of a
 second; what was inferred is kept in ``data/rolling.csv``, which ``scripts/rolling.py`` writes anew.
 """
 
@@ -12,7 +12,10 @@ from functools import lru_cache
 from importlib import resources
 
 from rolamento.catalogue.designation import folded
+from rolamento.catalogue.records import CatalogueBearing
+from rolamento.catalogue.roller_inference import nominal_angle
 from rolamento.catalogue.search import catalogue
+from rolamento.geometry import apex_half_angle
 
 __all__ = ["RollingBearing", "rolling_bearings"]
 
@@ -25,52 +28,69 @@ class RollingBearing:
     ----------
     designation
         As its maker writes it.
-    ball_count
-        Z, of a row.
+    element_count
+        Z, balls or rollers of a row.
     diameter_ratio
         D/d_m.
-    contact_angle
-        α, nominal, in rad; 0 for a deep-groove bearing, as under radial load.
+    angle
+        That of γ = D cos α/d_m, in rad: α, nominal, of balls, 0 for a deep-groove bearing, as under
+        radial load; of rollers that of their axis.
     is_inferred
-        Whether the balls are inferred from the ratings, and not published.
+        Whether what rolls is inferred from the ratings, and not published.
     """
 
     designation: str
-    ball_count: int
+    element_count: int
     diameter_ratio: float
-    contact_angle: float
+    angle: float
     is_inferred: bool
 
 
-def rolling_bearings() -> tuple[RollingBearing, ...]:
-    """Return the bearings of the catalogue whose balls are published, or were inferred for it.
+def rolling_bearings(*, of_rollers: bool = False) -> tuple[RollingBearing, ...]:
+    """Return the ball or roller bearings of the catalogue whose inside is known or was inferred.
 
     Others, such as those of a user's catalogue without balls, are left out.
     """
     inferred = _inferred()
     found = []
     for bearing in {folded(one.designation): one for one in catalogue().bearings}.values():
-        angle = bearing.contact_angle or 0.0
-        count, ball = bearing.ball_count, bearing.ball_diameter
-        if count is not None and ball is not None:
-            ratio = ball / (bearing.pitch_diameter or bearing.mean_diameter)
-            found.append(RollingBearing(bearing.designation, count, ratio, angle, False))
+        if bearing.has_rollers is not of_rollers:
             continue
-        key = (bearing.maker, folded(bearing.designation))
-        if key in inferred:
-            count, ratio = inferred[key]
-            found.append(RollingBearing(bearing.designation, count, ratio, angle, True))
+        known = _published(bearing)
+        inside = known or inferred.get((bearing.maker, folded(bearing.designation)))
+        if inside is not None:
+            angle = _angle(bearing, inside[1])
+            found.append(RollingBearing(bearing.designation, *inside, angle, known is None))
     return tuple(found)
+
+
+def _published(bearing: CatalogueBearing) -> tuple[int, float] | None:
+    """Number of balls or rollers, and ratio of diameters."""
+    count, size = (
+        (bearing.roller_count, bearing.roller_diameter)
+        if bearing.has_rollers
+        else (bearing.ball_count, bearing.ball_diameter)
+    )
+    if count is None or size is None:
+        return None
+    return count, size / (bearing.pitch_diameter or bearing.mean_diameter)
+
+
+def _angle(bearing: CatalogueBearing, ratio: float) -> float:
+    if not bearing.has_rollers:
+        return bearing.contact_angle or 0.0
+    outer = nominal_angle(bearing)
+    return outer - float(apex_half_angle(ratio, 1.0, outer))
 
 
 @lru_cache(maxsize=1)
 def _inferred() -> dict[tuple[str, str], tuple[int, float]]:
-    """Balls and ratio of diameters by maker and designation."""
+    """Balls or rollers, and ratio of diameters, by maker and designation."""
     file = resources.files("rolamento") / "data" / "rolling.csv"
     lines = [line for line in file.read_text("utf-8").splitlines() if not line.startswith("#")]
     return {
         (row["maker"], folded(row["designation"])): (
-            int(row["ball_count"]), float(row["diameter_ratio"])
+            int(row["element_count"]), float(row["diameter_ratio"])
         )
         for row in csv.DictReader(lines)
     }  # fmt: skip

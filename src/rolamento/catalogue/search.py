@@ -251,6 +251,8 @@ class Catalogue:
                 alike = _same_angle(bearing, designation)
                 if not (designation.number or designation.contact_angle is None or alike):
                     continue
+                if bearing.has_rollers:
+                    return Found(bearing, designation)
                 angular = bearing.kind == "angular_contact"
                 letters = designation.of_maker + (before if start else Letters())
                 letters += letters_behind(groups[end:], designation.text, angular=angular)

@@ -139,7 +139,7 @@ def show(
         if dynamic or static:
             known = _with_ratings(known, designation, dynamic, static)
         geometry = _geometry(known, designation)
-        has_balls = "ball_count" in geometry.fields
+        has_balls = geometry.has_elements
         if axis and has_balls:
             from rolamento.tasks.catalogue import axis_toml
 
@@ -188,8 +188,7 @@ def _geometry(known: Catalogue, designation: str) -> InternalGeometry:
 
     bearing = known.find(designation).bearing
     rated = bearing.rated != (None, None)
-    with_balls = rated or (bearing.ball_count is not None and bearing.ball_diameter is not None)
-    return geometry_of(designation, catalogue_of=known, with_balls=with_balls)
+    return geometry_of(designation, catalogue_of=known, with_balls=rated or bearing.knows_elements)
 
 
 def _show_list(

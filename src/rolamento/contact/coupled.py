@@ -49,10 +49,17 @@ from numpy.typing import ArrayLike
 from rolamento.contact.line import half_width, max_pressure, slice_places
 from rolamento.numerics import FloatArray
 from rolamento.numerics import FloatArray as Array
-from rolamento.numerics.compiled import kernel, shared
+from rolamento.numerics.compiled import kernel, shared, vector_loop
 from rolamento.numerics.elliptic import associate
 
-__all__ = ["CoupledPress", "body_term", "coupled_press", "coupled_slices", "influence_table"]
+__all__ = [
+    "CoupledPress",
+    "body_term",
+    "coupled_press",
+    "coupled_slices",
+    "influence_table",
+    "scratch",
+]
 
 _FIRST: Final = -8.0
 """ln(b/w) at which the table begins: below, it goes on as a straight line, which it is."""
@@ -124,6 +131,11 @@ def body_term(slices: int, width: float, roller_diameter: float, share: float) -
     return np.asarray(share * np.diff(np.arcsinh(edge)))
 
 
+def scratch(slices: int) -> Array:
+    """Return room for the kernel to work in: rows of the matrix with three right sides, and six."""
+    return np.empty((slices + 6, slices + 3))
+
+
 @shared
 def coupled_slices(
     approach: float,
@@ -152,7 +164,7 @@ def coupled_slices(
     curvature : (n,), Σρ in the rolling direction; 1/m.
     table, body : of `influence_table` and `body_term`.
     load : (n,), the loads to begin with (zeros if none are known), and takes q_k; N/m.
-    work : (n + 8, n), for the kernel.
+    work : of `scratch`, for the kernel.
     answer : (6,), takes load Q (N), moment M = Σ q_k x_k width (N·m), and their derivatives
         ∂Q/∂δ, ∂Q/∂tan ψ, ∂M/∂δ, ∂M/∂tan ψ.
 
@@ -161,7 +173,11 @@ def coupled_slices(
     0; or 1 with NaN where a number is not one, or no loads are found.
     """
     n = place.size
-    depth, pressed = work[n], work[n + 1]
+    for i in range(6):
+        answer[i] = float("nan")
+    if work.shape[0] < n + 6 or work.shape[1] < n + 3 or table.shape[2] != n or body.size != n:
+        return 1
+    depth, pressed = work[n, :n], work[n + 1, :n]
     deepest = 0.0
     finite = abs(approach) < 1e300 and abs(tilt) < 1e300
     for k in range(n):
@@ -169,9 +185,9 @@ def coupled_slices(
         deepest = max(deepest, depth[k])
         # a drop may be infinite, but nothing else
         finite = finite and depth[k] < 1e300
-    for i in range(6):
-        answer[i] = 0.0
     if finite and deepest <= 0.0:
+        for i in range(6):
+            answer[i] = 0.0
         for k in range(n):
             load[k] = 0.0
         return 0
@@ -182,16 +198,14 @@ def coupled_slices(
             active = _assemble(depth, width, curvature, table, body, pressed, work)
             if _join(depth, deepest, pressed, work):
                 continue
-            settled = _residual(depth, deepest, active, work)
-            if not _solve(active, place, settled, work):
+            settled = _residual(depth, deepest, place, active, work)
+            if not _solve(active, 3 if settled else 1, work):
                 break
             if not settled:
                 _step(active, turn < _BOLD, pressed, work)
                 continue
             _tell(active, place, width, compliance, pressed, load, work, answer)
             return 0
-    for i in range(6):
-        answer[i] = float("nan")
     for k in range(n):
         load[k] = 0.0
     return 1
@@ -224,7 +238,7 @@ def _assemble(
 ) -> int:
     """Set displacements of all slices, and the Jacobian and list of the loaded ones; their number.
 
-    work: rows 0 … hold ∂u_l/∂v_k, row n + 2 u, row n + 3 the loaded slices, n + 4 and n + 5 a
+    work: rows 0 … hold ∂u_l/∂v_k, row n + 2 u, row n + 3 the loaded slices, n + 4 and n + 5 one
     column.
     """
     n = depth.size
@@ -294,53 +308,62 @@ def _join(depth: Array, deepest: float, pressed: Array, work: Array) -> bool:
 
 
 @shared
-def _residual(depth: Array, deepest: float, active: int, work: Array) -> bool:
-    """Put what the loaded slices lack into row n + 6; whether it is next to nothing."""
+def _residual(depth: Array, deepest: float, place: Array, active: int, work: Array) -> bool:
+    """Put right sides behind the Jacobian; whether the loaded slices lack next to nothing.
+
+    What they lack; and once that is nothing 1 and x, whose solutions are ∂v/∂δ and ∂v/∂tan ψ.
+    """
     n = depth.size
-    moved, chosen, lack = work[n + 2], work[n + 3], work[n + 6]
+    moved, chosen = work[n + 2], work[n + 3]
     settled = True
     for row in range(active):
         k = int(chosen[row])
-        lack[row] = depth[k] - moved[k]
-        if not abs(lack[row]) <= _TOLERANCE * deepest:
+        lack = depth[k] - moved[k]
+        work[row, active] = lack
+        if not abs(lack) <= _TOLERANCE * deepest:
             settled = False
+    if settled:
+        for row in range(active):
+            work[row, active + 1] = 1.0
+            work[row, active + 2] = place[int(chosen[row])]
     return settled
 
 
-@shared
-def _solve(active: int, place: Array, settled: bool, work: Array) -> bool:
-    """Solve for the step (row n + 6), and once settled for ∂v/∂δ and ∂v/∂tan ψ (n + 4, n + 5).
+@vector_loop
+def _solve(active: int, sides: int, work: Array) -> bool:
+    """Solve for so many right sides, each replaced by its solution; False for a bad matrix.
 
-    Without a search for pivots: the matrix is near a symmetric, positive one.
+    Without a search for pivots: the matrix is near a symmetric, positive one. Two rows at a time
+    are taken out of those below: that halves the traffic.
     """
-    n = place.size
-    chosen, by_approach, by_tilt, step = work[n + 3], work[n + 4], work[n + 5], work[n + 6]
-    if settled:
-        for row in range(active):
-            by_approach[row] = 1.0
-            by_tilt[row] = place[int(chosen[row])]
-    for k in range(active):
-        pivot = work[k, k]
-        if not 0.0 < pivot < 1e300:
+    end = active + sides
+    for k in range(0, active, 2):
+        first = work[k]
+        inverse = 1.0 / first[k]
+        if not 0.0 < inverse < 1e300:
             return False
-        for i in range(k + 1, active):
-            factor = work[i, k] / pivot
-            for j in range(k + 1, active):
-                work[i, j] -= factor * work[k, j]
-            step[i] -= factor * step[k]
-            if settled:
-                by_approach[i] -= factor * by_approach[k]
-                by_tilt[i] -= factor * by_tilt[k]
-    for i in range(active - 1, -1, -1):
-        for j in range(i + 1, active):
-            step[i] -= work[i, j] * step[j]
-            if settled:
-                by_approach[i] -= work[i, j] * by_approach[j]
-                by_tilt[i] -= work[i, j] * by_tilt[j]
-        step[i] /= work[i, i]
-        if settled:
-            by_approach[i] /= work[i, i]
-            by_tilt[i] /= work[i, i]
+        if k + 1 == active:
+            break
+        second = work[k + 1]
+        share = second[k] * inverse
+        for j in range(k + 1, end):
+            second[j] -= share * first[j]
+        next_inverse = 1.0 / second[k + 1]
+        if not 0.0 < next_inverse < 1e300:
+            return False
+        for i in range(k + 2, active):
+            row = work[i]
+            one = row[k] * inverse
+            two = (row[k + 1] - one * first[k + 1]) * next_inverse
+            for j in range(k + 2, end):
+                row[j] -= one * first[j] + two * second[j]
+    for side in range(active, end):
+        for i in range(active - 1, -1, -1):
+            row = work[i]
+            known = 0.0
+            for j in range(i + 1, active):
+                known += row[j] * work[j, side]
+            row[side] = (row[side] - known) / row[i]
     return True
 
 
@@ -348,13 +371,13 @@ def _solve(active: int, place: Array, settled: bool, work: Array) -> bool:
 def _step(active: int, bold: bool, pressed: Array, work: Array) -> None:
     """Take Newton's step; a slice that would pull is let go."""
     n = pressed.size
-    chosen, step = work[n + 3], work[n + 6]
+    chosen = work[n + 3]
     greatest = 0.0
     for k in range(n):
         greatest = max(greatest, pressed[k])
     for row in range(active):
         k = int(chosen[row])
-        new = pressed[k] + step[row]
+        new = pressed[k] + work[row, active]
         if new <= 0.0:
             new = 0.0 if bold else 0.2 * pressed[k]
             if new < _NO_LOAD * greatest:
@@ -375,17 +398,19 @@ def _tell(
 ) -> None:
     """Take the last step, and sum up loads, moments and derivatives."""
     n = place.size
-    chosen, by_approach, by_tilt, step = work[n + 3], work[n + 4], work[n + 5], work[n + 6]
+    chosen = work[n + 3]
+    for i in range(6):
+        answer[i] = 0.0
     for row in range(active):
         k = int(chosen[row])
-        pressed[k] = max(0.0, pressed[k] + step[row])
-        x = place[k]
+        pressed[k] = max(0.0, pressed[k] + work[row, active])
+        x, by_approach, by_tilt = place[k], work[row, active + 1], work[row, active + 2]
         answer[0] += pressed[k]
         answer[1] += pressed[k] * x
-        answer[2] += by_approach[row]
-        answer[3] += by_tilt[row]
-        answer[4] += by_approach[row] * x
-        answer[5] += by_tilt[row] * x
+        answer[2] += by_approach
+        answer[3] += by_tilt
+        answer[4] += by_approach * x
+        answer[5] += by_tilt * x
     for i in range(6):
         answer[i] *= width / compliance
     for k in range(n):
@@ -464,7 +489,7 @@ def coupled_press(
     load, answer = np.zeros(n), np.zeros(6)
     number = _press_one.compiled(
         approach, tilt, place, drops, width, 2.0 / (np.pi * modulus), rho, influence_table(n),
-        body_term(n, width, roller_diameter, share), load, np.empty((n + 8, n)), answer,
+        body_term(n, width, roller_diameter, share), load, scratch(n), answer,
     )  # fmt: skip
     if number:
         load[:] = np.nan

@@ -135,9 +135,7 @@ def _of_rollers(case: Case, film: Film) -> MachineBearing | None:
         contact_angle=angle,
         lubrication="grease" if grease else "oil_bath",
         supply="grease" if grease else "low_oil_bath",
-        constants=None
-        if kind == "needle"
-        else roller_series(kind).get(designation.series or ""),
+        constants=None if kind == "needle" else roller_series(kind).get(designation.series or ""),
         axial_factor=0.4 / tan(angle) if kind == "tapered" else None,
         by_row=len(bearing.places) > 1,
     )

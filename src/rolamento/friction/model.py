@@ -151,6 +151,8 @@ class Setting:
         the cases
     friction_coefficient, static_coefficient
         μ between elements and races, and at the first motion
+    rib_coefficient
+        μ between rollers and ribs at the first motion
     hysteresis
         α_h of the material
     dynamic_viscosity
@@ -168,6 +170,7 @@ class Setting:
     solved: Solved
     friction_coefficient: FloatArray
     static_coefficient: FloatArray
+    rib_coefficient: FloatArray
     hysteresis: FloatArray
     dynamic_viscosity: FloatArray | None = None
     film_parameter: FloatArray | None = None

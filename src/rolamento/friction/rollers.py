@@ -1,4 +1,4 @@
-"""Sliding of rollers: on ribs, and along raceways whose apex is not theirs; and what else they lose.
+"""What rollers lose: sliding on ribs and along raceways of another apex, hysteresis, oil.
 
 A roller rolls without differential slip where the cones of roller and raceways have one apex. Then
 all that slides is its end on the rib, at the height h over the raceway, where Coulomb's friction
@@ -11,14 +11,14 @@ There is no model of skew, nor of the shear of the film on raceways under tracti
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, fields
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.friction.line_losses import (
-    RIB_COEFFICIENT,
     RIB_FILM,
     inlet_force,
     line_hysteresis,
@@ -42,6 +42,7 @@ from rolamento.lubrication.films import has_film, oil_of
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.roller_kinematics import RibMotion, rib_motion, roller_motion
 from rolamento.solved import RACES, Solved
+from rolamento.solved.rollers import Line
 from rolamento.words import marked
 
 SLIPS: Final = 1e-3
@@ -67,9 +68,7 @@ class RollerShape:
     def of(cls, solved: Solved) -> RollerShape:
         """Read that of a result, fields that vary over the cases included."""
         columns = [_shape_of_row(solved, index) for index in range(len(solved.rows))]
-        rows = (
-            np.stack([column[part.name] for column in columns], axis=1) for part in fields(cls)
-        )
+        rows = (np.stack([column[part.name] for column in columns], axis=1) for part in fields(cls))
         return cls(*map(solved.rows.per_element, rows))
 
     @property
@@ -184,29 +183,27 @@ def roller_sliding(
         parameter = rib_film_parameter(setting, shape)
         at_rib = np.where(np.isnan(parameter), mu, rib_coefficient(np.nan_to_num(parameter), mu))
     force = np.where(loaded, np.abs(rollers.rib_force), 0.0) * at_rib
-    tapered = solved.rows.per_element(np.array([solved.rows.element]) == "tapered")
+    two_ribs = np.array([element != "tapered" for element in solved.rows.element])
+    both = two_ribs[solved.rows.row_of_element]
     rib = ContactLoss(
         np.where(force > 0.0, force * shape.rib("inner").sliding, 0.0),
-        np.where((force > 0.0) & ~tapered, force * shape.rib("outer").sliding, 0.0),
+        np.where((force > 0.0) & both, force * shape.rib("outer").sliding, 0.0),
     )
     motion = shape.motion
+
+    def along(line: Line, spin: FloatArray) -> FloatArray:
+        moment = slip_moment(line.load_per_length, rollers.slice_place)
+        return np.where(loaded, mu * moment * np.abs(spin), 0.0)
+
     slip = ContactLoss(
-        *(
-            np.where(loaded, mu * moment * np.abs(spin), 0.0)
-            for moment, spin in (
-                (slip_moment(rollers.inner.load_per_length, rollers.slice_place), motion.inner_spin),
-                (slip_moment(rollers.outer.load_per_length, rollers.slice_place), motion.outer_spin),
-            )
-        )
+        along(rollers.inner, motion.inner_spin), along(rollers.outer, motion.outer_spin)
     )
     return {"rib": rib, "rolling_slip": slip}
 
 
 def starting_losses(setting: Setting) -> dict[str, ContactLoss]:
-    """What slides at the first motion, μ = 0.2 at the ribs if no static coefficient is given."""
-    own = setting.static_coefficient
-    same = own == setting.friction_coefficient
-    return roller_sliding(setting, coefficient=np.where(same, RIB_COEFFICIENT, own))
+    """What slides at the first motion."""
+    return roller_sliding(setting, coefficient=setting.rib_coefficient)
 
 
 # --- oil and hysteresis, which every model is given -----------------------------------------------
@@ -215,9 +212,13 @@ def starting_losses(setting: Setting) -> dict[str, ContactLoss]:
 def line_hysteresis_loss(solved: Solved, loss: FloatArray) -> ContactLoss:
     """Loss of every line of contact by elastic hysteresis at a unit speed; α_h (cases or 1, 1)."""
     motion = RollerShape.of(solved).motion
-    rates = {"inner": motion.inner_roll, "outer": motion.outer_roll}
+
+    def moment(line: Line) -> FloatArray:
+        return line_hysteresis(line.load_per_length, line.half_width, loss[..., np.newaxis])
+
     return ContactLoss(
-        *(_along(solved, race, _hysteresis_of(race, loss), rates[race]) for race in RACES)
+        _along(solved, "inner", moment, motion.inner_roll),
+        _along(solved, "outer", moment, motion.outer_roll),
     )
 
 
@@ -240,7 +241,7 @@ def line_resistance_loss(solved: Solved, viscosity: FloatArray) -> ContactLoss:
         u = np.where(bears, speed, 0.0)
         heating = thermal_loading(viscosity, oil.viscosity_temperature, u, oil.thermal_conductivity)
 
-        def force(line: Any) -> FloatArray:
+        def force(line: Line) -> FloatArray:
             return inlet_force(
                 line.load_per_length,
                 contacts.rolling_curvature[..., np.newaxis],
@@ -256,11 +257,9 @@ def line_resistance_loss(solved: Solved, viscosity: FloatArray) -> ContactLoss:
     return ContactLoss(*map(of_race, RACES))
 
 
-def _hysteresis_of(race: Race, loss: FloatArray) -> Any:
-    return lambda line: line_hysteresis(line.load_per_length, line.half_width, loss[..., np.newaxis])
-
-
-def _along(solved: Solved, race: Race, per_length: Any, rate: FloatArray) -> FloatArray:
+def _along(
+    solved: Solved, race: Race, per_length: Callable[[Line], FloatArray], rate: FloatArray
+) -> FloatArray:
     """What a loss per length adds up to along the lines of a race, times a rate."""
     assert solved.rollers is not None
     line = getattr(solved.rollers, race)

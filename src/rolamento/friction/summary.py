@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any, Final
+from typing import Any, Final, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from rolamento._json import plain
 from rolamento.errors import InputError
 from rolamento.friction.closed_forms import DEFAULT_HYSTERESIS
+from rolamento.friction.line_losses import RIB_COEFFICIENT
 from rolamento.friction.machine import MachineBearing
 from rolamento.friction.model import (
     REMARKS,
@@ -47,6 +48,8 @@ from rolamento.numerics import FloatArray
 from rolamento.numerics.blocks import in_blocks
 from rolamento.solved import Solved, refuse_other
 from rolamento.words import Note, said
+
+T = TypeVar("T")
 
 HYSTERESIS: Final = "hysteresis"
 ROLLING_RESISTANCE: Final = "rolling_resistance"
@@ -261,6 +264,10 @@ def friction(
         static_coefficient=column(
             mu if static_coefficient is None else static_coefficient, "static_coefficient"
         ),
+        rib_coefficient=column(
+            RIB_COEFFICIENT if static_coefficient is None else static_coefficient,
+            "static_coefficient",
+        ),
         hysteresis=column(hysteresis, "hysteresis"),
         dynamic_viscosity=viscosity,
         film_parameter=None if known is None else over_cases(known, "film_parameter", cases),
@@ -302,8 +309,8 @@ def _friction_of(setting: Setting, model: str, compare: bool) -> Friction:
         torque=np.sum([source.total for source in sources], axis=0),
         starting_torque=starting,
         power=np.sum([source.power for source in sources], axis=0),
-        torque_by_source={k: v for source in sources for k, v in source.parts.items()},
-        heat={k: v for source in sources for k, v in source.losses.items()},
+        torque_by_source=_together([source.parts for source in sources], np.add),
+        heat=_together([source.losses for source in sources], ContactLoss.beside),
         film_parameter=thinnest[:, 0],
         regime=setting.regime,
         models=models,
@@ -312,6 +319,14 @@ def _friction_of(setting: Setting, model: str, compare: bool) -> Friction:
             for name, found in models.items()
         ),
     )
+
+
+def _together(parts: list[Mapping[str, T]], add: Callable[[T, T], T]) -> dict[str, T]:
+    """The parts of all sources by name; balls and rollers of one set both slip in rolling."""
+    whole: dict[str, T] = {}
+    for name, part in (item for one in parts for item in one.items()):
+        whole[name] = add(whole[name], part) if name in whole else part
+    return whole
 
 
 def _shown(own: TorqueModel, setting: Setting, compare: bool) -> bool:

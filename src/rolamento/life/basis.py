@@ -8,8 +8,6 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento.case import Bearing
-from rolamento.case.bearing import ball_bearing
 from rolamento.errors import InputError
 from rolamento.life.conditions import LifeConditions
 from rolamento.life.contamination import (
@@ -18,36 +16,44 @@ from rolamento.life.contamination import (
     contamination_factor,
 )
 from rolamento.life.equivalent_load import (
-    MAXIMUM_ANGLE,
     equivalent_load,
     minimum_axial_load,
     static_equivalent_load,
     static_safety,
 )
-from rolamento.life.iso281 import basic_rating_life, hours, load_notes
-from rolamento.life.iso281_modified import (
-    fatigue_load_limit,
-    fatigue_load_limit_of_contacts,
+from rolamento.life.iso281 import EXPONENT, ROLLER_EXPONENT, basic_rating_life, hours, load_notes
+from rolamento.life.iso281_modified import bounded_modification_factor, life_modification_factor
+from rolamento.life.iso16281 import (
+    ROLLER_SLOPE,
+    SLOPE,
+    RaceRatings,
+    ReferenceLife,
+    equivalent_ball_load,
+    race_life,
+    race_ratings,
+    reference_life,
+    system_life,
 )
-from rolamento.life.iso16281 import ReferenceLife, race_ratings, reference_life
+from rolamento.life.lamina import EXPONENT as LAMINA_EXPONENT
+from rolamento.life.lamina import lamina_life, roller_race_ratings
 from rolamento.life.record import BOUNDS, OUTSIDE, Life
 from rolamento.life.reliability import outside_print, reliability_factor
+from rolamento.life.rib_load import RibLoad
+from rolamento.life.row_ratings import (
+    GROOVES,
+    INNER_GROOVE,
+    Ratings,
+    has_steel_elements,
+    nominal_contact_angle,
+    ratings_of,
+    row_kinds,
+    within_rating,
+)
 from rolamento.lubrication.oil_state import viscosity_ratio
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.ratings import (
-    SELF_ALIGNING_CONFORMITY,
-    RatedType,
-    dynamic_factor,
-    dynamic_factor_of_grooves,
-    dynamic_rating,
-    static_rating,
-    thrust_dynamic_factor,
-)
 from rolamento.solved import Rows, Solved
 from rolamento.words import said
 
-_ROW_SHARE: Final = 0.7
-"""C of i equal rows is i^0.7 times that of one."""
 _SAME: Final = 1e-9
 _MOMENT: Final = 0.01
 """Moment over load times pitch diameter above which it is worth a note."""
@@ -63,42 +69,15 @@ _MINIMUM_LOAD: Final = 0.01
 """P/C below which balls may slide. SKF, Rolling bearings (catalogue 10000 EN), minimum load."""
 _CENTRIFUGAL: Final = 1.05
 """Mean outer over mean inner ball load, likewise."""
-_INNER_GROOVE, _OUTER_GROOVE, _GROOVE_MARGIN = 0.52, 0.53, 1e-3
-_GROOVES: Final[dict[RatedType, tuple[float, float]]] = {
-    "radial": (_INNER_GROOVE, _OUTER_GROOVE),
-    "self_aligning": (SELF_ALIGNING_CONFORMITY, np.inf),
-    "thrust": (0.54, 0.54),
-}
-"""Conformities up to which the standards' factors hold; ISO 281:2007, 5.1 and 5.2."""
+_ROLLER_MINIMUM_LOAD: Final = 0.02
+"""Likewise of rollers."""
+_MISALIGNED: Final = 0.0012
+"""rad, 4 minutes of arc: how far the rings are tilted at most in use. NSK, Rolling Bearings (CAT.
+No. E1102e), 3.4, page A18."""
+_GROOVE_MARGIN: Final = 1e-3
 _MAXIMUM_OF_STEEL: Final = 120.0 + 273.15
 """K; for rings that are not specially stabilised. Saurer Ball Bearings (ska.swiss) and SMB Bearings
 (smbbearings.com) say 120 °C for standard steel, SKF 120 to 200 °C by the heat treatment."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Ratings:
-    """C, C_0 and C_u of each row (cases, rows), and of all of them (cases,); N.
-
-    kind: what the bearing is rated as; of thrust bearings the ratings are axial.
-    """
-
-    dynamic: FloatArray
-    static: FloatArray
-    fatigue: FloatArray
-    dynamic_of_set: FloatArray
-    static_of_set: FloatArray
-    fatigue_of_set: FloatArray
-    kind: RatedType = "radial"
-
-    @property
-    def is_axial(self) -> bool:
-        """Whether these are ratings for axial load."""
-        return self.kind == "thrust"
-
-    @property
-    def fatigue_in_factor(self) -> FloatArray:
-        """C_u as it stands in a_ISO: of thrust bearings a third. ISO 281:2007, 9.3.3; (cases,)."""
-        return self.fatigue_of_set / 3.0 if self.is_axial else self.fatigue_of_set
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -136,35 +115,17 @@ class Basis:
     speed: FloatArray
     unloaded: BoolArray
     viscosity_ratio: FloatArray | None
+    rib_load: RibLoad | None
     common_notes: Notes
 
     @classmethod
     def of(cls, solved: Solved, given: LifeConditions) -> Basis:
         """Gather what the theories share; InputError as `summary.life`."""
-        rows, kind = solved.rows, rated_as(ball_bearing(solved.case))
-        angle = nominal_contact_angle(solved)
-        if kind != "thrust":
-            angle = _within_rating(angle)
+        rows, kinds = solved.rows, row_kinds(solved)
+        angle = within_rating(nominal_contact_angle(solved), kinds)
         steep = np.isnan(angle).any(axis=1)
-        ratings = _ratings(solved, angle, given, kind)
-        inner_turning, outer_turning = turning = _turning_rings(solved, given)
-        reference = reference_life(
-            solved.inner.load,
-            solved.outer.load,
-            race_ratings(
-                ratings.dynamic,
-                rows.element_count,
-                rows.ball_diameter,
-                rows.pitch_diameter,
-                rows.inner_conformity,
-                rows.outer_conformity,
-                angle,
-                kind,
-            ),
-            tuple(rows.starts.tolist()),
-            inner_turning=inner_turning,
-            outer_turning=outer_turning,
-        )
+        ratings = ratings_of(solved, angle, given)
+        turning = _turning_rings(solved, given)
         speed = _speed(solved)
         outside = bool(outside_print(given.reliability, given.edition))
         return cls(
@@ -174,16 +135,17 @@ class Basis:
             ratings=ratings,
             loads=_equivalent_loads(solved, angle, ratings),
             turning=turning,
-            reference=reference,
+            reference=_reference(solved, angle, ratings, turning),
             reliability_factor=reliability_factor(given.reliability, given.edition),
             speed=speed,
             unloaded=np.all(solved.inner.load == 0.0, axis=1),
             viscosity_ratio=_viscosity_ratio(rows, speed, given),
+            rib_load=RibLoad.of(solved, ratings.static[:, 0], speed),
             common_notes={
                 **_notes_on_bearing(solved, given),
                 "hours_at_rest": np.asarray(speed == 0.0),
                 "thrust_bearing": np.asarray(steep),
-                "no_dynamic_rating": np.isnan(ratings.dynamic_of_set) & ~steep,
+                "no_dynamic_rating": np.isnan(ratings.dynamic).any(axis=1) & ~steep,
                 "reliability_continued": np.full(len(solved), outside),
             },
         )
@@ -200,12 +162,85 @@ class Basis:
     @property
     def basic_life(self) -> FloatArray:
         """L_10 by the equivalent load; millions of revolutions."""
-        return basic_rating_life(self.ratings.dynamic_of_set, self.loads.dynamic)
+        exponent = ROLLER_EXPONENT if self.has_rollers else EXPONENT
+        return basic_rating_life(self.ratings.dynamic_of_set, self.loads.dynamic, exponent)
+
+    @property
+    def has_rollers(self) -> bool:
+        """Whether there are rows of rollers."""
+        return bool(np.any(self.ratings.rollers))
 
     @property
     def reference_load(self) -> FloatArray:
-        """P_ref = C/L_10r^(1/3): load of the rating life that the reference life stands for; N."""
-        return np.asarray(self.ratings.dynamic_of_set / np.cbrt(self.reference.life))
+        """P_ref = C/L_10r^(1/3): load of the rating life that the reference life stands for; N.
+
+        Of roller bearings C/L_10r^(3/10); NaN of a set of balls and rollers.
+        """
+        if not self.has_rollers:
+            return np.asarray(self.ratings.dynamic_of_set / np.cbrt(self.reference.life))
+        with np.errstate(divide="ignore"):
+            return np.asarray(
+                self.ratings.dynamic_of_set * self.reference.life ** (-1.0 / ROLLER_EXPONENT)
+            )
+
+    @property
+    def row_reference_load(self) -> FloatArray:
+        """P_ref of each row alone, (cases, rows); N."""
+        with np.errstate(divide="ignore"):
+            return np.asarray(
+                self.ratings.dynamic * self.reference.row ** (-1.0 / self.ratings.exponents)
+            )
+
+    def modification_factor(
+        self,
+        viscosity_ratio: FloatArray,
+        cleanliness: FloatArray,
+        load: FloatArray | None = None,
+        *,
+        bounded: bool = True,
+    ) -> FloatArray:
+        """a_ISO with a κ and an e_C, (cases,).
+
+        Of a set of balls and rollers, for which the standard has none, each row is modified by its
+        own load and C_u, and the rows then live together: what that makes of the life.
+
+        Parameters
+        ----------
+        viscosity_ratio, cleanliness
+            κ and e_C, (cases,).
+        load
+            P, (cases,), N; by default that of the reference life.
+        bounded
+            Whether κ below 0.1 gives the bound 0.1, or NaN.
+        """
+        law = bounded_modification_factor if bounded else life_modification_factor
+        additives, ratings = self.given.additives, self.ratings
+        if load is not None or not ratings.mixed:
+            limit = ratings.fatigue_in_factor
+            rollers = self.has_rollers
+            under = self.reference_load if load is None else load
+            return law(
+                viscosity_ratio, cleanliness, limit, under, additives=additives, rollers=rollers
+            )
+        loads, limits = self.row_reference_load, ratings.fatigue_of_rows_in_factor
+        factors = np.stack(
+            [
+                law(
+                    viscosity_ratio,
+                    cleanliness,
+                    limits[:, i],
+                    loads[:, i],
+                    additives=additives,
+                    rollers=bool(rolling),
+                )
+                for i, rolling in enumerate(ratings.rollers)
+            ],
+            axis=1,
+        )
+        reference = self.reference
+        races = np.concatenate([reference.inner * factors, reference.outer * factors], axis=1)
+        with np.errstate(invalid="ignore"):
+            return system_life(races, slope=reference.race_slopes) / reference.life
 
     @property
     def contamination_factor(self) -> FloatArray | None:
@@ -229,7 +264,11 @@ class Basis:
         force = np.linalg.norm(solved.load.array[:, :3], axis=1)
         if ratings.is_axial:
             # what a washer without a radial hold leaves is rounding
-            return {**self._notes_on_axial_load(radial, force), **self._notes_on_ratings(load)}
+            return {
+                **self._notes_on_axial_load(radial, force),
+                **self._notes_on_ratings(load),
+                **self._notes_on_rollers(),
+            }
         moment = np.linalg.norm(solved.load.array[:, 3:], axis=1)
         arm = solved.rows.pitch_diameter.max(axis=1)
         by_clearance = np.all(self.contact_angle == 0.0, axis=1)
@@ -242,6 +281,7 @@ class Basis:
             otherwise = (ratio > _OTHERWISE) | (ratio < 1.0 / _OTHERWISE)
             return {
                 **self._notes_on_ratings(load),
+                **self._notes_on_rollers(),
                 "no_equivalent_load": np.isnan(load) & ~np.isnan(force),
                 "no_force": no_force,
                 "moment_governs": governs & ~no_force,
@@ -255,9 +295,25 @@ class Basis:
         ratings = self.ratings
         return {
             **load_notes(load, ratings.dynamic_of_set, ratings.static_of_set),
-            "light_load": load < _MINIMUM_LOAD * ratings.dynamic_of_set,
-            "no_static_rating": np.isnan(ratings.static_of_set),
+            **self._light_load(load),
+            "no_static_rating": np.isnan(ratings.static).any(axis=1),
         }
+
+    def _light_load(self, load: FloatArray) -> Notes:
+        rating = self.ratings.dynamic_of_set
+        if self.has_rollers:
+            return {"light_load_of_rollers": load < _ROLLER_MINIMUM_LOAD * rating}
+        return {"light_load": load < _MINIMUM_LOAD * rating}
+
+    def _notes_on_rollers(self) -> Notes:
+        """What ribs, tilt and the edges of rollers have to say, whatever the theory."""
+        if not self.has_rollers:
+            return {}
+        tilt = np.hypot(self.solved.displacement.ry, self.solved.displacement.rz)
+        notes = {"misaligned_beyond_use": np.asarray(tilt > _MISALIGNED)}
+        if self.rib_load is not None:
+            notes["axial_load_above_permissible"] = self.rib_load.exceeded
+        return notes
 
     def _notes_on_axial_load(self, radial: FloatArray, force: FloatArray) -> Notes:
         """What the axial equivalent load of a thrust bearing leaves out or cannot judge."""
@@ -286,10 +342,19 @@ class Basis:
 
     def notes_on_reference_load(self) -> Notes:
         """Where the load of the reference life is too great or too small for it."""
-        load, rating = self.reference_load, self.ratings.dynamic_of_set
+        ratings, cases = self.ratings, len(self)
+        notes = self._notes_on_rollers()
+        if self.has_rollers:
+            coupled = self.solved.case.model.roller_contact == "coupled"
+            notes["edge_factor_left_out"] = np.full(cases, coupled)
+        if ratings.mixed:
+            by_row = load_notes(self.row_reference_load, ratings.dynamic, ratings.static)
+            return {**notes, **{name: where.any(axis=1) for name, where in by_row.items()}}
+        load = self.reference_load
         return {
-            **load_notes(load, rating, self.ratings.static_of_set),
-            "light_load": load < _MINIMUM_LOAD * rating,
+            **load_notes(load, ratings.dynamic_of_set, ratings.static_of_set),
+            **self._light_load(load),
+            **notes,
         }
 
     def record(
@@ -316,22 +381,100 @@ class Basis:
             hours=hours(result, self.speed),
             factors=whole,
             notes={name: np.broadcast_to(where, cases) for name, where in kept.items()},
+            element=self.element,
         )
 
+    @property
+    def element(self) -> str:
+        """What rolls, as the notes name it: "ball", "roller", or "element" of both."""
+        if self.ratings.mixed:
+            return "element"
+        return "roller" if self.has_rollers else "ball"
 
-def rated_as(bearing: Bearing) -> RatedType:
-    """By which formula of the standards a bearing is rated."""
-    return bearing.kind if bearing.kind in ("thrust", "self_aligning") else "radial"
+    def refused(self, theory: str, note: str) -> Life:
+        """Record of a theory that is not for such a bearing, by the note that says so."""
+        nothing = np.full(len(self), np.nan)
+        return self.record(theory, nothing, {"a_1": nothing}, {note: np.ones(len(self), np.bool_)})
 
 
-def _rows_of_one_bearing(bearing: Bearing) -> int:
-    """Rows that makers rate together: of a double-row, four-point or self-aligning bearing.
+def _reference(
+    solved: Solved, angle: FloatArray, ratings: Ratings, turning: tuple[BoolArray, BoolArray]
+) -> ReferenceLife:
+    """Reference life: of rows of balls ball by ball, of rows of rollers slice by slice."""
+    rows, rollers = solved.rows, solved.rollers
+    if rollers is None:
+        return reference_life(
+            solved.inner.load,
+            solved.outer.load,
+            _ball_ratings(solved, angle, ratings, slice(None)),
+            tuple(rows.starts.tolist()),
+            inner_turning=turning[0],
+            outer_turning=turning[1],
+        )
+    edges = solved.case.model.roller_contact != "coupled"
+    lives: list[list[FloatArray]] = [[], []]
+    loads: list[list[FloatArray]] = [[], []]
+    for index, rolling in enumerate(ratings.rollers):
+        own = np.flatnonzero(rows.row_of_element == index)
+        make = _roller_ratings if rolling else _ball_ratings
+        rated = make(solved, angle, ratings, index)
+        for race, (rating, turns) in enumerate(
+            zip((rated.inner, rated.outer), turning, strict=True)
+        ):
+            if rolling:
+                line = (rollers.inner, rollers.outer)[race].load_per_length[:, own]
+                width = rows.effective_length[:, index, np.newaxis, np.newaxis] / rollers.slices
+                life = lamina_life(rating, line * width, turning=turns, edges=edges)
+                with np.errstate(divide="ignore"):
+                    load = rating * life ** (-1.0 / LAMINA_EXPONENT)
+            else:
+                ball = (solved.inner, solved.outer)[race].load[:, own]
+                load = equivalent_ball_load(ball, turning=turns)
+                life = race_life(rating, load)
+            lives[race].append(life)
+            loads[race].append(load)
+    inner, outer, inner_load, outer_load = (np.stack(v, axis=1) for v in (*lives, *loads))
+    slope = np.where(ratings.rollers, ROLLER_SLOPE, SLOPE)
+    return ReferenceLife.of_races(inner, outer, inner_load, outer_load, slope)
 
-    1 for rows that are bearings of their own.
-    """
-    published = bearing.published
-    one = bearing.kind is not None or (published is not None and published.kind == "double_row")
-    return len(bearing.places) if one else 1
+
+def _ball_ratings(
+    solved: Solved, angle: FloatArray, ratings: Ratings, own: int | slice
+) -> RaceRatings:
+    """Q_ci and Q_ce of a row of balls, (cases,), or of all rows, (cases, rows)."""
+    rows = solved.rows
+    kind = ratings.kinds[0 if isinstance(own, slice) else own]
+    assert kind not in ("roller", "roller_thrust")
+    return race_ratings(
+        ratings.dynamic[:, own],
+        rows.element_count[own],
+        rows.ball_diameter[:, own],
+        rows.pitch_diameter[:, own],
+        rows.inner_conformity[:, own],
+        rows.outer_conformity[:, own],
+        angle[:, own],
+        kind,
+    )
+
+
+def _roller_ratings(solved: Solved, angle: FloatArray, ratings: Ratings, own: int) -> RaceRatings:
+    """Q_ci and Q_ce of a row of rollers, (cases,)."""
+    rows = solved.rows
+    return roller_race_ratings(
+        ratings.dynamic[:, own],
+        rows.element_count[own],
+        rows.ball_diameter[:, own],
+        rows.pitch_diameter[:, own],
+        angle[:, own],
+        thrust=ratings.kinds[own] == "roller_thrust",
+    )
+
+
+def _is_wide(solved: Solved) -> bool:
+    """Whether a bearing is of a wide series, by its designation: the second digit of NU 22."""
+    told = solved.case.bearing.told
+    series = None if told is None else getattr(told.designation, "series", None)
+    return series in ("12", "20", "22", "23", "28", "29", "30", "39")
 
 
 def _limiting_speed(solved: Solved) -> float | None:
@@ -344,127 +487,21 @@ def _speed(solved: Solved) -> FloatArray:
     return np.abs(solved.field("duty.inner_speed") - solved.field("duty.outer_speed"))
 
 
-def _has_steel_balls(solved: Solved) -> bool:
-    """Whether the balls of all rows are as stiff as the rings, within a tenth."""
-    return all(
-        abs(
-            p.bearing.element_material.youngs_modulus / p.bearing.ring_material.youngs_modulus - 1.0
-        )
-        <= 0.1
-        for p in solved.case.bearing.places
-    )
-
-
-def nominal_contact_angle(solved: Solved) -> FloatArray:
-    """Contact angle that standards rate the rows by, (cases, rows), rad: that before mounting.
-
-    ISO 281:2007, 4; ISO/TS 16281:2008, 4. What fits, heat and speed make of it acts through the
-    balls' loads.
-    """
-    delivered = solved.before_mounting
-    return solved.rows.free_contact_angle if delivered is None else delivered.contact_angle
-
-
-def _within_rating(angle: FloatArray) -> FloatArray:
-    """Nominal contact angle of radial bearings, NaN beyond 45°, (cases, rows).
-
-    Raises
-    ------
-    InputError
-        If all cases have such a row.
-    """
-    steep = angle > MAXIMUM_ANGLE * (1.0 + _SAME)
-    if steep.size and np.all(steep.any(axis=1)):
-        raise InputError(
-            said('is above 45°: such a bearing is rated for axial load; give it kind = "thrust"'),
-            field="bearing.contact_angle",
-            value=f"{float(np.degrees(angle.max())):.4g} deg",
-            example='kind = "thrust"',
-        )
-    return np.where(steep, np.nan, angle)
-
-
-def _ratings(solved: Solved, angle: FloatArray, given: LifeConditions, kind: RatedType) -> Ratings:
-    """Ratings as given, or from the geometry.
-
-    Raises
-    ------
-    InputError
-        If the geometry is outside the standard's table, and no rating is given.
-    """
-    rows, steel = solved.rows, _has_steel_balls(solved)
-    shape = (rows.element_count, rows.ball_diameter, rows.pitch_diameter, angle)
-    lowered = dynamic_rating(*shape, kind=kind, factor=_groove_factor(rows, angle, kind))
-    together = _rows_of_one_bearing(ball_bearing(solved.case))
-    dynamic = _rating_or(given.dynamic_rating, lowered, together**_ROW_SHARE)
-    if given.static_rating is None and not steel:
-        static = np.full_like(rows.ball_diameter, np.nan)
-    else:
-        static = _rating_or(given.static_rating, static_rating(*shape, kind=kind), together)
-    if dynamic.size and np.all(np.isnan(dynamic)):
-        raise InputError(
-            said(
-                "is missing: the geometry is outside the table of the standard (D cos "
-                "α/d_m from 0.01 to 0.40)"
-            ),
-            field="dynamic_rating",
-            example="dynamic_rating = 20600.0",
-        )
-    method = given.fatigue_load_limit
-    if not isinstance(method, str):
-        fatigue = _rating_or(method, static, together)
-    elif method == "contacts":
-        fatigue = fatigue_load_limit_of_contacts(
-            rows.element_count,
-            rows.ball_diameter,
-            rows.pitch_diameter,
-            rows.inner_conformity,
-            rows.outer_conformity,
-            angle,
-            rows.modulus,
-            kind=kind,
-        )
-    else:
-        known = np.where(np.isnan(static), 1.0, static)
-        estimate = fatigue_load_limit(known, rows.pitch_diameter)
-        fatigue = np.where(np.isnan(static) | (not steel), np.nan, estimate)
-    return Ratings(
-        dynamic,
-        static,
-        fatigue,
-        dynamic.sum(axis=1) * len(rows) ** (_ROW_SHARE - 1.0),
-        static.sum(axis=1),
-        fatigue.sum(axis=1),
-        kind,
-    )
-
-
-def _rating_or(value: ArrayLike | None, computed: FloatArray, together: float) -> FloatArray:
-    """A rating of each row as it is given, or as computed; (cases, rows).
-
-    together: how much greater what is given is, where it is that of several rows.
-    """
-    if value is None:
-        return computed
-    array = np.asarray(value, dtype=np.float64) / together
-    column = array.reshape(-1, 1) if array.ndim == 1 else array
-    if column.ndim > 2 or (column.ndim == 2 and len(column) not in (1, len(computed))):
-        raise InputError(said("must be one number, or one for each case"), field="rating")
-    return np.broadcast_to(column, computed.shape).copy()
-
-
 def _equivalent_loads(solved: Solved, angles: FloatArray, ratings: Ratings) -> EquivalentLoads:
     """P and P_0 of the shaft's load, for one row, a tandem, or a pair that faces each other."""
     rows, load, cases, kind = solved.rows, solved.load, len(solved), ratings.kind
     radial, axial = np.hypot(load.fy, load.fz), np.abs(load.fx)
     facing = len(rows) == 2 and bool(rows.sign[0] != rows.sign[1])
     angle = angles[:, 0]
-    if not _equal_rows(rows, angles) or (len(set(rows.sign.tolist())) > 1 and not facing):
+    facing_otherwise = len(set(rows.sign.tolist())) > 1 and not facing
+    if ratings.mixed or facing_otherwise or not _equal_rows(rows, angles):
         nothing = np.full(cases, np.nan)
         return EquivalentLoads(*([nothing] * 6))
     carrying = np.where(facing & (angle > 0.0), 1.0, float(len(rows)))
     relative = axial / (carrying * rows.element_count[0] * rows.ball_diameter[:, 0] ** 2)
-    found = equivalent_load(radial, axial, angle, relative, double_row=facing, kind=kind)
+    found = equivalent_load(
+        radial, axial, angle, relative, double_row=facing, kind=kind, wide=_is_wide(solved)
+    )
     static = static_equivalent_load(radial, axial, angle, double_row=facing, kind=kind)
     safety = static_safety(ratings.static_of_set, static)
     factors = (found.radial_factor, found.axial_factor, found.limit)
@@ -477,7 +514,7 @@ def _equal_rows(rows: Rows, angle: FloatArray) -> bool:
         np.all(rows.element_count == rows.element_count[0])
         and all(
             np.allclose(a, a[:, :1], rtol=_SAME, atol=_SAME, equal_nan=True)
-            for a in (rows.ball_diameter, rows.pitch_diameter, angle)
+            for a in (rows.ball_diameter, rows.pitch_diameter, rows.effective_length, angle)
         )
     )
 
@@ -498,10 +535,10 @@ def _notes_on_bearing(solved: Solved, given: LifeConditions) -> Notes:
     """What every theory that starts from the rating has to say of the bearing, by note."""
     cases, rows = len(solved), solved.rows
     inner, outer = rows.inner_conformity, rows.outer_conformity
-    kind = rated_as(ball_bearing(solved.case))
-    most_inner, most_outer = _GROOVES[kind]
-    opened = (inner > most_inner + _GROOVE_MARGIN) | (outer > most_outer + _GROOVE_MARGIN)
-    closed = (inner < _INNER_GROOVE - _GROOVE_MARGIN) | (outer < _INNER_GROOVE - _GROOVE_MARGIN)
+    # rollers have no grooves: NaN, neither open nor close
+    most = np.array([GROOVES.get(kind, (np.inf, np.inf)) for kind in row_kinds(solved)])
+    opened = (inner > most[:, 0] + _GROOVE_MARGIN) | (outer > most[:, 1] + _GROOVE_MARGIN)
+    closed = (inner < INNER_GROOVE - _GROOVE_MARGIN) | (outer < INNER_GROOVE - _GROOVE_MARGIN)
     hot = np.zeros(cases, dtype=np.bool_)
     for name in ("temperature", "bearing_temperature"):
         warm = getattr(given, name)
@@ -510,7 +547,7 @@ def _notes_on_bearing(solved: Solved, given: LifeConditions) -> Notes:
     return {
         "open_grooves": np.asarray(opened.any(axis=1)),
         "close_grooves": np.asarray(closed.any(axis=1)),
-        "ceramic_balls": np.full(cases, not _has_steel_balls(solved)),
+        "ceramic_balls": np.full(cases, not has_steel_elements(solved)),
         "too_hot_for_steel": hot,
     }
 
@@ -542,22 +579,3 @@ def over_cases(value: ArrayLike, name: str, cases: int) -> FloatArray:
             field=name,
         )
     return np.broadcast_to(array, (cases,)).copy()
-
-
-def _groove_factor(rows: Rows, angle: FloatArray, kind: RatedType) -> FloatArray:
-    """f_c of the table, lowered for grooves that are more open than it takes, never raised."""
-    if kind == "thrust":
-        ratio = rows.ball_diameter / rows.pitch_diameter
-        usual = thrust_dynamic_factor(ratio, angle)
-        openest = np.maximum(rows.inner_conformity, rows.outer_conformity)
-        opened = openest > _GROOVES[kind][0]
-        return np.where(opened, thrust_dynamic_factor(ratio, angle, openest), usual)
-    gamma = rows.ball_diameter * np.cos(angle) / rows.pitch_diameter
-    if kind == "self_aligning":
-        own, least = rows.inner_conformity, SELF_ALIGNING_CONFORMITY
-        lower = ((2.0 * own / (2.0 * own - 1.0)) / (2.0 * least / (2.0 * least - 1.0))) ** 0.41
-        return np.asarray(dynamic_factor(gamma, kind) * np.minimum(lower, 1.0))
-    inner = np.maximum(rows.inner_conformity, _INNER_GROOVE)
-    outer = np.maximum(rows.outer_conformity, _OUTER_GROOVE)
-    full = dynamic_factor_of_grooves(gamma, _INNER_GROOVE, _OUTER_GROOVE)
-    return np.asarray(dynamic_factor(gamma) * dynamic_factor_of_grooves(gamma, inner, outer) / full)

@@ -26,9 +26,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.life.basis import Basis
-from rolamento.life.iso281_modified import MAXIMUM_RATIO, MINIMUM_RATIO, bounded_modification_factor
+from rolamento.life.iso281_modified import MAXIMUM_RATIO, MINIMUM_RATIO
 from rolamento.life.iso16281_modified import THEORY as MODIFIED_REFERENCE
-from rolamento.life.record import BOUNDS, OUTSIDE, Life, finite
+from rolamento.life.record import BOUNDS, OUTSIDE, Life, finite, note_of
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.words import Note
 
@@ -59,6 +59,8 @@ class Headline:
         key of a note: why it is a bound, or why nothing leads; empty where the life is valid
     factor
         of the basic reference life: a_1 a_ISO
+    element
+        as of `Life`
     """
 
     theory: Names
@@ -69,6 +71,7 @@ class Headline:
     below: BoolArray
     reason: Names
     factor: FloatArray
+    element: str = "ball"
 
     @property
     def leads(self) -> BoolArray:
@@ -77,7 +80,7 @@ class Headline:
 
     def reason_of(self, case: int = 0) -> Note | None:
         """Say why it is a bound, or why nothing leads, in one case; None where it is valid."""
-        return Note(str(self.reason[case])) if self.reason[case] else None
+        return note_of(str(self.reason[case]), self.element) if self.reason[case] else None
 
     def to_mapping(self, case: int = 0) -> dict[str, Any]:
         """Give one case as plain values; NaN as None, infinite life as None beside "endless"."""
@@ -122,6 +125,7 @@ def headline_of(basis: Basis, modified: Life | None, basic: Life) -> Headline:
         below=np.asarray(below),
         reason=np.where(below, reason, found.reason).astype(_NAME),
         factor=found.factor,
+        element=found.element,
     )
 
 
@@ -136,6 +140,7 @@ def _headline(record: Life, factor: FloatArray) -> Headline:
         below=record.below,
         reason=_reason(record),
         factor=np.asarray(np.broadcast_to(factor, cases)),
+        element=record.element,
     )
 
 
@@ -158,10 +163,7 @@ def _half_known(basis: Basis, basic: Life) -> tuple[FloatArray, Names]:
         return np.full(cases, np.inf), np.full(cases, "", dtype=_NAME)
     kappa = np.full(cases, MAXIMUM_RATIO) if ratio is None else ratio
     dirt = np.ones(cases) if clean is None else clean
-    load = basic.factors["equivalent_load"]
-    factor = bounded_modification_factor(
-        kappa, dirt, basis.ratings.fatigue_in_factor, load, additives=basis.given.additives
-    )
+    factor = basis.modification_factor(kappa, dirt)
     reason = np.full(cases, "viscosity_unknown" if ratio is None else "contamination_unknown")
     reason = np.where(kappa < MINIMUM_RATIO, "viscosity_ratio_too_small", reason)
     reason = np.where(dirt <= 0.0, "contamination_severe", reason)

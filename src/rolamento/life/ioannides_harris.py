@@ -244,7 +244,8 @@ def _evaluate(basis: Basis) -> Life:
 THEORY: Final = Theory(
     name="ioannides_harris",
     evaluate=_evaluate,
-    validity=OF_BEARING,
+    of_balls=True,
+    validity=(*OF_BEARING, "theory_of_balls"),
     rank=4,
     bound=True,
     slow=True,

@@ -13,6 +13,8 @@ Weibull's slope 10/9:
 
     L_10r = [Σ (Q_c/Q_e)^(-10/3)]^(-9/10)   over races and rows.
 
+Roller rows are in `lamina`, slice by slice; both share one reference life, each with its slope.
+
 The loads may come from anywhere: any load, tilt, clearance, set or speed. The standard takes
 static loads, equal at both races; here each race has its own, with the centrifugal force.
 
@@ -34,10 +36,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento._reach import numbers
+from rolamento.errors import InputError
 from rolamento.life._figures import positive
 from rolamento.life.theory import OF_BEARING, OF_LOAD, Theory
 from rolamento.numerics import FloatArray
 from rolamento.ratings import RatedType
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from rolamento.life.basis import Basis
@@ -45,6 +49,8 @@ if TYPE_CHECKING:
 
 SLOPE: Final = 10.0 / 9.0
 """Weibull's slope e of point contact."""
+ROLLER_SLOPE: Final = 9.0 / 8.0
+"""Of line contact."""
 EXPONENT: Final = 3.0
 _RISK: Final = EXPONENT * SLOPE
 """Of the load, in the risk of failure."""
@@ -69,7 +75,9 @@ class ReferenceLife:
     inner, outer
         of each race alone, (cases, rows), millions of revolutions
     inner_load, outer_load
-        equivalent ball loads Q_e of the races, (cases, rows), N
+        equivalent loads Q_e of an element on the races, (cases, rows), N
+    slope
+        Weibull's e of the rows, (rows,): 10/9 of balls, 9/8 of rollers
     """
 
     life: FloatArray
@@ -77,11 +85,34 @@ class ReferenceLife:
     outer: FloatArray
     inner_load: FloatArray
     outer_load: FloatArray
+    slope: FloatArray
 
     @property
     def row(self) -> FloatArray:
         """Life of each row, (cases, rows), millions of revolutions."""
-        return system_life(np.stack([self.inner, self.outer]), axis=0)
+        rows = zip(self.inner.T, self.outer.T, self.slope.tolist(), strict=True)
+        return np.stack(
+            [system_life(np.stack([i, o]), axis=0, slope=slope) for i, o, slope in rows], axis=1
+        )
+
+    @property
+    def race_slopes(self) -> FloatArray:
+        """Of the inner races, then of the outer ones; (2·rows,)."""
+        return np.concatenate([self.slope, self.slope])
+
+    @classmethod
+    def of_races(
+        cls,
+        inner: FloatArray,
+        outer: FloatArray,
+        inner_load: FloatArray,
+        outer_load: FloatArray,
+        slope: FloatArray,
+    ) -> ReferenceLife:
+        """Put the lives of the races together; arrays (cases, rows), slope (rows,)."""
+        races = np.concatenate([inner, outer], axis=1)
+        life = system_life(races, slope=np.concatenate([slope, slope]))
+        return cls(life, inner, outer, inner_load, outer_load, slope)
 
 
 def race_ratings(
@@ -165,23 +196,55 @@ def race_life(rating: ArrayLike, equivalent: ArrayLike) -> FloatArray:
         )
 
 
-def system_life(lives: ArrayLike, *, axis: int = -1, slope: float = SLOPE) -> FloatArray:
+def system_life(lives: ArrayLike, *, axis: int = -1, slope: ArrayLike = SLOPE) -> FloatArray:
     """Life of parts that all have to survive: (Σ L^-e)^(-1/e), in the unit of the lives.
 
     Parameters
     ----------
     lives : array, for one and the same reliability; infinite where a part cannot fail.
     axis : along which the parts lie.
-    slope : Weibull's e; 10/9 for ball bearings, 9/8 for roller bearings.
+    slope : Weibull's e; 10/9 for ball bearings, 9/8 for roller bearings; one number, or one for
+        each part. Where they differ the life t follows from Σ (t/L)^e = 1.
+
+    Raises
+    ------
+    InputError
+        If there are neither one nor as many slopes as parts.
 
     Lundberg and Palmgren (1947).
     """
     life = numbers(lives, "lives")
+    exponents = positive(slope, "slope")
+    if exponents.ndim:
+        if exponents.shape != life.shape[axis : axis + 1 or None]:
+            raise InputError(said("must be one number, or one for each bearing"), field="slope")
+        if np.any(exponents != exponents[0]):
+            return _mixed_life(np.moveaxis(life, axis, -1), exponents)
+        exponents = exponents[0]
+    return _even_life(life, axis, float(exponents))
+
+
+def _even_life(life: FloatArray, axis: int, slope: float) -> FloatArray:
     least = np.min(life, axis=axis, keepdims=True)
     finite = np.where(np.isfinite(least) & (least > 0.0), least, 1.0)
     with np.errstate(divide="ignore"):
         total = np.sum((life / finite) ** -slope, axis=axis) ** (-1.0 / slope)
     return np.asarray(np.squeeze(finite, axis=axis) * total)
+
+
+def _mixed_life(life: FloatArray, slope: FloatArray) -> FloatArray:
+    """Root t of Σ (t/L)^e = 1, by halving in ln t between the least life and what it allows."""
+    least = life.min(axis=-1)
+    usable = np.isfinite(least) & (least > 0.0)
+    scaled = life / np.where(usable, least, 1.0)[..., np.newaxis]
+    scaled = np.where(usable[..., np.newaxis], scaled, 1.0)
+    low = np.full(least.shape, -np.log(life.shape[-1]) / slope.min())
+    high = np.zeros(least.shape)
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        risk = np.sum((np.exp(middle)[..., np.newaxis] / scaled) ** slope, axis=-1)
+        low, high = np.where(risk < 1.0, middle, low), np.where(risk < 1.0, high, middle)
+    return np.asarray(np.where(usable, least * np.exp(0.5 * (low + high)), least))
 
 
 def reference_life(
@@ -214,8 +277,8 @@ def reference_life(
         parts[name] = np.stack([equivalent_ball_load(row, turning=turning) for row in rows], axis=1)
     inner = race_life(ratings.inner, parts["inner"])
     outer = race_life(ratings.outer, parts["outer"])
-    life = system_life(np.concatenate([inner, outer], axis=1))
-    return ReferenceLife(life, inner, outer, parts["inner"], parts["outer"])
+    slope = np.full(inner.shape[1], SLOPE)
+    return ReferenceLife.of_races(inner, outer, parts["inner"], parts["outer"], slope)
 
 
 def _evaluate(basis: Basis) -> Life:

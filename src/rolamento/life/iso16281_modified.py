@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 def _evaluate(basis: Basis) -> Life:
     load = basis.reference_load
-    factors, notes = modification(basis, load)
+    factors, notes = modification(basis)
     return basis.record(
         THEORY.name,
         basis.reference.life,

@@ -147,13 +147,14 @@ def fatigue_load_limit_of_lines(
     pitch_diameter: ArrayLike,
     contact_angle: ArrayLike,
     modulus: ArrayLike,
-    drop: ArrayLike,
+    inner_drop: ArrayLike,
+    outer_drop: ArrayLike,
     *,
     rows: ArrayLike = 1,
     pressure: ArrayLike = FATIGUE_PRESSURE,
     thrust: bool = False,
 ) -> FloatArray:
-    """Fatigue load limit C_u of roller bearings from the contact pressure at the inner race; N.
+    """Fatigue load limit C_u of roller bearings from the contact pressure at the weaker race; N.
 
     Parameters
     ----------
@@ -161,11 +162,12 @@ def fatigue_load_limit_of_lines(
     roller_diameter, effective_length, pitch_diameter : arrays; m.
     contact_angle : array, nominal α; rad.
     modulus : array, E' of roller and ring; Pa.
-    drop : array (…, slices), of the profiles of roller and race together at slices of equal
-        width, m; zeros for straight lines. Only differences along the roller count.
+    inner_drop, outer_drop : arrays (…, slices), of the profiles of roller and race together at
+        slices of equal width, m; zeros for straight lines. Only differences along the roller count.
     rows : array, i.
     pressure : array, of the fatigue limit; Pa.
-        All but `drop` broadcast against each other, and with what `drop` has before its last axis.
+        All but the drops broadcast against each other, and with what these have before their last
+        axis.
     thrust : whether the bearing is rated for axial load; C_u then is axial.
 
     The roller is pressed without tilt until its most loaded slice reaches the pressure, by Hertz;
@@ -180,17 +182,19 @@ def fatigue_load_limit_of_lines(
     gamma = np.where(right, 0.0, diameter * np.cos(angle)) / numbers(
         pitch_diameter, "pitch_diameter"
     )
-    curvature = 2.0 / (diameter * (1.0 - gamma))
-    heaviest = 2.0 * np.pi * numbers(pressure, "pressure") ** 2 / (elastic * curvature)
     law = contact_constant(length, elastic) / length
-    approach = (heaviest / law) ** (1.0 / EXPONENT)
-    away = numbers(drop, "drop")
-    away = away - away.min(axis=-1, keepdims=True)
-    depth = np.maximum(approach[..., np.newaxis] - away, 0.0)
-    load = length * law * np.mean(depth**EXPONENT, axis=-1)
+    loads = []
+    for sign, drop in ((-1.0, inner_drop), (1.0, outer_drop)):
+        curvature = 2.0 / (diameter * (1.0 + sign * gamma))
+        heaviest = 2.0 * np.pi * numbers(pressure, "pressure") ** 2 / (elastic * curvature)
+        approach = (heaviest / law) ** (1.0 / EXPONENT)
+        away = numbers(drop, "drop")
+        away = away - away.min(axis=-1, keepdims=True)
+        depth = np.maximum(approach[..., np.newaxis] - away, 0.0)
+        loads.append(length * law * np.mean(depth**EXPONENT, axis=-1))
     mean = np.sin(angle) if thrust else _ROLLER_MEAN * np.cos(angle)
     shared = mean * numbers(roller_count, "roller_count") * numbers(rows, "rows")
-    return np.asarray(shared * load * _size_factor(pitch_diameter, _ROLLER_SIZE))
+    return np.asarray(shared * np.minimum(*loads) * _size_factor(pitch_diameter, _ROLLER_SIZE))
 
 
 def life_modification_factor(
@@ -315,17 +319,19 @@ def _size_factor(pitch_diameter: ArrayLike, power: float = 0.5) -> FloatArray:
 
 
 def modification(
-    basis: Basis, load: FloatArray
+    basis: Basis, load: FloatArray | None = None
 ) -> tuple[dict[str, FloatArray], dict[str, BoolArray]]:
-    """Factors of a modified life under an equivalent load, and notes on them; needs κ and e_C."""
-    ratio, clean, limit = (
-        basis.viscosity_ratio, basis.contamination_factor, basis.ratings.fatigue_in_factor
-    )  # fmt: skip
+    """Factors of a modified life, and notes on them; needs κ and e_C.
+
+    load: the equivalent load; the reference life's own if not given.
+    """
+    ratio, clean = basis.viscosity_ratio, basis.contamination_factor
     assert ratio is not None
     assert clean is not None
-    factor = bounded_modification_factor(ratio, clean, limit, load, additives=basis.given.additives)
+    factor = basis.modification_factor(ratio, clean, load)
     notes = modification_notes(ratio, clean)
-    notes["no_fatigue_load_limit"] = np.isnan(limit) & ~notes["viscosity_ratio_too_small"]
+    unlimited = np.isnan(basis.ratings.fatigue).any(axis=1)
+    notes["no_fatigue_load_limit"] = unlimited & ~notes["viscosity_ratio_too_small"]
     if isinstance(basis.given.contamination, ContaminationLevel):
         notes["cleanliness_in_words"] = (clean > 0.0) & (clean < 1.0)
     factors = {

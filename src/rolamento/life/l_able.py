@@ -310,7 +310,11 @@ def _evaluate(basis: Basis) -> Life:
     if given.nsk_table is None:
         outside = "viscosity_ratio_too_small"
         factor = life_modification_factor(
-            ratio, np.minimum(clean, 1.0), ratings.fatigue_in_factor, load
+            ratio,
+            np.minimum(clean, 1.0),
+            ratings.fatigue_in_factor,
+            load,
+            rollers=basis.has_rollers,
         )
     else:
         outside = "outside_the_table"

@@ -26,7 +26,7 @@ Sources: ISO/TS 16281:2008, 5.3 and 5.4, as transcribed in public source code; L
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 from typing import Final
 
 import numpy as np
@@ -35,16 +35,14 @@ from numpy.typing import ArrayLike
 from rolamento._reach import numbers
 from rolamento.errors import InputError
 from rolamento.life._figures import positive
-from rolamento.life.iso16281 import RaceRatings
+from rolamento.life.iso16281 import ROLLER_SLOPE, RaceRatings
 from rolamento.numerics import FloatArray
 from rolamento.ratings.rollers import REDUCTION, THRUST_REDUCTION, roller_race_shares
 from rolamento.words import said
 
-SLOPE: Final = 9.0 / 8.0
-"""Weibull's slope e of line contact."""
 EXPONENT: Final = 4.0
 """Of the load, in the life of a line contact."""
-_RISK: Final = EXPONENT * SLOPE
+_RISK: Final = EXPONENT * ROLLER_SLOPE
 _SLICE_SHARE: Final = 7.0 / 9.0
 
 
@@ -156,18 +154,26 @@ def lamina_life(
     slice_rating = numbers(rating, "rating") * slices**-_SLICE_SHARE
     with np.errstate(divide="ignore"):
         risk = np.sum((equivalent / slice_rating[..., np.newaxis]) ** _RISK, axis=-1)
-        return np.asarray(risk ** (-1.0 / SLOPE))
+        return np.asarray(risk ** (-1.0 / ROLLER_SLOPE))
 
 
-def one_number_of_slices(slices: Sequence[int]) -> int:
+def one_number_of_slices(slices: Iterable[int | None]) -> int | None:
     """Return how many slices all of several lives were computed with.
+
+    Parameters
+    ----------
+    slices : of each life; None of a bearing without rollers.
+
+    Returns
+    -------
+    The number; None without any rollers.
 
     Raises
     ------
     InputError
         If they differ: the edge factor is tied to the slice, and the lives are not to be compared.
     """
-    different = sorted(set(slices))
+    different = sorted({number for number in slices if number is not None})
     if len(different) > 1:
         raise InputError(
             said(
@@ -179,4 +185,4 @@ def one_number_of_slices(slices: Sequence[int]) -> int:
             field="model.slices",
             example="slices = 35",
         )
-    return different[0]
+    return different[0] if different else None

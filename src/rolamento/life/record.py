@@ -12,6 +12,7 @@ from typing import Any, Final
 
 import numpy as np
 
+from rolamento.life.iso16281 import ROLLER_SLOPE, SLOPE
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.words import Note
 
@@ -32,6 +33,7 @@ OUTSIDE: Final = frozenset(
         "too_slow",
         "too_hot",
         "outside_the_table",
+        "theory_of_balls",
     }
 )
 """Notes that say that a theory is not valid for the case, though it may give a number."""
@@ -47,6 +49,40 @@ BOUNDS: Final = frozenset(
     }
 )
 """Notes that say that the number is an upper bound: the life is below it."""
+
+
+_BY_ELEMENT: Final = frozenset(
+    {
+        "unloaded",
+        "no_force",
+        "moment_governs",
+        "moment_left_out",
+        "no_dynamic_rating",
+        "ceramic_balls",
+    }
+)
+"""Notes whose sentences name what rolls."""
+
+
+def slope_of(element: str) -> float:
+    """Return Weibull's e of a bearing's life, by its `Life.element`.
+
+    A set of balls and rollers has none of its own; that of balls, the smaller, is the careful one.
+    """
+    return ROLLER_SLOPE if element == "roller" else SLOPE
+
+
+def note_of(key: str, element: str) -> Note:
+    """Return a note on a life by its key.
+
+    Parameters
+    ----------
+    key
+        Of the note.
+    element
+        "ball", "roller", or "element" of a set of both: the sentence of some names it.
+    """
+    return Note(key, {"element": element} if element != "ball" and key in _BY_ELEMENT else {})
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -70,6 +106,8 @@ class Life:
         by which the basic life was multiplied, and what they come from, by name
     notes
         by key, and in which cases each of them applies
+    element
+        "ball", "roller", or "element" of a set of both: what notes name
     """
 
     theory: str
@@ -79,6 +117,7 @@ class Life:
     hours: FloatArray
     factors: Mapping[str, FloatArray] = field(default_factory=dict)
     notes: Mapping[str, BoolArray] = field(default_factory=dict)
+    element: str = "ball"
 
     @property
     def valid(self) -> BoolArray:
@@ -102,7 +141,7 @@ class Life:
 
     def notes_of(self, case: int = 0) -> tuple[Note, ...]:
         """Return the notes of one case."""
-        return tuple(Note(key) for key, where in self.notes.items() if where[case])
+        return tuple(note_of(key, self.element) for key, where in self.notes.items() if where[case])
 
     def to_mapping(self, case: int = 0) -> dict[str, Any]:
         """Give one case as plain values; NaN as None, infinite life as None beside its note."""

@@ -25,8 +25,6 @@ from rolamento.life.iso16281 import SLOPE, system_life
 from rolamento.numerics import FloatArray
 from rolamento.words import said
 
-ROLLER_SLOPE: Final = 9.0 / 8.0
-"""Weibull's slope of line contact, for roller bearings on the same shaft."""
 _SUM: Final = 1e-6
 
 
@@ -85,7 +83,7 @@ def revolution_shares(time_shares: ArrayLike, speeds: ArrayLike) -> FloatArray:
 
 
 def races_under_spectrum(
-    inner: ArrayLike, outer: ArrayLike, shares: ArrayLike, *, slope: float = SLOPE
+    inner: ArrayLike, outer: ArrayLike, shares: ArrayLike, *, slope: ArrayLike = SLOPE
 ) -> FloatArray:
     """Life of one bearing under several steps, damage gathered race by race.
 
@@ -93,7 +91,7 @@ def races_under_spectrum(
     ----------
     inner, outer : arrays (steps, rows), lives of the races in each step alone.
     shares : array (steps,), of revolutions (or of time, with lives in hours).
-    slope : Weibull's e.
+    slope : Weibull's e; one number, or (2·rows,) of the inner and then the outer races.
 
     Returns
     -------
@@ -116,24 +114,4 @@ def shaft_life(lives: ArrayLike, *, axis: int = -1, slope: ArrayLike = SLOPE) ->
     -------
     Array without that axis, in the unit of the lives.
     """
-    exponents = positive(slope, "slope")
-    if exponents.ndim == 0:
-        return system_life(lives, axis=axis, slope=float(exponents))
-    life = np.moveaxis(numbers(lives, "lives"), axis, -1)
-    if exponents.shape != life.shape[-1:]:
-        raise InputError(said("must be one number, or one for each bearing"), field="slope")
-    return _mixed_life(life, exponents)
-
-
-def _mixed_life(life: FloatArray, slope: FloatArray) -> FloatArray:
-    """Root t of Σ (t/L)^e = 1, by halving in ln t between the least life and what it allows."""
-    least = life.min(axis=-1)
-    usable = np.isfinite(least)
-    scaled = life / np.where(usable, least, 1.0)[..., np.newaxis]
-    low = np.full(least.shape, -np.log(life.shape[-1]) / slope.min())
-    high = np.zeros(least.shape)
-    for _ in range(60):
-        middle = 0.5 * (low + high)
-        risk = np.sum((np.exp(middle)[..., np.newaxis] / scaled) ** slope, axis=-1)
-        low, high = np.where(risk < 1.0, middle, low), np.where(risk < 1.0, high, middle)
-    return np.asarray(np.where(usable, least * np.exp(0.5 * (low + high)), least))
+    return system_life(lives, axis=axis, slope=slope)

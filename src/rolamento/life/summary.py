@@ -12,17 +12,15 @@ from numpy.typing import ArrayLike, NDArray
 from rolamento._reach import numbers
 from rolamento.errors import InputError
 from rolamento.life import iso16281, iso16281_modified
-from rolamento.life.basis import Basis, EquivalentLoads, Ratings
+from rolamento.life.basis import Basis, EquivalentLoads
 from rolamento.life.conditions import LifeConditions, conditions_of
 from rolamento.life.headline import Headline, headline_of
-from rolamento.life.iso281_modified import (
-    MAXIMUM_RATIO,
-    bounded_modification_factor,
-    life_modification_factor,
-)
-from rolamento.life.iso16281 import SLOPE, ReferenceLife
+from rolamento.life.iso281_modified import MAXIMUM_RATIO
+from rolamento.life.iso16281 import ReferenceLife
 from rolamento.life.record import Life, finite
 from rolamento.life.reliability import reliability_factor, reliability_of
+from rolamento.life.rib_load import RibLoad
+from rolamento.life.row_ratings import Ratings
 from rolamento.life.theories import THEORIES
 from rolamento.numerics import FloatArray
 from rolamento.solved import Solved
@@ -79,6 +77,10 @@ class LifeSummary:
         what limits the life
     viscosity_ratio, contamination_factor
         κ and e_C, (cases,); None where lubrication is not given
+    rib_load
+        what the ribs of a cylindrical roller bearing carry and may carry; None of others
+    slices
+        into how many slices rollers were divided; None without rollers
     conditions
         what it was calculated with
     """
@@ -93,6 +95,8 @@ class LifeSummary:
     viscosity_ratio: FloatArray | None
     contamination_factor: FloatArray | None
     conditions: LifeConditions
+    rib_load: RibLoad | None = None
+    slices: int | None = None
 
     def __getitem__(self, theory: str) -> Life:
         """Return the life by one theory."""
@@ -159,6 +163,8 @@ class LifeSummary:
                 "share": share,
                 "factor": str(self.limit.factor[case]) or None,
             },
+            **({} if self.slices is None else {"slices": self.slices}),
+            **({} if self.rib_load is None else {"rib_load": self.rib_load.to_mapping(case)}),
         }
 
     def _required(self, case: int) -> dict[str, float | bool | None] | None:
@@ -208,7 +214,11 @@ def life(
     slow = len(solved) == 1 if stress_volume is None else stress_volume
     basis = Basis.of(solved, given)
     theories = {
-        name: theory.evaluate(basis)
+        name: (
+            basis.refused(name, "theory_of_balls")
+            if theory.of_balls and basis.has_rollers
+            else theory.evaluate(basis)
+        )
         for name, theory in THEORIES.items()
         if theory.asked(basis) and (slow or not theory.slow)
     }
@@ -224,6 +234,8 @@ def life(
         viscosity_ratio=basis.viscosity_ratio,
         contamination_factor=basis.contamination_factor,
         conditions=given,
+        rib_load=basis.rib_load,
+        slices=None if solved.rollers is None else solved.rollers.slices,
     )
 
 
@@ -238,7 +250,7 @@ def _limit_of(basis: Basis) -> Limit:
     inner = weakest < count
     race = np.where(ended, np.where(inner, "inner", "outer"), "")
     with np.errstate(divide="ignore", invalid="ignore"):
-        risk = races**-SLOPE
+        risk = (reference.life[:, np.newaxis] / races) ** reference.race_slopes
         share = np.take_along_axis(risk, weakest[:, np.newaxis], 1)[:, 0] / risk.sum(axis=1)
     load = np.where(inner[:, np.newaxis], basis.solved.inner.load, basis.solved.outer.load)
     own = rows.row_of_element == row[:, np.newaxis]
@@ -257,18 +269,16 @@ def _costliest(basis: Basis) -> NDArray[np.str_]:
     ratio, clean = basis.viscosity_ratio, basis.contamination_factor
     if ratio is None or clean is None:
         return np.full(len(basis), "", dtype="U15")
-    limit, load = basis.ratings.fatigue_in_factor, basis.reference_load
-    additives = basis.given.additives
     thick = np.full(len(basis), MAXIMUM_RATIO)
     clean_if_thick = basis.cleanliness_at(thick)
     assert clean_if_thick is not None
 
     def factor_if(ratio: FloatArray, clean: FloatArray) -> FloatArray:
         """a_ISO if the oil were thicker or cleaner; NaN where the theory cannot judge it."""
-        factor = life_modification_factor(ratio, clean, limit, load, additives=additives)
+        factor = basis.modification_factor(ratio, clean, bounded=False)
         return np.where(clean > 0.0, factor, np.nan)
 
-    now = bounded_modification_factor(ratio, clean, limit, load, additives=additives)
+    now = basis.modification_factor(ratio, clean)
     with np.errstate(invalid="ignore", divide="ignore"):
         gain_of_oil = factor_if(thick, clean_if_thick) / now
         gain_of_filter = factor_if(ratio, np.ones(len(basis))) / now

@@ -186,10 +186,11 @@ FACTORS: Final = Need(
 THEORY: Final = Theory(
     name="tallian",
     evaluate=_evaluate,
+    of_balls=True,
     asked=lambda basis: (
         basis.given.tallian_subsurface is not None or basis.given.tallian_surface is not None
     ),
     needs=(FACTORS,),
-    validity=(*OF_BEARING, *OF_LOAD),
+    validity=(*OF_BEARING, *OF_LOAD, "theory_of_balls"),
     rank=7,
 )

@@ -114,6 +114,8 @@ class Theory:
         whether it is of the standard in force, and shown even where there is room for few
     by_race
         whether its life is that of the single races, times factors
+    of_balls
+        whether it is for point contact, and rows of rollers are refused
     bound
         whether its life is an upper bound, even far within its validity
     slow
@@ -130,6 +132,7 @@ class Theory:
     needs: tuple[Need, ...] = ()
     standard: bool = False
     by_race: bool = False
+    of_balls: bool = False
     bound: bool = False
     slow: bool = False
     edition: Edition | None = None

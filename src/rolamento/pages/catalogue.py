@@ -5,7 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Final
 
-from rolamento.catalogue import Candidate, CatalogueBearing, InternalGeometry, Origin, ball_name
+from rolamento.catalogue import (
+    Candidate,
+    CatalogueBearing,
+    InternalGeometry,
+    Origin,
+    RollerCandidate,
+    ball_name,
+)
 from rolamento.document import (
     Block,
     CellContent,
@@ -27,6 +34,7 @@ __all__ = ["bearing_page", "search_page"]
 _SHORT_NAMES: Final = {
     "dynamic_rating": "C", "static_rating": "C0", "f0": "f0",
     "axial_dynamic_rating": "Ca", "axial_static_rating": "C0a",
+    "inner_raceway_diameter": "F_w", "outer_raceway_diameter": "E_w", "axial_limit": "e",
 }  # fmt: skip
 _KINDS: Final = {
     "deep_groove": marked("deep-groove ball bearing"),
@@ -35,6 +43,10 @@ _KINDS: Final = {
     "four_point": marked("four-point contact ball bearing"),
     "self_aligning": marked("self-aligning ball bearing"),
     "thrust": marked("single-direction thrust ball bearing"),
+    "cylindrical": marked("cylindrical roller bearing"),
+    "tapered": marked("tapered roller bearing"),
+    "needle": marked("needle roller bearing"),
+    "drawn_cup": marked("drawn cup needle roller bearing"),
 }
 _OF_THRUST: Final = {
     "width": marked("height T"),
@@ -42,6 +54,11 @@ _OF_THRUST: Final = {
     "static_rating": marked("static axial load rating C0a"),
 }
 """What the figures of a thrust bearing are called."""
+_OF_TAPERED: Final = {
+    "width": marked("assembled width T"),
+    "contact_angle": marked("contact angle α of the outer raceway"),
+}
+"""Likewise of a tapered roller bearing."""
 _NAMES: Final = {
     "bore": marked("bore d"),
     "outside_diameter": marked("outside diameter D"),
@@ -59,6 +76,22 @@ _NAMES: Final = {
     "pitch_diameter": marked("pitch diameter d_m"),
     "inner_conformity": marked("inner conformity"),
     "outer_conformity": marked("outer conformity"),
+    "inner_width": marked("width of the inner ring B"),
+    "outer_width": marked("width of the outer ring C"),
+    "inner_raceway_diameter": marked("inner raceway diameter F_w"),
+    "outer_raceway_diameter": marked("outer raceway diameter E_w"),
+    "axial_limit": marked("limit e"),
+    "axial_factor": marked("axial factor Y"),
+    "static_axial_factor": marked("static axial factor Y0"),
+    "load_centre": marked("load centre a"),
+    "fatigue_load_limit": marked("fatigue load limit C_u"),
+    "roller_count": marked("number of rollers Z"),
+    "roller_diameter": marked("roller diameter D_we"),
+    "effective_length": marked("effective roller length L_we"),
+    "roller_half_angle": marked("half angle of the rollers φ"),
+    "inner_ribs": marked("ribs of the inner ring"),
+    "outer_ribs": marked("ribs of the outer ring"),
+    "axial_play": marked("axial play between the ribs"),
     "diametral_clearance": marked("diametral clearance"),
     "ball_material": marked("material of the balls"),
     "shim_angle": marked("shim angle α_s"),
@@ -67,6 +100,14 @@ _NAMES: Final = {
 }
 _FORMS: Final = {  # figures and unit; of others a length
     "ball_count": (".5", ""),
+    "roller_count": (".5", ""),
+    "axial_limit": (".4", ""),
+    "axial_factor": (".4", ""),
+    "static_axial_factor": (".4", ""),
+    "fatigue_load_limit": (".5", "N"),
+    "roller_half_angle": (".4", "°"),
+    "roller_diameter": (".4", "mm"),
+    "effective_length": (".4", "mm"),
     "contact_angle": (".4", "°"),
     "dynamic_rating": (".5", "N"),
     "static_rating": (".5", "N"),
@@ -79,6 +120,12 @@ _FORMS: Final = {  # figures and unit; of others a length
     "inner_conformity": (".4", ""),
     "outer_conformity": (".4", ""),
     "pitch_diameter": (".6", "mm"),
+}
+_RIBS: Final = {
+    "none": marked("none"),
+    "both": marked("at both ends"),
+    "-": marked("at the end toward −x"),
+    "+": marked("at the end toward +x"),
 }
 _ORIGINS: Final[dict[Origin, str]] = {
     "published": marked("published"),
@@ -111,6 +158,11 @@ def search_page(found: Sequence[CatalogueBearing], *, is_all: bool = True) -> Do
         _column(found, "static_rating", "C0", "N"),
         Column(head=said("balls"), key="balls", values=[_balls(b) for b in found], align="right"),
     )
+    if all(bearing.has_rollers for bearing in found):
+        names = {"inner_raceway_diameter": "F_w", "outer_raceway_diameter": "E_w"}
+        raceways = [_column(found, name, head, "mm") for name, head in names.items()]
+        told = [one for one in raceways if any(value is not None for value in one.values)]
+        columns = (*columns[:5], *told, *columns[6:-1])
     more = said("… and more: type more of the designation, or use --most")
     table = Table(columns=columns, key="bearings", legends=() if is_all else (more,))
     return Document(title, (Section(blocks=(table,), key="bearings"),), "catalogue")
@@ -148,7 +200,13 @@ def bearing_page(geometry: InternalGeometry) -> Document:
     if entries:
         head.append(KeyValues(tuple(entries)))
     sections = [Section(blocks=tuple(head), key="head"), _published(bearing)]
-    if "ball_count" not in geometry.fields:
+    if not geometry.has_elements and bearing.has_rollers:
+        text = said(
+            "Neither rollers nor load ratings are published: give roller_count, roller_diameter,"
+            " effective_length and pitch_diameter, or the ratings with --dynamic and --static."
+        )
+        sections.append(Section(blocks=(Statement(text, "strong"),)))
+    elif not geometry.has_elements:
         text = said(
             "Neither balls nor load ratings are published: give ball_count, ball_diameter and"
             " pitch_diameter, or the ratings with --dynamic and --static."
@@ -156,8 +214,12 @@ def bearing_page(geometry: InternalGeometry) -> Document:
         sections.append(Section(blocks=(Statement(text, "strong"),)))
     else:
         sections.append(_internal(geometry))
-        if geometry.candidates:
-            sections.append(_candidates(geometry.candidates))
+        rollers = [one for one in geometry.candidates if isinstance(one, RollerCandidate)]
+        balls = [one for one in geometry.candidates if isinstance(one, Candidate)]
+        if rollers:
+            sections.append(_roller_candidates(rollers, tapered=bearing.kind == "tapered"))
+        if balls:
+            sections.append(_candidates(balls))
     if geometry.sisters:
         sections.append(_sisters(geometry.sisters))
     return Document(named, tuple(sections), "catalogue")
@@ -196,14 +258,18 @@ def _meanings(geometry: InternalGeometry) -> list[str]:
 
 
 def _published(bearing: CatalogueBearing) -> Section:
-    names = _NAMES | _OF_THRUST if bearing.kind == "thrust" else _NAMES
     table = Table(
-        columns=_named_figures(bearing.figures, names),
+        columns=_named_figures(bearing.figures, _names_of(bearing)),
         key="published",
         headless=True,
         legends=tuple(dict.fromkeys(bearing.sources.values())),
     )
     return Section(said("Published data"), (table,), "published")
+
+
+def _names_of(bearing: CatalogueBearing) -> Mapping[str, str]:
+    own = {"thrust": _OF_THRUST, "tapered": _OF_TAPERED}
+    return _NAMES | own.get(bearing.kind, {})
 
 
 def _named_figures(
@@ -226,12 +292,17 @@ def _named_figures(
 
 
 def _internal(geometry: InternalGeometry) -> Section:
-    told = {name: value for name, value in geometry.fields.items() if name != "kind"}
+    hidden = ("kind", "element")
+    told = {
+        name: said(_RIBS[value]) if name.endswith("_ribs") else value
+        for name, value in geometry.fields.items()
+        if name not in hidden
+    }
     origins = [geometry.origins[name] for name in told]
     tones: list[Tone] = ["" if origin == "published" else "warning" for origin in origins]
     sizes = [ball_name(value) if name == "ball_diameter" else "" for name, value in told.items()]
     columns = (
-        *_named_figures(told),
+        *_named_figures(told, _names_of(geometry.bearing)),
         Column(head="", key="origin", values=[said(_ORIGINS[one]) for one in origins], tones=tones),
         Column(
             head="",
@@ -250,13 +321,80 @@ def _internal(geometry: InternalGeometry) -> Section:
             figures=figures,
         )
         blocks.append(Statement(text, "warning", indent=2))
-        if not first.reproduces:
+        if isinstance(first, RollerCandidate):
+            blocks.append(Statement(_how_sure(first), "faint", indent=2))
+        elif not first.reproduces:
             text = said(
                 "No standard ball size reproduces these ratings well: even the best candidates are"
                 " doubtful."
             )
             blocks.append(Statement(text, "warning-strong", indent=2))
     return Section(said("Internal geometry"), tuple(blocks), "internal_geometry")
+
+
+def _how_sure(first: RollerCandidate) -> str:
+    """Say how far what is inferred of rollers holds."""
+    if not first.reproduces:
+        return said(
+            "No standard roller size reproduces these ratings well: even the best candidates are"
+            " doubtful."
+        )
+    if None in (first.dynamic_error, first.static_error):
+        return said(
+            "One rating alone does not tell the diameter of the rollers: it follows from the"
+            " section, and their number from how full such bearings usually are."
+        )
+    return said(
+        "C and C0 tell the diameter of the rollers and the product Z·L_we within about a part in a"
+        " hundred; the number of rollers follows from how full such bearings usually are."
+    )
+
+
+def _roller_candidates(candidates: Sequence[RollerCandidate], *, tapered: bool) -> Section:
+    tones: list[Tone] = ["strong" if one.rank == 1 else "" for one in candidates]
+
+    def column(
+        head: str, key: str, values: Sequence[CellContent], form: str = "", unit: str = ""
+    ) -> Column:
+        own = f"{form} [{unit}]" if unit else form
+        return Column(
+            head=head, key=key, values=values, form=own, unit=unit, tones=tones, align="right"
+        )
+
+    def of(head: str, key: str, form: str, unit: str = "") -> Column:
+        return column(head, key, [getattr(one, key) for one in candidates], form, unit)
+
+    def span(key: str) -> tuple[Column, ...]:
+        low, high = zip(*(getattr(one, f"{key}_range") for one in candidates), strict=True)
+        return (
+            column(said("from"), f"{key}_low", [Number(x, ".2f [mm]") for x in low]),
+            column(said("to"), f"{key}_high", [Number(x, ".2f [mm]") for x in high]),
+        )
+
+    misfits = [
+        Number(one.misfit, ".1f", behind="" if one.reproduces else " ×") for one in candidates
+    ]
+    columns = (
+        of("", "rank", ".5"),
+        of("Z", "roller_count", ".5"),
+        of("D_we", "roller_diameter", ".2f", "mm"),
+        *(span("roller_diameter") if tapered else ()),
+        of("L_we", "effective_length", ".2f", "mm"),
+        *(span("effective_length") if tapered else ()),
+        of("d_pw", "pitch_diameter", ".2f", "mm"),
+        of(said("filling"), "filling", ".0f", "%"),
+        of("C", "dynamic_error", "+.1f", "%"),
+        of("C0", "static_error", "+.1f", "%"),
+        Column(head=said("misfit"), key="misfit", values=misfits, tones=tones, align="left"),
+        of(said("share"), "weight", ".0f", "%"),
+    )
+    legend = said(
+        "filling: part of the pitch circle that the rollers take; C, C0: computed minus published;"
+        " misfit up to 1: as good as usual; ×: one figure is off by more than three tolerances;"
+        " share: of the likelihood."
+    )
+    table = Table(columns=columns, key="candidates", legends=(legend,), gap=1, units="behind")
+    return Section(said("Candidates that fit the ratings"), (table,), "candidates")
 
 
 def _candidates(candidates: Sequence[Candidate]) -> Section:

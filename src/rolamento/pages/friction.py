@@ -127,9 +127,7 @@ def _totals(friction: Friction) -> Table:
     torque, watt = torque_unit([value for _, value in rows]), power_unit([power])
     units = [torque] * len(rows) + [watt]
     rows.append((said("power loss"), power))
-    values = [
-        Number(value, f".4 [{unit}]") for (_, value), unit in zip(rows, units, strict=True)
-    ]
+    values = [Number(value, f".4 [{unit}]") for (_, value), unit in zip(rows, units, strict=True)]
     labels = [label for label, _ in rows]
     columns = (
         Column(head="", values=labels, key="quantity"),

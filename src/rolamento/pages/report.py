@@ -42,7 +42,7 @@ from rolamento.pages.preload import STAGE_NAMES
 from rolamento.pages.state import rosette_section, stiffness_section
 from rolamento.studies.names import torque_model_name
 from rolamento.vibration.frequencies import ABBREVIATIONS, LineName
-from rolamento.words import Note, counted, in_unit, manner, marked, said
+from rolamento.words import Note, counted, in_unit, manner, marked, said, worded
 from rolamento.words.reasons import reason
 from rolamento.words.theories import theory_name
 
@@ -685,7 +685,13 @@ def _results(report: Report) -> list[Section | Beside]:
     for case in report.cases:
         if case.converged:
             sections += [_distribution(report, case), *_pictures(report, case)]
-    add(said("Ball loads compared"), "ball_loads", _ball_loads(report))
+    compared = worded(
+        _elements(report),
+        said("Ball loads compared"),
+        said("Roller loads compared"),
+        said("Element loads compared"),
+    )
+    add(compared, "ball_loads", _ball_loads(report))
     add(said("Contact stresses"), "contacts", _contacts(report))
     add(said("Lubricant film"), "film", _film(report))
     add(said("Friction"), "friction", _friction(report))
@@ -694,6 +700,11 @@ def _results(report: Report) -> list[Section | Beside]:
     missing = _missing(report)
     add(said("Not calculated"), "missing", (Notes(missing),) if missing else ())
     return sections
+
+
+def _elements(report: Report) -> list[str]:
+    """What rolls in the rows of all cases."""
+    return [place.bearing.element for case in report.cases for place in case.case.bearing.places]
 
 
 def _missing(report: Report) -> tuple[Remark, ...]:
@@ -1109,7 +1120,12 @@ def _rows(report: Report) -> tuple[Table, ...]:
         _Row(said("axial preload at rest"), "analysis.preload.at_rest", ".4 N"),
         _Row(said("axial preload at speed"), "analysis.preload.at_speed", ".4 N"),
         _Row(
-            said("load factor at which the first ball loses contact"),
+            worded(
+                _elements(report),
+                said("load factor at which the first ball loses contact"),
+                said("load factor at which the first roller loses contact"),
+                said("load factor at which the first rolling element loses contact"),
+            ),
             "analysis.preload.lift_factor",
             ".3",
         ),
@@ -1124,6 +1140,7 @@ def _rows(report: Report) -> tuple[Table, ...]:
         own = [
             _Row(said("position"), f"{path}.position", ".4 mm"),
             _Row(said("loaded balls"), f"{path}.loaded_balls", ".4"),
+            _Row(said("loaded rollers"), f"{path}.loaded_rollers", ".4"),
             _Row(said("axial load Fx"), f"{path}.load.fx", ".4 N"),
             _Row(said("radial load Fy"), f"{path}.load.fy", ".4 N"),
             _Row(said("radial load Fz"), f"{path}.load.fz", ".4 N"),
@@ -1195,14 +1212,20 @@ def _pictures(report: Report, case: CaseReport) -> list[Section]:
 
 
 def _ball_loads(report: Report) -> tuple[Table, ...]:
-    """The inner loads ball by ball, where cases that converged have as many balls."""
+    """The inner loads element by element, where cases that converged have as many of one kind."""
     solved = [case for case in report.cases if case.converged]
     counts = {len(case.analysis.solved.elements.row) for case in solved}
-    if len(solved) < 2 or len(counts) != 1:
+    kinds = set(_elements(report))
+    if len(solved) < 2 or len(counts) != 1 or ("ball" in kinds and len(kinds) > 1):
         return ()
+    balls = kinds == {"ball"}
     rows = [
-        _Row(said("ball {number}", number=ball), f"analysis.balls.{ball}.inner.load", ".4 N")
-        for ball in range(counts.pop())
+        _Row(
+            said("ball {number}", number=one) if balls else said("roller {number}", number=one),
+            f"analysis.{'balls' if balls else 'rollers'}.{one}.inner.load",
+            ".4 N",
+        )
+        for one in range(counts.pop())
     ]
     return _tables(report, [("", rows)], "ball_loads", legends=(said("Load at the inner race"),))
 
@@ -1210,6 +1233,7 @@ def _ball_loads(report: Report) -> tuple[Table, ...]:
 _OF_CONTACTS: Final = (
     ("max_pressure", marked("maximum contact pressure"), ".4 MPa"),
     ("ball", marked("ball number"), ".4"),
+    ("roller", marked("roller number"), ".4"),
     ("azimuth", marked("azimuth of the ball"), ".4 °"),
     ("contact_angle", marked("contact angle"), ".4 °"),
     ("semi_major", marked("ellipse, semi-major"), ".4 mm"),
@@ -1233,9 +1257,35 @@ _OF_FILMS: Final = (
 """Of the contacts of a race: name in the extremes, label, form."""
 
 
+_OF_LINES: Final = {
+    "azimuth": marked("azimuth of the roller"),
+    "semi_major": marked("half the effective length"),
+    "semi_minor": marked("half-width"),
+    "deflection": marked("approach, maximum along the roller"),
+}
+"""What is called otherwise of the contacts of rollers."""
+_OF_BOTH: Final = {
+    "azimuth": marked("azimuth of the element"),
+    "semi_major": marked("ellipse, semi-major, or half the effective length of a roller"),
+    "semi_minor": marked("ellipse, semi-minor, or half-width of a line"),
+}
+
+
 def _contacts(report: Report) -> tuple[Table, ...]:
     heads: dict[Race, str] = {"inner": said("Inner race"), "outer": said("Outer race")}
-    return _by_race(report, _OF_CONTACTS, heads, "contacts")
+    kinds = set(_elements(report))
+    named = {} if kinds == {"ball"} else _OF_BOTH if "ball" in kinds else _OF_LINES
+    rows = [(name, named.get(name, label), form) for name, label, form in _OF_CONTACTS]
+    return (*_by_race(report, rows, heads, "contacts"), *_roller_table(report))
+
+
+def _roller_table(report: Report) -> tuple[Table, ...]:
+    """Tilt and rib forces of rollers; nothing of balls."""
+    rows = [
+        _Row(said("maximum tilt of a roller"), "extremes.roller_tilt", ".3 mrad"),
+        _Row(said("maximum force of a rib on a roller"), "extremes.rib_force", ".4 N"),
+    ]
+    return _tables(report, [("", rows)], "roller_extremes")
 
 
 def _by_race(
@@ -1488,7 +1538,9 @@ def _stiffness(report: Report) -> list[Table]:
 
 _CHECKS: Final[Mapping[str, tuple[str, str]]] = {
     "pressure": (marked("contact pressure, static limit of ISO 76"), ".4 [MPa]"),
+    "line_pressure": (marked("contact pressure of rollers, static limit of ISO 76"), ".4 [MPa]"),
     "tilt": (marked("tilt of the inner ring (small angles)"), ".3 [°]"),
+    "misalignment": (marked("misalignment that makers permit of roller bearings"), ".3 [mrad]"),
     "speed": (marked("speed factor n·d_m"), ".3 [10⁶ mm·rpm]"),
     "load": (marked("equivalent load P over dynamic rating C"), ".3"),
     "reference_load": (marked("reference load P_ref over dynamic rating C"), ".3"),
@@ -1524,7 +1576,13 @@ def _validity(report: Report) -> list[Section]:
 def _check_table(case: CaseReport) -> Table:
     checks = [check for check in case.checks if check.name in _CHECKS]
     forms = [_CHECKS[check.name][1] for check in checks]
-    units = {"pressure": "MPa", "tilt": "°", "speed": "10⁶ mm·rpm"}
+    units = {
+        "pressure": "MPa",
+        "line_pressure": "MPa",
+        "tilt": "°",
+        "misalignment": "mrad",
+        "speed": "10⁶ mm·rpm",
+    }
 
     def column(name: str, head: str) -> Column:
         values: list[CellContent] = []

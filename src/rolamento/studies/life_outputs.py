@@ -221,12 +221,11 @@ def _reliability_of_required(summary: LifeSummary) -> Floats | None:
 
 
 def _inner_share(summary: LifeSummary) -> Floats:
-    """Part of the inner races in Σ L^-e over all races; NaN without an end."""
-    from rolamento.life.iso16281 import SLOPE, system_life
-
-    inner, whole = system_life(summary.reference.inner), summary.reference.life
+    """Part of the inner races in Σ (t/L)^e over all races, t their life; NaN without an end."""
+    reference = summary.reference
     with np.errstate(divide="ignore", invalid="ignore"):
-        return np.asarray((whole / inner) ** SLOPE)
+        risk = (reference.life[:, np.newaxis] / reference.inner) ** reference.slope
+        return np.asarray(risk.sum(axis=1))
 
 
 def _weakest_row(summary: LifeSummary) -> Floats:

@@ -5,7 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from rolamento.catalogue import Candidate, CatalogueBearing, InternalGeometry, ambiguity_axis
+from rolamento.catalogue import (
+    Candidate,
+    CatalogueBearing,
+    InternalGeometry,
+    RollerCandidate,
+    ambiguity_axis,
+)
 from rolamento.errors import InputError
 from rolamento.units import from_si
 from rolamento.words import said
@@ -24,18 +30,18 @@ def axis_toml(geometry: InternalGeometry) -> str:
     Raises
     ------
     InputError
-        If its balls are published: there is nothing to vary.
+        If its inside is published: there is nothing to vary.
     """
     if not geometry.candidates:
         raise InputError(
-            said("has published balls: there are no candidates"),
+            said("has a published interior: there are no candidates"),
             field="designation",
             value=geometry.designation.text,
         )
     axis = ambiguity_axis(geometry.candidates)
     lines = ["[[axes]]", f'name = "{axis["name"]}"', "[axes.zipped]"]
     for name, values in axis["zipped"].items():
-        is_length = name.endswith("diameter")
+        is_length = name.endswith(("diameter", "length"))
         texts = [f'"{from_si(value, "length")}"' if is_length else str(value) for value in values]
         lines.append(f'"{name}" = [{", ".join(texts)}]')
     return "\n".join(lines) + "\n"
@@ -48,7 +54,6 @@ def search_mapping(found: Sequence[CatalogueBearing]) -> dict[str, Any]:
 
 def bearing_mapping(geometry: InternalGeometry) -> dict[str, Any]:
     """Give one bearing as plain values, in SI; ``inside`` is None if nothing is known of it."""
-    has_balls = "ball_count" in geometry.fields
     inside = {
         name: {"value": value, "origin": geometry.origins[name]}
         for name, value in geometry.fields.items()
@@ -61,7 +66,7 @@ def bearing_mapping(geometry: InternalGeometry) -> dict[str, Any]:
         "meanings": dict(geometry.designation.meanings),
         "unknown": list(geometry.designation.unknown),
         "without_effect": [part for part, _ in geometry.idle],
-        "inside": inside if has_balls else None,
+        "inside": inside if geometry.has_elements else None,
         "candidates": [_candidate_mapping(one) for one in geometry.candidates],
         "same_size": [_bearing_mapping(one) for one in geometry.sisters],
     }
@@ -79,7 +84,7 @@ def _bearing_mapping(bearing: CatalogueBearing) -> dict[str, Any]:
     }
 
 
-def _candidate_mapping(one: Candidate) -> dict[str, Any]:
+def _candidate_mapping(one: Candidate | RollerCandidate) -> dict[str, Any]:
     names = one.__dataclass_fields__
     return {
         name: list(value) if isinstance(value := getattr(one, name), tuple) else value

@@ -32,6 +32,7 @@ from rolamento.vibration.diagnosis import (
 )
 from rolamento.vibration.diagnosis.blocks import MOST_SAMPLES
 from rolamento.vibration.frequencies import FaultFrequencies, frequencies_of, nominal_frequencies
+from rolamento.vibration.frequency_band import open_counts
 from rolamento.vibration.lookalikes import Lookalikes, lookalikes
 from rolamento.vibration.noise_floor import LOWEST_LINE
 from rolamento.vibration.reading import open_signal
@@ -204,6 +205,7 @@ class DiagnosisResult:
             yield Note("other_rows", {"rows": list(self.other_rows)})
         if "inferred" in self.bearing.origins.values():
             yield Note("frequencies_of_estimated_geometry")
+        yield from open_counts(self.bearing)
 
     def to_mapping(self) -> dict[str, Any]:
         """Return everything but the spectra as plain data, in SI units and Hz."""
@@ -462,7 +464,7 @@ def _lookalikes(
     return lookalikes(
         found,
         FaultOrders.of(frequencies),
-        rolling_bearings(),
+        rolling_bearings(of_rollers=frequencies.rolling_element == "roller"),
         speed_tolerance=settings.speed_tolerance,
         ratios=(frequencies.turns.inner, frequencies.turns.outer),
         designation=name,

@@ -32,6 +32,7 @@ from rolamento.vibration.frequency_band import (
     Tolerances,
     alternatives_of,
     banded_frequencies,
+    open_counts,
 )
 from rolamento.words import Note, said
 
@@ -84,7 +85,8 @@ class FrequencyResult:
     @property
     def notes(self) -> tuple[Note, ...]:
         """What is to be known of the frequencies, each once."""
-        return tuple(dict.fromkeys(note for one in self.by_source for note in one.notes))
+        own = dict.fromkeys(note for one in self.by_source for note in one.notes)
+        return (*own, *open_counts(self.bearing))
 
     def to_mapping(self) -> dict[str, Any]:
         """Return everything as plain data, in SI units and Hz."""

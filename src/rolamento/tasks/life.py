@@ -24,6 +24,8 @@ from rolamento.life import (
 )
 from rolamento.life.iso16281 import SLOPE
 from rolamento.life.l_able import NSK_CLEANLINESS, FactorTable, read_factor_table
+from rolamento.life.lamina import one_number_of_slices
+from rolamento.life.record import slope_of
 from rolamento.life.spectrum import shaft_life
 from rolamento.numerics import FloatArray
 from rolamento.solution import solve
@@ -112,11 +114,13 @@ class SystemLife:
         valid = all(own is not None and bool(own.valid[0]) for own in lives)
         leads = all(own is not None and bool(own.valid[0] | own.below[0]) for own in lives)
         with np.errstate(divide="ignore", invalid="ignore"):
-            risk = (np.min(hours) / hours) ** SLOPE
+            slopes = np.array([SLOPE if own is None else slope_of(own.element) for own in lives])
+            together = float(shaft_life(hours, slope=slopes))
+            risk = ((together if np.isfinite(together) else np.min(hours)) / hours) ** slopes
         return cls(
             theories=tuple("" if own is None else str(np.ravel(own.theory)[0]) for own in lives),
             bearing_hours=hours,
-            hours=float(shaft_life(hours)),
+            hours=together,
             risk=np.asarray(risk / risk.sum()),
             valid=valid,
             below=leads and any(own is not None and bool(own.below[0]) for own in lives),
@@ -269,6 +273,7 @@ def life_of_shaft(
     bearings = tuple(solve(case) for case in read)
     lives = tuple(_life(solved, conditions_with(solved, table)) for solved in bearings)
     known = [summary for summary in lives if summary is not None]
+    one_number_of_slices(summary.slices for summary in known)
     theories = [
         name
         for name in (known[0].theories if known else ())

@@ -20,6 +20,7 @@ from rolamento.errors import InputError
 from rolamento.life import Headline, Life, LifeSummary, life
 from rolamento.life.iso16281 import race_ratings
 from rolamento.life.l_able import FactorTable
+from rolamento.life.lamina import one_number_of_slices
 from rolamento.life.load_zone import clearance_function, load_zone, zone_life
 from rolamento.life.theories import THEORIES
 from rolamento.numerics import FloatArray
@@ -74,8 +75,8 @@ class LifeRows:
         by name, arrays (rows,); NaN where there is no life
     headline
         the life that leads, arrays (rows,)
-    races
-        basic reference life of each race, (rows, races), 10^6 rev
+    races, slopes
+        basic reference life of each race, (rows, races), 10^6 rev, and Weibull's e, (races,)
     viscosity_ratio, contamination_factor
         κ and e_C, (rows,); NaN where they are not known
     refused
@@ -86,6 +87,7 @@ class LifeRows:
     theories: Mapping[str, Life]
     headline: Headline
     races: FloatArray
+    slopes: FloatArray
     viscosity_ratio: FloatArray
     contamination_factor: FloatArray
     refused: tuple[tuple[NDArray[np.int64], InputError], ...]
@@ -284,6 +286,7 @@ def lives_of_rows(
             blocks.append((index, found))
     if not blocks:
         raise refused[0][1]
+    one_number_of_slices(own.slices for _, own in blocks)
     known = {name for _, summary in blocks for name in summary.theories}
     races = [
         (index, np.concatenate([own.reference.inner, own.reference.outer], axis=1))
@@ -300,6 +303,7 @@ def lives_of_rows(
         },
         headline=_joined([(index, own.headline) for index, own in blocks], count),
         races=_spread(races, count),
+        slopes=blocks[0][1].reference.race_slopes,
         viscosity_ratio=_spread([(i, own.viscosity_ratio) for i, own in blocks], count),
         contamination_factor=_spread([(i, own.contamination_factor) for i, own in blocks], count),
         refused=tuple(refused),

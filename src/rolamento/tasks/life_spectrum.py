@@ -23,7 +23,6 @@ from rolamento.case.life_model import LifeModel
 from rolamento.errors import FileError, InputError
 from rolamento.life import Headline, Life
 from rolamento.life.iso281 import hours
-from rolamento.life.iso16281 import SLOPE
 from rolamento.life.iso16281 import THEORY as REFERENCE
 from rolamento.life.l_able import FactorTable
 from rolamento.life.reliability import reliability_factor, reliability_of
@@ -293,10 +292,10 @@ def life_under(
         revolution_shares=turns,
         mean_speed=mean_speed,
         theories={
-            name: _summed(record, _race_lives(record, races), idle, turns, mean_speed)
+            name: _summed(record, _race_lives(record, races), rows.slopes, idle, turns, mean_speed)
             for name, record in rows.theories.items()
         },
-        headline=_summed(rows.headline, leading, idle, turns, mean_speed),
+        headline=_summed(rows.headline, leading, rows.slopes, idle, turns, mean_speed),
         reliability=wishes.reliability,
         required_life=wishes.wanted_life,
         stress_volume=len(duty) <= MOST_WITH_STRESS_VOLUME,
@@ -383,6 +382,7 @@ def _race_lives(record: Life, races: FloatArray) -> FloatArray | None:
 def _summed(
     steps: Life | Headline,
     races: FloatArray | None,
+    slopes: FloatArray,
     idle: BoolArray,
     turns: FloatArray,
     mean_speed: float,
@@ -396,11 +396,13 @@ def _summed(
         life = float(miner_life(lives, turns))
     else:
         half = races.shape[1] // 2
-        life = float(races_under_spectrum(races[:, :half], races[:, half:], turns))
+        life = float(races_under_spectrum(races[:, :half], races[:, half:], turns, slope=slopes))
     with np.errstate(divide="ignore", invalid="ignore"):
         used = np.where(turns[:, np.newaxis] > 0.0, turns[:, np.newaxis] / own, 0.0)
         total = used.sum(axis=0)
-        risk = total**SLOPE / np.sum(total**SLOPE)
+        # of one slope the unit cancels; where slopes differ the risk is that at the end of the life
+        risk = (total * life if np.isfinite(life) else total) ** (1.0 if races is None else slopes)
+        risk = risk / risk.sum()
         damage = np.asarray(np.where(total > 0.0, used / total, 0.0) @ risk)
     theory, valid, below = steps.theory, steps.valid[part], steps.below[part]
     if isinstance(steps, Headline):

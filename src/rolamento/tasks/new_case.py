@@ -6,11 +6,13 @@ import math
 import textwrap
 import tomllib
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Any, Final, cast
 
 from rolamento.case import Case, parse_case
 from rolamento.case.bearing import Bearing
 from rolamento.case.fields import Field
+from rolamento.case.roller_bearing import RollerBearing
+from rolamento.case.rolling_bearing import BY_ELEMENT, element_told
 from rolamento.units import from_si, readable
 from rolamento.words import marked, said
 
@@ -23,8 +25,8 @@ TABLES: Final = {
     "": marked("Every value has its unit. Lines that begin with # are optional: what they show is "
                "an example, and goes into effect without the #. The other values are there to "
                "start with: put your own in their place."),
-    "bearing": marked("The bearing. What a designation tells (balls, angle or clearance) may be "
-                      "given over it."),
+    "bearing": marked("The bearing. What a designation tells (balls or rollers, angle or clearance)"
+                      " may be given over it."),
     "duty": marked("Speeds of the rings about the shaft's axis x."),
     "duty.load": marked("What the shaft puts on the inner ring: x along the shaft, z the usual "
                         "direction of the radial load. A moment of zero leaves the ring free to "
@@ -51,8 +53,20 @@ _SPINDLE_ANGLE: Final = math.radians(26.0)
 _LOAD_SHARE: Final = 0.1
 _LOAD: Final = 1000.0
 """To start with: this share of C, or this force (N) where no rating is known."""
-_AXIAL: Final = ("angular_contact", "double_row", "four_point", "thrust")
+_AXIAL: Final = ("angular_contact", "double_row", "four_point", "thrust", "tapered")
 _ONLY_AXIAL: Final = ("thrust",)
+_OF_BALLS: Final = frozenset({
+    "model.raceway_control", "model.cage", "model.cage_drag", "model.mesh", "model.traction",
+    "model.film_in_contact",
+})  # fmt: skip
+_OF_ROLLERS: Final = frozenset({"model.roller_contact", "model.slices", "film.line"})
+"""Fields beside those of the bearing that matter with balls only, and with rollers only."""
+_NOT_OF: Final[Mapping[str, tuple[str, ...]]] = {
+    "tapered": ("diametral_clearance", "inner_ribs", "outer_ribs", "axial_play"),
+    "cylindrical": ("contact_angle", "roller_half_angle", "preload"),
+    "needle": ("contact_angle", "roller_half_angle", "preload"),
+}
+"""Fields of a roller bearing that rollers of a kind do not have."""
 
 
 def case_template(designation: str | None = None) -> str:
@@ -68,11 +82,11 @@ def case_template(designation: str | None = None) -> str:
     InputError
         If there is no such bearing, or its designation tells too little.
     """
-    bearing = None if designation is None else Bearing.named(designation)
+    bearing = None if designation is None else _named(designation)
     awake = _by_geometry() if bearing is None else _by_designation(bearing)
     asleep = {} if bearing is None else _examples_of(bearing)
     lines = [*_wrapped(TABLES[""]), ""]
-    for table, fields in _tables().items():
+    for table, fields in _tables(bearing).items():
         if table:
             is_awake = any(field.name in awake for field in fields) or table in ("bearing", "duty")
             lines += ["", *_wrapped(TABLES[table]), f"[{table}]" if is_awake else f"# [{table}]"]
@@ -88,9 +102,25 @@ def file_name(designation: str | None) -> str:
     return f"{kept.strip('-.') or 'case'}.toml"
 
 
-def _tables() -> dict[str, list[Field]]:
+def _named(designation: str) -> Bearing | RollerBearing:
+    """The bearing of a designation: of balls, unless it tells of rollers."""
+    record = BY_ELEMENT[element_told({"designation": designation}) or "ball"]
+    return cast("Bearing | RollerBearing", record.named(designation))
+
+
+def _matters(name: str, bearing: Bearing | RollerBearing | None) -> bool:
+    """Whether a field is of such a bearing; of one of balls if there is none yet."""
+    table, _, leaf = name.rpartition(".")
+    record = Bearing if bearing is None else type(bearing)
+    if table == "bearing":
+        other = () if bearing is None else _NOT_OF.get(bearing.element, ())
+        return leaf in record.model_fields and leaf not in other
+    return name not in (_OF_BALLS if record is RollerBearing else _OF_ROLLERS)
+
+
+def _tables(bearing: Bearing | RollerBearing | None) -> dict[str, list[Field]]:
     """The fields of a case by their tables, in its order; not what a name stands for as a whole."""
-    known = Case.fields()
+    known = {name: field for name, field in Case.fields().items() if _matters(name, bearing)}
     tables: dict[str, list[Field]] = {"": []}
     for name, field in known.items():
         table, _, _leaf = name.rpartition(".")
@@ -160,12 +190,13 @@ _OIL: Final = {
 }
 
 
-def _by_designation(bearing: Bearing) -> dict[str, Any]:
+def _by_designation(bearing: Bearing | RollerBearing) -> dict[str, Any]:
     """A bearing of the catalogue, with a load and a speed that it bears for long."""
     published = bearing.published
     assert published is not None
     load = _rounded(_LOAD_SHARE * (published.dynamic_rating or _LOAD / _LOAD_SHARE))
-    spindle = bearing.contact_angle is not None and bearing.contact_angle < _SPINDLE_ANGLE
+    angle = bearing.contact_angle if isinstance(bearing, Bearing) else None
+    spindle = angle is not None and angle < _SPINDLE_ANGLE
     speed = _rounded(1e3 * _SPEED_FACTOR[spindle] / bearing.pitch_diameter)
     loads = {} if published.kind in _ONLY_AXIAL else {"duty.load.fz": from_si(load, "force")}
     if published.kind in _AXIAL or bearing.contact_angle is not None:
@@ -179,13 +210,16 @@ def _by_designation(bearing: Bearing) -> dict[str, Any]:
     }
 
 
-def _examples_of(bearing: Bearing) -> dict[str, Any]:
+def _examples_of(bearing: Bearing | RollerBearing) -> dict[str, Any]:
     """Of what is asleep, the values that the bearing has."""
     published = bearing.published
     assert published is not None
     fields = Case.fields()
     found = {}
-    for leaf in bearing.origins:
+    own = ("roller_length", "roller_half_angle") if isinstance(bearing, RollerBearing) else ()
+    for leaf in (*bearing.origins, *own):
+        if getattr(bearing, leaf) is None:
+            continue
         field = fields[f"bearing.{leaf}"]
         found[field.name] = _written(field, getattr(bearing, leaf))
     found.update(_sizes(published, fields))

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from dataclasses import asdict, dataclass
 from datetime import date
 from functools import cached_property
-from math import isfinite
+from math import inf, isfinite
 from typing import Any, Final, Literal, NamedTuple
 
 import numpy as np
@@ -24,10 +24,12 @@ from rolamento.case.film_model import FilmModel
 from rolamento.case.life_model import LifeModel
 from rolamento.case.report import ReportHead
 from rolamento.case.variant import Variant, cases_compared, with_the_case
+from rolamento.contact.line import PRESSURE_LIMIT
 from rolamento.errors import InputError
 from rolamento.life.iso281 import MAXIMUM_LOAD
 from rolamento.lubrication.film_thickness import COMPUTED_RANGE
 from rolamento.notes import SPEED_LIMIT, STATIC_PRESSURE_LIMIT, TILT_LIMIT
+from rolamento.roller_notes import USUAL_MISALIGNMENT, are_rollers, misalignment
 from rolamento.solved import RACES
 from rolamento.studies.names import setting_name
 from rolamento.tasks.bearing import BearingLike, case_of
@@ -595,10 +597,19 @@ def _origin(case: Case, name: str, given: Set[str], settings: Set[str]) -> tuple
 def _checks(analysis: Analysis) -> Iterator[Check]:
     """Limits that the models set themselves, and where a solved case stands."""
     solved = analysis.solved
-    pressure = [float(contacts.max_pressure[0].max()) for contacts in solved.contacts.values()]
-    yield Check("pressure", 0.0, max(pressure), high=STATIC_PRESSURE_LIMIT)
+    rollers = are_rollers(solved)
+    for name, chosen, limit in (
+        ("pressure", ~rollers, STATIC_PRESSURE_LIMIT),
+        ("line_pressure", rollers, PRESSURE_LIMIT),
+    ):
+        if chosen.any():
+            pressure = [one.max_pressure[0, chosen].max() for one in solved.contacts.values()]
+            yield Check(name, 0.0, float(max(pressure)), high=limit)
     tilt = max(abs(float(solved.displacement.ry[0])), abs(float(solved.displacement.rz[0])))
     yield Check("tilt", 0.0, tilt, high=TILT_LIMIT)
+    if rollers.any():
+        limit = min(USUAL_MISALIGNMENT.get(kind, inf) for kind in solved.rows.element)
+        yield Check("misalignment", 0.0, misalignment(solved), high=limit)
     speed = max(abs(float(solved.field(f"duty.{race}_speed")[0])) for race in RACES)
     pitch = float(solved.rows.pitch_diameter[0].max())
     yield Check("speed", 0.0, speed * pitch, high=SPEED_LIMIT)
@@ -618,7 +629,8 @@ def _checks(analysis: Analysis) -> Iterator[Check]:
         ):
             values = np.concatenate([getattr(analysis.film.of(race), column)[0] for race in RACES])
             thick = np.concatenate([analysis.film.of(race).central_thickness[0] for race in RACES])
-            values = values[np.isfinite(values) & np.isfinite(thick)]
+            points = ~np.tile(rollers, len(RACES))
+            values = values[np.isfinite(values) & np.isfinite(thick) & points]
             if values.size:
                 low, high = COMPUTED_RANGE[symbol]
                 least, greatest = float(values.min()), float(values.max())
@@ -628,12 +640,17 @@ def _checks(analysis: Analysis) -> Iterator[Check]:
 def _extremes(analysis: Analysis) -> dict[str, Any]:
     """The heaviest contacts of a solved case, and what a page shows beside the tables."""
     solved = analysis.solved
-    found: dict[str, Any] = {"loaded_balls": int(solved.loaded[0].sum())}
+    loaded = {"balls": ~are_rollers(solved), "rollers": are_rollers(solved)}
+    found: dict[str, Any] = {
+        f"loaded_{name}": int(solved.loaded[0, own].sum())
+        for name, own in loaded.items()
+        if own.any()
+    }
     for race, contacts in solved.contacts.items():
         for name in ("load", "max_pressure", "max_shear", "orthogonal_shear"):
             found[f"{race}_{name}"] = float(getattr(contacts, name)[0].max())
         place = int(np.argmax(contacts.max_pressure[0]))
-        found[f"{race}_ball"] = place
+        found[f"{race}_{'roller' if are_rollers(solved)[place] else 'ball'}"] = place
         found[f"{race}_azimuth"] = float(solved.elements.azimuth[0, place])
         for name in (
             "semi_major", "semi_minor", "contact_angle", "max_shear_depth",
@@ -644,6 +661,9 @@ def _extremes(analysis: Analysis) -> dict[str, Any]:
         found[f"{race}_spin_to_roll"] = float(np.abs(contacts.spin_to_roll[0][bearing]).max())
     found["max_pressure"] = max(found[f"{race}_max_pressure"] for race in RACES)
     found["centrifugal_force"] = float(solved.elements.centrifugal_force[0].max())
+    if solved.rollers is not None:
+        found["roller_tilt"] = float(np.nanmax(np.abs(solved.rollers.tilt[0])))
+        found["rib_force"] = float(np.nanmax(np.abs(solved.rollers.rib_force[0])))
     film = analysis.film
     if film is not None:
         found["film_parameter"] = float(film.minimum_film_parameter[0])
@@ -681,8 +701,8 @@ def _paths(found: Any, path: str) -> Iterator[str]:
 
 
 def _compares(path: str) -> bool:
-    """Of the balls, only the loads: the rest would be a table of its own."""
-    return not path.startswith("analysis.balls.") or path.endswith(".load.")
+    """Of balls and rollers, only the loads: the rest would be a table of its own."""
+    return not path.startswith(_OF_ELEMENTS) or path.endswith(".load.")
 
 
 _OF_FILM: Final = (
@@ -691,6 +711,10 @@ _OF_FILM: Final = (
 )  # fmt: skip
 _COMPARED: Final = ("extremes", "clearance", "analysis")
 _COMPARED_LISTS: Final = (
-    "analysis.stiffness.", "analysis.rows.", "analysis.balls.", "clearance.steps.",
+    "analysis.stiffness.", "analysis.rows.", "analysis.balls.", "analysis.rollers.",
+    "clearance.steps.",
 )  # fmt: skip
-_NOT_COMPARED: Final = frozenset({"schema", "residual", "iterations", "row", "ball", "notes"})
+_OF_ELEMENTS: Final = ("analysis.balls.", "analysis.rollers.")
+_NOT_COMPARED: Final = frozenset(
+    {"schema", "residual", "iterations", "row", "ball", "roller", "notes"}
+)

@@ -30,10 +30,10 @@ from rolamento._json import plain
 from rolamento.case.bearing import Bearing
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.errors import InputError
-from rolamento.geometry import ring_geometry
+from rolamento.geometry import apex_half_angle, ring_geometry
 from rolamento.kinematics import ball_motion
 from rolamento.numerics import FloatArray
-from rolamento.roller_kinematics import apex_half_angle, apex_mismatch, roller_motion
+from rolamento.roller_kinematics import apex_mismatch, roller_motion
 from rolamento.solved import Solved, refuse_other
 from rolamento.words import Note, said
 from rolamento.words.naming import of_element

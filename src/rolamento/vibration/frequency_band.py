@@ -16,7 +16,7 @@ from typing import Final, NamedTuple
 
 from rolamento.case.bearing import Bearing
 from rolamento.case.roller_bearing import RollerBearing
-from rolamento.catalogue import Candidate
+from rolamento.catalogue import RollerCandidate
 from rolamento.errors import InputError
 from rolamento.geometry import ring_geometry
 from rolamento.vibration.frequencies import (
@@ -33,11 +33,14 @@ from rolamento.vibration.frequencies import (
     shaft_of,
     turns_of,
 )
-from rolamento.words import said
+from rolamento.words import Note, said
 
 _RIGHT_ANGLE: Final = 0.5 * pi
 _LEAST_GAP: Final = 1e-9
 """By which a pitch diameter stays above the balls', relatively."""
+_DECIDED: Final = 0.95
+"""Share of one number of rollers from which on it is taken as known."""
+_MOST_COUNTS: Final = 4
 Interval = tuple[float, float]
 
 
@@ -137,20 +140,25 @@ def alternatives_of(
     angle, _ = nominal_angle(bearing, contact_angle)
     found = []
     for one in _candidates(bearing):
-        turns = turns_of(one.ball_diameter / one.pitch_diameter, angle, inner, outer, slip)
-        orders = {name: abs(o) for name, o in line_orders(turns, one.ball_count).items()}
+        turns = turns_of(one.diameter / one.pitch, angle, inner, outer, slip)
+        orders = {name: abs(o) for name, o in line_orders(turns, one.count).items()}
         found.append(
             Alternative(
-                one.rank,
-                one.weight,
-                one.ball_count,
-                one.ball_diameter,
-                one.pitch_diameter,
-                one.reproduces,
-                orders,
+                one.rank, one.share, one.count, one.diameter, one.pitch, one.reproduces, orders
             )
         )
     return tuple(found)
+
+
+def open_counts(bearing: Bearing | RollerBearing) -> tuple[Note, ...]:
+    """Return how many rollers there may be where the ratings do not decide it; empty of balls."""
+    shares: dict[int, float] = {}
+    for one in _candidates(bearing):
+        shares[one.count] = shares.get(one.count, 0.0) + one.share
+    if bearing.element == "ball" or max(shares.values(), default=1.0) > _DECIDED:
+        return ()
+    counts = sorted(shares.items(), key=lambda item: -item[1])[:_MOST_COUNTS]
+    return (Note("roller_count_open", {"shares": [list(item) for item in counts]}),)
 
 
 def banded_frequencies(
@@ -253,22 +261,22 @@ def _places(
 ) -> list[_Place]:
     """Return the geometry as it is given, and those that the ratings also allow."""
     angles = _angles(bearing, contact_angle, allowed)
-    own = (bearing.element_diameter, bearing.pitch_diameter)
-    insides = [(bearing.element_count, own[0], (own[1], own[1]))]
+    size, pitch = bearing.element_diameter, bearing.pitch_diameter
+    insides = [(bearing.element_count, (size, size), (pitch, pitch))]
     if allowed.candidates:
         insides += [
-            (one.ball_count, one.ball_diameter, one.pitch_diameter_range)
+            (one.count, one.diameter_range, one.pitch_range)
             for one in _candidates(bearing)
             if one.reproduces or one.rank == 1
         ]
     return [
         _Place(
             count,
-            (max(ball - allowed.ball_diameter, ball * _LEAST_GAP), ball + allowed.ball_diameter),
+            (max(least - allowed.ball_diameter, least * _LEAST_GAP), most + allowed.ball_diameter),
             (low - allowed.pitch_diameter, high + allowed.pitch_diameter),
             angles,
         )
-        for count, ball, (low, high) in insides
+        for count, (least, most), (low, high) in insides
     ]
 
 
@@ -288,7 +296,35 @@ def _angles(
     return angle, angle
 
 
-def _candidates(bearing: Bearing | RollerBearing) -> tuple[Candidate, ...]:
-    """Return which other balls are possible, if they are inferred and not the user's own."""
+class _Inside(NamedTuple):
+    """What may roll in a bearing, by its ratings; m."""
+
+    rank: int
+    share: float
+    count: int
+    diameter: float
+    diameter_range: Interval
+    pitch: float
+    pitch_range: Interval
+    reproduces: bool
+
+
+def _candidates(bearing: Bearing | RollerBearing) -> list[_Inside]:
+    """Return which other balls or rollers are possible, if inferred and not the user's own."""
     told = bearing.told
-    return told.candidates if told and "inferred" in bearing.origins.values() else ()
+    if told is None or "inferred" not in bearing.origins.values():
+        return []
+    found = []
+    given = bearing.origins.get("roller_count") == "given"
+    for one in told.candidates:
+        if isinstance(one, RollerCandidate):
+            if given and one.roller_count != bearing.element_count:
+                continue
+            count, diameter = one.roller_count, one.roller_diameter
+            sizes = one.roller_diameter_range
+        else:
+            count, diameter = one.ball_count, one.ball_diameter
+            sizes = (diameter, diameter)
+        pitch = (one.pitch_diameter, one.pitch_diameter_range)
+        found.append(_Inside(one.rank, one.weight, count, diameter, sizes, *pitch, one.reproduces))
+    return found

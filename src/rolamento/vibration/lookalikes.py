@@ -34,8 +34,8 @@ _LINE_OF: Final[Mapping[Component, LineName]] = {
 
 
 def _lines_of(bearing: RollingBearing, inner: float, outer: float) -> dict[LineName, float]:
-    turns = turns_of(bearing.diameter_ratio, bearing.contact_angle, inner, outer)
-    return {name: abs(order) for name, order in line_orders(turns, bearing.ball_count).items()}
+    turns = turns_of(bearing.diameter_ratio, bearing.angle, inner, outer)
+    return {name: abs(order) for name, order in line_orders(turns, bearing.element_count).items()}
 
 
 def orders_of(bearing: RollingBearing, inner: float = 1.0, outer: float = 0.0) -> FaultOrders:
@@ -214,9 +214,8 @@ def lookalikes(
             differences = {
                 part: (orders.fundamental(part) or 0.0) / order - 1.0 for part, order in own.items()
             }
-            others.append(
-                Lookalike(bearing.designation, bearing.ball_count, bearing.is_inferred, differences)
-            )
+            told = bearing.designation, bearing.element_count, bearing.is_inferred
+            others.append(Lookalike(*told, differences))
     parts = tuple(found)
     others.sort(key=lambda one: one.distance(parts))
     return Lookalikes(

@@ -44,8 +44,8 @@ outer contact, (2, n) each, drops of roller and race, curvatures, and the compre
 itself; the influence table and scratch of `rolamento.contact.coupled`."""
 Pressed: TypeAlias = tuple[Array, Array]
 """Of both contacts: sums (2, SUMS), and loads per length (2, n)."""
-Forces: TypeAlias = tuple[float, float, float, float, float, float]
-"""Unbalanced force on η and ω, their derivatives ηη, ηω, ωω, and the size of what makes them up."""
+Forces: TypeAlias = tuple[float, float, float, float, float, float, float]
+"""Unbalanced force on η and ω, their derivatives ηη, ηω, ωη, ωω, and the size of their parts."""
 
 
 @inline_exact
@@ -120,20 +120,21 @@ def balance(p: Array, column: int, ring: Array, turn: float, sums: Array) -> For
     """Sum up what acts on a roller."""
     ai, bi = p[layout.INNER_SHIFT, column], p[layout.INNER_TURN, column]
     ao, bo = p[layout.OUTER_SHIFT, column], p[layout.OUTER_TURN, column]
-    qi, mi, ti, ci, di = sums[0, 0], sums[0, 1], sums[0, 2], sums[0, 3], sums[0, 5]
-    qo, mo, to, co, do = sums[1, 0], sums[1, 1], sums[1, 2], sums[1, 3], sums[1, 5]
+    qi, mi, qi_u, qi_w, mi_u, mi_w = sums[0]
+    qo, mo, qo_u, qo_w, mo_u, mo_w = sums[1]
     force = p[layout.CENTRIFUGAL, column]
     lever = p[layout.RIB_LEVER, column]
     pushed, stiffness = rib(p, column, ring[0] + lever * (ring[2] + 2.0 * turn))
     g0 = ai * qi + ao * qo - force * p[layout.CENTRIFUGAL_SHIFT, column]
     g1 = bi * qi + mi + bo * qo - mo - force * p[layout.CENTRIFUGAL_TURN, column]
     g1 += 2.0 * lever * pushed - p[layout.GYROSCOPIC, column]
-    h00 = ai * ai * ti + ao * ao * to
-    h01 = ai * (bi * ti + ci) + ao * (bo * to - co)
-    h11 = bi * bi * ti + 2.0 * bi * ci + di + bo * bo * to - 2.0 * bo * co + do
-    h11 += 4.0 * lever * lever * stiffness
+    h00 = ai * ai * qi_u + ao * ao * qo_u
+    h01 = ai * (bi * qi_u + qi_w) + ao * (bo * qo_u - qo_w)
+    h10 = ai * (bi * qi_u + mi_u) + ao * (bo * qo_u - mo_u)
+    h11 = bi * (bi * qi_u + qi_w) + bi * mi_u + mi_w
+    h11 += bo * (bo * qo_u - qo_w) - bo * mo_u + mo_w + 4.0 * lever * lever * stiffness
     scale = max(max(qi, qo), max(force, abs(pushed)))
-    return g0, g1, h00, h01, h11, scale
+    return g0, g1, h00, h01, h10, h11, scale
 
 
 @inline_exact
@@ -188,10 +189,10 @@ def relax(
     least, extra = floor(p, column), added(p, column)
     longest = LONGEST * p[layout.DIAMETER, column]
     shift, turn = middle(p, column, ring)
-    g0, g1, h00, h01, h11, scale = press(p, column, line, ring, shift, turn, found)
+    g0, g1, h00, h01, h10, h11, scale = press(p, column, line, ring, shift, turn, found)
     if sums[0, 0] + sums[1, 0] == 0.0 and p[layout.CENTRIFUGAL, column] > 0.0:
         shift, turn = thrown_out(p, column, ring, line[2])
-        g0, g1, h00, h01, h11, scale = press(p, column, line, ring, shift, turn, found)
+        g0, g1, h00, h01, h10, h11, scale = press(p, column, line, ring, shift, turn, found)
     steps = 0
     while True:
         size = max(scale, least)
@@ -199,10 +200,10 @@ def relax(
         if not residual > PRECISION or steps >= STEPS:
             break
         a, d = h00 + extra, h11 / (half * half) + extra
-        b = h01 / half
-        determinant = a * d - b * b
+        b, c = h01 / half, h10 / half
+        determinant = a * d - b * c
         s0 = -(d * g0 - b * g1 / half) / determinant
-        s1 = -(a * g1 / half - b * g0) / determinant
+        s1 = -(a * g1 / half - c * g0) / determinant
         slope = -(g0 * s0 + g1 * s1 / half)
         length = max(abs(s0), abs(s1))
         if not (slope > 0.0 and length < np.inf):
@@ -212,7 +213,7 @@ def relax(
         old_shift, old_turn, old = shift, turn, residual
         for _ in range(SHORTENINGS):
             shift, turn = old_shift + part * s0, old_turn + part * s1 / half
-            g0, g1, h00, h01, h11, scale = press(p, column, line, ring, shift, turn, found)
+            g0, g1, h00, h01, h10, h11, scale = press(p, column, line, ring, shift, turn, found)
             ahead = -(g0 * s0 + g1 * s1 / half)
             if ahead >= -OVERSHOOT * slope:
                 break
@@ -237,43 +238,37 @@ def condensed(
 ) -> None:
     """What a roller in balance answers to the inner ring at its centre: force (3,), (3, 3).
 
-    The roller's own place follows: K = K_rr - K_rq K_qq⁻¹ K_qr.
+    The roller's own place follows: K = K_rr - K_rq K_qq⁻¹ K_qr. Coupled slices have no potential,
+    and so no symmetry, to the last digits.
     """
-    _, _, h00, h01, h11, _ = balance(p, column, ring, turn, sums)
+    _, _, h00, h01, h10, h11, _ = balance(p, column, ring, turn, sums)
     sine, cosine = p[layout.OUTER_SINE, column], p[layout.OUTER_COSINE, column]
     lever, reach = p[layout.LEVER, column], p[layout.RIB_LEVER, column]
     ao, bo = p[layout.OUTER_SHIFT, column], p[layout.OUTER_TURN, column]
-    q, m, t, c, d = sums[1, 0], sums[1, 1], sums[1, 2], sums[1, 3], sums[1, 5]
+    q, m, q_u, q_w, m_u, m_w = sums[1]
     pushed, rate = rib(p, column, ring[0] + reach * (ring[2] + 2.0 * turn))
     force[0] = sine * q + pushed
     force[1] = cosine * q - p[layout.CENTRIFUGAL, column]
     force[2] = lever * q - m + reach * pushed - p[layout.GYROSCOPIC, column]
-    turned = lever * t - c  # of the approach by the ring's tilt, weighted
-    stiffness[0, 0] = sine * sine * t + rate
-    stiffness[0, 1] = sine * cosine * t
-    stiffness[0, 2] = sine * turned + rate * reach
-    stiffness[1, 1] = cosine * cosine * t
-    stiffness[1, 2] = cosine * turned
-    stiffness[2, 2] = lever * lever * t - 2.0 * lever * c + d + rate * reach * reach
-    r0, r1 = sine * ao * t, sine * (bo * t - c) + 2.0 * rate * reach
-    s0, s1 = cosine * ao * t, cosine * (bo * t - c)
-    u0, u1 = ao * turned, lever * (bo * t - c) - bo * c + d + 2.0 * rate * reach * reach
     half = 0.5 * p[layout.LENGTH, column]
     extra = added(p, column)
-    a, e, b = h00 + extra, h11 + extra * half * half, h01
-    determinant = a * e - b * b
-    r, s, u = (r0, r1), (s0, s1), (u0, u1)
-    stiffness[0, 0] -= (e * r[0] * r[0] - 2.0 * b * r[0] * r[1] + a * r[1] * r[1]) / determinant
-    stiffness[1, 1] -= (e * s[0] * s[0] - 2.0 * b * s[0] * s[1] + a * s[1] * s[1]) / determinant
-    stiffness[2, 2] -= (e * u[0] * u[0] - 2.0 * b * u[0] * u[1] + a * u[1] * u[1]) / determinant
-    stiffness[0, 1] -= (
-        e * r[0] * s[0] - b * (r[0] * s[1] + r[1] * s[0]) + a * r[1] * s[1]
-    ) / determinant
-    stiffness[0, 2] -= (
-        e * r[0] * u[0] - b * (r[0] * u[1] + r[1] * u[0]) + a * r[1] * u[1]
-    ) / determinant
-    stiffness[1, 2] -= (
-        e * s[0] * u[0] - b * (s[0] * u[1] + s[1] * u[0]) + a * s[1] * u[1]
-    ) / determinant
-    stiffness[1, 0], stiffness[2, 0] = stiffness[0, 1], stiffness[0, 2]
-    stiffness[2, 1] = stiffness[1, 2]
+    h00, h11 = h00 + extra, h11 + extra * half * half
+    determinant = h00 * h11 - h01 * h10
+    # of Q and M of the outer contact by A, b, θ, then by η, ω
+    q_turn, m_turn = bo * q_u - q_w, bo * m_u - m_w
+    across = (sine, cosine, lever)
+    ribs = (1.0, 0.0, reach)
+    for i in range(3):
+        turned_i = 1.0 if i == 2 else 0.0
+        by_shift = ao * (across[i] * q_u - turned_i * m_u)
+        by_turn = across[i] * q_turn - turned_i * m_turn + 2.0 * reach * rate * ribs[i]
+        for k in range(3):
+            turned_k = 1.0 if k == 2 else 0.0
+            load = across[k] * q_u - turned_k * q_w
+            moment = across[k] * m_u - turned_k * m_w
+            on_shift = ao * load
+            on_turn = bo * load - moment + 2.0 * reach * rate * ribs[k]
+            stiffness[i, k] = across[i] * load - turned_i * moment + rate * ribs[i] * ribs[k]
+            follow_shift = (h11 * on_shift - h01 * on_turn) / determinant
+            follow_turn = (h00 * on_turn - h10 * on_shift) / determinant
+            stiffness[i, k] -= by_shift * follow_shift + by_turn * follow_turn

@@ -145,6 +145,18 @@ def _shared_lines(values: Values) -> str:
     )
 
 
+_COUNTED: Final = by_element(
+    marked(
+        "They have {own} and {other} balls: the orders of both races add up to that number,"
+        " whatever the slip."
+    ),
+    marked(
+        "They have {own} and {other} rollers: the orders of both races add up to that number,"
+        " whatever the slip."
+    ),
+)
+
+
 def _telling(values: Values) -> str:
     """Say by which lines two bearings differ, and what it takes to see that."""
     lines = said(
@@ -165,22 +177,8 @@ def _telling(values: Values) -> str:
             said("Slip of up to {slip:.3 %} is usual and hides that.", slip=values["slip"])
         )
     own, other = values["balls"]
-    if own != other and "elements" in values:
-        sentences.append(
-            said(
-                "They have {own} and {other} rolling elements: the orders of both races add up to"
-                " that number, whatever the slip.",
-                own=own, other=other,
-            )
-        )  # fmt: skip
-    elif own != other:
-        sentences.append(
-            said(
-                "They have {own} and {other} balls: the orders of both races add up to that number,"
-                " whatever the slip.",
-                own=own, other=other,
-            )
-        )  # fmt: skip
+    if own != other:
+        sentences.append(_COUNTED({**values, "own": own, "other": other}))
     return " ".join(sentences)
 
 

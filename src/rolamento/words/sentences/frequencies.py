@@ -2,15 +2,30 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, Final
 
-from rolamento.words.naming import by_element
-from rolamento.words.speaking import marked
+from rolamento.words.naming import by_element, listed
+from rolamento.words.speaking import marked, said
 
 if TYPE_CHECKING:
     from rolamento.words.sentences import Sentence
 
 __all__ = ["SENTENCES"]
+
+
+def _counts(values: Mapping[str, Any]) -> str:
+    shares = listed(
+        said("{count} ({share:.0f %})", count=count, share=share)
+        for count, share in values["shares"]
+    )
+    return said(
+        "The number of rollers was estimated from the load ratings: {shares}. The orders of the"
+        " races are in proportion to it, those of cage and roller do not depend on it: count the"
+        " rollers and give --set bearing.roller_count=N.",
+        shares=shares,
+    )
+
 
 SENTENCES: Final[dict[str, Sentence]] = {
     "angle_zero": marked(
@@ -32,6 +47,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
         marked("The inner ring is in contact with no ball: nothing drives the cage."),
         marked("The inner ring is in contact with no roller: nothing drives the cage."),
     ),
+    "roller_count_open": _counts,
     "no_common_apex": marked(
         "The cones of rollers and raceways have no common apex: the half angle is"
         " {half_angle:.4 °}, that of true rolling {apex_half_angle:.4 °}. The rollers roll at their"

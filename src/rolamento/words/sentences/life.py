@@ -5,9 +5,16 @@ from __future__ import annotations
 from typing import Final
 
 from rolamento.words.sentences import Sentence
-from rolamento.words.speaking import marked
+from rolamento.words.speaking import marked, said
 
 __all__ = ["SENTENCES"]
+
+
+def _of_element(balls: str, rollers: str, both: str) -> Sentence:
+    """Return the sentence of a note that names what rolls: its value "element", balls without."""
+    texts = {"roller": rollers, "element": both}
+    return lambda values: said(texts.get(values.get("element", ""), balls))
+
 
 SENTENCES: Final[dict[str, Sentence]] = {
     # outside what the theory is valid for
@@ -35,17 +42,53 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "Rings, balls or lubricant exceed 120 °C, the limit of standard bearing steel: hardness and"
         " dimensions change, and the load rating decreases. Specify dimensionally stabilised rings."
     ),
-    "unloaded": marked(
-        "No ball transmits load between the rings: there is no rating life. Without a minimum load"
-        " the balls slide, which is what ends the life."
+    "unloaded": _of_element(
+        marked(
+            "No ball transmits load between the rings: there is no rating life. Without a"
+            " minimum load"
+            " the balls slide, which is what ends the life."
+        ),
+        marked(
+            "No roller transmits load between the rings: there is no rating life. Without a minimum"
+            " load the rollers slide, which is what ends the life."
+        ),
+        marked(
+            "No rolling element transmits load between the rings: there is no rating life. Without"
+            " a minimum load the elements slide, which is what ends the life."
+        ),
     ),
-    "no_force": marked(
-        "No force acts between the rings, so there is no equivalent load, and the standard does not"
-        " apply; the reference life accounts for the moment or the preload that loads the balls."
+    "no_force": _of_element(
+        marked(
+            "No force acts between the rings, so there is no equivalent load, and the"
+            " standard does not"
+            " apply; the reference life accounts for the moment or the preload that loads the"
+            " balls."
+        ),
+        marked(
+            "No force acts between the rings, so there is no equivalent load, and the standard does"
+            " not apply; the reference life accounts for the moment or the preload that loads the"
+            " rollers."
+        ),
+        marked(
+            "No force acts between the rings, so there is no equivalent load, and the standard does"
+            " not apply; the reference life accounts for the moment or the preload that loads the"
+            " rolling elements."
+        ),
     ),
-    "moment_governs": marked(
-        "The moment loads the balls more than the forces do (2M/d_m > F), and the equivalent load"
-        " does not include the moment; the reference life does, ball by ball."
+    "moment_governs": _of_element(
+        marked(
+            "The moment loads the balls more than the forces do (2M/d_m > F), and the"
+            " equivalent load"
+            " does not include the moment; the reference life does, ball by ball."
+        ),
+        marked(
+            "The moment loads the rollers more than the forces do (2M/d_pw > F), and the equivalent"
+            " load does not include the moment; the reference life does, roller by roller."
+        ),
+        marked(
+            "The moment loads the rolling elements more than the forces do (2M/d_pw > F), and the"
+            " equivalent load does not include the moment; the reference life does."
+        ),
     ),
     "no_fatigue_load_limit": marked(
         "Without a fatigue load limit C_u there is no modified rating life: give"
@@ -59,9 +102,20 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "The contact angle exceeds 45°: a thrust bearing, rated for axial load; give it as one,"
         ' kind = "thrust".'
     ),
-    "no_dynamic_rating": marked(
-        "The geometry lies outside the table of the standard (D cos α/d_m from 0.01 to 0.40), and"
-        " no dynamic load rating is given; or the case has no geometry."
+    "no_dynamic_rating": _of_element(
+        marked(
+            "The geometry lies outside the table of the standard (D cos α/d_m from 0.01 to"
+            " 0.40), and"
+            " no dynamic load rating is given; or the case has no geometry."
+        ),
+        marked(
+            "The geometry lies outside the table of the standard (D cos α/d_pw from 0.01 to 0.30),"
+            " and no dynamic load rating is given; or the case has no geometry."
+        ),
+        marked(
+            "The geometry of a row lies outside the tables of the standard, and its designation"
+            " gives no dynamic load rating."
+        ),
     ),
     "too_slow": marked("The bearing runs below 20 rpm, for which the manufacturer gives no life."),
     "too_hot": marked("The bearing exceeds 130 °C, for which the manufacturer gives no life."),
@@ -85,8 +139,16 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "surface_left_out": marked(
         "No factors for surface-initiated failures are given: only subsurface-initiated ones count."
     ),
-    "moment_left_out": marked(
-        "The equivalent load does not include the moment; the reference life does, ball by ball."
+    "moment_left_out": _of_element(
+        marked(
+            "The equivalent load does not include the moment; the reference life does, ball"
+            " by ball."
+        ),
+        marked(
+            "The equivalent load does not include the moment; the reference life does, slice by"
+            " slice of each roller."
+        ),
+        marked("The equivalent load does not include the moment; the reference life does."),
     ),
     "radial_load_left_out": marked(
         "A thrust bearing of 90° has an equivalent load of the axial force alone: the radial force,"
@@ -111,9 +173,20 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "The conformities are below 0.52 (inner) or 0.53 (outer). The standard warns that closer"
         " conformity need not raise the load rating, and none is raised."
     ),
-    "ceramic_balls": marked(
-        "The balls are not of steel. With silicon nitride the dynamic load rating is that of steel"
-        " balls (ISO 20056-1); the static load rating is not, and has to be given."
+    "ceramic_balls": _of_element(
+        marked(
+            "The balls are not of steel. With silicon nitride the dynamic load rating is that"
+            " of steel"
+            " balls (ISO 20056-1); the static load rating is not, and has to be given."
+        ),
+        marked(
+            "The rollers are not of steel, and there is no standard for their load ratings: those"
+            " found from the geometry are those of steel rollers."
+        ),
+        marked(
+            "The rolling elements are not of steel: load ratings found from the geometry are those"
+            " of steel elements."
+        ),
     ),
     "no_static_rating": marked(
         "Without the manufacturer's static load rating for these balls there is no static safety"
@@ -153,6 +226,27 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "load_shared_otherwise": marked(
         "The load distribution is not the one that the standard assumes, with normal clearance: the"
         " reference life, which uses the actual one, is less than half or more than twice this one."
+    ),
+    "light_load_of_rollers": marked(
+        "The equivalent load is below C/50, the usual minimum load of roller bearings: the rollers"
+        " may slide instead of roll, which no fatigue theory includes."
+    ),
+    "misaligned_beyond_use": marked(
+        "The rings are tilted against each other by more than 0.0012 rad (4′), which manufacturers"
+        " allow at most in general: the ends of the rollers are overloaded. Only the reference life"
+        " includes it, by the profiles of rollers and raceways."
+    ),
+    "edge_factor_left_out": marked(
+        "The slices of the rollers are coupled, so their loads contain the peaks at the edges: the"
+        " edge factor of ISO/TS 16281 is not applied, and the life is not to be compared with that"
+        " of independent slices."
+    ),
+    "axial_load_above_permissible": marked(
+        "The axial load on the ribs exceeds the permissible continuous one by the rules of NSK or"
+        " SKF: the sliding of the roller ends on the ribs heats and wears them."
+    ),
+    "theory_of_balls": marked(
+        "This theory is for point contact: it does not apply to bearings with rollers."
     ),
     # why a part of an analysis is missing
     "no_temperature": marked(

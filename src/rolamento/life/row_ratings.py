@@ -1,0 +1,426 @@
+"""Ratings of solved rows: as they are given, as a catalogue lists them, or from the geometry."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from rolamento.case import Bearing
+from rolamento.case.rolling_bearing import RollingBearing, RowPlace
+from rolamento.contact.line import slice_places
+from rolamento.contact.profile import drop
+from rolamento.errors import InputError
+from rolamento.life.conditions import LifeConditions
+from rolamento.life.equivalent_load import MAXIMUM_ANGLE
+from rolamento.life.iso281 import EXPONENT, ROLLER_EXPONENT
+from rolamento.life.iso281_modified import (
+    fatigue_load_limit,
+    fatigue_load_limit_of_contacts,
+    fatigue_load_limit_of_lines,
+)
+from rolamento.numerics import BoolArray, FloatArray
+from rolamento.ratings import (
+    SELF_ALIGNING_CONFORMITY,
+    RatedType,
+    RollerKind,
+    RollerRated,
+    dynamic_factor,
+    dynamic_factor_of_grooves,
+    dynamic_rating,
+    roller_dynamic_rating,
+    roller_static_rating,
+    static_rating,
+    thrust_dynamic_factor,
+)
+from rolamento.solved import Rows, Solved
+from rolamento.words import said
+
+Rated = RatedType | RollerRated
+"""By which formula of the standards a row is rated."""
+
+_ROW_SHARE: Final = 0.7
+"""C of i equal rows of balls is i^0.7 times that of one."""
+_ROLLER_ROW_SHARE: Final = 7.0 / 9.0
+_SAME: Final = 1e-9
+INNER_GROOVE, OUTER_GROOVE = 0.52, 0.53
+GROOVES: Final[dict[RatedType, tuple[float, float]]] = {
+    "radial": (INNER_GROOVE, OUTER_GROOVE),
+    "self_aligning": (SELF_ALIGNING_CONFORMITY, np.inf),
+    "thrust": (0.54, 0.54),
+}
+"""Conformities up to which the standards' factors hold; ISO 281:2007, 5.1 and 5.2."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Ratings:
+    """C, C_0 and C_u of each row (cases, rows), and of all of them (cases,); N.
+
+    kinds: what the rows are rated as; of thrust bearings the ratings are axial. A set of balls and
+    rollers has no rating of all its rows: NaN.
+    """
+
+    dynamic: FloatArray
+    static: FloatArray
+    fatigue: FloatArray
+    dynamic_of_set: FloatArray
+    static_of_set: FloatArray
+    fatigue_of_set: FloatArray
+    kinds: tuple[Rated, ...]
+
+    @property
+    def kind(self) -> Rated:
+        """What the first row is rated as: all of them, but in a set of balls and rollers."""
+        return self.kinds[0]
+
+    @property
+    def is_axial(self) -> bool:
+        """Whether these are ratings for axial load."""
+        return all(kind in ("thrust", "roller_thrust") for kind in self.kinds)
+
+    @property
+    def rollers(self) -> BoolArray:
+        """Whether each row is of rollers; (rows,)."""
+        return np.array([kind in ("roller", "roller_thrust") for kind in self.kinds])
+
+    @property
+    def mixed(self) -> bool:
+        """Whether there are rows of balls and of rollers."""
+        return bool(np.any(self.rollers) and not np.all(self.rollers))
+
+    @property
+    def exponents(self) -> FloatArray:
+        """Of the load in the rating life of each row, 3 or 10/3; (rows,)."""
+        return np.where(self.rollers, ROLLER_EXPONENT, EXPONENT)
+
+    @property
+    def fatigue_in_factor(self) -> FloatArray:
+        """C_u as it stands in a_ISO: of thrust bearings a third (rollers: over 2.5); (cases,).
+
+        ISO 281:2007, 9.3.3.
+        """
+        return self.fatigue_of_set / _IN_FACTOR[self.kind]
+
+    @property
+    def fatigue_of_rows_in_factor(self) -> FloatArray:
+        """The same of each row; (cases, rows)."""
+        return self.fatigue / np.array([_IN_FACTOR[kind] for kind in self.kinds])
+
+
+_IN_FACTOR: Final[dict[Rated, float]] = {
+    "radial": 1.0,
+    "self_aligning": 1.0,
+    "thrust": 3.0,
+    "roller": 1.0,
+    "roller_thrust": 2.5,
+}
+
+
+def ratings_of(solved: Solved, angle: FloatArray, given: LifeConditions) -> Ratings:
+    """Ratings as given, or from the geometry.
+
+    Parameters
+    ----------
+    solved
+        Of `rolamento.solve`.
+    angle
+        As `nominal_contact_angle`, (cases, rows); rad.
+    given
+        Ratings that take the place of these.
+
+    Raises
+    ------
+    InputError
+        If the geometry is outside the standard's table, and no rating is given; or if one rating
+        is given of rows of balls and rollers.
+    """
+    rows, kinds = solved.rows, row_kinds(solved)
+    steel = has_steel_elements(solved)
+    bearing = solved.case.bearing
+    together = rows_of_one_bearing(bearing)
+    shape = rows.ball_diameter.shape
+    dynamic, static, fatigue = (np.full(shape, np.nan) for _ in range(3))
+    for kind in dict.fromkeys(kinds):
+        own = np.flatnonzero([one == kind for one in kinds])
+        dynamic[:, own], static[:, own] = _by_geometry(solved, angle, kind, own)
+    if len(set(kinds)) > 1:
+        _refuse_one_for_all(given)
+        for index, place in enumerate(bearing.places):
+            dynamic[:, index] = _listed(place, "dynamic_rating", dynamic[:, index])
+            static[:, index] = _listed(place, "static_rating", static[:, index])
+    share = _ROLLER_ROW_SHARE if all(e != "ball" for e in rows.element) else _ROW_SHARE
+    dynamic = _rating_or(given.dynamic_rating, dynamic, together**share)
+    if given.static_rating is None and not steel:
+        static = np.full(shape, np.nan)
+    else:
+        static = _rating_or(given.static_rating, static, together)
+    if dynamic.size and np.all(np.isnan(dynamic)):
+        rollers = all(kind.startswith("roller") for kind in kinds)
+        raise InputError(
+            said(
+                "is missing: the geometry is outside the table of the standard (D cos "
+                "α/d_pw from 0.01 to 0.30)"
+            )
+            if rollers
+            else said(
+                "is missing: the geometry is outside the table of the standard (D cos "
+                "α/d_m from 0.01 to 0.40)"
+            ),
+            field="dynamic_rating",
+            example="dynamic_rating = 20600.0",
+        )
+    method = given.fatigue_load_limit
+    if not isinstance(method, str):
+        fatigue = _rating_or(method, static, together)
+    else:
+        for kind in dict.fromkeys(kinds):
+            own = np.flatnonzero([one == kind for one in kinds])
+            limit = (
+                _fatigue_by_contacts(solved, angle, kind, own)
+                if method == "contacts"
+                else _fatigue_by_static(rows, static, kind, own, steel=steel)
+            )
+            fatigue[:, own] = limit
+    nothing = np.nan if len(set(kinds)) > 1 else 1.0
+    return Ratings(
+        dynamic,
+        static,
+        fatigue,
+        nothing * dynamic.sum(axis=1) * len(rows) ** (share - 1.0),
+        nothing * static.sum(axis=1),
+        nothing * fatigue.sum(axis=1),
+        kinds,
+    )
+
+
+def rated_as(bearing: Bearing) -> RatedType:
+    """By which formula of the standards a ball bearing is rated."""
+    return bearing.kind if bearing.kind in ("thrust", "self_aligning") else "radial"
+
+
+def row_kinds(solved: Solved) -> tuple[Rated, ...]:
+    """By which formula of the standards each row is rated."""
+    bearing = solved.case.bearing
+    if isinstance(bearing, Bearing) and all(e == "ball" for e in solved.rows.element):
+        return (rated_as(bearing),) * len(solved.rows)
+    return tuple(_kind_of_place(place) for place in bearing.places)
+
+
+def _kind_of_place(place: RowPlace) -> Rated:
+    own = place.bearing
+    if isinstance(own, Bearing):
+        return rated_as(own)
+    return "roller_thrust" if own.row_angle > MAXIMUM_ANGLE * (1.0 + _SAME) else "roller"
+
+
+def nominal_contact_angle(solved: Solved) -> FloatArray:
+    """Contact angle that standards rate the rows by, (cases, rows), rad: that before mounting.
+
+    Of tapered rollers that of the outer raceway. ISO 281:2007, 4; ISO/TS 16281:2008, 4. What fits,
+    heat and speed make of it acts through the elements' loads.
+    """
+    delivered = solved.before_mounting
+    return solved.rows.free_contact_angle if delivered is None else delivered.contact_angle
+
+
+def within_rating(angle: FloatArray, kinds: tuple[Rated, ...]) -> FloatArray:
+    """Nominal contact angle of radial rows, NaN beyond 45°, of thrust bearings as it is.
+
+    Raises
+    ------
+    InputError
+        If all cases have such a row of balls.
+    """
+    radial = np.array([kind not in ("thrust", "roller_thrust") for kind in kinds])
+    steep = radial & (angle > MAXIMUM_ANGLE * (1.0 + _SAME))
+    if steep.size and np.all(steep.any(axis=1)):
+        raise InputError(
+            said('is above 45°: such a bearing is rated for axial load; give it kind = "thrust"'),
+            field="bearing.contact_angle",
+            value=f"{float(np.degrees(angle.max())):.4g} deg",
+            example='kind = "thrust"',
+        )
+    return np.where(steep, np.nan, angle)
+
+
+def has_steel_elements(solved: Solved) -> bool:
+    """Whether the elements of all rows are as stiff as the rings, within a tenth."""
+    return all(
+        abs(
+            p.bearing.element_material.youngs_modulus / p.bearing.ring_material.youngs_modulus - 1.0
+        )
+        <= 0.1
+        for p in solved.case.bearing.places
+    )
+
+
+def rows_of_one_bearing(bearing: RollingBearing) -> int:
+    """Rows that makers rate together: of a double-row, four-point or self-aligning bearing.
+
+    1 for rows that are bearings of their own.
+    """
+    published = bearing.published
+    one = bearing.kind is not None or (published is not None and published.kind == "double_row")
+    return len(bearing.places) if one else 1
+
+
+def _roller_kind(place: RowPlace) -> RollerKind:
+    """What b_m depends on: drawn cups are told by their designation."""
+    published = place.bearing.published
+    if published is not None and str(published.kind) == "drawn_cup":
+        return "drawn_cup"
+    element = place.bearing.element
+    assert element in ("cylindrical", "tapered", "needle")
+    return element
+
+
+def _by_geometry(
+    solved: Solved, angle: FloatArray, kind: Rated, own: np.ndarray[tuple[int], np.dtype[np.intp]]
+) -> tuple[FloatArray, FloatArray]:
+    """C and C_0 of some rows of one kind, of steel, by their geometry; (cases, rows)."""
+    rows = solved.rows
+    inside = (rows.element_count[own], rows.ball_diameter[:, own])
+    around = (rows.pitch_diameter[:, own], angle[:, own])
+    if kind in ("roller", "roller_thrust"):
+        thrust = kind == "roller_thrust"
+        shape = (*inside, rows.effective_length[:, own], *around)
+        static = roller_static_rating(*shape, thrust=thrust)
+        names = [_roller_kind(solved.case.bearing.places[index]) for index in own]
+        columns = [
+            roller_dynamic_rating(*(np.asarray(v)[..., i] for v in shape), kind=name, thrust=thrust)
+            for i, name in enumerate(names)
+        ]
+        return np.stack(columns, axis=1), static
+    grooves = (rows.inner_conformity[:, own], rows.outer_conformity[:, own])
+    factor = _groove_factor(inside[1], around[0], grooves, around[1], kind)
+    static = static_rating(*inside, *around, kind=kind)
+    return dynamic_rating(*inside, *around, kind=kind, factor=factor), static
+
+
+def _refuse_one_for_all(given: LifeConditions) -> None:
+    for name in ("dynamic_rating", "static_rating"):
+        if getattr(given, name) is not None:
+            raise InputError(
+                said(
+                    "cannot hold for rows of balls and rows of rollers; give each row its"
+                    " designation instead"
+                ),
+                field=f"life.{name}",
+                example='rows = [{ designation = "6205" }, { designation = "NU 205" }]',
+            )
+
+
+def _listed(place: RowPlace, name: str, computed: FloatArray) -> FloatArray:
+    """A rating of a row by its designation; by the geometry where there is none."""
+    published = place.bearing.published
+    value = None if published is None else getattr(published, name)
+    return computed if value is None else np.full_like(computed, value)
+
+
+def _fatigue_by_contacts(
+    solved: Solved, angle: FloatArray, kind: Rated, own: np.ndarray[tuple[int], np.dtype[np.intp]]
+) -> FloatArray:
+    rows = solved.rows
+    count, pitch = rows.element_count[own], rows.pitch_diameter[:, own]
+    diameter, modulus = rows.ball_diameter[:, own], rows.modulus[:, own]
+    if kind not in ("roller", "roller_thrust"):
+        return fatigue_load_limit_of_contacts(
+            count,
+            diameter,
+            pitch,
+            rows.inner_conformity[:, own],
+            rows.outer_conformity[:, own],
+            angle[:, own],
+            modulus,
+            kind=kind,
+        )
+    places = [solved.case.bearing.places[index] for index in own]
+    length = rows.effective_length[:, own]
+    drops = [
+        _drops(place, length[:, i], diameter[:, i], solved.case.model.slices)
+        for i, place in enumerate(places)
+    ]
+    inner, outer = (np.stack([one[race] for one in drops], axis=1) for race in (0, 1))
+    return fatigue_load_limit_of_lines(
+        count,
+        diameter,
+        length,
+        pitch,
+        angle[:, own],
+        modulus,
+        inner,
+        outer,
+        thrust=kind == "roller_thrust",
+    )
+
+
+def _drops(
+    place: RowPlace, length: FloatArray, diameter: FloatArray, slices: int
+) -> tuple[FloatArray, FloatArray]:
+    """Drops of roller and race together, of both races; (cases, slices), m."""
+    bearing = place.bearing
+    assert not isinstance(bearing, Bearing)
+    x = slice_places(length, slices)
+    size = {"length": length[:, np.newaxis], "diameter": diameter[:, np.newaxis]}
+    tapered = bearing.element == "tapered"
+    roller, inner, outer = (
+        drop(profile, x, tapered=tapered, **size)
+        for profile in (bearing.roller_profile, bearing.inner_profile, bearing.outer_profile)
+    )
+    return roller + inner, roller + outer
+
+
+def _fatigue_by_static(
+    rows: Rows,
+    static: FloatArray,
+    kind: Rated,
+    own: np.ndarray[tuple[int], np.dtype[np.intp]],
+    *,
+    steel: bool,
+) -> FloatArray:
+    listed = static[:, own]
+    known = np.where(np.isnan(listed), 1.0, listed)
+    rollers = kind in ("roller", "roller_thrust")
+    estimate = fatigue_load_limit(known, rows.pitch_diameter[:, own], rollers=rollers)
+    return np.where(np.isnan(listed) | (not steel), np.nan, estimate)
+
+
+def _rating_or(value: ArrayLike | None, computed: FloatArray, together: float) -> FloatArray:
+    """A rating of each row as it is given, or as computed; (cases, rows).
+
+    together: how much greater what is given is, where it is that of several rows.
+    """
+    if value is None:
+        return computed
+    array = np.asarray(value, dtype=np.float64) / together
+    column = array.reshape(-1, 1) if array.ndim == 1 else array
+    if column.ndim > 2 or (column.ndim == 2 and len(column) not in (1, len(computed))):
+        raise InputError(said("must be one number, or one for each case"), field="rating")
+    return np.broadcast_to(column, computed.shape).copy()
+
+
+def _groove_factor(
+    diameter: FloatArray,
+    pitch: FloatArray,
+    grooves: tuple[FloatArray, FloatArray],
+    angle: FloatArray,
+    kind: RatedType,
+) -> FloatArray:
+    """f_c of the table, lowered for grooves that are more open than it takes, never raised."""
+    if kind == "thrust":
+        ratio = diameter / pitch
+        usual = thrust_dynamic_factor(ratio, angle)
+        openest = np.maximum(*grooves)
+        opened = openest > GROOVES[kind][0]
+        return np.where(opened, thrust_dynamic_factor(ratio, angle, openest), usual)
+    gamma = diameter * np.cos(angle) / pitch
+    if kind == "self_aligning":
+        own, least = grooves[0], SELF_ALIGNING_CONFORMITY
+        lower = ((2.0 * own / (2.0 * own - 1.0)) / (2.0 * least / (2.0 * least - 1.0))) ** 0.41
+        return np.asarray(dynamic_factor(gamma, kind) * np.minimum(lower, 1.0))
+    inner = np.maximum(grooves[0], INNER_GROOVE)
+    outer = np.maximum(grooves[1], OUTER_GROOVE)
+    full = dynamic_factor_of_grooves(gamma, INNER_GROOVE, OUTER_GROOVE)
+    return np.asarray(dynamic_factor(gamma) * dynamic_factor_of_grooves(gamma, inner, outer) / full)
