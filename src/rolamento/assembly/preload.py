@@ -4,8 +4,8 @@ Rings that are clamped press each row in by a fixed offset: the force between th
 speed and changes with load, and an axial load of some three times the preload lifts a row of a
 pair off its balls. Where the contact angle does not change, a row whose force grows with its
 approach as δ^n is lifted by 2^n times the preload: 2^(3/2) = 2.83 of balls, 2^(10/9) = 2.16 of
-straight rollers, between the two of rollers whose profile lets the line of contact grow. Springs
-keep their force.
+straight rollers, up to 3 of crowned ones, whose line of contact grows with the load. Springs keep
+their force.
 """
 
 from __future__ import annotations
