@@ -17,7 +17,7 @@ from rolamento.friction.line_losses import starting_torque
 from rolamento.friction.skf import roller_series, skf_moment
 from rolamento.lubrication import film
 from rolamento.lubrication.line_film import line_groups, pan_hamrock_central
-from rolamento.roller_kinematics import apex_half_angle
+from rolamento.geometry import apex_half_angle
 from rolamento.solution import solve
 from rolamento.solved import Solved
 
