@@ -150,8 +150,8 @@ def _table(found: ShaftLife, names: Sequence[str]) -> Table:
     if _elements(found) <= {"ball"}:
         legend = said(
             "for {reliability:.7 %} reliability, of each bearing and of all together (Weibull "
-            "slope 10/9); share of each in the failure probability, by the {theory}; * the theory is not "
-            "valid there, < the life is below",
+            "slope 10/9); share of each in the failure probability, by the {theory}; * the theory "
+            "is not valid there, < the life is below",
             **values,
         )
     else:
