@@ -167,7 +167,9 @@ def test_a_catalogue_of_ones_own(tmp_path: Path) -> None:
     fields = geometry_of("R-1", catalogue_of=own).fields
     assert fields["roller_diameter"] == pytest.approx(7.5e-3)
     assert fields["inner_ribs"] == "none"
-    file.write_text("# source: drawing 8\n" + HEADER + "R-1,cylindrical,25,52,15,46,31,29300,27700\n")
+    file.write_text(
+        "# source: drawing 8\n" + HEADER + "R-1,cylindrical,25,52,15,46,31,29300,27700\n"
+    )
     with pytest.raises(InputError, match="raceway"):
         catalogue().beside([file])
 

@@ -156,9 +156,7 @@ class InternalGeometry:
         if the width is not known.
         """
         width, centre = self.width, self.bearing.load_centre
-        pitch, roller = (
-            self.fields.get(name) for name in ("pitch_diameter", "roller_diameter")
-        )
+        pitch, roller = (self.fields.get(name) for name in ("pitch_diameter", "roller_diameter"))
         if width is None or centre is None or arrangement not in ("DB", "DF"):
             return width
         if pitch is None or roller is None:
