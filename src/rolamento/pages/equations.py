@@ -100,6 +100,23 @@ def _film(case: CaseReport) -> bool:
     return film is not None and film.thinnest("inner") is not None
 
 
+def _elements(case: CaseReport) -> set[str]:
+    return {place.bearing.element for place in case.case.bearing.places}
+
+
+def _film_of_points(case: CaseReport) -> bool:
+    return _film(case) and "ball" in _elements(case)
+
+
+def _film_of_lines(formula: str = "") -> Used:
+    def used(case: CaseReport) -> bool:
+        own = case.case.film
+        chosen = (None if own is None else own.line) or "pan_hamrock"
+        return _film(case) and _elements(case) != {"ball"} and formula in ("", chosen)
+
+    return used
+
+
 def _thermal(name: str) -> Used:
     def used(case: CaseReport) -> bool:
         own = case.case.film
@@ -190,10 +207,13 @@ def _classes(case: CaseReport) -> bool:
     )
 
 
-def _loss(name: str) -> Used:
+def _loss(name: str, *, lines: bool = False) -> Used:
+    """A source of friction, of balls or of lines of contact."""
+
     def used(case: CaseReport) -> bool:
-        friction = case.analysis.friction
-        return friction is not None and name in friction.torque_by_source
+        friction, elements = case.analysis.friction, _elements(case)
+        concerns = elements != {"ball"} if lines else "ball" in elements
+        return friction is not None and concerns and name in friction.torque_by_source
 
     return used
 
@@ -201,9 +221,18 @@ def _loss(name: str) -> Used:
 def _torque_model(*names: str) -> Used:
     def used(case: CaseReport) -> bool:
         friction = case.analysis.friction
-        return friction is not None and any(name in friction.models for name in names)
+        return friction is not None and any(own.model in names for own in friction.judged)
 
     return used
+
+
+def _at_rib(case: CaseReport) -> bool:
+    friction = case.analysis.friction
+    return friction is not None and bool(friction.torque_by_source.get("rib", 0.0) > 0.0)
+
+
+def _ribs_of_cylinders(case: CaseReport) -> bool:
+    return _torque_model("palmgren")(case) and "cylindrical" in _elements(case)
 
 
 def _frequencies(case: CaseReport) -> bool:
@@ -276,6 +305,10 @@ SYMBOLS: Final[Mapping[str, tuple[str, str, str]]] = {
     "L_T": ("L, φ_T", marked("thermal loading parameter, and the share of the film that remains"),
             ""),
     "lambda": ("λ", marked("film parameter"), ""),
+    "q": ("q, W'", marked("load per length of a line contact, and its load parameter"), "N/m, –"),
+    "F_rib": ("F_rib, h", marked("force between rib and roller, and height of its point of contact "
+                                 "over the raceway"), "N, m"),
+    "Lambda": ("Λ", marked("film parameter between rib and roller end"), ""),
     "R_q": ("R_q", marked("root mean square roughness of race and ball"), "m"),
     "mu": ("μ", marked("coefficient of friction"), ""),
     "alpha_h": ("α_h", marked("hysteresis loss: share of the elastic work"), ""),
@@ -816,7 +849,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         symbols=("UWG", "eta", "R_x", "E_prime", "Q", "alpha_p"),
         source=marked("Hamrock and Dowson (1977)"),
         references=("hamrock_dowson_1977",),
-        used=_film,
+        used=_film_of_points,
     ),
     Law(
         key="central_film",
@@ -826,7 +859,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         symbols=("H", "UWG", "k"),
         source=marked("Hamrock and Dowson (1977), part III"),
         references=("hamrock_dowson_1977",),
-        used=_film,
+        used=_film_of_points,
         valid=marked("isothermal and fully flooded; fitted to the ranges of U, W, G and k below"),
     ),
     Law(
@@ -837,7 +870,41 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         symbols=("H", "UWG", "k"),
         source=marked("Hamrock and Dowson (1977), part III"),
         references=("hamrock_dowson_1977",),
-        used=_film,
+        used=_film_of_points,
+    ),
+    Law(
+        key="line_groups",
+        name=marked("Dimensionless groups of the film of a line contact"),
+        latex=r"U = \frac{\eta\,u}{E' R_x},\quad W' = \frac{q}{E' R_x},\quad G = \alpha_p E'",
+        plain="U = η u/(E' R_x),  W' = q/(E' R_x),  G = α_p E'",
+        symbols=("UWG", "q", "eta", "R_x", "E_prime", "alpha_p"),
+        source=marked("Dowson (1968)"),
+        references=("dowson_1968",),
+        used=_film_of_lines(),
+    ),
+    Law(
+        key="line_film",
+        name=marked("Film thickness of a line contact (Pan–Hamrock)"),
+        latex=r"H_c = 2.922\,U^{0.692} G^{0.470} W'^{-0.166},\quad"
+        r" H_0 = 1.714\,U^{0.694} G^{0.568} W'^{-0.128}",
+        plain="H_c = 2.922 U^0.692 G^0.470 W'^−0.166,  H_0 = 1.714 U^0.694 G^0.568 W'^−0.128",
+        symbols=("H", "UWG", "q"),
+        source=marked("Pan and Hamrock (1989)"),
+        references=("pan_hamrock_1989",),
+        used=_film_of_lines("pan_hamrock"),
+        valid=marked("isothermal and fully flooded; the slice of the roller with the most load"),
+    ),
+    Law(
+        key="line_film_dowson",
+        name=marked("Film thickness of a line contact (Dowson)"),
+        latex=r"H_c = 3.06\,U^{0.69} G^{0.56} W'^{-0.10},\quad"
+        r" H_0 = 2.65\,U^{0.70} G^{0.54} W'^{-0.13}",
+        plain="H_c = 3.06 U^0.69 G^0.56 W'^−0.10,  H_0 = 2.65 U^0.70 G^0.54 W'^−0.13",
+        symbols=("H", "UWG", "q"),
+        source=marked("Dowson and Toyoda (1979); Dowson (1968)"),
+        references=("dowson_toyoda_1979", "dowson_1968"),
+        used=_film_of_lines("dowson_toyoda"),
+        valid=marked("isothermal and fully flooded; the slice of the roller with the most load"),
     ),
     Law(
         key="wooster",
@@ -982,6 +1049,50 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         valid=marked("F_R hydrodynamic force at the inlet; isothermal and fully flooded"),
     ),
     Law(
+        key="rib_sliding",
+        name=marked("Sliding of a roller on a rib"),
+        latex=r"P = \mu\,F_{rib}\,\omega_{roll}\,h",
+        plain="P = μ F_rib ω_roll h",
+        symbols=("mu", "F_rib"),
+        source=marked("Aihara (1987); NSK (E1102), chapter 15.4"),
+        references=("aihara_1987", "nsk_e1102"),
+        used=_at_rib,
+        valid=marked("without skew; spin of the roller's end and shear of a full film left out"),
+    ),
+    Law(
+        key="rib_coefficient",
+        name=marked("Coefficient of friction at a rib under a film"),
+        latex=r"\mu = \mu_0\,e^{-1.8\,\Lambda^{1.2}}",
+        plain="μ = μ_0 e^(−1.8 Λ^1.2)",
+        symbols=("mu", "Lambda"),
+        source=marked("Aihara (1987)"),
+        references=("aihara_1987",),
+        used=_at_rib,
+        valid=marked("Λ = 0 where the film at the rib is not known"),
+    ),
+    Law(
+        key="line_hysteresis",
+        name=marked("Elastic hysteresis of a line contact"),
+        latex=r"M_h = \alpha_h\,\frac{2}{3\pi}\int q\,b\,dx",
+        plain="M_h = α_h (2/3π) ∫ q b dx",
+        symbols=("alpha_h", "q"),
+        source=marked("Johnson (1985), section 9.1"),
+        references=("johnson_1985",),
+        used=_loss("hysteresis", lines=True),
+    ),
+    Law(
+        key="line_resistance",
+        name=marked("Rolling resistance of the lubricant in a line contact"),
+        latex=r"P = 2\,u\int t\,dx,\quad t = \frac{88\,R_x}{\alpha_p}\,"
+        r"\frac{(G U)^{0.658}\,W'^{0.31}}{1 + 0.29\,L^{0.78}}",
+        plain="P = 2 u ∫ t dx,  t = 88 (R_x/α_p) (G U)^0.658 W'^0.31/(1 + 0.29 L^0.78)",
+        symbols=("UWG", "q", "R_x", "alpha_p", "L_T", "eta"),
+        source=marked("Aihara (1987)"),
+        references=("aihara_1987",),
+        used=_loss("rolling_resistance", lines=True),
+        valid=marked("fully flooded"),
+    ),
+    Law(
         key="palmgren",
         name=marked("Friction torque by Palmgren"),
         latex=r"M_0 = 10^{-7} f_0\,(\nu n)^{2/3}\,d_m^3,\quad M_1 = f_1\,P_1\,d_m",
@@ -991,6 +1102,17 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         references=("palmgren_1959", "harris_1991"),
         used=_torque_model("palmgren"),
         valid=marked("lubricated bearings, moderate speed and load"),
+    ),
+    Law(
+        key="palmgren_ribs",
+        name=marked("Friction torque of the ribs by Palmgren"),
+        latex=r"M_2 = f_2\,F_a\,d_m",
+        plain="M_2 = f_2 F_a d_m",
+        symbols=("F_ra", "d_m"),
+        source=marked("Palmgren (1959); Harris (1991), chapter 14"),
+        references=("palmgren_1959", "harris_1991"),
+        used=_ribs_of_cylinders,
+        valid=marked("F_a up to 0.4 F_r"),
     ),
     Law(
         key="skf_friction",
@@ -1018,6 +1140,8 @@ EQUATIONS: Final[tuple[Law, ...]] = (
 """In the order in which an engineer calculates."""
 
 REFERENCES: Final[Mapping[str, str]] = {
+    "aihara_1987": "Aihara, S., A new running torque formula for tapered roller bearings under axial "
+    "load, Journal of Tribology 109 (1987).",
     "astm_d341": "ASTM D341, Standard practice for viscosity-temperature equations and charts for "
     "liquid petroleum or hydrocarbon products.",
     "biboulet_houpert_2010": "Biboulet, N.; Houpert, L., Hydrodynamic force and moment in pure "
@@ -1025,6 +1149,9 @@ REFERENCES: Final[Mapping[str, str]] = {
     "braga_almeida": "Braga; Almeida, Movimentos relativos, internos ao rolamento de esferas.",
     "campanha_2008": "Campanha, M. V., Estudo sobre a vida útil de rolamentos fixos de uma "
     "carreira de esferas, master's dissertation, Universidade de São Paulo, 2008.",
+    "dowson_1968": "Dowson, D., Elastohydrodynamics, Proc. IMechE 182, part 3A (1968).",
+    "dowson_toyoda_1979": "Dowson, D.; Toyoda, S., A central film thickness formula for "
+    "elastohydrodynamic line contacts, Proc. 5th Leeds-Lyon Symposium (1979).",
     "greenwood_1961": "Greenwood, J. A.; Minshall, H.; Tabor, D., Hysteresis losses in rolling and "
     "sliding friction, Proc. Royal Society A 259 (1961).",
     "gupta_1992": "Gupta, P. K.; Cheng, H. S.; Zhu, D.; Forster, N. H.; Schrand, J. B., "
@@ -1063,6 +1190,8 @@ REFERENCES: Final[Mapping[str, str]] = {
     "analysis, Journal of Lubrication Technology 97 (1975).",
     "nsk_e1102": "NSK, Rolling Bearings, catalogue E1102.",
     "palmgren_1959": "Palmgren, A., Ball and Roller Bearing Engineering, 3rd ed., 1959.",
+    "pan_hamrock_1989": "Pan, P.; Hamrock, B. J., Simple formulas for performance parameters used in "
+    "elastohydrodynamically lubricated line contacts, Journal of Tribology 111 (1989).",
     "poritsky_1947": "Poritsky, H.; Hewlett, C. W.; Coleman, R. E., Sliding friction of ball "
     "bearings of the pivot type, Journal of Applied Mechanics 14 (1947).",
     "radaelli_2013": "Radaelli, G. Z., Determinação do carregamento dinâmico em mancais de esfera "
