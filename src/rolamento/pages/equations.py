@@ -1140,8 +1140,8 @@ EQUATIONS: Final[tuple[Law, ...]] = (
 """In the order in which an engineer calculates."""
 
 REFERENCES: Final[Mapping[str, str]] = {
-    "aihara_1987": "Aihara, S., A new running torque formula for tapered roller bearings under axial "
-    "load, Journal of Tribology 109 (1987).",
+    "aihara_1987": "Aihara, S., A new running torque formula for tapered roller bearings under "
+    "axial load, Journal of Tribology 109 (1987).",
     "astm_d341": "ASTM D341, Standard practice for viscosity-temperature equations and charts for "
     "liquid petroleum or hydrocarbon products.",
     "biboulet_houpert_2010": "Biboulet, N.; Houpert, L., Hydrodynamic force and moment in pure "
@@ -1190,8 +1190,8 @@ REFERENCES: Final[Mapping[str, str]] = {
     "analysis, Journal of Lubrication Technology 97 (1975).",
     "nsk_e1102": "NSK, Rolling Bearings, catalogue E1102.",
     "palmgren_1959": "Palmgren, A., Ball and Roller Bearing Engineering, 3rd ed., 1959.",
-    "pan_hamrock_1989": "Pan, P.; Hamrock, B. J., Simple formulas for performance parameters used in "
-    "elastohydrodynamically lubricated line contacts, Journal of Tribology 111 (1989).",
+    "pan_hamrock_1989": "Pan, P.; Hamrock, B. J., Simple formulas for performance parameters used "
+    "in elastohydrodynamically lubricated line contacts, Journal of Tribology 111 (1989).",
     "poritsky_1947": "Poritsky, H.; Hewlett, C. W.; Coleman, R. E., Sliding friction of ball "
     "bearings of the pivot type, Journal of Applied Mechanics 14 (1947).",
     "radaelli_2013": "Radaelli, G. Z., Determinação do carregamento dinâmico em mancais de esfera "
