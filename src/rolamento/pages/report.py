@@ -1374,6 +1374,7 @@ _LOSSES: Final = {
     "rolling_slip": marked("differential slip"),
     "hysteresis": marked("elastic hysteresis"),
     "rolling_resistance": marked("hydrodynamic rolling resistance"),
+    "rib": marked("sliding on the rib"),
 }
 
 

@@ -590,6 +590,8 @@ def _origin(case: Case, name: str, given: Set[str], settings: Set[str]) -> tuple
         return "data", str(source)
     if table == "lubricant" and holder is not None:
         return "data", str(getattr(case.lubricant, "base_oil", "") or "")
+    if any(parent in given for parent in parents):  # by a word, such as that of a profile
+        return "given", ""
     return "default", ""
 
 
