@@ -156,10 +156,12 @@ class InternalGeometry:
         if the width is not known.
         """
         width, centre = self.width, self.bearing.load_centre
-        told = [self.fields.get(name) for name in ("pitch_diameter", "roller_diameter")]
-        if width is None or centre is None or None in told or arrangement not in ("DB", "DF"):
+        pitch, roller = (self.fields.get(name) for name in ("pitch_diameter", "roller_diameter"))
+        if width is None or centre is None or arrangement not in ("DB", "DF"):
             return width
-        angle, (pitch, roller) = self.fields["contact_angle"], told
+        if pitch is None or roller is None:
+            return width
+        angle = self.fields["contact_angle"]
         middle = centre - 0.5 * (pitch + roller * cos(angle)) * tan(angle)
         return float(2.0 * (middle if arrangement == "DB" else width - middle))
 

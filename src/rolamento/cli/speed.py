@@ -32,7 +32,11 @@ def speed_command(
     ] = None,
     width: Annotated[
         str | None,
-        typer.Option("--width", metavar="LENGTH", help="Width of the bearing, B or T of tapered rollers, such as '20 mm'."),
+        typer.Option(
+            "--width",
+            metavar="LENGTH",
+            help="Width of the bearing, B or T of tapered rollers, such as '20 mm'.",
+        ),
     ] = None,
     minimum_load_factor: Annotated[
         str | None,

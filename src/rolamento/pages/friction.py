@@ -117,6 +117,8 @@ def _torque_and_heat(solved: Solved, friction: Friction) -> Section:
 
 
 def _totals(friction: Friction) -> Table:
+    from rolamento.friction.line_losses import RIB_COEFFICIENT
+
     running, starting = float(friction.torque[0]), float(friction.starting_torque[0])
     power = float(friction.power[0])
     rows = [(said("running torque"), running), (said("starting torque"), starting)]
@@ -134,7 +136,15 @@ def _totals(friction: Friction) -> Table:
         Column(head="", values=values, key="value", tone="strong"),
         Column(head="", values=units, key="unit"),
     )
-    return Table(columns=columns, key="friction", headless=True)
+    legends: tuple[str, ...] = ()
+    if float(friction.torque_by_source.get("rib", [0.0])[0]) > 0.0:
+        text = said(
+            "starting torque of bearings that have not run in; coefficient of friction at the ribs"
+            " {coefficient}",
+            coefficient=RIB_COEFFICIENT,
+        )
+        legends = (text,)
+    return Table(columns=columns, key="friction", headless=True, legends=legends)
 
 
 def _sources(friction: Friction) -> list[Section]:

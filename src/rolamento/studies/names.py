@@ -36,6 +36,7 @@ _WHOLE: Final = {
     "kinematic_viscosity": marked("kinematic viscosity of the lubricant"),
     # friction
     "hysteresis_torque": marked("friction torque, elastic hysteresis"),
+    "rib_torque": marked("friction torque, sliding of rollers at the ribs"),
     "rolling_resistance_torque": marked("friction torque, rolling resistance of the oil"),
     "rolling_power": marked("power loss in the contacts (friction control)"),
     "cage_speed": marked("cage speed (friction control)"),

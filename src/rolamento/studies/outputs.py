@@ -181,6 +181,8 @@ _MISSING: Final[Mapping[str, tuple[str, str]]] = {
         marked("friction control of the balls"),
         'model.raceway_control = "friction" in the case',
     ),
+    "balls": (marked("balls"), "friction_torque_roller_sliding, of rollers"),
+    "rollers": (marked("rollers"), 'element = "cylindrical" in [bearing]'),
     "life": (
         marked("a designation or a [life] table"),
         '[life] with cleanliness = "-/17/14" and oil_supply = "circulating" in the case',
@@ -232,6 +234,9 @@ def _has(case: Case, need: str, varied: frozenset[str]) -> bool:
         return has_life(case) or "bearing.designation" in varied
     if need in needs_of_life():
         return needs_of_life()[need].met(case, varied)
+    if need in ("balls", "rollers"):
+        rolls = {place.bearing.element == "ball" for place in case.bearing.places}
+        return (need == "balls") in rolls or "bearing.designation" in varied
     lubricant = case.lubricant
     if need == "lubricant":
         return lubricant is not None and lubricant.kind != "dry"
