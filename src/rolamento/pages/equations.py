@@ -237,9 +237,13 @@ def _loss(name: str) -> Used:
 def _torque_model(*names: str) -> Used:
     def used(case: CaseReport) -> bool:
         friction = case.analysis.friction
-        return friction is not None and any(name in friction.models for name in names)
+        return friction is not None and any(own.model in names for own in friction.judged)
 
     return used
+
+
+def _both(one: Used, other: Used) -> Used:
+    return lambda case: one(case) and other(case)
 
 
 def _frequencies(case: CaseReport) -> bool:
@@ -1066,6 +1070,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="hysteresis",
+        rolls="ball",
         name=marked("Elastic hysteresis"),
         latex=r"M_h = \frac{3}{16}\,\alpha_h\,Q\,b",
         plain="M_h = (3/16) α_h Q b",
@@ -1076,6 +1081,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="rolling_resistance",
+        rolls="ball",
         name=marked("Rolling resistance of the lubricant"),
         latex=r"P = 2\,F_R\,u",
         plain="P = 2 F_R u",
@@ -1467,6 +1473,54 @@ EQUATIONS: Final[tuple[Law, ...]] = (
             "v sliding speed at the height of the contact on the rib; the coefficient falls"
             " with the film at the rib where the radius of the roller's end is known"
         ),
+    ),
+    Law(
+        key="rib_coefficient",
+        rolls="roller",
+        name=marked("Coefficient of friction at a rib under a film"),
+        latex=r"\mu = \mu_0\,e^{-1.8\,\Lambda^{1.2}}",
+        plain="μ = μ_0 e^(−1.8 Λ^1.2)",
+        symbols=("mu",),
+        source=marked("Aihara (1987)"),
+        references=("aihara_1987",),
+        used=_loss("rib"),
+        valid=marked("Λ film parameter at the rib, zero where that film is not known"),
+    ),
+    Law(
+        key="line_hysteresis",
+        rolls="roller",
+        name=marked("Elastic hysteresis"),
+        latex=r"M_h = \frac{2}{3\pi}\,\alpha_h \int q\,b\,dx",
+        plain="M_h = (2/3π) α_h ∫ q b dx",
+        symbols=("alpha_h", "q", "b_line"),
+        source=marked("Johnson (1985), section 9.1"),
+        references=("johnson_1985",),
+        used=_loss("hysteresis"),
+    ),
+    Law(
+        key="line_resistance",
+        rolls="roller",
+        name=marked("Rolling resistance of the lubricant"),
+        latex=r"P = 2\,u\int t\,dx,\quad t = \frac{88\,R_x}{\alpha_p}\,"
+        r"\frac{(G U)^{0.658}\,W'^{0.31}}{1 + 0.29\,L^{0.78}}",
+        plain="P = 2 u ∫ t dx,  t = 88 (R_x/α_p) (G U)^0.658 W'^0.31/(1 + 0.29 L^0.78)",
+        symbols=("UWG", "R_x", "alpha_p", "L_T", "eta"),
+        source=marked("Aihara (1987)"),
+        references=("aihara_1987",),
+        used=_loss("rolling_resistance"),
+        valid=marked("t force of the oil on each surface per length; fully flooded"),
+    ),
+    Law(
+        key="palmgren_ribs",
+        rolls="roller",
+        name=marked("Friction torque of the ribs by Palmgren"),
+        latex=r"M_2 = f_2\,F_a\,d_m",
+        plain="M_2 = f_2 F_a d_m",
+        symbols=("F_ra", "d_m"),
+        source=marked("Palmgren (1959); Harris (1991), chapter 14"),
+        references=("palmgren_1959", "harris_1991"),
+        used=_both(_torque_model("palmgren"), _element("cylindrical")),
+        valid=marked("F_a up to 0.4 F_r"),
     ),
     Law(
         key="roller_frequencies",
