@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.case import Bearing
+from rolamento.case.profile import Profile
 from rolamento.case.rolling_bearing import RollingBearing, RowPlace
 from rolamento.contact.line import slice_places
 from rolamento.contact.profile import drop
@@ -46,7 +47,7 @@ _ROW_SHARE: Final = 0.7
 _ROLLER_ROW_SHARE: Final = 7.0 / 9.0
 _SAME: Final = 1e-9
 INNER_GROOVE, OUTER_GROOVE = 0.52, 0.53
-GROOVES: Final[dict[RatedType, tuple[float, float]]] = {
+GROOVES: Final[dict[Rated, tuple[float, float]]] = {
     "radial": (INNER_GROOVE, OUTER_GROOVE),
     "self_aligning": (SELF_ALIGNING_CONFORMITY, np.inf),
     "thrust": (0.54, 0.54),
@@ -106,7 +107,7 @@ class Ratings:
     @property
     def fatigue_of_rows_in_factor(self) -> FloatArray:
         """The same of each row; (cases, rows)."""
-        return self.fatigue / np.array([_IN_FACTOR[kind] for kind in self.kinds])
+        return np.asarray(self.fatigue / [_IN_FACTOR[kind] for kind in self.kinds])
 
 
 _IN_FACTOR: Final[dict[Rated, float]] = {
@@ -283,7 +284,7 @@ def _by_geometry(
     rows = solved.rows
     inside = (rows.element_count[own], rows.ball_diameter[:, own])
     around = (rows.pitch_diameter[:, own], angle[:, own])
-    if kind in ("roller", "roller_thrust"):
+    if kind == "roller" or kind == "roller_thrust":
         thrust = kind == "roller_thrust"
         shape = (*inside, rows.effective_length[:, own], *around)
         static = roller_static_rating(*shape, thrust=thrust)
@@ -325,7 +326,7 @@ def _fatigue_by_contacts(
     rows = solved.rows
     count, pitch = rows.element_count[own], rows.pitch_diameter[:, own]
     diameter, modulus = rows.ball_diameter[:, own], rows.modulus[:, own]
-    if kind not in ("roller", "roller_thrust"):
+    if kind != "roller" and kind != "roller_thrust":
         return fatigue_load_limit_of_contacts(
             count,
             diameter,
@@ -342,34 +343,33 @@ def _fatigue_by_contacts(
         _drops(place, length[:, i], diameter[:, i], solved.case.model.slices)
         for i, place in enumerate(places)
     ]
-    inner, outer = (np.stack([one[race] for one in drops], axis=1) for race in (0, 1))
-    return fatigue_load_limit_of_lines(
-        count,
-        diameter,
-        length,
-        pitch,
-        angle[:, own],
-        modulus,
-        inner,
-        outer,
-        thrust=kind == "roller_thrust",
+    inner, outer, standard = (np.stack([one[k] for one in drops], axis=1) for k in range(3))
+    shape = (count, diameter, length, pitch, angle[:, own], modulus)
+    thrust = kind == "roller_thrust"
+    # a straighter line peaks at its ends, of which slices know nothing: it gets no credit
+    return np.minimum(
+        fatigue_load_limit_of_lines(*shape, inner, outer, thrust=thrust),
+        fatigue_load_limit_of_lines(*shape, standard, standard, thrust=thrust),
     )
 
 
 def _drops(
     place: RowPlace, length: FloatArray, diameter: FloatArray, slices: int
-) -> tuple[FloatArray, FloatArray]:
-    """Drops of roller and race together, of both races; (cases, slices), m."""
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Drops of roller and inner race, roller and outer race, and of the standard's profile.
+
+    (cases, slices) each, m.
+    """
     bearing = place.bearing
     assert not isinstance(bearing, Bearing)
     x = slice_places(length, slices)
     size = {"length": length[:, np.newaxis], "diameter": diameter[:, np.newaxis]}
-    tapered = bearing.element == "tapered"
-    roller, inner, outer = (
-        drop(profile, x, tapered=tapered, **size)
-        for profile in (bearing.roller_profile, bearing.inner_profile, bearing.outer_profile)
+    profiles = (bearing.roller_profile, bearing.inner_profile, bearing.outer_profile)
+    roller, inner, outer, standard = (
+        drop(profile, x, tapered=bearing.element == "tapered", **size)
+        for profile in (*profiles, Profile(kind="iso"))
     )
-    return roller + inner, roller + outer
+    return roller + inner, roller + outer, standard
 
 
 def _fatigue_by_static(

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Final
 
 import numpy as np
 
 from rolamento.case import Case
+from rolamento.case.profile import Profile
+from rolamento.case.roller_bearing import RollerBearing
 from rolamento.errors import InputError
 from rolamento.life.conditions import LifeConditions, conditions_of
 from rolamento.life.summary import LifeSummary, life
@@ -20,6 +22,7 @@ _LOAD: Final = 0.9
 _CLEARANCE: Final = 5e-6
 _VISCOSITY: Final = 1.5
 _CLEANLINESS: Final = 0.2
+_TILT: Final = 0.5
 
 CHANGES: Final[Mapping[str, float]] = {
     "less_load": _LOAD - 1.0,
@@ -27,6 +30,8 @@ CHANGES: Final[Mapping[str, float]] = {
     "more_clearance": _CLEARANCE,
     "thicker_oil": _VISCOSITY - 1.0,
     "cleaner_oil": _CLEANLINESS,
+    "less_tilt": _TILT - 1.0,
+    "profiled_rollers": 0.0,
 }
 """By how much each quantity is changed, by the name of the change: relative, m, or absolute."""
 
@@ -50,6 +55,8 @@ class Change:
 
 def sensitivity(solved: Solved, conditions: LifeConditions | None = None) -> tuple[Change, ...]:
     """Life ratios of changes of load, clearance, oil and cleanliness, the most helpful first.
+
+    Of rollers those of the tilt and, where they are straight, of their profile as well.
 
     By the life that leads: the modified reference life where viscosity and contamination are given,
     else the reference life; changes of the oil only with the former, of clearance only for a
@@ -78,9 +85,12 @@ def sensitivity(solved: Solved, conditions: LifeConditions | None = None) -> tup
     case = solved.case
     before = _life(solved, given)
     found = [Change("less_load", _after(_with_less_load(case), given, before))]
+    mixed = len({place.bearing.element for place in case.bearing.places}) > 1
     for name, step in (("less_clearance", -_CLEARANCE), ("more_clearance", _CLEARANCE)):
-        if case.bearing.diametral_clearance is not None:
+        if case.bearing.diametral_clearance is not None and not mixed:  # whose rows have their own
             found.append(Change(name, _after(_with_clearance(case, step), given, before)))
+    if isinstance(case.bearing, RollerBearing):
+        found += [Change(name, _after(own, given, before)) for name, own in _of_rollers(case)]
     summary = life(solved, given, stress_volume=False)
     if summary.contamination_factor is not None:
         found += [
@@ -116,6 +126,21 @@ def _with_less_load(case: Case) -> Case:
         name: _LOAD * getattr(load, name) for name in names if getattr(load, name) is not None
     }
     return case.replace(duty=case.duty.replace(load=load.replace(**changes)))
+
+
+def _of_rollers(case: Case) -> Iterator[tuple[str, Case]]:
+    """Changes that help rollers on a tilted ring, where there is something to change."""
+    tilt = case.duty.displacement
+    changed = {name: _TILT * value for name in ("ry", "rz") if (value := getattr(tilt, name))}
+    if changed:
+        duty = case.duty.replace(displacement=tilt.replace(**changed))
+        yield "less_tilt", case.replace(duty=duty)
+    bearing = case.bearing
+    assert isinstance(bearing, RollerBearing)
+    names = ("roller_profile", "inner_profile", "outer_profile")
+    if all(getattr(bearing, name).kind == "none" for name in names):
+        profiled = bearing.replace(roller_profile=Profile(kind="iso"))
+        yield "profiled_rollers", case.replace(bearing=profiled)
 
 
 def _with_clearance(case: Case, step: float) -> Case | None:

@@ -512,9 +512,12 @@ def rollers_table(solved: Solved) -> Table:
         "Q load, p maximum pressure along the roller, x its place from the middle toward +x, θ tilt"
         " of the roller, positive where its +x end stands outward; i inner, o outer; ◂ maximum"
     )
+    legends = (legend,)
+    if np.any(solved.rows.sign < 0.0):
+        legends += (said("x and θ of a row that faces − are as seen in a row that faces +"),)
     return Table(
         columns=tuple(columns),
-        legends=(legend,),
+        legends=legends,
         groups=_row_names(solved, rollers),
         rule=True,
         fixed=2,

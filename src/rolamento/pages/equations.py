@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, Literal
 
+from rolamento.case.roller_bearing import RollerBearing
 from rolamento.document import Equation, Symbol
 from rolamento.words import marked, said
 
@@ -43,6 +44,8 @@ class Law:
         whether a case rests on it
     valid
         where it holds; English
+    rolls
+        of which elements: "ball", "roller"; empty for both
     """
 
     key: str
@@ -54,9 +57,42 @@ class Law:
     references: tuple[str, ...] = ()
     used: Used = lambda case: True
     valid: str = ""
+    rolls: Literal["", "ball", "roller"] = ""
+
+    def of(self, case: CaseReport) -> bool:
+        """Whether a case rests on it."""
+        return (not self.rolls or self.rolls in _rolls(case)) and self.used(case)
 
 
 # --- when an equation is used ---------------------------------------------------------------------
+
+
+def _rolls(case: CaseReport) -> set[str]:
+    elements = {place.bearing.element for place in case.case.bearing.places}
+    return {"ball" if element == "ball" else "roller" for element in elements}
+
+
+def _element(name: str) -> Used:
+    return lambda case: any(place.bearing.element == name for place in case.case.bearing.places)
+
+
+def _line_contact(name: str) -> Used:
+    return lambda case: case.case.model.roller_contact == name
+
+
+def _iso_profile(case: CaseReport) -> bool:
+    bearings = [place.bearing for place in case.case.bearing.places]
+    return any(
+        isinstance(one, RollerBearing) and one.roller_profile.kind == "iso" for one in bearings
+    )
+
+
+def _line_film(name: str) -> Used:
+    def used(case: CaseReport) -> bool:
+        own = case.case.film
+        return _film(case) and ("pan_hamrock" if own is None else own.line or "pan_hamrock") == name
+
+    return used
 
 
 def _turns(case: CaseReport) -> bool:
@@ -283,7 +319,36 @@ SYMBOLS: Final[Mapping[str, tuple[str, str, str]]] = {
     "T": ("T", marked("temperature; of rings and balls, above that of assembly"), "K"),
     "order": ("f_c, f_o, f_i, f_b", marked("frequencies of cage, outer race, inner race and ball"),
               "Hz"),
+    "L_we": ("L_we, x", marked("effective length of a roller, and place from its middle"), "m"),
+    "D_we": ("D_we, d_pw", marked("roller diameter and pitch diameter, at the roller's middle"),
+             "m"),
+    "phi": ("φ, β", marked("half angle of a tapered roller, and angle of its axis"), "rad"),
+    "q": ("q, n_s", marked("load per length, or of a slice; number of slices"), "N/m, –"),
+    "tilt": ("θ", marked("tilt of the roller against the race"), "rad"),
+    "b_line": ("b, R", marked("half-width of a line of contact, and effective radius"), "m"),
+    "F_rib": ("F_rib, ε", marked("force of the rib, and its angle to the roller's axis"), "N, rad"),
+    "B_image": ("g_j, s, B_j", marked("influence of a slice j slices away; the roller's share of "
+                                      "the compliance, and the image at its axis"), ""),
+    "f_k": ("f_k", marked("edge factor of a slice"), ""),
+    "q_c": ("q_c, q_e", marked("dynamic load rating and equivalent load of a slice"), "N"),
 }  # fmt: skip
+
+_OF_ROLLERS: Final[Mapping[str, tuple[str, str, str]]] = {
+    "D": ("D_we", marked("roller diameter"), "m"),
+    "d_m": ("d_pw", marked("pitch diameter"), "m"),
+    "Z": ("Z", marked("number of rollers in a row"), ""),
+    "gamma": ("γ", marked("D_we cos α / d_pw"), ""),
+    "E_nu": ("E, ν", marked("Young's modulus and Poisson's ratio of roller and ring"), "Pa, –"),
+    "omega_m": ("ω_m", marked("orbital speed of a roller"), "rad/s"),
+    "mass": ("m", marked("mass of a roller"), "kg"),
+    "psi": ("ψ", marked("azimuth of a roller"), "rad"),
+    "R_q": ("R_q", marked("root mean square roughness of race and roller"), "m"),
+    "order": ("f_c, f_o, f_i, f_b", marked("frequencies of cage, outer race, inner race and "
+                                           "roller"), "Hz"),
+    "T": ("T", marked("temperature; of rings and rollers, above that of assembly"), "K"),
+    "alpha": ("α_i, α_o", marked("contact angle of the inner and outer race"), "rad"),
+}  # fmt: skip
+"""Symbols that mean something else where nothing but rollers rolls."""
 
 
 # --- the register ---------------------------------------------------------------------------------
@@ -291,6 +356,7 @@ SYMBOLS: Final[Mapping[str, tuple[str, str, str]]] = {
 EQUATIONS: Final[tuple[Law, ...]] = (
     Law(
         key="free_angle",
+        rolls="ball",
         name=marked("Free contact angle and clearance"),
         latex=r"\cos\alpha_0 = 1 - \frac{P_d}{2\,(f_i + f_o - 1)\,D}",
         plain="cos α_0 = 1 − P_d / (2 (f_i + f_o − 1) D)",
@@ -343,6 +409,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="curvature",
+        rolls="ball",
         name=marked("Curvatures of ball and race"),
         latex=r"\rho_{x,i} = \frac{2}{D}\,\frac{1}{1 - \gamma},\quad"
         r" \rho_{x,o} = \frac{2}{D}\,\frac{1}{1 + \gamma},\quad"
@@ -355,6 +422,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="ellipticity",
+        rolls="ball",
         name=marked("Hertz point contact: shape of the ellipse"),
         latex=r"\frac{|\rho_x - \rho_y|}{\rho_x + \rho_y} ="
         r" \frac{(k^2+1)\,E(m) - 2\,K(m)}{(k^2-1)\,E(m)},\quad m = 1 - \frac{1}{k^2}",
@@ -366,6 +434,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="hertz_stiffness",
+        rolls="ball",
         name=marked("Hertz point contact: load and approach"),
         latex=r"Q = K_n\,\delta^{3/2},\quad K_n = \frac{\sqrt{8}}{3}\,E'\,"
         r"(\rho_x+\rho_y)^{-1/2}\,(\delta^*)^{-3/2}",
@@ -376,6 +445,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="hertz_pressure",
+        rolls="ball",
         name=marked("Maximum Hertz pressure"),
         latex=r"p_0 = \frac{3\,Q}{2\,\pi\,a\,b}",
         plain="p_0 = 3 Q / (2 π a b)",
@@ -385,6 +455,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="maximum_shear",
+        rolls="ball",
         name=marked("Maximum shear stress below the surface"),
         latex=r"\tau_{max} = \max_{z}\; \frac{\sigma_{max}(z) - \sigma_{min}(z)}{2}",
         plain="τ_max = max_z (σ_max(z) − σ_min(z))/2",
@@ -394,6 +465,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="orthogonal_shear",
+        rolls="ball",
         name=marked("Orthogonal shear"),
         latex=r"\frac{\tau_0}{p_0} = \frac{\sqrt{2t-1}}{2t\,(t+1)},\quad"
         r" \frac{z_0}{b} = \frac{1}{(t+1)\sqrt{2t-1}},\quad \frac{b}{a} = \sqrt{(t^2-1)(2t-1)}",
@@ -404,7 +476,89 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         references=("lundberg_palmgren_1947",),
     ),
     Law(
+        key="slice_overlap",
+        rolls="roller",
+        name=marked("Overlap of a slice with a race"),
+        latex=r"\delta_k = \delta - x_k \tan\theta - P(x_k)",
+        plain="δ_k = δ − x_k tan θ − P(x_k)",
+        symbols=("delta", "L_we", "tilt"),
+        source=marked("ISO/TS 16281:2008, 4.2.2"),
+        references=("iso_ts_16281",),
+        valid=marked(
+            "P drop of the profiles of roller and race; skew of the roller is not modelled"
+        ),
+    ),
+    Law(
+        key="iso_profile",
+        rolls="roller",
+        name=marked("Logarithmic profile of a roller"),
+        latex=r"P(x) = k\, D_{we} \ln\frac{1}{1 - (2x/L_{we})^2}",
+        plain="P(x) = k D_we ln(1/(1 − (2x/L_we)²))",
+        symbols=("D_we", "L_we"),
+        source=marked("ISO/TS 16281:2008, 4.2.3"),
+        references=("iso_ts_16281",),
+        used=_iso_profile,
+        valid=marked(
+            "k 0.00035, of tapered rollers 0.00045; cylindrical rollers longer than"
+            " 2.5 D_we are straight in the middle, with k 0.0005 at their ends"
+        ),
+    ),
+    Law(
+        key="independent_slices",
+        rolls="roller",
+        name=marked("Load of an independent slice"),
+        latex=r"q_k = \frac{c_L}{n_s}\,\delta_k^{10/9},\quad c_L = 35948\, L_{we}^{8/9}",
+        plain="q_k = (c_L/n_s) δ_k^(10/9),  c_L = 35948 L_we^(8/9)  (N, mm)",
+        symbols=("q", "delta", "L_we"),
+        source=marked("ISO/TS 16281:2008, 4.2.1; Palmgren (1959)"),
+        references=("iso_ts_16281", "palmgren_1959"),
+        used=_line_contact("slices"),
+        valid=marked(
+            "both contacts of a steel roller together; other materials in proportion to"
+            " E'. A slice knows nothing of its neighbours: no peak at an edge"
+        ),
+    ),
+    Law(
+        key="coupled_slices",
+        rolls="roller",
+        name=marked("Slices coupled by the elastic half-space"),
+        latex=r"\delta_l = \sum_k \frac{2\, q_k}{\pi E'}\,\left[g_{|l-k|} - s\,B_{|l-k|}\right]"
+        r"\ \mathrm{if}\ q_l > 0",
+        plain="δ_l = Σ_k (2 q_k/(π E')) [g_|l−k| − s B_|l−k|] where q_l > 0",
+        symbols=("q", "delta", "E_prime", "B_image"),
+        source=marked(
+            "Johnson (1985), sections 3.2 and 5.6; de Mul, Kalker and Fredriksson (1986)"
+        ),
+        references=("johnson_1985", "de_mul_1986"),
+        used=_line_contact("coupled"),
+        valid=marked("elastic half-spaces; each slice a half ellipse of pressure across its width"),
+    ),
+    Law(
+        key="line_pressure",
+        rolls="roller",
+        name=marked("Hertz line contact: half-width and maximum pressure"),
+        latex=r"b = \sqrt{\frac{8\, q\, R}{\pi E'}},\quad p_0 = \frac{2\, q}{\pi b},"
+        r"\quad R = \frac{D_{we}}{2}\,(1 \mp \gamma)",
+        plain="b = √(8 q R/(π E')),  p_0 = 2 q/(π b),  R = (D_we/2)(1 ∓ γ)",
+        symbols=("b_line", "p_0", "q", "E_prime", "gamma"),
+        source=marked("Johnson (1985), section 4.2(c)"),
+        references=("johnson_1985",),
+        valid=marked("− inner race, + outer race; q load per length"),
+    ),
+    Law(
+        key="line_shear",
+        rolls="roller",
+        name=marked("Shear stresses below a line of contact"),
+        latex=r"\tau_{max} = 0.300\, p_0\ (z = 0.786\, b),\quad"
+        r" \tau_0 = 0.25\, p_0\ (z_0 = 0.5\, b)",
+        plain="τ_max = 0.300 p_0 at z = 0.786 b,  τ_0 = 0.25 p_0 at z_0 = 0.5 b",
+        symbols=("tau_max", "tau_0", "p_0", "b_line"),
+        source=marked("Johnson (1985), section 4.2(c); Lundberg and Palmgren (1947)"),
+        references=("johnson_1985", "lundberg_palmgren_1947"),
+    ),
+    Law(
         key="orbit",
+        rolls="ball",
         name=marked("Orbital speed of a ball under raceway control"),
         latex=r"\omega_m = \omega_c + (\omega_s - \omega_c)\,"
         r"\frac{1 - \sigma\,(D/d_m)\cos\alpha_s}{1 + \cos(\alpha_i - \alpha_o)}",
@@ -417,6 +571,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="jones_criterion",
+        rolls="ball",
         name=marked("Jones's criterion: the outer race controls"),
         latex=r"Q_o\,a_o\,E(m_o)\,\cos(\alpha_i-\alpha_o) > Q_i\,a_i\,E(m_i)",
         plain="Q_o a_o E(m_o) cos(α_i − α_o) > Q_i a_i E(m_i)",
@@ -427,6 +582,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="cage_speed",
+        rolls="ball",
         name=marked("Cage speed"),
         latex=r"\omega_{cage} = \frac{\sum h\,Q_i\,\omega_m}{\sum h\,Q_i}",
         plain="ω_cage = Σ h Q_i ω_m / Σ h Q_i",
@@ -436,6 +592,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="centrifugal",
+        rolls="ball",
         name=marked("Centrifugal force on a ball"),
         latex=r"F_c = \frac{1}{2}\,m\,d_m\,\omega_m^2",
         plain="F_c = ½ m d_m ω_m²",
@@ -446,6 +603,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="gyroscopic",
+        rolls="ball",
         name=marked("Gyroscopic moment on a ball"),
         latex=r"M_g = J\,\omega_R\,\omega_m \sin\beta,\quad J = \frac{m D^2}{10}",
         plain="M_g = J ω_R ω_m sin β,  J = m D²/10",
@@ -455,7 +613,30 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         used=_gyroscopic,
     ),
     Law(
+        key="roller_orbit",
+        rolls="roller",
+        name=marked("Orbital speed of a roller"),
+        latex=r"\omega_m = \frac{\omega_i}{2}(1-\gamma) + \frac{\omega_o}{2}(1+\gamma)",
+        plain="ω_m = ½ ω_i (1 − γ) + ½ ω_o (1 + γ)",
+        symbols=("omega_m", "omega", "gamma"),
+        source=marked("pure rolling in the middle of both lines; Harris (1991), chapter 7"),
+        references=("harris_1991",),
+        used=_turns,
+    ),
+    Law(
+        key="roller_centrifugal",
+        rolls="roller",
+        name=marked("Centrifugal force on a roller"),
+        latex=r"F_c = \frac{1}{2}\,m\,d_{pw}\,\omega_m^2",
+        plain="F_c = ½ m d_pw ω_m²",
+        symbols=("F_c", "mass", "d_m", "omega_m"),
+        source=marked("Harris (1991), chapter 5"),
+        references=("harris_1991",),
+        used=_centrifugal,
+    ),
+    Law(
         key="ball_equilibrium_axial",
+        rolls="ball",
         name=marked("Axial equilibrium of a ball (Jones–Harris)"),
         latex=r"Q_i \sin\alpha_i - Q_o \sin\alpha_o"
         r" - \frac{M_g}{D}(\lambda_i\cos\alpha_i - \lambda_o\cos\alpha_o) = 0",
@@ -468,6 +649,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="ball_equilibrium_radial",
+        rolls="ball",
         name=marked("Radial equilibrium of a ball (Jones–Harris)"),
         latex=r"Q_i \cos\alpha_i - Q_o \cos\alpha_o"
         r" + \frac{M_g}{D}(\lambda_i\sin\alpha_i - \lambda_o\sin\alpha_o) + F_c = 0",
@@ -479,6 +661,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="ring_equilibrium",
+        rolls="ball",
         name=marked("Equilibrium of the inner ring"),
         latex=r"F_x = \sum f_x,\quad F_y = \sum f_r\sin\psi,\quad F_z = \sum f_r\cos\psi,\quad"
         r" M_y = R_i\sum h\cos\psi,\quad M_z = -R_i\sum h\sin\psi",
@@ -491,6 +674,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="friction_control",
+        rolls="ball",
         name=marked("Ball motion under friction control"),
         latex=r"\sum \mathbf{M} = J\,\omega_m\,\hat{x} \times \mathbf{\omega},\quad"
         r" \mathbf{f} = -\mu\,p\,\frac{\mathbf{v}}{\sqrt{v^2 + v_0^2}}",
@@ -503,6 +687,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="stiffness",
+        rolls="ball",
         name=marked("Stiffness of the bearing"),
         latex=r"K_{ij} = \frac{\partial F_i}{\partial u_j}",
         plain="K_ij = ∂F_i/∂u_j",
@@ -512,7 +697,58 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         references=("jones_1960",),
     ),
     Law(
+        key="roller_equilibrium",
+        rolls="roller",
+        name=marked("Equilibrium of a roller"),
+        latex=r"\sum_k q_{i,k}\,\mathbf{n}_i + \sum_k q_{o,k}\,\mathbf{n}_o +"
+        r" \mathbf{F}_c + \mathbf{F}_{rib} = 0,\quad"
+        r" \sum_k (q_{o,k} - q_{i,k})\, x_k + M_{rib} + M_g = 0",
+        plain="Σ q_i,k n_i + Σ q_o,k n_o + F_c + F_rib = 0,  Σ (q_o,k − q_i,k) x_k + M_rib + M_g"
+        " = 0",
+        symbols=("q", "L_we", "F_c", "F_rib", "M_g"),
+        source=marked("forces in the roller's axial plane, and moments about its middle"),
+        valid=marked(
+            "rigid rings; rib, friction and cage transmit no moment about the radius (no skew)"
+        ),
+    ),
+    Law(
+        key="rib_force",
+        rolls="roller",
+        name=marked("Force of the rib on a tapered roller"),
+        latex=r"F_{rib} = Q_o \sin(\varphi+\varepsilon) + Q_i \sin(\varphi-\varepsilon)"
+        r" + F_c \sin(\beta-\varepsilon)",
+        plain="F_rib = Q_o sin(φ + ε) + Q_i sin(φ − ε) + F_c sin(β − ε)",
+        symbols=("F_rib", "Q", "phi", "F_c"),
+        source=marked("equilibrium of the roller across the force of the rib"),
+        used=_element("tapered"),
+    ),
+    Law(
+        key="roller_ring_equilibrium",
+        rolls="roller",
+        name=marked("Equilibrium of the inner ring"),
+        latex=r"F_x = \sum f_x,\quad F_y = \sum f_r \sin\psi,\quad F_z = \sum f_r \cos\psi,\quad"
+        r" M_y = \sum m \cos\psi,\quad M_z = -\sum m \sin\psi",
+        plain="F_x = Σ f_x,  F_y = Σ f_r sin ψ,  F_z = Σ f_r cos ψ,  M_y = Σ m cos ψ,  M_z = "
+        "−Σ m sin ψ",
+        symbols=("loads", "psi"),
+        source=marked("Jones (1960)"),
+        references=("jones_1960",),
+        valid=marked("small tilts, up to about 1°"),
+    ),
+    Law(
+        key="roller_stiffness",
+        rolls="roller",
+        name=marked("Stiffness of the bearing"),
+        latex=r"K_{ij} = \frac{\partial F_i}{\partial u_j}",
+        plain="K_ij = ∂F_i/∂u_j",
+        symbols=("loads", "u"),
+        source=marked("derivative of the equilibrium; Jones (1960)"),
+        references=("jones_1960",),
+        valid=marked("tangent stiffness, all rollers in equilibrium"),
+    ),
+    Law(
         key="dynamic_rating",
+        rolls="ball",
         name=marked("Basic dynamic load rating"),
         latex=r"C = b_m\,f_c\,(i\cos\alpha_0)^{0.7}\,Z^{2/3}\,D^{1.8}",
         plain="C = b_m f_c (i cos α_0)^0.7 Z^(2/3) D^1.8  (N, mm)",
@@ -524,6 +760,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="dynamic_rating_thrust",
+        rolls="ball",
         name=marked("Basic dynamic axial load rating"),
         latex=r"C_a = b_m\,f_c\,(\cos\alpha_0)^{0.7}\tan\alpha_0\,Z^{2/3}\,D^{1.8},"
         r"\quad 90^{\circ}:\; b_m\,f_c\,Z^{2/3}\,D^{1.8}",
@@ -537,6 +774,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="static_rating",
+        rolls="ball",
         name=marked("Basic static load rating"),
         latex=r"C_0 = f_0\,i\,Z\,D^2\cos\alpha_0",
         plain="C_0 = f_0 i Z D² cos α_0",
@@ -548,6 +786,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="static_rating_thrust",
+        rolls="ball",
         name=marked("Basic static axial load rating"),
         latex=r"C_{0a} = f_0\,Z\,D^2\sin\alpha_0",
         plain="C_0a = f_0 Z D² sin α_0",
@@ -558,7 +797,32 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         valid=marked("steel balls"),
     ),
     Law(
+        key="roller_dynamic_rating",
+        rolls="roller",
+        name=marked("Basic dynamic load rating"),
+        latex=r"C = b_m f_c\,(i\,L_{we}\cos\alpha)^{7/9}\,Z^{3/4}\,D_{we}^{29/27}",
+        plain="C = b_m f_c (i L_we cos α)^(7/9) Z^(3/4) D_we^(29/27)  (N, mm)",
+        symbols=("C", "f_c", "rows", "L_we", "Z", "D"),
+        source=marked("ISO 281:2007, clause 7"),
+        references=("iso_281_2007",),
+        used=_rating("dynamic", "geometry"),
+        valid=marked("D_we cos α/d_pw from 0.01 to 0.30"),
+    ),
+    Law(
+        key="roller_static_rating",
+        rolls="roller",
+        name=marked("Basic static load rating"),
+        latex=r"C_0 = 44\,(1-\gamma)\,i\,Z\,L_{we}\,D_{we}\cos\alpha",
+        plain="C_0 = 44 (1 − γ) i Z L_we D_we cos α  (N, mm)",
+        symbols=("C", "gamma", "rows", "Z", "L_we", "D"),
+        source=marked("ISO 76:2006, clause 7"),
+        references=("iso_76_2006",),
+        used=_rating("static", "geometry"),
+        valid=marked("steel rollers"),
+    ),
+    Law(
         key="fatigue_load_limit",
+        rolls="ball",
         name=marked("Fatigue load limit"),
         latex=r"C_u = 0.2288\,Z\,Q_u\,i\cos\alpha_0",
         plain="C_u = 0.2288 Z Q_u i cos α_0",
@@ -570,6 +834,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="fatigue_load_limit_thrust",
+        rolls="ball",
         name=marked("Fatigue load limit"),
         latex=r"C_u = Z\,Q_u\sin\alpha_0",
         plain="C_u = Z Q_u sin α_0",
@@ -581,6 +846,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="fatigue_load_estimate",
+        rolls="ball",
         name=marked("Fatigue load limit, estimated"),
         latex=r"C_u = \frac{C_0}{22}",
         plain="C_u = C_0/22",
@@ -591,7 +857,35 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         valid=marked("steel balls; times (100 mm/d_m)^0.5 above 100 mm"),
     ),
     Law(
+        key="roller_fatigue_load_limit",
+        rolls="roller",
+        name=marked("Fatigue load limit"),
+        latex=r"C_u = 0.2453\,Z\,Q_u\,i\cos\alpha",
+        plain="C_u = 0.2453 Z Q_u i cos α",
+        symbols=("C", "Z", "rows"),
+        source=marked("ISO 281:2007, annex B.3.2"),
+        references=("iso_281_2007",),
+        used=_rating("fatigue", "contacts"),
+        valid=marked(
+            "Q_u load of a contact whose maximum pressure along the roller is 1500 MPa;"
+            " times (100 mm/d_pw)^0.3 above 100 mm"
+        ),
+    ),
+    Law(
+        key="roller_fatigue_load_estimate",
+        rolls="roller",
+        name=marked("Fatigue load limit, estimated"),
+        latex=r"C_u = C_0/8.2",
+        plain="C_u = C_0/8.2",
+        symbols=("C",),
+        source=marked("ISO 281:2007, annex B.3.3"),
+        references=("iso_281_2007",),
+        used=_rating("fatigue", "estimate"),
+        valid=marked("steel rollers; times (100 mm/d_pw)^0.3 above 100 mm"),
+    ),
+    Law(
         key="equivalent_load",
+        rolls="ball",
         name=marked("Dynamic equivalent load"),
         latex=r"P = X F_r + Y F_a",
         plain="P = X F_r + Y F_a",
@@ -603,6 +897,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="equivalent_load_thrust",
+        rolls="ball",
         name=marked("Dynamic equivalent axial load"),
         latex=r"P_a = X F_r + F_a,\quad X = 1.25\tan\alpha_0\left(1 - \frac{2}{3}\sin\alpha_0"
         r"\right),\quad 90^{\circ}:\; P_a = F_a",
@@ -615,6 +910,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="static_equivalent_load",
+        rolls="ball",
         name=marked("Static equivalent load and static safety"),
         latex=r"P_0 = \max(F_r,\; X_0 F_r + Y_0 F_a),\quad S_0 = \frac{C_0}{P_0}",
         plain="P_0 = max(F_r, X_0 F_r + Y_0 F_a),  S_0 = C_0/P_0",
@@ -625,6 +921,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="static_equivalent_load_thrust",
+        rolls="ball",
         name=marked("Static equivalent axial load and static safety"),
         latex=r"P_{0a} = 2.3\,F_r\tan\alpha_0 + F_a,\quad S_0 = \frac{C_{0a}}{P_{0a}},"
         r"\quad 90^{\circ}:\; P_{0a} = F_a",
@@ -635,12 +932,48 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         used=_axial(_life),
     ),
     Law(
+        key="roller_equivalent_load",
+        rolls="roller",
+        name=marked("Dynamic equivalent load"),
+        latex=r"P = X F_r + Y F_a,\quad e = 1.5\tan\alpha",
+        plain="P = X F_r + Y F_a,  e = 1.5 tan α",
+        symbols=("P", "XY", "F_ra"),
+        source=marked("ISO 281:2007, table 8"),
+        references=("iso_281_2007",),
+        used=_theory("iso281"),
+        valid=marked("one row, rows in tandem, or a facing pair; P up to C/2 and C_0"),
+    ),
+    Law(
+        key="roller_static_equivalent_load",
+        rolls="roller",
+        name=marked("Static equivalent load and static safety"),
+        latex=r"P_0 = \max(F_r,\; X_0 F_r + Y_0 F_a),\quad S_0 = C_0/P_0",
+        plain="P_0 = max(F_r, X_0 F_r + Y_0 F_a),  S_0 = C_0/P_0",
+        symbols=("P", "XY", "F_ra", "S_0", "C"),
+        source=marked("ISO 76:2006, table 4"),
+        references=("iso_76_2006",),
+        used=_life,
+    ),
+    Law(
         key="basic_life",
+        rolls="ball",
         name=marked("Basic rating life"),
         latex=r"L_{10} = \left(\frac{C}{P}\right)^{3},\quad L_{10h} = \frac{10^6\,L_{10}}{60\,n}",
         plain="L_10 = (C/P)³,  L_10h = 10⁶ L_10/(60 n)",
         symbols=("L_10", "C", "P", "n"),
         source=marked("ISO 281:2007, 5.1.3"),
+        references=("iso_281_2007",),
+        used=_theory("iso281"),
+    ),
+    Law(
+        key="roller_basic_life",
+        rolls="roller",
+        name=marked("Basic rating life"),
+        latex=r"L_{10} = \left(\frac{C}{P}\right)^{10/3},\quad L_{10h} ="
+        r" \frac{10^6\,L_{10}}{60\,n}",
+        plain="L_10 = (C/P)^(10/3),  L_10h = 10⁶ L_10/(60 n)",
+        symbols=("L_10", "C", "P", "n"),
+        source=marked("ISO 281:2007, clause 7"),
         references=("iso_281_2007",),
         used=_theory("iso281"),
     ),
@@ -702,6 +1035,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="a_iso",
+        rolls="ball",
         name=marked("Modified rating life"),
         latex=r"L_{nm} = a_1\,a_{ISO}\,L_{10},\quad a_{ISO} = 0.1\left[1 - \left(2.5671"
         r" - \frac{c}{\kappa^{p}}\right)^{0.83}\left(\frac{e_C C_u}{P}\right)^{1/3}\right]^{-9.3}",
@@ -715,6 +1049,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="a_iso_thrust",
+        rolls="ball",
         name=marked("Modified rating life"),
         latex=r"L_{nm} = a_1\,a_{ISO}\,L_{10},\quad a_{ISO} = 0.1\left[1 - \left(2.5671"
         r" - \frac{c}{\kappa^{p}}\right)^{0.83}\left(\frac{e_C C_u}{3 P_a}\right)^{1/3}"
@@ -725,6 +1060,20 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         source=marked("ISO 281:2007, 9.3.3"),
         references=("iso_281_2007",),
         used=_axial(_theory("iso281_modified", "iso16281_modified")),
+        valid=marked("κ from 0.1, counted as 4 above 4; e_C above 0; P up to C/2 and C_0"),
+    ),
+    Law(
+        key="roller_a_iso",
+        rolls="roller",
+        name=marked("Modified rating life"),
+        latex=r"L_{nm} = a_1\,a_{ISO}\,L_{10},\quad a_{ISO} = 0.1\left[1 - \left(1.5859 -"
+        r" \frac{c}{\kappa^p}\right)\left(\frac{e_C C_u}{P}\right)^{0.4}\right]^{-9.185}\leq 50",
+        plain="L_nm = a_1 a_ISO L_10;  a_ISO = 0.1 [1 − (1.5859 − c/κ^p) (e_C C_u/P)^0.4]^−9.185 ≤"
+        " 50",
+        symbols=("a_ISO", "a_1", "kappa", "e_C", "C", "P"),
+        source=marked("ISO 281:2007, 9.3.3"),
+        references=("iso_281_2007",),
+        used=_theory("iso281_modified", "iso16281_modified"),
         valid=marked("κ from 0.1, counted as 4 above 4; e_C above 0; P up to C/2 and C_0"),
     ),
     Law(
@@ -739,6 +1088,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="race_rating",
+        rolls="ball",
         name=marked("Dynamic load rating of a race"),
         latex=r"Q_{ci} = \frac{C}{0.407\,Z\cos\alpha_0\,i^{0.7}}\left(1+T^{10/3}\right)^{3/10},"
         r"\quad Q_{co} = \frac{C}{0.389\,Z\cos\alpha_0\,i^{0.7}}\left(1+T^{-10/3}\right)^{3/10}",
@@ -751,6 +1101,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="race_rating_thrust",
+        rolls="ball",
         name=marked("Dynamic load rating of a race"),
         latex=r"Q_{ci} = \frac{C_a}{Z\sin\alpha_0}\left(1+T^{10/3}\right)^{3/10},"
         r"\quad Q_{co} = \frac{C_a}{Z\sin\alpha_0}\left(1+T^{-10/3}\right)^{3/10}",
@@ -763,6 +1114,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="reference_life",
+        rolls="ball",
         name=marked("Basic reference rating life, ball by ball"),
         latex=r"L_{10r} = \left[\sum \left(\frac{Q_c}{Q_e}\right)^{-10/3}\right]^{-9/10}",
         plain="L_10r = [Σ (Q_c/Q_e)^(−10/3)]^(−9/10)",
@@ -773,6 +1125,38 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         valid=marked(
             "sum over races and rows; Q_e mean of power 3 on a race rotating relative to the load, "
             "else of power 10/3; any load, tilt, clearance and speed; P_ref up to C/2 and C_0"
+        ),
+    ),
+    Law(
+        key="slice_rating",
+        rolls="roller",
+        name=marked("Dynamic load rating of a slice"),
+        latex=r"q_c = Q_c\,n_s^{-7/9},\quad Q_{ci} = \frac{C\,(1 + T^{9/2})^{2/9}}"
+        r"{0.378\cdot 0.83\,Z\cos\alpha\,i^{7/9}},\quad Q_{co} = \frac{C\,(1 + T^{-9/2})^{2/9}}"
+        r"{0.364\cdot 0.83\,Z\cos\alpha\,i^{7/9}}",
+        plain="q_c = Q_c n_s^(−7/9);  Q_ci = C/(0.378·0.83 Z cos α i^(7/9)) (1 + T^(9/2))^(2/9);"
+        "  Q_co = C/(0.364·0.83 Z cos α i^(7/9)) (1 + T^(−9/2))^(2/9);  T = 1.038 ((1 − γ)/"
+        "(1 + γ))^(143/108)",
+        symbols=("q_c", "Q_c", "C", "Z", "rows", "gamma"),
+        source=marked("ISO/TS 16281:2008, 5.3"),
+        references=("iso_ts_16281",),
+        used=_theory("iso16281"),
+    ),
+    Law(
+        key="slice_life",
+        rolls="roller",
+        name=marked("Basic reference rating life, slice by slice"),
+        latex=r"L_{10r} = \left\{\sum_k \left[\left(\frac{f_k q_{e,i}}{q_{c,i}}\right)^{9/2} +"
+        r" \left(\frac{f_k q_{e,o}}{q_{c,o}}\right)^{9/2}\right]\right\}^{-8/9}",
+        plain="L_10r = {Σ_k [(f_k q_ei/q_ci)^(9/2) + (f_k q_eo/q_co)^(9/2)]}^(−8/9)",
+        symbols=("L_10r", "f_k", "q_c"),
+        source=marked("ISO/TS 16281:2008, 5.4"),
+        references=("iso_ts_16281",),
+        used=_theory("iso16281"),
+        valid=marked(
+            "q_e mean of power 4 on a race rotating relative to the load, else of power"
+            " 9/2; f_k = 1 with coupled slices; the number of slices is part of the"
+            " method"
         ),
     ),
     Law(
@@ -810,6 +1194,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="film_groups",
+        rolls="ball",
         name=marked("Dimensionless groups of the film"),
         latex=r"U = \frac{\eta\,u}{E' R_x},\quad W = \frac{Q}{E' R_x^2},\quad G = \alpha_p E'",
         plain="U = η u/(E' R_x),  W = Q/(E' R_x²),  G = α_p E'",
@@ -820,6 +1205,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="central_film",
+        rolls="ball",
         name=marked("Central film thickness (Hamrock–Dowson)"),
         latex=r"H_c = 2.69\,U^{0.67} G^{0.53} W^{-0.067}\left(1 - 0.61\,e^{-0.73 k}\right)",
         plain="H_c = 2.69 U^0.67 G^0.53 W^−0.067 (1 − 0.61 e^(−0.73 k))",
@@ -831,6 +1217,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="minimum_film",
+        rolls="ball",
         name=marked("Minimum film thickness (Hamrock–Dowson)"),
         latex=r"H_0 = 3.63\,U^{0.68} G^{0.49} W^{-0.073}\left(1 - e^{-0.68 k}\right)",
         plain="H_0 = 3.63 U^0.68 G^0.49 W^−0.073 (1 − e^(−0.68 k))",
@@ -838,6 +1225,44 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         source=marked("Hamrock and Dowson (1977), part III"),
         references=("hamrock_dowson_1977",),
         used=_film,
+    ),
+    Law(
+        key="line_film_groups",
+        rolls="roller",
+        name=marked("Dimensionless groups of the film"),
+        latex=r"U = \frac{\eta u}{E' R_x},\quad W' = \frac{q}{E' R_x},\quad G = \alpha_p E'",
+        plain="U = η u/(E' R_x),  W' = q/(E' R_x),  G = α_p E'",
+        symbols=("UWG", "eta", "R_x", "E_prime", "q", "alpha_p"),
+        source=marked("Pan and Hamrock (1989)"),
+        references=("pan_hamrock_1989",),
+        used=_film,
+        valid=marked("q load per length of the most loaded slice"),
+    ),
+    Law(
+        key="pan_hamrock",
+        rolls="roller",
+        name=marked("Film thickness of a line contact (Pan–Hamrock)"),
+        latex=r"H_c = 2.922\,W'^{-0.166}U^{0.692}G^{0.470},\quad"
+        r" H_0 = 1.714\,W'^{-0.128}U^{0.694}G^{0.568}",
+        plain="H_c = 2.922 W'^−0.166 U^0.692 G^0.470,  H_0 = 1.714 W'^−0.128 U^0.694 G^0.568",
+        symbols=("H", "UWG"),
+        source=marked("Pan and Hamrock (1989)"),
+        references=("pan_hamrock_1989",),
+        used=_line_film("pan_hamrock"),
+        valid=marked("isothermal and fully flooded; the ends of the roller are not considered"),
+    ),
+    Law(
+        key="dowson_line",
+        rolls="roller",
+        name=marked("Film thickness of a line contact (Dowson)"),
+        latex=r"H_c = 3.06\,W'^{-0.10}U^{0.69}G^{0.56},\quad"
+        r" H_0 = 2.65\,W'^{-0.13}U^{0.70}G^{0.54}",
+        plain="H_c = 3.06 W'^−0.10 U^0.69 G^0.56,  H_0 = 2.65 W'^−0.13 U^0.70 G^0.54",
+        symbols=("H", "UWG"),
+        source=marked("Dowson and Toyoda (1979); Dowson (1968)"),
+        references=("dowson_toyoda_1979", "dowson_1968"),
+        used=_line_film("dowson_toyoda"),
+        valid=marked("isothermal and fully flooded; the ends of the roller are not considered"),
     ),
     Law(
         key="wooster",
@@ -887,6 +1312,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="inlet_distance",
+        rolls="ball",
         name=marked("Reduction of the film by starvation"),
         latex=r"\varphi_s = \left(\frac{m-1}{m^*-1}\right)^{0.29},\quad"
         r" m^* = 1 + 3.06\left[\left(\frac{R_x}{b}\right)^2 H_c\right]^{0.58}",
@@ -909,6 +1335,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="film_parameter",
+        rolls="ball",
         name=marked("Film parameter"),
         latex=r"\lambda = \frac{h_c}{\sqrt{R_{q,race}^2 + R_{q,ball}^2}}",
         plain="λ = h_c/√(R_q,race² + R_q,ball²)",
@@ -918,7 +1345,19 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         used=_roughness,
     ),
     Law(
+        key="roller_film_parameter",
+        rolls="roller",
+        name=marked("Film parameter"),
+        latex=r"\lambda = \frac{h_c}{\sqrt{R_{q,race}^2 + R_{q,roller}^2}}",
+        plain="λ = h_c/√(R_q,race² + R_q,roller²)",
+        symbols=("lambda", "R_q"),
+        source=marked("Hamrock and Dowson (1977)"),
+        references=("hamrock_dowson_1977",),
+        used=_roughness,
+    ),
+    Law(
         key="minimum_power",
+        rolls="ball",
         name=marked("Ball motion of minimum friction power"),
         latex=r"\min_{\omega_b,\,\omega_m} \int\!\!\int \mu\,p\,|\mathbf{v}|\,dA",
         plain="min ∫∫ μ p |v| dA",
@@ -930,6 +1369,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="spin_moment",
+        rolls="ball",
         name=marked("Spin moment of a contact"),
         latex=r"M_s = \frac{3}{8}\,\mu\,Q\,a\,E(m)",
         plain="M_s = (3/8) μ Q a E(m)",
@@ -940,6 +1380,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="heathcote",
+        rolls="ball",
         name=marked("Rolling slip of a conforming contact (Heathcote)"),
         latex=r"M_H = \frac{3}{8}\,\mu\,Q\,\frac{a^2}{R}\int_{-1}^{1}(1-s^2)\,|s^2-k^2|\,ds,"
         r"\quad k = 2\sin 10°",
@@ -951,6 +1392,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="harris_1971",
+        rolls="ball",
         name=marked("Friction along the rolling direction only (Harris)"),
         latex=r"q(s) = \frac{3Q}{4a}(1-s^2)",
         plain="q(s) = 3Q/(4a) (1 − s²)",
@@ -961,7 +1403,23 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         valid=marked("dry friction, low speed"),
     ),
     Law(
+        key="rib_friction",
+        rolls="roller",
+        name=marked("Sliding on the rib"),
+        latex=r"P = \mu\,F_{rib}\,v",
+        plain="P = μ F_rib v",
+        symbols=("mu", "F_rib"),
+        source=marked("Aihara (1987)"),
+        references=("aihara_1987",),
+        used=_loss("rib"),
+        valid=marked(
+            "v sliding speed at the height of the contact on the rib; the coefficient falls"
+            " with the film at the rib where the radius of the roller's end is known"
+        ),
+    ),
+    Law(
         key="hysteresis",
+        rolls="ball",
         name=marked("Elastic hysteresis"),
         latex=r"M_h = \frac{3}{16}\,\alpha_h\,Q\,b",
         plain="M_h = (3/16) α_h Q b",
@@ -972,6 +1430,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="rolling_resistance",
+        rolls="ball",
         name=marked("Rolling resistance of the lubricant"),
         latex=r"P = 2\,F_R\,u",
         plain="P = 2 F_R u",
@@ -980,6 +1439,30 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         references=("biboulet_houpert_2010",),
         used=_loss("rolling_resistance"),
         valid=marked("F_R hydrodynamic force at the inlet; isothermal and fully flooded"),
+    ),
+    Law(
+        key="line_hysteresis",
+        rolls="roller",
+        name=marked("Elastic hysteresis of a line of contact"),
+        latex=r"M_h = \frac{2}{3\pi}\,\alpha_h \sum_k q_k\, b_k",
+        plain="M_h = (2/(3π)) α_h Σ q_k b_k",
+        symbols=("alpha_h", "q", "b_line"),
+        source=marked("Johnson (1985), section 9.1"),
+        references=("johnson_1985",),
+        used=_loss("hysteresis"),
+    ),
+    Law(
+        key="line_rolling_resistance",
+        rolls="roller",
+        name=marked("Rolling resistance of the lubricant on a line of contact"),
+        latex=r"P = 2\,t\,u\,L_{we},\quad t = \frac{88\,R}{\alpha_p}\,"
+        r"\frac{(G U)^{0.658}\,W'^{0.31}}{1 + 0.29\,L^{0.78}}",
+        plain="P = 2 t u L_we,  t = 88 (R/α_p) (G U)^0.658 W'^0.31/(1 + 0.29 L^0.78)",
+        symbols=("UWG", "alpha_p", "b_line", "L_T", "L_we"),
+        source=marked("Aihara (1987), equations 19, 21 and 27"),
+        references=("aihara_1987",),
+        used=_loss("rolling_resistance"),
+        valid=marked("fully flooded; t force of the oil per length"),
     ),
     Law(
         key="palmgren",
@@ -1005,6 +1488,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="frequencies",
+        rolls="ball",
         name=marked("Fault frequencies"),
         latex=r"f_o = \frac{Z}{2\pi}\,|\omega_m - \omega_o|,\quad"
         r" f_i = \frac{Z}{2\pi}\,|\omega_i - \omega_m|,\quad f_b = \frac{|\omega_R|}{2\pi}",
@@ -1014,10 +1498,24 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         references=("harris_1991", "braga_almeida"),
         used=_frequencies,
     ),
+    Law(
+        key="roller_frequencies",
+        rolls="roller",
+        name=marked("Fault frequencies"),
+        latex=r"f_o = \frac{Z\,|\omega_m-\omega_o|}{2\pi},\quad f_i ="
+        r" \frac{Z\,|\omega_i-\omega_m|}{2\pi},\quad f_b = \frac{|\omega_R|}{2\pi}",
+        plain="f_o = Z |ω_m − ω_o|/2π,  f_i = Z |ω_i − ω_m|/2π,  f_b = |ω_R|/2π",
+        symbols=("order", "Z", "omega_m", "omega"),
+        source=marked("Harris (1991), chapter 7"),
+        references=("harris_1991",),
+        used=_frequencies,
+    ),
 )
 """In the order in which an engineer calculates."""
 
 REFERENCES: Final[Mapping[str, str]] = {
+    "aihara_1987": "Aihara, S., A new running torque formula for tapered roller bearings under "
+    "axial load, Journal of Tribology 109 (1987).",
     "astm_d341": "ASTM D341, Standard practice for viscosity-temperature equations and charts for "
     "liquid petroleum or hydrocarbon products.",
     "biboulet_houpert_2010": "Biboulet, N.; Houpert, L., Hydrodynamic force and moment in pure "
@@ -1025,6 +1523,11 @@ REFERENCES: Final[Mapping[str, str]] = {
     "braga_almeida": "Braga; Almeida, Movimentos relativos, internos ao rolamento de esferas.",
     "campanha_2008": "Campanha, M. V., Estudo sobre a vida útil de rolamentos fixos de uma "
     "carreira de esferas, master's dissertation, Universidade de São Paulo, 2008.",
+    "de_mul_1986": "de Mul, J. M.; Kalker, J. J.; Fredriksson, B., The contact between arbitrarily "
+    "curved bodies of finite dimensions, Journal of Tribology 108 (1986).",
+    "dowson_1968": "Dowson, D., Elastohydrodynamics, Proc. IMechE 182 (1968).",
+    "dowson_toyoda_1979": "Dowson, D.; Toyoda, S., A central film thickness formula for "
+    "elastohydrodynamic line contacts, 5th Leeds-Lyon Symposium on Tribology, 1979.",
     "greenwood_1961": "Greenwood, J. A.; Minshall, H.; Tabor, D., Hysteresis losses in rolling and "
     "sliding friction, Proc. Royal Society A 259 (1961).",
     "gupta_1992": "Gupta, P. K.; Cheng, H. S.; Zhu, D.; Forster, N. H.; Schrand, J. B., "
@@ -1063,6 +1566,8 @@ REFERENCES: Final[Mapping[str, str]] = {
     "analysis, Journal of Lubrication Technology 97 (1975).",
     "nsk_e1102": "NSK, Rolling Bearings, catalogue E1102.",
     "palmgren_1959": "Palmgren, A., Ball and Roller Bearing Engineering, 3rd ed., 1959.",
+    "pan_hamrock_1989": "Pan, P.; Hamrock, B. J., Simple formulas for performance parameters used "
+    "in elastohydrodynamically lubricated line contacts, Journal of Tribology 111 (1989).",
     "poritsky_1947": "Poritsky, H.; Hewlett, C. W.; Coleman, R. E., Sliding friction of ball "
     "bearings of the pivot type, Journal of Applied Mechanics 14 (1947).",
     "radaelli_2013": "Radaelli, G. Z., Determinação do carregamento dinâmico em mancais de esfera "
@@ -1088,8 +1593,9 @@ def equations_of(cases: Iterable[CaseReport]) -> tuple[Equation, ...]:
     solved = [case for case in cases if case.converged]
     found: list[Equation] = []
     known: set[str] = set()
+    rollers = not any("ball" in _rolls(case) for case in solved)
     for law in EQUATIONS:
-        if not any(law.used(case) for case in solved):
+        if not any(law.of(case) for case in solved):
             continue
         new = [key for key in law.symbols if key not in known]
         known.update(new)
@@ -1098,7 +1604,7 @@ def equations_of(cases: Iterable[CaseReport]) -> tuple[Equation, ...]:
                 name=said(law.name),
                 latex=law.latex,
                 plain=law.plain,
-                symbols=tuple(_symbol(key) for key in new),
+                symbols=tuple(_symbol(key, rollers=rollers) for key in new),
                 source=said(law.source),
                 valid=said(law.valid) if law.valid else "",
                 number=len(found) + 1,
@@ -1111,11 +1617,12 @@ def references_of(cases: Iterable[CaseReport]) -> tuple[str, ...]:
     """Return the works that the equations of cases come from, in the order of the alphabet."""
     solved = [case for case in cases if case.converged]
     keys = {
-        key for law in EQUATIONS if any(law.used(case) for case in solved) for key in law.references
+        key for law in EQUATIONS if any(law.of(case) for case in solved) for key in law.references
     }
     return tuple(REFERENCES[key] for key in sorted(keys))
 
 
-def _symbol(key: str) -> Symbol:
-    symbol, meaning, unit = SYMBOLS[key]
+def _symbol(key: str, *, rollers: bool) -> Symbol:
+    """What a symbol means; rollers: where nothing else rolls."""
+    symbol, meaning, unit = {**SYMBOLS, **_OF_ROLLERS}[key] if rollers else SYMBOLS[key]
     return Symbol(symbol, said(meaning), unit)

@@ -30,7 +30,7 @@ from rolamento.document import (
 )
 from rolamento.life.iso16281 import THEORY as REFERENCE
 from rolamento.life.iso16281_modified import THEORY as MODIFIED_REFERENCE
-from rolamento.life.record import BOUNDS, OUTSIDE
+from rolamento.life.record import BOUNDS, OUTSIDE, note_of
 from rolamento.life.theories import THEORIES
 from rolamento.pages.given import head, untitled
 from rolamento.pages.state import notes_section
@@ -42,6 +42,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure as Picture
 
     from rolamento.life import Change, Headline, Life, LifeSummary
+    from rolamento.life.rib_load import RibLoad
+    from rolamento.life.row_ratings import Ratings
     from rolamento.solved import Solved
 
 __all__ = [
@@ -172,32 +174,34 @@ def _force(value: float, unit: str) -> Number:
 # --- notes -------------------------------------------------------------------------------------
 
 
-def remarks(found: Iterable[tuple[str, str, str]], count: int) -> tuple[Block, ...]:
+def remarks(found: Iterable[tuple[str, Note, str]], count: int) -> tuple[Block, ...]:
     """List what refuses theories, then what they leave out.
 
     Parameters
     ----------
     found
-        Theory, key of the note, and where it holds, if not everywhere.
+        Theory, note, and where it holds, if not everywhere.
     count
         How many theories there are.
     """
-    about: dict[tuple[str, str], list[str]] = {}
-    for theory, key, place in found:
-        about.setdefault((key, place), []).append(theory)
+    about: dict[tuple[Note, str], list[str]] = {}
+    for theory, note, place in found:
+        about.setdefault((note, place), []).append(theory)
     refused: list[Block] = []
     noted: list[Remark] = []
-    for (key, place), theories in about.items():
+    for (note, place), theories in about.items():
         every = len(theories) == count > 1
         names = said("all theories") if every else "; ".join(map(theory_name, theories))
         if place:
             names = said("{theories}, {place}", theories=names, place=place)
-        text = Note(key).text
-        if key in OUTSIDE:
+        text = note.text
+        if note.key in OUTSIDE:
             text = said("not valid ({theories}): {reason}", theories=names, reason=text)
             refused.append(Statement(text, "warning", indent=2, mark="✗"))
         else:
-            noted.append(Remark(said("{theories}: {remark}", theories=names, remark=text), key))
+            noted.append(
+                Remark(said("{theories}: {remark}", theories=names, remark=text), note.key)
+            )
     return (*refused, *([Notes(tuple(noted))] if noted else []))
 
 
@@ -308,7 +312,7 @@ def _beyond_fatigue(leading: Headline) -> list[_Sentence]:
 
 
 def _beside_the_catalogue(summary: LifeSummary) -> list[_Sentence]:
-    """Say why a life is far from L_10 = (C/P)^3, by the factors between the two."""
+    """Say why a life is far from L_10, by the factors between the two."""
     leading, basic = summary.headline, summary.theories.get("iso281")
     if basic is None or not basic.valid[0] or not leading.valid[0]:
         return []
@@ -324,11 +328,18 @@ def _beside_the_catalogue(summary: LifeSummary) -> list[_Sentence]:
         "ratio": ratio,
         "reasons": "; ".join(_reasons(summary, rating)),
     }
-    text = said(
-        "The catalogue life L_10 = (C/P)³ is {life}. This one is {ratio:.3} times as long: "
-        "{reasons}.",
-        **values,
-    )
+    if leading.element == "ball":
+        text = said(
+            "The catalogue life L_10 = (C/P)³ is {life}. This one is {ratio:.3} times as long: "
+            "{reasons}.",
+            **values,
+        )
+    else:
+        text = said(
+            "The catalogue life L_10 = (C/P)^(10/3) is {life}. This one is {ratio:.3} times as "
+            "long: {reasons}.",
+            **values,
+        )
     return [(text, "")]
 
 
@@ -372,8 +383,13 @@ def _reasons(summary: LifeSummary, rating: float) -> Iterator[str]:
             factor=reliability,
         )
     shared = float(own.basic[0]) / rating
-    if not _alike(shared):
+    if not _alike(shared) and leading.element == "ball":
         yield said("load distribution among the balls (factor {factor:.3})", factor=shared)
+    elif not _alike(shared):
+        yield said(
+            "load distribution among the rollers and along them (factor {factor:.3})",
+            factor=shared,
+        )
 
 
 def _alike(factor: float) -> bool:
@@ -419,6 +435,10 @@ def _helps(change: str, ratio: float) -> str:
         ),
         "thicker_oil": said("A thicker oil would help most: life × {ratio:.3}.", ratio=ratio),
         "cleaner_oil": said("Cleaner oil would help most: life × {ratio:.3}.", ratio=ratio),
+        "less_tilt": said("Half the tilt would help most: life × {ratio:.3}.", ratio=ratio),
+        "profiled_rollers": said(
+            "Rollers with a logarithmic profile would help most: life × {ratio:.3}.", ratio=ratio
+        ),
     }[change]
 
 
@@ -452,7 +472,8 @@ def _left_out(summary: LifeSummary) -> list[_Sentence]:
     """Say why the life is but a bound, or that oil and contamination are not in it."""
     leading = summary.headline
     if leading.below[0]:
-        return [(Note(str(leading.reason[0])).text, "warning")]
+        reason = leading.reason_of()
+        return [("" if reason is None else reason.text, "warning")]
     if leading.theory[0] == MODIFIED_REFERENCE.name:
         return []
     if summary.viscosity_ratio is not None and summary.contamination_factor is None:
@@ -475,12 +496,19 @@ def _warning(summary: LifeSummary) -> list[_Sentence]:
     notes = {note.key: note.text for note in best.notes_of()}
     if "unloaded" in notes:
         return [(notes["unloaded"], "strong")]
-    none = said("No theory that considers the load of every ball is valid for this case.")
+    none = none_valid(best.element)
     found: list[_Sentence] = [(none, "bad-strong")]
     found += [(text, "") for key, text in notes.items() if key in OUTSIDE - BOUNDS]
     if any(isfinite(float(life.life[0])) for life in summary.theories.values()):
         found.append((formulas_only(), "strong"))
     return found
+
+
+def none_valid(element: str) -> str:
+    """Say that nothing leads; element: as of `Life`."""
+    if element == "ball":
+        return said("No theory that considers the load of every ball is valid for this case.")
+    return said("No theory that considers the load of every element is valid for this case.")
 
 
 def formulas_only() -> str:
@@ -603,9 +631,10 @@ def validity_section(summary: LifeSummary) -> Section:
     """Say what every theory is for, then what stands against it here, and what it leaves out."""
     lives = list(summary.theories.values())
     entries = tuple(
-        Entry(theory_name(life.theory), theory_scope(life.theory), "faint") for life in lives
+        Entry(theory_name(life.theory), theory_scope(life.theory, life.element), "faint")
+        for life in lives
     )
-    found = [(life.theory, note.key, "") for life in lives for note in life.notes_of()]
+    found = [(life.theory, note, "") for life in lives for note in life.notes_of()]
     blocks = (KeyValues(entries, indent=2, label_tone=""), *remarks(found, len(lives)))
     return Section(said("Scope of each theory"), blocks, key="validity")
 
@@ -616,6 +645,8 @@ def validity_section(summary: LifeSummary) -> Section:
 def ratings_section(summary: LifeSummary) -> Section:
     """Show ratings with their sources, and the loads that stand against them."""
     ratings, loads, sources = summary.ratings, summary.loads, summary.rating_sources
+    if sources["fatigue"] == "estimate" and bool(ratings.rollers.all()):
+        sources["fatigue"] = "estimate_of_rollers"
     load = float(loads.dynamic[0])
     dynamic = float(ratings.dynamic_of_set[0])
     axial = "a" if ratings.is_axial else ""
@@ -629,6 +660,8 @@ def ratings_section(summary: LifeSummary) -> Section:
             )
         ),
     ]
+    if ratings.mixed:
+        rows = [*_ratings_of_rows(ratings)]
     if isfinite(load):
         text = said(
             "X = {x:.3}, Y = {y:.3}, e = {e:.3}; C/P = {ratio:.3}",
@@ -643,6 +676,8 @@ def ratings_section(summary: LifeSummary) -> Section:
     if isfinite(reference):
         text = said("equivalent load whose rating life is the reference life")
         rows.append(("P_ref", reference, text))
+    if summary.rib_load is not None:
+        rows.append(_permissible(summary.rib_load))
     unit = _unit_of_force(value for _, value, _ in rows)
     columns = (
         Column(head="", values=[symbol for symbol, _, _ in rows], key="symbol"),
@@ -661,6 +696,34 @@ def ratings_section(summary: LifeSummary) -> Section:
     return Section(said("Ratings and loads"), (table,), key="ratings")
 
 
+def _ratings_of_rows(ratings: Ratings) -> Iterator[tuple[str, float, str]]:
+    """Ratings of the rows of a set that has balls and rollers, and none of its own."""
+    for index in range(len(ratings.kinds)):
+        for symbol, values in (
+            ("C", ratings.dynamic), ("C_0", ratings.static), ("C_u", ratings.fatigue)
+        ):  # fmt: skip
+            yield symbol, float(values[0, index]), said("of row {row}", row=index)
+
+
+def _permissible(load: RibLoad) -> tuple[str, float, str]:
+    """How much axial load the ribs may carry for long, beside what they do."""
+    values = {"axial": float(load.axial[0]), "nsk": float(load.nsk[0]), "skf": float(load.skf[0])}
+    both = isfinite(values["nsk"])
+    text = (
+        said(
+            "axial load that the ribs may carry continuously: {nsk:.4 N} by NSK, {skf:.4 N} by "
+            "SKF; they carry {axial:.4 N}",
+            **values,
+        )
+        if both
+        else said(
+            "axial load that the ribs may carry continuously, by SKF; they carry {axial:.4 N}",
+            **values,
+        )
+    )
+    return "F_ap", float(load.permissible[0]), text
+
+
 def _source(source: str, rating: str, value: float) -> str:
     """Say where a rating comes from; what is no word of the engine is the catalogue's source."""
     if not isfinite(value):
@@ -672,6 +735,7 @@ def _source(source: str, rating: str, value: float) -> str:
         else said("from the geometry, ISO 76"),
         "contacts": said("where the weaker race reaches 1500 MPa, ISO 281"),
         "estimate": said("estimate C_0/22, ISO 281"),
+        "estimate_of_rollers": said("estimate C_0/8.2, ISO 281"),
     }.get(source, source)
 
 
@@ -682,21 +746,25 @@ def _safety(safety: float) -> str:
 
 
 def limit_section(solved: Solved, summary: LifeSummary) -> Section:
-    """Name the race that fails first, its heaviest ball, and what costs most."""
-    limit = summary.limit
+    """Name the race that fails first, its heaviest element, and what costs most."""
+    limit, element = summary.limit, summary.headline.element
     race, ball = str(limit.race[0]), int(limit.ball[0])
     if not race:
-        texts = [Note("unloaded").text]
+        texts = [note_of("unloaded", element).text]
     else:
         texts = [_share(race, int(limit.row[0]), float(limit.share[0]), solved)]
         if ball >= 0:
             contacts = solved.inner if race == "inner" else solved.outer
+            values = {
+                "ball": ball,
+                "azimuth": float(solved.elements.azimuth[0, ball]),
+                "load": float(contacts.load[0, ball]),
+            }
             texts.append(
-                said(
-                    "Highest load on it: {load:.4 N}, ball {ball} at {azimuth:.5 °}.",
-                    ball=ball,
-                    azimuth=float(solved.elements.azimuth[0, ball]),
-                    load=float(contacts.load[0, ball]),
+                said("Highest load on it: {load:.4 N}, ball {ball} at {azimuth:.5 °}.", **values)
+                if solved.rows.element[int(limit.row[0])] == "ball"
+                else said(
+                    "Highest load on it: {load:.4 N}, roller {ball} at {azimuth:.5 °}.", **values
                 )
             )
         texts.append(_cost(summary))

@@ -21,6 +21,7 @@ from rolamento.document import (
     Table,
     Title,
 )
+from rolamento.life.record import note_of
 from rolamento.life.theories import THEORIES
 from rolamento.pages.across import field_column, place_text, read_text
 from rolamento.pages.given import untitled
@@ -179,7 +180,7 @@ def _written(curve: LifeCurve, life: float) -> str:
 def _remarks(curve: LifeCurve) -> Sequence[Block]:
     solved = curve.status == "converged"
     found = [
-        (theory, key, place_text(curve.over.field, curve.values, where))
+        (theory, note_of(key, life.element), place_text(curve.over.field, curve.values, where))
         for theory, life in curve.theories.items()
         for key, where in ((key, where & solved) for key, where in life.notes.items())
         if where.any()

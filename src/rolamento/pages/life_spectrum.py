@@ -12,10 +12,12 @@ from rolamento.case import Case
 from rolamento.document import Block, Column, Document, Section, Statement, Table, Title, Tone
 from rolamento.life import Life
 from rolamento.life.iso16281 import THEORY as REFERENCE
+from rolamento.life.record import note_of
 from rolamento.pages.given import untitled
 from rolamento.pages.life import (
     formulas_only,
     life_columns,
+    none_valid,
     percent,
     reached,
     remarks,
@@ -64,7 +66,7 @@ def _statement(found: SpectrumLife) -> tuple[Block, ...]:
     if not found.converged:
         sentences.append((said("Without a result of every step there is no life."), "bad-strong"))
     elif not (leading.valid or leading.below):
-        none = said("No theory that considers the load of every ball is valid for this case.")
+        none = none_valid(found.headline.steps.element)
         sentences += [(none, "bad-strong"), (formulas_only(), "strong")]
     else:
         text = reached(
@@ -140,10 +142,10 @@ def _remarks(found: SpectrumLife) -> tuple[Block, ...]:
         for key, where in life.steps.notes.items():
             some = int((where & part).sum())
             if some == count:
-                notes.append((theory, key, said("in all steps")))
+                notes.append((theory, note_of(key, life.steps.element), said("in all steps")))
             elif some:
                 place = said("in {some} of {count} steps", some=some, count=count)
-                notes.append((theory, key, place))
+                notes.append((theory, note_of(key, life.steps.element), place))
     return remarks(notes, len(found.theories))
 
 

@@ -21,9 +21,9 @@ from rolamento.document import (
     Tone,
 )
 from rolamento.life.theories import THEORIES
-from rolamento.pages.life import formulas_only, percent, remarks
+from rolamento.pages.life import formulas_only, none_valid, percent, remarks
 from rolamento.units import HOUR
-from rolamento.words import said
+from rolamento.words import Note, said
 from rolamento.words.naming import shortened
 from rolamento.words.reasons import reason
 from rolamento.words.theories import theory_heads, theory_life
@@ -67,7 +67,7 @@ def _statement(found: ShaftLife) -> tuple[Block, ...]:
         sentences.append((none, "bad-strong"))
         sentences += [(text, "bad") for text in _failures(found)]
     elif not (leading.valid or leading.below):
-        none = said("No theory that considers the load of every ball is valid for this case.")
+        none = none_valid("ball" if _elements(found) <= {"ball"} else "element")
         sentences += [(none, "bad-strong"), (formulas_only(), "strong")]
     elif np.isnan(leading.hours):
         text = said("Nothing turns at one of the bearings: there are no hours.")
@@ -146,13 +146,21 @@ def _table(found: ShaftLife, names: Sequence[str]) -> Table:
                key="failure_share", align="right"),
     )  # fmt: skip
     first = 3 + sum(THEORIES[name].standard for name in order)
-    legend = said(
-        "for {reliability:.7 %} reliability, of each bearing and of all together (Weibull slope "
-        "10/9); share of each in the failure probability, by the {theory}; * the theory is not "
-        "valid there, < the life is below",
-        reliability=found.reliability,
-        theory=_theories(found),
-    )
+    values = {"reliability": found.reliability, "theory": _theories(found)}
+    if _elements(found) <= {"ball"}:
+        legend = said(
+            "for {reliability:.7 %} reliability, of each bearing and of all together (Weibull "
+            "slope 10/9); share of each in the failure probability, by the {theory}; * the theory "
+            "is not valid there, < the life is below",
+            **values,
+        )
+    else:
+        legend = said(
+            "for {reliability:.7 %} reliability, of each bearing and of all together (Weibull "
+            "slope 10/9 of ball bearings, 9/8 of roller bearings); share of each in the failure "
+            "probability, by the {theory}; * the theory is not valid there, < the life is below",
+            **values,
+        )
     return Table(
         columns=tuple(columns),
         key="bearings",
@@ -193,15 +201,20 @@ def _hours_column(found: ShaftLife, name: str) -> Column:
     return Column(head=head, values=values, unit="h", key=name, tones=tones, align="right")
 
 
+def _elements(found: ShaftLife) -> set[str]:
+    """What rolls in the bearings that have a life."""
+    return {own.headline.element for own in found.lives if own is not None}
+
+
 def _remarks(found: ShaftLife) -> tuple[Block, ...]:
     """Say what stands against the theories, and of which bearings; of all if none is named."""
-    numbers: dict[tuple[str, str], list[int]] = {}
+    numbers: dict[tuple[str, Note], list[int]] = {}
     for number, summary in enumerate(found.lives, start=1):
         for life in () if summary is None else summary.theories.values():
             for note in () if THEORIES[life.theory].bound else life.notes_of():
-                numbers.setdefault((life.theory, note.key), []).append(number)
+                numbers.setdefault((life.theory, note), []).append(number)
     notes = [
-        (theory, key, "" if len(own) == len(found) else said("bearing {numbers}", numbers=own))
-        for (theory, key), own in numbers.items()
+        (theory, note, "" if len(own) == len(found) else said("bearing {numbers}", numbers=own))
+        for (theory, note), own in numbers.items()
     ]
     return remarks(notes, sum(not THEORIES[name].bound for name in found.theories))

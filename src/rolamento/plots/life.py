@@ -177,6 +177,8 @@ def _lines_of_theories(
     first = curves[0]
     for theory in _by_rank(first.theories):
         name, own = _name_of(theory), first[theory]
+        if np.isnan(first.shown(own)).all():
+            continue  # it knows nothing of such a bearing
         yield first.shown(own), own.valid, theory, name, theory_look(theory)
     for place, curve in enumerate(curves[1:], start=1):
         leading = curve.headline

@@ -249,6 +249,12 @@ def _pressure_name(race: Race) -> str:
     return said("Pressure at the outer race")
 
 
+def _place_name(solved: Solved) -> str:
+    if np.any(solved.rows.sign < 0.0):
+        return said("Place along the roller, from its middle toward +x of its row")
+    return said("Place along the roller, from its middle toward +x")
+
+
 def _frame_along(axes: Axes, solved: Solved, label: str) -> None:
     rollers = solved.rollers
     assert rollers is not None
@@ -257,7 +263,7 @@ def _frame_along(axes: Axes, solved: Solved, label: str) -> None:
     axes.set_ylim(bottom=0.0)
     for end in (-half, half):  # of the effective length
         axes.axvline(end, color=GREY, linewidth=0.7, linestyle=(0, (2, 2)), zorder=1.5)
-    label_x(axes, MILLIMETRE.label(said("Place along the roller, from its middle toward +x")))
+    label_x(axes, MILLIMETRE.label(_place_name(solved)))
     label_y(axes, label)
 
 
@@ -323,6 +329,7 @@ def roller_between_races(
     inner_name = _tilted(said("inner race"), outline.ring_tilt)
     _draw_race(axes, x, race_below, below, bottom - far, INNER.color, inner_name)
     _set_exaggeration(axes, x, bottom - margin, top + margin)
+    label_x(axes, MILLIMETRE.label(_place_name(solved)))
     axes.grid(False)
     legend_above(axes)
     return axes
@@ -378,7 +385,6 @@ def _set_exaggeration(axes: Axes, x: Floats, low: float, high: float) -> None:
     axes.set_xlim(-0.5 * length, 0.5 * length)
     axes.set_ylim(middle - half, middle + half)
     axes.set_box_aspect(_SHAPE)
-    label_x(axes, MILLIMETRE.label(said("Place along the roller, from its middle toward +x")))
     label_y(
         axes,
         said("Radial height (µm), {times} times exaggerated; the roller's body is cut",

@@ -5,6 +5,8 @@ from __future__ import annotations
 from math import cos, sin
 from typing import TYPE_CHECKING, NamedTuple
 
+from rolamento.case.roller_bearing import RollerBearing
+from rolamento.contact.profile import drop
 from rolamento.numerics import FloatArray
 
 if TYPE_CHECKING:
@@ -16,9 +18,9 @@ __all__ = ["RollerOutline", "roller_outline"]
 class RollerOutline(NamedTuple):
     """A roller's outline and those of its races over its length, taper taken out; (slices,), m.
 
-    place: from the roller's middle, toward +x. drop: of its profile. inner, outer: how far it
-    overlaps the races; below zero a gap. tilt, ring_tilt: slope of its axis and of the inner ring
-    at its azimuth, positive where the +x end stands outward (rad).
+    place: from the roller's middle, toward +x of its row. drop: of its profile. inner, outer: how
+    far it overlaps the races; below zero a gap. tilt, ring_tilt: slope of its axis and of the inner
+    ring at its azimuth, positive where that +x end stands outward (rad).
     """
 
     place: FloatArray
@@ -45,17 +47,17 @@ def roller_outline(solved: Solved, roller: int) -> RollerOutline:
         The overlap of a slice is the approach of the roller's middle, less what tilt and the
         profiles of roller and race take away there (ISO/TS 16281:2008, 4.2.2).
     """
-    from rolamento.contact.profile import drop
-
     rollers = solved.rollers
     assert rollers is not None
     place = rollers.slice_place[0, roller]
-    row = solved.case.bearing.places[int(solved.elements.row[roller])].bearing
+    number = int(solved.elements.row[roller])
+    row, sign = solved.case.bearing.places[number].bearing, float(solved.rows.sign[number])
+    assert isinstance(row, RollerBearing)
     size = {"length": row.effective_length, "diameter": row.roller_diameter}
     own = drop(row.roller_profile, place, **size)
     tilt, azimuth = float(rollers.tilt[0, roller]), float(solved.elements.azimuth[0, roller])
     ry, rz = float(solved.displacement.ry[0]), float(solved.displacement.rz[0])
-    ring = rz * sin(azimuth) - ry * cos(azimuth)
+    ring = sign * (rz * sin(azimuth) - ry * cos(azimuth))
     slopes = {"inner": ring - tilt, "outer": tilt}
     inner, outer = (
         float(solved.contacts[race].approach[0, roller])

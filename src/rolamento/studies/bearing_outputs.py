@@ -200,7 +200,7 @@ def _maximum_pressure(race: Race) -> Get:
 
 
 def maximum_pressure(solved: Solved, race: Race) -> Floats:
-    """Return the maximum Hertz pressure at a race, without the pressures of all its contacts.
+    """Return the maximum pressure at a race, of balls without the pressures of all their contacts.
 
     Parameters
     ----------
@@ -225,7 +225,11 @@ def maximum_pressure(solved: Solved, race: Race) -> Floats:
     contacts = solved.contacts[race]
     found = np.full(len(solved), np.nan)
     rows = solved.rows
-    for first, count in zip(rows.starts, rows.element_count, strict=True):
+    for element, first, count in zip(rows.element, rows.starts, rows.element_count, strict=True):
+        if element != "ball" and contacts.line is not None:
+            pressure = contacts.line.pressure[:, first : first + count]
+            found = np.fmax(found, pressure.reshape(len(solved), -1).max(axis=1))
+            continue
         case, ball = np.nonzero(_candidates(contacts, slice(first, first + count)))
         place = case, ball + first
         curvature = race_curvature(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -17,7 +17,8 @@ from rolamento.words import said
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from rolamento.case import Case
+    from rolamento.case import Bearing, Case
+    from rolamento.case.roller_bearing import RollerBearing
     from rolamento.life import Headline, Life
     from rolamento.solved import Solved
 
@@ -54,7 +55,7 @@ def refuse_lifeless(case: Case, varied: frozenset[str]) -> None:
     if any(name.startswith(("bearing.", "life.")) for name in varied):
         return
     rows = [place.bearing for place in case.bearing.places]
-    angle = np.array([row.contact_angle or 0.0 for row in rows])
+    angle = np.array([row.contact_angle or 0.0 if row.element == "ball" else 0.0 for row in rows])
     if case.bearing.kind == "thrust":
         return
     if np.any(angle > MAXIMUM_ANGLE * (1.0 + 1e-9)):
@@ -65,6 +66,9 @@ def refuse_lifeless(case: Case, varied: frozenset[str]) -> None:
             example='kind = "thrust"',
         )
     if conditions_of(case).dynamic_rating is not None:
+        return
+    if any(row.element != "ball" for row in rows):
+        _refuse_unrated_rollers(rows)
         return
     diameter = np.array([row.element_diameter for row in rows])
     pitch = np.array([row.pitch_diameter for row in rows])
@@ -77,6 +81,24 @@ def refuse_lifeless(case: Case, varied: frozenset[str]) -> None:
             field="case.life.dynamic_rating",
             example='[life] with dynamic_rating = "20.6 kN"',
         )
+
+
+def _refuse_unrated_rollers(rows: Sequence[Bearing | RollerBearing]) -> None:
+    """Refuse rollers outside the table of the standard that no designation rates."""
+    from rolamento.ratings import roller_dynamic_factor
+
+    for row in rows:
+        rated = row.published is not None and row.published.dynamic_rating is not None
+        gamma = row.element_diameter * np.cos(row.row_angle) / row.pitch_diameter
+        if row.element != "ball" and not rated and np.isnan(roller_dynamic_factor(gamma)):
+            raise InputError(
+                said(
+                    "is missing: the geometry is outside the table of the standard (D cos "
+                    "α/d_pw from 0.01 to 0.30)"
+                ),
+                field="case.life.dynamic_rating",
+                example='[life] with dynamic_rating = "29.3 kN"',
+            )
 
 
 def _of_theories() -> Iterator[Output]:

@@ -113,6 +113,16 @@ EXAMPLES: Final = {
         marked("thrust ball bearing below a turntable"),
         "solve 51210_turntable.toml --set 'duty.displacement.ry=0.02 deg'",
     ),
+    "nu205_gear": _case(
+        "nu205_gear",
+        marked("cylindrical roller bearing of a gear shaft that bends: pressure along the rollers"),
+        "solve nu205_gear.toml --html nu205_gear.html",
+    ),
+    "30206_pinion": _case(
+        "30206_pinion",
+        marked("tapered roller bearings of a pinion shaft: preload, forces of the ribs"),
+        "solve 30206_pinion.toml",
+    ),
     "ricci_fleury": _case(
         "ricci_fleury",
         marked("space mechanism: three balls, boundary lubrication, friction torque"),
@@ -132,6 +142,11 @@ EXAMPLES: Final = {
         marked("study: how far manufacture scatters stiffness and pressure"),
         "rolamento tolerance studies/218_scatter.toml",
         ("studies/218_scatter.toml", "218_combined.toml"),
+    ),
+    "nu205_misalignment": Example(
+        marked("study: tilt of a cylindrical roller bearing, with several profiles of its rollers"),
+        "rolamento sweep studies/nu205_misalignment.toml",
+        ("studies/nu205_misalignment.toml", "nu205_gear.toml"),
     ),
     "life_test": Example(
         marked("life test of deep-groove bearings: Weibull evaluation"),

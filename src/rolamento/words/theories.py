@@ -78,6 +78,16 @@ def theory_life(theory: str) -> str:
     return said(_LIVES[theory])
 
 
-def theory_scope(theory: str) -> str:
+_SCOPES_OF_ROLLERS: Final = {
+    "iso16281": marked(
+        "any load, tilt, clearance, preload, set of rows and speed, slice by slice of every "
+        "roller; P_ref up to C/2 and C_0. Lubrication and contamination are not considered."
+    ),
+}
+"""Where they are told otherwise."""
+
+
+def theory_scope(theory: str, element: str = "ball") -> str:
     """Say what a theory is for."""
-    return said(_SCOPES[theory])
+    scopes = _SCOPES if element == "ball" else _SCOPES | _SCOPES_OF_ROLLERS
+    return said(scopes[theory])

@@ -231,11 +231,6 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "The equivalent load is below C/50, the usual minimum load of roller bearings: the rollers"
         " may slide instead of roll, which no fatigue theory includes."
     ),
-    "misaligned_beyond_use": marked(
-        "The rings are tilted against each other by more than 0.0012 rad (4′), which manufacturers"
-        " allow at most in general: the ends of the rollers are overloaded. Only the reference life"
-        " includes it, by the profiles of rollers and raceways."
-    ),
     "edge_factor_left_out": marked(
         "The slices of the rollers are coupled, so their loads contain the peaks at the edges: the"
         " edge factor of ISO/TS 16281 is not applied, and the life is not to be compared with that"
@@ -244,6 +239,11 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "axial_load_above_permissible": marked(
         "The axial load on the ribs exceeds the permissible continuous one by the rules of NSK or"
         " SKF: the sliding of the roller ends on the ribs heats and wears them."
+    ),
+    "rollers_loaded_otherwise": marked(
+        "The load distribution is not the one that the standard assumes, with normal clearance and"
+        " aligned rings: the reference life, which uses the actual one, is less than a third or"
+        " more than three times this one."
     ),
     "theory_of_balls": marked(
         "This theory is for point contact: it does not apply to bearings with rollers."
@@ -273,5 +273,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "less_clearance": marked("diametral clearance {change:+.0f µm}"),
     "more_clearance": marked("diametral clearance {change:+.0f µm}"),
     "thicker_oil": marked("viscosity {change:+.0f %}, about one ISO VG grade"),
+    "less_tilt": marked("tilt of the rings {change:+.0f %}"),
+    "profiled_rollers": marked("rollers with the logarithmic profile of ISO/TS 16281"),
     "cleaner_oil": marked("contamination factor {change:+.1f}, at most 1"),
 }
