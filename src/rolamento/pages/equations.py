@@ -476,6 +476,87 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         references=("lundberg_palmgren_1947",),
     ),
     Law(
+        key="slice_overlap",
+        rolls="roller",
+        name=marked("Overlap of a slice with a race"),
+        latex=r"\delta_k = \delta - x_k \tan\theta - P(x_k)",
+        plain="δ_k = δ − x_k tan θ − P(x_k)",
+        symbols=("delta", "L_we", "tilt"),
+        source=marked("ISO/TS 16281:2008, 4.2.2"),
+        references=("iso_ts_16281",),
+        valid=marked(
+            "P drop of the profiles of roller and race; skew of the roller is not modelled"
+        ),
+    ),
+    Law(
+        key="iso_profile",
+        rolls="roller",
+        name=marked("Logarithmic profile of a roller"),
+        latex=r"P(x) = k\, D_{we} \ln\frac{1}{1 - (2x/L_{we})^2}",
+        plain="P(x) = k D_we ln(1/(1 − (2x/L_we)²))",
+        symbols=("D_we", "L_we"),
+        source=marked("ISO/TS 16281:2008, 4.2.3"),
+        references=("iso_ts_16281",),
+        used=_iso_profile,
+        valid=marked(
+            "k 0.00035, of tapered rollers 0.00045; cylindrical rollers longer than"
+            " 2.5 D_we are straight in the middle, with k 0.0005 at their ends"
+        ),
+    ),
+    Law(
+        key="independent_slices",
+        rolls="roller",
+        name=marked("Load of an independent slice"),
+        latex=r"q_k = \frac{c_L}{n_s}\,\delta_k^{10/9},\quad c_L = 35948\, L_{we}^{8/9}",
+        plain="q_k = (c_L/n_s) δ_k^(10/9),  c_L = 35948 L_we^(8/9)  (N, mm)",
+        symbols=("q", "delta", "L_we"),
+        source=marked("ISO/TS 16281:2008, 4.2.1; Palmgren (1959)"),
+        references=("iso_ts_16281", "palmgren_1959"),
+        used=_line_contact("slices"),
+        valid=marked(
+            "both contacts of a steel roller together; other materials in proportion to"
+            " E'. A slice knows nothing of its neighbours: no peak at an edge"
+        ),
+    ),
+    Law(
+        key="coupled_slices",
+        rolls="roller",
+        name=marked("Slices coupled by the elastic half-space"),
+        latex=r"\delta_l = \sum_k \frac{2\, q_k}{\pi E'}\,\left[g_{|l-k|} - s\,B_{|l-k|}\right]"
+        r"\ \mathrm{if}\ q_l > 0",
+        plain="δ_l = Σ_k (2 q_k/(π E')) [g_|l−k| − s B_|l−k|] where q_l > 0",
+        symbols=("q", "delta", "E_prime", "B_image"),
+        source=marked(
+            "Johnson (1985), sections 3.2 and 5.6; de Mul, Kalker and Fredriksson (1986)"
+        ),
+        references=("johnson_1985", "de_mul_1986"),
+        used=_line_contact("coupled"),
+        valid=marked("elastic half-spaces; each slice a half ellipse of pressure across its width"),
+    ),
+    Law(
+        key="line_pressure",
+        rolls="roller",
+        name=marked("Hertz line contact: half-width and maximum pressure"),
+        latex=r"b = \sqrt{\frac{8\, q\, R}{\pi E'}},\quad p_0 = \frac{2\, q}{\pi b},"
+        r"\quad R = \frac{D_{we}}{2}\,(1 \mp \gamma)",
+        plain="b = √(8 q R/(π E')),  p_0 = 2 q/(π b),  R = (D_we/2)(1 ∓ γ)",
+        symbols=("b_line", "p_0", "q", "E_prime", "gamma"),
+        source=marked("Johnson (1985), section 4.2(c)"),
+        references=("johnson_1985",),
+        valid=marked("− inner race, + outer race; q load per length"),
+    ),
+    Law(
+        key="line_shear",
+        rolls="roller",
+        name=marked("Shear stresses below a line of contact"),
+        latex=r"\tau_{max} = 0.300\, p_0\ (z = 0.786\, b),\quad"
+        r" \tau_0 = 0.25\, p_0\ (z_0 = 0.5\, b)",
+        plain="τ_max = 0.300 p_0 at z = 0.786 b,  τ_0 = 0.25 p_0 at z_0 = 0.5 b",
+        symbols=("tau_max", "tau_0", "p_0", "b_line"),
+        source=marked("Johnson (1985), section 4.2(c); Lundberg and Palmgren (1947)"),
+        references=("johnson_1985", "lundberg_palmgren_1947"),
+    ),
+    Law(
         key="orbit",
         rolls="ball",
         name=marked("Orbital speed of a ball under raceway control"),
@@ -530,6 +611,28 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         source=marked("Jones (1960); Harris (1991)"),
         references=("jones_1960", "harris_1991"),
         used=_gyroscopic,
+    ),
+    Law(
+        key="roller_orbit",
+        rolls="roller",
+        name=marked("Orbital speed of a roller"),
+        latex=r"\omega_m = \frac{\omega_i}{2}(1-\gamma) + \frac{\omega_o}{2}(1+\gamma)",
+        plain="ω_m = ½ ω_i (1 − γ) + ½ ω_o (1 + γ)",
+        symbols=("omega_m", "omega", "gamma"),
+        source=marked("pure rolling in the middle of both lines; Harris (1991), chapter 7"),
+        references=("harris_1991",),
+        used=_turns,
+    ),
+    Law(
+        key="roller_centrifugal",
+        rolls="roller",
+        name=marked("Centrifugal force on a roller"),
+        latex=r"F_c = \frac{1}{2}\,m\,d_{pw}\,\omega_m^2",
+        plain="F_c = ½ m d_pw ω_m²",
+        symbols=("F_c", "mass", "d_m", "omega_m"),
+        source=marked("Harris (1991), chapter 5"),
+        references=("harris_1991",),
+        used=_centrifugal,
     ),
     Law(
         key="ball_equilibrium_axial",
@@ -594,6 +697,56 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         references=("jones_1960",),
     ),
     Law(
+        key="roller_equilibrium",
+        rolls="roller",
+        name=marked("Equilibrium of a roller"),
+        latex=r"\sum_k q_{i,k}\,\mathbf{n}_i + \sum_k q_{o,k}\,\mathbf{n}_o +"
+        r" \mathbf{F}_c + \mathbf{F}_{rib} = 0,\quad"
+        r" \sum_k (q_{o,k} - q_{i,k})\, x_k + M_{rib} + M_g = 0",
+        plain="Σ q_i,k n_i + Σ q_o,k n_o + F_c + F_rib = 0,  Σ (q_o,k − q_i,k) x_k + M_rib + M_g"
+        " = 0",
+        symbols=("q", "L_we", "F_c", "F_rib", "M_g"),
+        source=marked("forces in the roller's axial plane, and moments about its middle"),
+        valid=marked(
+            "rigid rings; rib, friction and cage transmit no moment about the radius (no skew)"
+        ),
+    ),
+    Law(
+        key="rib_force",
+        rolls="roller",
+        name=marked("Force of the rib on a tapered roller"),
+        latex=r"F_{rib} = Q_o \sin(\varphi+\varepsilon) + Q_i \sin(\varphi-\varepsilon)"
+        r" + F_c \sin(\beta-\varepsilon)",
+        plain="F_rib = Q_o sin(φ + ε) + Q_i sin(φ − ε) + F_c sin(β − ε)",
+        symbols=("F_rib", "Q", "phi", "F_c"),
+        source=marked("equilibrium of the roller across the force of the rib"),
+        used=_element("tapered"),
+    ),
+    Law(
+        key="roller_ring_equilibrium",
+        rolls="roller",
+        name=marked("Equilibrium of the inner ring"),
+        latex=r"F_x = \sum f_x,\quad F_y = \sum f_r \sin\psi,\quad F_z = \sum f_r \cos\psi,\quad"
+        r" M_y = \sum m \cos\psi,\quad M_z = -\sum m \sin\psi",
+        plain="F_x = Σ f_x,  F_y = Σ f_r sin ψ,  F_z = Σ f_r cos ψ,  M_y = Σ m cos ψ,  M_z = "
+        "−Σ m sin ψ",
+        symbols=("loads", "psi"),
+        source=marked("Jones (1960)"),
+        references=("jones_1960",),
+        valid=marked("small tilts, up to about 1°"),
+    ),
+    Law(
+        key="roller_stiffness",
+        rolls="roller",
+        name=marked("Stiffness of the bearing"),
+        latex=r"K_{ij} = \frac{\partial F_i}{\partial u_j}",
+        plain="K_ij = ∂F_i/∂u_j",
+        symbols=("loads", "u"),
+        source=marked("derivative of the equilibrium; Jones (1960)"),
+        references=("jones_1960",),
+        valid=marked("tangent stiffness, all rollers in equilibrium"),
+    ),
+    Law(
         key="dynamic_rating",
         rolls="ball",
         name=marked("Basic dynamic load rating"),
@@ -644,6 +797,30 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         valid=marked("steel balls"),
     ),
     Law(
+        key="roller_dynamic_rating",
+        rolls="roller",
+        name=marked("Basic dynamic load rating"),
+        latex=r"C = b_m f_c\,(i\,L_{we}\cos\alpha)^{7/9}\,Z^{3/4}\,D_{we}^{29/27}",
+        plain="C = b_m f_c (i L_we cos α)^(7/9) Z^(3/4) D_we^(29/27)  (N, mm)",
+        symbols=("C", "f_c", "rows", "L_we", "Z", "D"),
+        source=marked("ISO 281:2007, clause 7"),
+        references=("iso_281_2007",),
+        used=_rating("dynamic", "geometry"),
+        valid=marked("D_we cos α/d_pw from 0.01 to 0.30"),
+    ),
+    Law(
+        key="roller_static_rating",
+        rolls="roller",
+        name=marked("Basic static load rating"),
+        latex=r"C_0 = 44\,(1-\gamma)\,i\,Z\,L_{we}\,D_{we}\cos\alpha",
+        plain="C_0 = 44 (1 − γ) i Z L_we D_we cos α  (N, mm)",
+        symbols=("C", "gamma", "rows", "Z", "L_we", "D"),
+        source=marked("ISO 76:2006, clause 7"),
+        references=("iso_76_2006",),
+        used=_rating("static", "geometry"),
+        valid=marked("steel rollers"),
+    ),
+    Law(
         key="fatigue_load_limit",
         rolls="ball",
         name=marked("Fatigue load limit"),
@@ -678,6 +855,33 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         references=("iso_281_2007",),
         used=_rating("fatigue", "estimate"),
         valid=marked("steel balls; times (100 mm/d_m)^0.5 above 100 mm"),
+    ),
+    Law(
+        key="roller_fatigue_load_limit",
+        rolls="roller",
+        name=marked("Fatigue load limit"),
+        latex=r"C_u = 0.2453\,Z\,Q_u\,i\cos\alpha",
+        plain="C_u = 0.2453 Z Q_u i cos α",
+        symbols=("C", "Z", "rows"),
+        source=marked("ISO 281:2007, annex B.3.2"),
+        references=("iso_281_2007",),
+        used=_rating("fatigue", "contacts"),
+        valid=marked(
+            "Q_u load of a contact whose maximum pressure along the roller is 1500 MPa;"
+            " times (100 mm/d_pw)^0.3 above 100 mm"
+        ),
+    ),
+    Law(
+        key="roller_fatigue_load_estimate",
+        rolls="roller",
+        name=marked("Fatigue load limit, estimated"),
+        latex=r"C_u = C_0/8.2",
+        plain="C_u = C_0/8.2",
+        symbols=("C",),
+        source=marked("ISO 281:2007, annex B.3.3"),
+        references=("iso_281_2007",),
+        used=_rating("fatigue", "estimate"),
+        valid=marked("steel rollers; times (100 mm/d_pw)^0.3 above 100 mm"),
     ),
     Law(
         key="equivalent_load",
@@ -728,6 +932,29 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         used=_axial(_life),
     ),
     Law(
+        key="roller_equivalent_load",
+        rolls="roller",
+        name=marked("Dynamic equivalent load"),
+        latex=r"P = X F_r + Y F_a,\quad e = 1.5\tan\alpha",
+        plain="P = X F_r + Y F_a,  e = 1.5 tan α",
+        symbols=("P", "XY", "F_ra"),
+        source=marked("ISO 281:2007, table 8"),
+        references=("iso_281_2007",),
+        used=_theory("iso281"),
+        valid=marked("one row, rows in tandem, or a facing pair; P up to C/2 and C_0"),
+    ),
+    Law(
+        key="roller_static_equivalent_load",
+        rolls="roller",
+        name=marked("Static equivalent load and static safety"),
+        latex=r"P_0 = \max(F_r,\; X_0 F_r + Y_0 F_a),\quad S_0 = C_0/P_0",
+        plain="P_0 = max(F_r, X_0 F_r + Y_0 F_a),  S_0 = C_0/P_0",
+        symbols=("P", "XY", "F_ra", "S_0", "C"),
+        source=marked("ISO 76:2006, table 4"),
+        references=("iso_76_2006",),
+        used=_life,
+    ),
+    Law(
         key="basic_life",
         rolls="ball",
         name=marked("Basic rating life"),
@@ -735,6 +962,18 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         plain="L_10 = (C/P)³,  L_10h = 10⁶ L_10/(60 n)",
         symbols=("L_10", "C", "P", "n"),
         source=marked("ISO 281:2007, 5.1.3"),
+        references=("iso_281_2007",),
+        used=_theory("iso281"),
+    ),
+    Law(
+        key="roller_basic_life",
+        rolls="roller",
+        name=marked("Basic rating life"),
+        latex=r"L_{10} = \left(\frac{C}{P}\right)^{10/3},\quad L_{10h} ="
+        r" \frac{10^6\,L_{10}}{60\,n}",
+        plain="L_10 = (C/P)^(10/3),  L_10h = 10⁶ L_10/(60 n)",
+        symbols=("L_10", "C", "P", "n"),
+        source=marked("ISO 281:2007, clause 7"),
         references=("iso_281_2007",),
         used=_theory("iso281"),
     ),
@@ -824,6 +1063,20 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         valid=marked("κ from 0.1, counted as 4 above 4; e_C above 0; P up to C/2 and C_0"),
     ),
     Law(
+        key="roller_a_iso",
+        rolls="roller",
+        name=marked("Modified rating life"),
+        latex=r"L_{nm} = a_1\,a_{ISO}\,L_{10},\quad a_{ISO} = 0.1\left[1 - \left(1.5859 -"
+        r" \frac{c}{\kappa^p}\right)\left(\frac{e_C C_u}{P}\right)^{0.4}\right]^{-9.185}\leq 50",
+        plain="L_nm = a_1 a_ISO L_10;  a_ISO = 0.1 [1 − (1.5859 − c/κ^p) (e_C C_u/P)^0.4]^−9.185 ≤"
+        " 50",
+        symbols=("a_ISO", "a_1", "kappa", "e_C", "C", "P"),
+        source=marked("ISO 281:2007, 9.3.3"),
+        references=("iso_281_2007",),
+        used=_theory("iso281_modified", "iso16281_modified"),
+        valid=marked("κ from 0.1, counted as 4 above 4; e_C above 0; P up to C/2 and C_0"),
+    ),
+    Law(
         key="adjusted_life",
         name=marked("Adjusted rating life"),
         latex=r"L_{na} = a_1\,a_2\,a_3\,L_{10}",
@@ -872,6 +1125,38 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         valid=marked(
             "sum over races and rows; Q_e mean of power 3 on a race rotating relative to the load, "
             "else of power 10/3; any load, tilt, clearance and speed; P_ref up to C/2 and C_0"
+        ),
+    ),
+    Law(
+        key="slice_rating",
+        rolls="roller",
+        name=marked("Dynamic load rating of a slice"),
+        latex=r"q_c = Q_c\,n_s^{-7/9},\quad Q_{ci} = \frac{C\,(1 + T^{9/2})^{2/9}}"
+        r"{0.378\cdot 0.83\,Z\cos\alpha\,i^{7/9}},\quad Q_{co} = \frac{C\,(1 + T^{-9/2})^{2/9}}"
+        r"{0.364\cdot 0.83\,Z\cos\alpha\,i^{7/9}}",
+        plain="q_c = Q_c n_s^(−7/9);  Q_ci = C/(0.378·0.83 Z cos α i^(7/9)) (1 + T^(9/2))^(2/9);"
+        "  Q_co = C/(0.364·0.83 Z cos α i^(7/9)) (1 + T^(−9/2))^(2/9);  T = 1.038 ((1 − γ)/"
+        "(1 + γ))^(143/108)",
+        symbols=("q_c", "Q_c", "C", "Z", "rows", "gamma"),
+        source=marked("ISO/TS 16281:2008, 5.3"),
+        references=("iso_ts_16281",),
+        used=_theory("iso16281"),
+    ),
+    Law(
+        key="slice_life",
+        rolls="roller",
+        name=marked("Basic reference rating life, slice by slice"),
+        latex=r"L_{10r} = \left\{\sum_k \left[\left(\frac{f_k q_{e,i}}{q_{c,i}}\right)^{9/2} +"
+        r" \left(\frac{f_k q_{e,o}}{q_{c,o}}\right)^{9/2}\right]\right\}^{-8/9}",
+        plain="L_10r = {Σ_k [(f_k q_ei/q_ci)^(9/2) + (f_k q_eo/q_co)^(9/2)]}^(−8/9)",
+        symbols=("L_10r", "f_k", "q_c"),
+        source=marked("ISO/TS 16281:2008, 5.4"),
+        references=("iso_ts_16281",),
+        used=_theory("iso16281"),
+        valid=marked(
+            "q_e mean of power 4 on a race rotating relative to the load, else of power"
+            " 9/2; f_k = 1 with coupled slices; the number of slices is part of the"
+            " method"
         ),
     ),
     Law(
@@ -940,6 +1225,44 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         source=marked("Hamrock and Dowson (1977), part III"),
         references=("hamrock_dowson_1977",),
         used=_film,
+    ),
+    Law(
+        key="line_film_groups",
+        rolls="roller",
+        name=marked("Dimensionless groups of the film"),
+        latex=r"U = \frac{\eta u}{E' R_x},\quad W' = \frac{q}{E' R_x},\quad G = \alpha_p E'",
+        plain="U = η u/(E' R_x),  W' = q/(E' R_x),  G = α_p E'",
+        symbols=("UWG", "eta", "R_x", "E_prime", "q", "alpha_p"),
+        source=marked("Pan and Hamrock (1989)"),
+        references=("pan_hamrock_1989",),
+        used=_film,
+        valid=marked("q load per length of the most loaded slice"),
+    ),
+    Law(
+        key="pan_hamrock",
+        rolls="roller",
+        name=marked("Film thickness of a line contact (Pan–Hamrock)"),
+        latex=r"H_c = 2.922\,W'^{-0.166}U^{0.692}G^{0.470},\quad"
+        r" H_0 = 1.714\,W'^{-0.128}U^{0.694}G^{0.568}",
+        plain="H_c = 2.922 W'^−0.166 U^0.692 G^0.470,  H_0 = 1.714 W'^−0.128 U^0.694 G^0.568",
+        symbols=("H", "UWG"),
+        source=marked("Pan and Hamrock (1989)"),
+        references=("pan_hamrock_1989",),
+        used=_line_film("pan_hamrock"),
+        valid=marked("isothermal and fully flooded; the ends of the roller are not considered"),
+    ),
+    Law(
+        key="dowson_line",
+        rolls="roller",
+        name=marked("Film thickness of a line contact (Dowson)"),
+        latex=r"H_c = 3.06\,W'^{-0.10}U^{0.69}G^{0.56},\quad"
+        r" H_0 = 2.65\,W'^{-0.13}U^{0.70}G^{0.54}",
+        plain="H_c = 3.06 W'^−0.10 U^0.69 G^0.56,  H_0 = 2.65 W'^−0.13 U^0.70 G^0.54",
+        symbols=("H", "UWG"),
+        source=marked("Dowson and Toyoda (1979); Dowson (1968)"),
+        references=("dowson_toyoda_1979", "dowson_1968"),
+        used=_line_film("dowson_toyoda"),
+        valid=marked("isothermal and fully flooded; the ends of the roller are not considered"),
     ),
     Law(
         key="wooster",
@@ -1022,7 +1345,19 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         used=_roughness,
     ),
     Law(
+        key="roller_film_parameter",
+        rolls="roller",
+        name=marked("Film parameter"),
+        latex=r"\lambda = \frac{h_c}{\sqrt{R_{q,race}^2 + R_{q,roller}^2}}",
+        plain="λ = h_c/√(R_q,race² + R_q,roller²)",
+        symbols=("lambda", "R_q"),
+        source=marked("Hamrock and Dowson (1977)"),
+        references=("hamrock_dowson_1977",),
+        used=_roughness,
+    ),
+    Law(
         key="minimum_power",
+        rolls="ball",
         name=marked("Ball motion of minimum friction power"),
         latex=r"\min_{\omega_b,\,\omega_m} \int\!\!\int \mu\,p\,|\mathbf{v}|\,dA",
         plain="min ∫∫ μ p |v| dA",
@@ -1034,6 +1369,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="spin_moment",
+        rolls="ball",
         name=marked("Spin moment of a contact"),
         latex=r"M_s = \frac{3}{8}\,\mu\,Q\,a\,E(m)",
         plain="M_s = (3/8) μ Q a E(m)",
@@ -1044,6 +1380,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="heathcote",
+        rolls="ball",
         name=marked("Rolling slip of a conforming contact (Heathcote)"),
         latex=r"M_H = \frac{3}{8}\,\mu\,Q\,\frac{a^2}{R}\int_{-1}^{1}(1-s^2)\,|s^2-k^2|\,ds,"
         r"\quad k = 2\sin 10°",
@@ -1055,6 +1392,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="harris_1971",
+        rolls="ball",
         name=marked("Friction along the rolling direction only (Harris)"),
         latex=r"q(s) = \frac{3Q}{4a}(1-s^2)",
         plain="q(s) = 3Q/(4a) (1 − s²)",
@@ -1065,7 +1403,23 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         valid=marked("dry friction, low speed"),
     ),
     Law(
+        key="rib_friction",
+        rolls="roller",
+        name=marked("Sliding on the rib"),
+        latex=r"P = \mu\,F_{rib}\,v",
+        plain="P = μ F_rib v",
+        symbols=("mu", "F_rib"),
+        source=marked("Aihara (1987)"),
+        references=("aihara_1987",),
+        used=_loss("rib"),
+        valid=marked(
+            "v sliding speed at the height of the contact on the rib; the coefficient falls"
+            " with the film at the rib where the radius of the roller's end is known"
+        ),
+    ),
+    Law(
         key="hysteresis",
+        rolls="ball",
         name=marked("Elastic hysteresis"),
         latex=r"M_h = \frac{3}{16}\,\alpha_h\,Q\,b",
         plain="M_h = (3/16) α_h Q b",
@@ -1076,6 +1430,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     ),
     Law(
         key="rolling_resistance",
+        rolls="ball",
         name=marked("Rolling resistance of the lubricant"),
         latex=r"P = 2\,F_R\,u",
         plain="P = 2 F_R u",
@@ -1084,6 +1439,30 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         references=("biboulet_houpert_2010",),
         used=_loss("rolling_resistance"),
         valid=marked("F_R hydrodynamic force at the inlet; isothermal and fully flooded"),
+    ),
+    Law(
+        key="line_hysteresis",
+        rolls="roller",
+        name=marked("Elastic hysteresis of a line of contact"),
+        latex=r"M_h = \frac{2}{3\pi}\,\alpha_h \sum_k q_k\, b_k",
+        plain="M_h = (2/(3π)) α_h Σ q_k b_k",
+        symbols=("alpha_h", "q", "b_line"),
+        source=marked("Johnson (1985), section 9.1"),
+        references=("johnson_1985",),
+        used=_loss("hysteresis"),
+    ),
+    Law(
+        key="line_rolling_resistance",
+        rolls="roller",
+        name=marked("Rolling resistance of the lubricant on a line of contact"),
+        latex=r"P = 2\,t\,u\,L_{we},\quad t = \frac{88\,R}{\alpha_p}\,"
+        r"\frac{(G U)^{0.658}\,W'^{0.31}}{1 + 0.29\,L^{0.78}}",
+        plain="P = 2 t u L_we,  t = 88 (R/α_p) (G U)^0.658 W'^0.31/(1 + 0.29 L^0.78)",
+        symbols=("UWG", "alpha_p", "b_line", "L_T", "L_we"),
+        source=marked("Aihara (1987), equations 19, 21 and 27"),
+        references=("aihara_1987",),
+        used=_loss("rolling_resistance"),
+        valid=marked("fully flooded; t force of the oil per length"),
     ),
     Law(
         key="palmgren",
@@ -1118,355 +1497,6 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         source=marked("Harris (1991); Braga and Almeida, equations 19 and 22"),
         references=("harris_1991", "braga_almeida"),
         used=_frequencies,
-    ),
-    Law(
-        key="slice_overlap",
-        rolls="roller",
-        name=marked("Overlap of a slice with a race"),
-        latex=r"\delta_k = \delta - x_k \tan\theta - P(x_k)",
-        plain="δ_k = δ − x_k tan θ − P(x_k)",
-        symbols=("delta", "L_we", "tilt"),
-        source=marked("ISO/TS 16281:2008, 4.2.2"),
-        references=("iso_ts_16281",),
-        valid=marked(
-            "P drop of the profiles of roller and race; skew of the roller is not modelled"
-        ),
-    ),
-    Law(
-        key="iso_profile",
-        rolls="roller",
-        name=marked("Logarithmic profile of a roller"),
-        latex=r"P(x) = k\, D_{we} \ln\frac{1}{1 - (2x/L_{we})^2}",
-        plain="P(x) = k D_we ln(1/(1 − (2x/L_we)²))",
-        symbols=("D_we", "L_we"),
-        source=marked("ISO/TS 16281:2008, 4.2.3"),
-        references=("iso_ts_16281",),
-        used=_iso_profile,
-        valid=marked(
-            "k 0.00035, of tapered rollers 0.00045; cylindrical rollers longer than"
-            " 2.5 D_we are straight in the middle, with k 0.0005 at their ends"
-        ),
-    ),
-    Law(
-        key="independent_slices",
-        rolls="roller",
-        name=marked("Load of an independent slice"),
-        latex=r"q_k = \frac{c_L}{n_s}\,\delta_k^{10/9},\quad c_L = 35948\, L_{we}^{8/9}",
-        plain="q_k = (c_L/n_s) δ_k^(10/9),  c_L = 35948 L_we^(8/9)  (N, mm)",
-        symbols=("q", "delta", "L_we"),
-        source=marked("ISO/TS 16281:2008, 4.2.1; Palmgren (1959)"),
-        references=("iso_ts_16281", "palmgren_1959"),
-        used=_line_contact("slices"),
-        valid=marked(
-            "both contacts of a steel roller together; other materials in proportion to"
-            " E'. A slice knows nothing of its neighbours: no peak at an edge"
-        ),
-    ),
-    Law(
-        key="coupled_slices",
-        rolls="roller",
-        name=marked("Slices coupled by the elastic half-space"),
-        latex=r"\delta_l = \sum_k \frac{2\, q_k}{\pi E'}\,\left[g_{|l-k|} - s\,B_{|l-k|}\right]"
-        r"\ \mathrm{if}\ q_l > 0",
-        plain="δ_l = Σ_k (2 q_k/(π E')) [g_|l−k| − s B_|l−k|] where q_l > 0",
-        symbols=("q", "delta", "E_prime", "B_image"),
-        source=marked(
-            "Johnson (1985), sections 3.2 and 5.6; de Mul, Kalker and Fredriksson (1986)"
-        ),
-        references=("johnson_1985", "de_mul_1986"),
-        used=_line_contact("coupled"),
-        valid=marked("elastic half-spaces; each slice a half ellipse of pressure across its width"),
-    ),
-    Law(
-        key="line_pressure",
-        rolls="roller",
-        name=marked("Hertz line contact: half-width and maximum pressure"),
-        latex=r"b = \sqrt{\frac{8\, q\, R}{\pi E'}},\quad p_0 = \frac{2\, q}{\pi b},"
-        r"\quad R = \frac{D_{we}}{2}\,(1 \mp \gamma)",
-        plain="b = √(8 q R/(π E')),  p_0 = 2 q/(π b),  R = (D_we/2)(1 ∓ γ)",
-        symbols=("b_line", "p_0", "q", "E_prime", "gamma"),
-        source=marked("Johnson (1985), section 4.2(c)"),
-        references=("johnson_1985",),
-        valid=marked("− inner race, + outer race; q load per length"),
-    ),
-    Law(
-        key="line_shear",
-        rolls="roller",
-        name=marked("Shear stresses below a line of contact"),
-        latex=r"\tau_{max} = 0.300\, p_0\ (z = 0.786\, b),\quad"
-        r" \tau_0 = 0.25\, p_0\ (z_0 = 0.5\, b)",
-        plain="τ_max = 0.300 p_0 at z = 0.786 b,  τ_0 = 0.25 p_0 at z_0 = 0.5 b",
-        symbols=("tau_max", "tau_0", "p_0", "b_line"),
-        source=marked("Johnson (1985), section 4.2(c); Lundberg and Palmgren (1947)"),
-        references=("johnson_1985", "lundberg_palmgren_1947"),
-    ),
-    Law(
-        key="roller_orbit",
-        rolls="roller",
-        name=marked("Orbital speed of a roller"),
-        latex=r"\omega_m = \frac{\omega_i}{2}(1-\gamma) + \frac{\omega_o}{2}(1+\gamma)",
-        plain="ω_m = ½ ω_i (1 − γ) + ½ ω_o (1 + γ)",
-        symbols=("omega_m", "omega", "gamma"),
-        source=marked("pure rolling in the middle of both lines; Harris (1991), chapter 7"),
-        references=("harris_1991",),
-        used=_turns,
-    ),
-    Law(
-        key="roller_centrifugal",
-        rolls="roller",
-        name=marked("Centrifugal force on a roller"),
-        latex=r"F_c = \frac{1}{2}\,m\,d_{pw}\,\omega_m^2",
-        plain="F_c = ½ m d_pw ω_m²",
-        symbols=("F_c", "mass", "d_m", "omega_m"),
-        source=marked("Harris (1991), chapter 5"),
-        references=("harris_1991",),
-        used=_centrifugal,
-    ),
-    Law(
-        key="rib_force",
-        rolls="roller",
-        name=marked("Force of the rib on a tapered roller"),
-        latex=r"F_{rib} = Q_o \sin(\varphi+\varepsilon) + Q_i \sin(\varphi-\varepsilon)"
-        r" + F_c \sin(\beta-\varepsilon)",
-        plain="F_rib = Q_o sin(φ + ε) + Q_i sin(φ − ε) + F_c sin(β − ε)",
-        symbols=("F_rib", "Q", "phi", "F_c"),
-        source=marked("equilibrium of the roller across the force of the rib"),
-        used=_element("tapered"),
-    ),
-    Law(
-        key="roller_equilibrium",
-        rolls="roller",
-        name=marked("Equilibrium of a roller"),
-        latex=r"\sum_k q_{i,k}\,\mathbf{n}_i + \sum_k q_{o,k}\,\mathbf{n}_o +"
-        r" \mathbf{F}_c + \mathbf{F}_{rib} = 0,\quad"
-        r" \sum_k (q_{o,k} - q_{i,k})\, x_k + M_{rib} + M_g = 0",
-        plain="Σ q_i,k n_i + Σ q_o,k n_o + F_c + F_rib = 0,  Σ (q_o,k − q_i,k) x_k + M_rib + M_g"
-        " = 0",
-        symbols=("q", "L_we", "F_c", "F_rib", "M_g"),
-        source=marked("forces in the roller's axial plane, and moments about its middle"),
-        valid=marked(
-            "rigid rings; rib, friction and cage transmit no moment about the radius (no skew)"
-        ),
-    ),
-    Law(
-        key="roller_ring_equilibrium",
-        rolls="roller",
-        name=marked("Equilibrium of the inner ring"),
-        latex=r"F_x = \sum f_x,\quad F_y = \sum f_r \sin\psi,\quad F_z = \sum f_r \cos\psi,\quad"
-        r" M_y = \sum m \cos\psi,\quad M_z = -\sum m \sin\psi",
-        plain="F_x = Σ f_x,  F_y = Σ f_r sin ψ,  F_z = Σ f_r cos ψ,  M_y = Σ m cos ψ,  M_z = "
-        "−Σ m sin ψ",
-        symbols=("loads", "psi"),
-        source=marked("Jones (1960)"),
-        references=("jones_1960",),
-        valid=marked("small tilts, up to about 1°"),
-    ),
-    Law(
-        key="roller_stiffness",
-        rolls="roller",
-        name=marked("Stiffness of the bearing"),
-        latex=r"K_{ij} = \frac{\partial F_i}{\partial u_j}",
-        plain="K_ij = ∂F_i/∂u_j",
-        symbols=("loads", "u"),
-        source=marked("derivative of the equilibrium; Jones (1960)"),
-        references=("jones_1960",),
-        valid=marked("tangent stiffness, all rollers in equilibrium"),
-    ),
-    Law(
-        key="roller_dynamic_rating",
-        rolls="roller",
-        name=marked("Basic dynamic load rating"),
-        latex=r"C = b_m f_c\,(i\,L_{we}\cos\alpha)^{7/9}\,Z^{3/4}\,D_{we}^{29/27}",
-        plain="C = b_m f_c (i L_we cos α)^(7/9) Z^(3/4) D_we^(29/27)  (N, mm)",
-        symbols=("C", "f_c", "rows", "L_we", "Z", "D"),
-        source=marked("ISO 281:2007, clause 7"),
-        references=("iso_281_2007",),
-        used=_rating("dynamic", "geometry"),
-        valid=marked("D_we cos α/d_pw from 0.01 to 0.30"),
-    ),
-    Law(
-        key="roller_static_rating",
-        rolls="roller",
-        name=marked("Basic static load rating"),
-        latex=r"C_0 = 44\,(1-\gamma)\,i\,Z\,L_{we}\,D_{we}\cos\alpha",
-        plain="C_0 = 44 (1 − γ) i Z L_we D_we cos α  (N, mm)",
-        symbols=("C", "gamma", "rows", "Z", "L_we", "D"),
-        source=marked("ISO 76:2006, clause 7"),
-        references=("iso_76_2006",),
-        used=_rating("static", "geometry"),
-        valid=marked("steel rollers"),
-    ),
-    Law(
-        key="roller_fatigue_load_limit",
-        rolls="roller",
-        name=marked("Fatigue load limit"),
-        latex=r"C_u = 0.2453\,Z\,Q_u\,i\cos\alpha",
-        plain="C_u = 0.2453 Z Q_u i cos α",
-        symbols=("C", "Z", "rows"),
-        source=marked("ISO 281:2007, annex B.3.2"),
-        references=("iso_281_2007",),
-        used=_rating("fatigue", "contacts"),
-        valid=marked(
-            "Q_u load of a contact whose maximum pressure along the roller is 1500 MPa;"
-            " times (100 mm/d_pw)^0.3 above 100 mm"
-        ),
-    ),
-    Law(
-        key="roller_fatigue_load_estimate",
-        rolls="roller",
-        name=marked("Fatigue load limit, estimated"),
-        latex=r"C_u = C_0/8.2",
-        plain="C_u = C_0/8.2",
-        symbols=("C",),
-        source=marked("ISO 281:2007, annex B.3.3"),
-        references=("iso_281_2007",),
-        used=_rating("fatigue", "estimate"),
-        valid=marked("steel rollers; times (100 mm/d_pw)^0.3 above 100 mm"),
-    ),
-    Law(
-        key="roller_equivalent_load",
-        rolls="roller",
-        name=marked("Dynamic equivalent load"),
-        latex=r"P = X F_r + Y F_a,\quad e = 1.5\tan\alpha",
-        plain="P = X F_r + Y F_a,  e = 1.5 tan α",
-        symbols=("P", "XY", "F_ra"),
-        source=marked("ISO 281:2007, table 8"),
-        references=("iso_281_2007",),
-        used=_theory("iso281"),
-        valid=marked("one row, rows in tandem, or a facing pair; P up to C/2 and C_0"),
-    ),
-    Law(
-        key="roller_static_equivalent_load",
-        rolls="roller",
-        name=marked("Static equivalent load and static safety"),
-        latex=r"P_0 = \max(F_r,\; X_0 F_r + Y_0 F_a),\quad S_0 = C_0/P_0",
-        plain="P_0 = max(F_r, X_0 F_r + Y_0 F_a),  S_0 = C_0/P_0",
-        symbols=("P", "XY", "F_ra", "S_0", "C"),
-        source=marked("ISO 76:2006, table 4"),
-        references=("iso_76_2006",),
-        used=_life,
-    ),
-    Law(
-        key="roller_basic_life",
-        rolls="roller",
-        name=marked("Basic rating life"),
-        latex=r"L_{10} = \left(\frac{C}{P}\right)^{10/3},\quad L_{10h} ="
-        r" \frac{10^6\,L_{10}}{60\,n}",
-        plain="L_10 = (C/P)^(10/3),  L_10h = 10⁶ L_10/(60 n)",
-        symbols=("L_10", "C", "P", "n"),
-        source=marked("ISO 281:2007, clause 7"),
-        references=("iso_281_2007",),
-        used=_theory("iso281"),
-    ),
-    Law(
-        key="roller_a_iso",
-        rolls="roller",
-        name=marked("Modified rating life"),
-        latex=r"L_{nm} = a_1\,a_{ISO}\,L_{10},\quad a_{ISO} = 0.1\left[1 - \left(1.5859 -"
-        r" \frac{c}{\kappa^p}\right)\left(\frac{e_C C_u}{P}\right)^{0.4}\right]^{-9.185}\leq 50",
-        plain="L_nm = a_1 a_ISO L_10;  a_ISO = 0.1 [1 − (1.5859 − c/κ^p) (e_C C_u/P)^0.4]^−9.185 ≤"
-        " 50",
-        symbols=("a_ISO", "a_1", "kappa", "e_C", "C", "P"),
-        source=marked("ISO 281:2007, 9.3.3"),
-        references=("iso_281_2007",),
-        used=_theory("iso281_modified", "iso16281_modified"),
-        valid=marked("κ from 0.1, counted as 4 above 4; e_C above 0; P up to C/2 and C_0"),
-    ),
-    Law(
-        key="slice_rating",
-        rolls="roller",
-        name=marked("Dynamic load rating of a slice"),
-        latex=r"q_c = Q_c\,n_s^{-7/9},\quad Q_{ci} = \frac{C\,(1 + T^{9/2})^{2/9}}"
-        r"{0.378\cdot 0.83\,Z\cos\alpha\,i^{7/9}},\quad Q_{co} = \frac{C\,(1 + T^{-9/2})^{2/9}}"
-        r"{0.364\cdot 0.83\,Z\cos\alpha\,i^{7/9}}",
-        plain="q_c = Q_c n_s^(−7/9);  Q_ci = C/(0.378·0.83 Z cos α i^(7/9)) (1 + T^(9/2))^(2/9);"
-        "  Q_co = C/(0.364·0.83 Z cos α i^(7/9)) (1 + T^(−9/2))^(2/9);  T = 1.038 ((1 − γ)/"
-        "(1 + γ))^(143/108)",
-        symbols=("q_c", "Q_c", "C", "Z", "rows", "gamma"),
-        source=marked("ISO/TS 16281:2008, 5.3"),
-        references=("iso_ts_16281",),
-        used=_theory("iso16281"),
-    ),
-    Law(
-        key="slice_life",
-        rolls="roller",
-        name=marked("Basic reference rating life, slice by slice"),
-        latex=r"L_{10r} = \left\{\sum_k \left[\left(\frac{f_k q_{e,i}}{q_{c,i}}\right)^{9/2} +"
-        r" \left(\frac{f_k q_{e,o}}{q_{c,o}}\right)^{9/2}\right]\right\}^{-8/9}",
-        plain="L_10r = {Σ_k [(f_k q_ei/q_ci)^(9/2) + (f_k q_eo/q_co)^(9/2)]}^(−8/9)",
-        symbols=("L_10r", "f_k", "q_c"),
-        source=marked("ISO/TS 16281:2008, 5.4"),
-        references=("iso_ts_16281",),
-        used=_theory("iso16281"),
-        valid=marked(
-            "q_e mean of power 4 on a race rotating relative to the load, else of power"
-            " 9/2; f_k = 1 with coupled slices; the number of slices is part of the"
-            " method"
-        ),
-    ),
-    Law(
-        key="line_film_groups",
-        rolls="roller",
-        name=marked("Dimensionless groups of the film"),
-        latex=r"U = \frac{\eta u}{E' R_x},\quad W' = \frac{q}{E' R_x},\quad G = \alpha_p E'",
-        plain="U = η u/(E' R_x),  W' = q/(E' R_x),  G = α_p E'",
-        symbols=("UWG", "eta", "R_x", "E_prime", "q", "alpha_p"),
-        source=marked("Pan and Hamrock (1989)"),
-        references=("pan_hamrock_1989",),
-        used=_film,
-        valid=marked("q load per length of the most loaded slice"),
-    ),
-    Law(
-        key="pan_hamrock",
-        rolls="roller",
-        name=marked("Film thickness of a line contact (Pan–Hamrock)"),
-        latex=r"H_c = 2.922\,W'^{-0.166}U^{0.692}G^{0.470},\quad"
-        r" H_0 = 1.714\,W'^{-0.128}U^{0.694}G^{0.568}",
-        plain="H_c = 2.922 W'^−0.166 U^0.692 G^0.470,  H_0 = 1.714 W'^−0.128 U^0.694 G^0.568",
-        symbols=("H", "UWG"),
-        source=marked("Pan and Hamrock (1989)"),
-        references=("pan_hamrock_1989",),
-        used=_line_film("pan_hamrock"),
-        valid=marked("isothermal and fully flooded; the ends of the roller are not considered"),
-    ),
-    Law(
-        key="dowson_line",
-        rolls="roller",
-        name=marked("Film thickness of a line contact (Dowson)"),
-        latex=r"H_c = 3.06\,W'^{-0.10}U^{0.69}G^{0.56},\quad"
-        r" H_0 = 2.65\,W'^{-0.13}U^{0.70}G^{0.54}",
-        plain="H_c = 3.06 W'^−0.10 U^0.69 G^0.56,  H_0 = 2.65 W'^−0.13 U^0.70 G^0.54",
-        symbols=("H", "UWG"),
-        source=marked("Dowson and Toyoda (1979); Dowson (1968)"),
-        references=("dowson_toyoda_1979", "dowson_1968"),
-        used=_line_film("dowson_toyoda"),
-        valid=marked("isothermal and fully flooded; the ends of the roller are not considered"),
-    ),
-    Law(
-        key="roller_film_parameter",
-        rolls="roller",
-        name=marked("Film parameter"),
-        latex=r"\lambda = \frac{h_c}{\sqrt{R_{q,race}^2 + R_{q,roller}^2}}",
-        plain="λ = h_c/√(R_q,race² + R_q,roller²)",
-        symbols=("lambda", "R_q"),
-        source=marked("Hamrock and Dowson (1977)"),
-        references=("hamrock_dowson_1977",),
-        used=_roughness,
-    ),
-    Law(
-        key="rib_friction",
-        rolls="roller",
-        name=marked("Sliding on the rib"),
-        latex=r"P = \mu\,F_{rib}\,v",
-        plain="P = μ F_rib v",
-        symbols=("mu", "F_rib"),
-        source=marked("Aihara (1987)"),
-        references=("aihara_1987",),
-        used=_loss("rib"),
-        valid=marked(
-            "v sliding speed at the height of the contact on the rib; the coefficient falls"
-            " with the film at the rib where the radius of the roller's end is known"
-        ),
     ),
     Law(
         key="roller_frequencies",

@@ -88,7 +88,7 @@ def _valid_torques(curve: FrictionCurve) -> dict[str, tuple[FloatArray, BoolArra
     """Torque of every model, and where the model is valid."""
     found = {
         validity.model: (curve.torque(validity.model), validity.valid)
-        for validity in curve.validity
+        for validity in curve.friction.judged
     }
     torque = curve.controlled_torque
     if np.isfinite(torque).any():
@@ -141,7 +141,7 @@ def _torques(curve: FrictionCurve, number: int) -> Section:
 
 def _failures(curve: FrictionCurve) -> Iterator[Block]:
     """Say of every group of models why and where they are not valid, and what was not solved."""
-    validities = curve.validity
+    validities = curve.friction.judged
     why: dict[tuple[str, str], list[str]] = {}
     for validity in validities:
         for key in _REASONS:
@@ -208,7 +208,7 @@ def _ratio(head: str, values: FloatArray, key: str) -> Column:
 def _points(curves: Sequence[FrictionCurve]) -> Table:
     """Return a line for every point of every curve; for files."""
     first = curves[0]
-    models = [validity.model for validity in first.validity]
+    models = [validity.model for validity in first.friction.judged]
     sources = list(first.friction.torque_by_source)
     across = field_column(first.field, np.concatenate([curve.values for curve in curves]))
     columns = [

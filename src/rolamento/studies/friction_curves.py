@@ -18,7 +18,7 @@ from rolamento.analysis.needs import has_life
 from rolamento.case import Case
 from rolamento.errors import InputError
 from rolamento.friction import Friction, MachineBearing, friction, machine_of
-from rolamento.friction.model import ModelValidity, relative_speed
+from rolamento.friction.model import relative_speed
 from rolamento.friction.models import TORQUE_MODELS
 from rolamento.life import conditions_of
 from rolamento.life.basis import Basis
@@ -92,11 +92,6 @@ class FrictionCurve:
     def __len__(self) -> int:
         """Count the points."""
         return len(self.values)
-
-    @property
-    def validity(self) -> tuple[ModelValidity, ...]:
-        """Of the models of what rolls in this bearing."""
-        return tuple(own for own in self.friction.validity if "for_balls" not in own.limits)
 
     @property
     def converged(self) -> bool:
