@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from scipy import integrate
 
+import rolamento
 from rolamento.case.material import Material
 from rolamento.contact.hertz import effective_modulus, elliptical_contact
 from rolamento.contact.line import (
@@ -193,3 +194,30 @@ def test_shears_of_the_whole_field() -> None:
     assert field.von_mises.max() == pytest.approx(most.stress, rel=1e-4)
     assert z.flat[field.von_mises.argmax()] == pytest.approx(most.depth, abs=0.01)
     assert line_maximum_shear(1.0, 1.0, 0.3).plane == ShearPlane.ROLLING
+
+
+def test_a_result_has_the_stresses_of_line_contacts() -> None:
+    solved = rolamento.solve(
+        rolamento.Case.from_mapping(
+            {
+                "bearing": {
+                    "element": "cylindrical",
+                    "roller_count": 13,
+                    "roller_diameter": "7.5 mm",
+                    "effective_length": "9 mm",
+                    "pitch_diameter": "39 mm",
+                    "diametral_clearance": "20 um",
+                },
+                "duty": {"load": {"fz": "5 kN"}, "displacement": {"ry": "1 mrad"}},
+            }
+        )
+    )
+    assert solved.converged.all()
+    inner = solved.inner
+    loaded = inner.load[0] > 0.0
+    np.testing.assert_allclose(
+        inner.max_shear[0, loaded] / inner.max_pressure[0, loaded], 0.30028, rtol=1e-4
+    )
+    np.testing.assert_allclose(
+        inner.orthogonal_shear_depth[0, loaded] / inner.semi_minor[0, loaded], 0.5, rtol=1e-12
+    )

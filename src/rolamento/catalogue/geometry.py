@@ -278,7 +278,8 @@ def _roller_geometry(
     if bearing.kind == "tapered":
         angle = nominal_angle(bearing)
         fields["contact_angle"] = angle
-        origins["contact_angle"] = "published"
+        told = bearing.contact_angle is not None
+        origins["contact_angle"] = "published" if told else "inferred"
         if with_rollers:
             size = (fields["roller_diameter"], fields["pitch_diameter"])
             fields["roller_half_angle"] = float(apex_half_angle(*size, angle))

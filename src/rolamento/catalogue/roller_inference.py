@@ -129,9 +129,13 @@ def inferred_rollers(
     Raises
     ------
     InputError
-        If the bearing has no rating to infer from, or, tapered, nothing that tells its contact
-        angle.
+        If the bearing has balls, no rating to infer from or, tapered, nothing that tells its
+        contact angle.
     """
+    if not bearing.has_rollers:
+        raise InputError(
+            said("has balls, not rollers"), field="designation", value=bearing.designation
+        )
     if bearing.rated == (None, None) and bearing.effective_length is None:
         raise InputError(
             said(

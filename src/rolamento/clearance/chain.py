@@ -232,7 +232,7 @@ def assembly_of(
             field="bearing",
             example="bearing.places[0].bearing",
         )
-    _check_two_rings(bearing)
+    check_two_rings(bearing)
     assembly = gathered(bearing, mounting, temperatures, inner_speed, outer_speed)
     _check_rings_between_seats(mounting, assembly.inner_raceway, assembly.outer_raceway)
     return assembly
@@ -557,7 +557,6 @@ def initial_band(assembly: Assembly, bearing: Bearing | RollerBearing) -> tuple[
     is negligible (NSK, Rolling Bearings, E1102, page A88).
     """
     mounting = assembly.mounting
-    _check_two_rings(bearing)
     _check_given_clearance(mounting, bearing)
     reading = mounting.measured_clearance
     named = mounting.clearance_class
@@ -574,7 +573,7 @@ def initial_band(assembly: Assembly, bearing: Bearing | RollerBearing) -> tuple[
     return Band(found, found), reading
 
 
-def _check_two_rings(bearing: Bearing | RollerBearing) -> None:
+def check_two_rings(bearing: Bearing | RollerBearing) -> None:
     """Refuse needle bearings whose inner raceway is the shaft: nothing is fitted on it."""
     if bearing.element == "needle" and bearing.told and not bearing.told.has_inner_ring:
         raise InputError(

@@ -424,6 +424,27 @@ def _tell(
         load[k] = pressed[k] / compliance
 
 
+@kernel
+def press_one(
+    approach: float,
+    tilt: float,
+    place: Array,
+    drop: Array,
+    width: float,
+    compliance: float,
+    curvature: Array,
+    table: Array,
+    body: Array,
+    load: Array,
+    work: Array,
+    answer: Array,
+) -> int:
+    """`coupled_slices` on its own."""
+    return coupled_slices(
+        approach, tilt, place, drop, width, compliance, curvature, table, body, load, work, answer
+    )
+
+
 @dataclass(frozen=True, slots=True)
 class CoupledPress:
     """A roller pressed on a race; NaN where no loads are found. SI.
@@ -440,26 +461,6 @@ class CoupledPress:
     moment: float
     stiffness: FloatArray
     converged: bool
-
-
-@kernel
-def _press_one(
-    approach: float,
-    tilt: float,
-    place: Array,
-    drop: Array,
-    width: float,
-    compliance: float,
-    curvature: Array,
-    table: Array,
-    body: Array,
-    load: Array,
-    work: Array,
-    answer: Array,
-) -> int:
-    return coupled_slices(
-        approach, tilt, place, drop, width, compliance, curvature, table, body, load, work, answer
-    )
 
 
 def coupled_press(
@@ -494,7 +495,7 @@ def coupled_press(
     place, width = slice_places(effective_length, n), effective_length / n
     rho = np.ascontiguousarray(np.broadcast_to(np.asarray(curvature, np.float64), n))
     load, answer = np.zeros(n), np.zeros(6)
-    number = _press_one.compiled(
+    number = press_one.compiled(
         approach, tilt, place, drops, width, 2.0 / (np.pi * modulus), rho, influence_table(n),
         body_term(n, width, roller_diameter, share), load, scratch(n), answer,
     )  # fmt: skip

@@ -89,11 +89,13 @@ def _every_line(found: FrequencyResult) -> Iterator[tuple[CellContent, ...]]:
                     yield one.source, one.row, *called, *own, *[None] * 4
 
 
-def balls_of(bearing: Bearing | RollerBearing) -> str:
+def balls_of(bearing: Bearing | RollerBearing, frequencies: FaultFrequencies) -> str:
     """Say what the frequencies follow from: the balls and the circle of their centres, or rollers.
 
-    Of a set, those of its first row.
+    Of a set that has both, those of the row that the frequencies are of.
     """
+    if frequencies.element != bearing.element:
+        bearing = bearing.element_rows[frequencies.row].bearing
     if isinstance(bearing, RollerBearing):
         return said(
             "{count} rollers of {roller:.5 mm}, pitch diameter {pitch:.6 mm}",
@@ -128,7 +130,7 @@ def failure(solved: Solved) -> str:
 
 def _head(found: FrequencyResult) -> Section:
     nominal = found.nominal
-    lines = [f"{balls_of(found.bearing)}; {contact_angle(nominal)}"]
+    lines = [f"{balls_of(found.bearing, nominal)}; {contact_angle(nominal)}"]
     if isfinite(nominal.shaft_frequency):
         lines.append("; ".join(_speeds(nominal)))
     else:

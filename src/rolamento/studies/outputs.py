@@ -72,7 +72,8 @@ class Output:
     compute
         from a solved batch: (cases,), or (cases, balls) or (cases, rows)
     along
-        ``"ball"`` or ``"row"`` of an output that has a value for each of them
+        ``"ball"`` or ``"row"`` of an output that has a value for each of them; rollers count as
+        balls
     kind
         ``"whole"`` of a whole number that every case has, solved or not
     needs
@@ -125,11 +126,12 @@ def catalogue() -> Mapping[str, Output]:
     from rolamento.studies.friction_outputs import friction_outputs
     from rolamento.studies.life_outputs import life_outputs
     from rolamento.studies.lubrication_outputs import lubrication_outputs
+    from rolamento.studies.roller_outputs import roller_outputs
     from rolamento.studies.row_outputs import row_outputs
 
     providers = (
-        ring_outputs, row_outputs, ball_outputs, lubrication_outputs, friction_outputs,
-        life_outputs,
+        ring_outputs, row_outputs, ball_outputs, roller_outputs, lubrication_outputs,
+        friction_outputs, life_outputs,
     )  # fmt: skip
     return {output.name: output for provider in providers for output in provider()}
 

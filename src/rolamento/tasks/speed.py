@@ -310,9 +310,10 @@ def _boundary(case: Case) -> Boundary:
 def _rating(row: Bearing | RollerBearing, name: str, angle: float) -> float:
     """C or C_0 by the standards, NaN of balls on other grooves; N."""
     if isinstance(row, RollerBearing):
-        rule = roller_dynamic_rating if name == "dynamic_rating" else roller_static_rating
         sizes = (row.roller_count, row.roller_diameter, row.effective_length, row.pitch_diameter)
-        return float(rule(*sizes, angle, kind=row.element))
+        if name == "static_rating":
+            return float(roller_static_rating(*sizes, angle))
+        return float(roller_dynamic_rating(*sizes, angle, kind=row.element))
     if row.kind is not None:
         return nan
     of_balls = dynamic_rating if name == "dynamic_rating" else static_rating

@@ -25,6 +25,7 @@ from rolamento.contact.coupled import body_term, influence_table, scratch
 from rolamento.contact.hertz import effective_modulus
 from rolamento.contact.line import contact_constant, roller_share, slice_places
 from rolamento.contact.profile import drop
+from rolamento.errors import InputError
 from rolamento.geometry import Race
 from rolamento.kinematics import BallMotion, centrifugal_force
 from rolamento.numerics import FloatArray
@@ -301,12 +302,16 @@ def _cut(
     place = slice_places(length, slices)
     tapered = bool((half > 0.0).any())
     sizes = {"length": length[:, np.newaxis], "diameter": diameter[:, np.newaxis]}
-    roller = drop(bearing.roller_profile, place, tapered=tapered, **sizes)
-    races = [
-        drop(getattr(bearing, f"{race}_profile"), place, tapered=tapered, **sizes)
-        for race in ("inner", "outer")
-    ]
-    drops = np.stack([roller + race for race in races], axis=1)
+
+    def drops_of(body: str) -> FloatArray:
+        try:
+            return drop(getattr(bearing, f"{body}_profile"), place, tapered=tapered, **sizes)
+        except InputError as error:
+            name = f"bearing.{body}_profile.{error.field}"
+            raise error.with_details(field=name) from None
+
+    roller = drops_of("roller")
+    drops = np.stack([roller + drops_of(race) for race in ("inner", "outer")], axis=1)
     curvature = np.stack(
         [_curvature(race, place, diameter, pitch, half, axis) for race in ("inner", "outer")],
         axis=1,
