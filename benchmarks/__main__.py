@@ -25,6 +25,7 @@ from benchmarks import (
     friction_control,
     laws,
     life,
+    line_contact,
     lubrication,
     robustness,
     start,
@@ -58,6 +59,7 @@ class Effort:
     weibull_sample: int
     signal_seconds: float
     modulations: int
+    line_contacts: int
     recordings: tuple[float, float]
 
 
@@ -80,6 +82,7 @@ FULL = Effort(
     weibull_sample=20,
     signal_seconds=vibration.DURATION,
     modulations=3,
+    line_contacts=2000,
     recordings=(5.0, 60.0),
 )
 QUICK = Effort(
@@ -101,6 +104,7 @@ QUICK = Effort(
     weibull_sample=2,
     signal_seconds=2.0,
     modulations=1,
+    line_contacts=100,
     recordings=(0.5, 2.0),
 )
 
@@ -119,6 +123,7 @@ def steps(effort: Effort) -> list[tuple[str, Callable[[], Findings]]]:
             "friction control",
             partial(friction_control.measure, e.friction_cases, e.friction_sample, e.repeats),
         ),
+        ("line contact", partial(line_contact.measure, e.line_contacts, 5, e.repeats)),
         ("start", partial(start.measure, e.runs)),
         ("sweep", partial(sweep.measure, e.sweep_cases)),
         ("film and friction", partial(lubrication.measure, e.analysed_cases)),

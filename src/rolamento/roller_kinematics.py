@@ -27,7 +27,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento.geometry import Race, apex_half_angle
+from rolamento.geometry import Race
 from rolamento.kinematics import BallMotion, nominal_orbit
 from rolamento.numerics import FloatArray
 

@@ -84,6 +84,12 @@ def test_jacobian_of_the_scipy_model(module: Any) -> None:
     assert np.abs(exact - numerical).max() < 1e-3 * np.abs(numerical).max()
 
 
+def test_slices_coupled_by_scipy_are_the_same(module: Any) -> None:
+    findings = module("line_contact").measure(4, 2, 1)
+    assert findings.failures == []
+    assert all(figure.value > 0.0 for figure in findings.figures)
+
+
 def test_random_cases(module: Any) -> None:
     robustness = module("robustness")
     for name in robustness.KINDS:

@@ -15,6 +15,7 @@ from rolamento.contact.hertz import elliptical_contact
 from rolamento.contact.subsurface import orthogonal_shear
 from rolamento.errors import InputError
 from rolamento.life import LifeSummary, life
+from rolamento.life.iso16281 import ROLLER_SLOPE
 from rolamento.life.l_able import (
     FactorTable,
     l_able,
@@ -23,7 +24,6 @@ from rolamento.life.l_able import (
     refusals,
     surface_factor,
 )
-from rolamento.life.iso16281 import ROLLER_SLOPE
 from rolamento.life.spectrum import (
     miner_life,
     races_under_spectrum,

@@ -114,7 +114,7 @@ def test_words_stand_for_kinds_that_need_nothing_else() -> None:
     ("table", "field", "rule"),
     [
         ({"kind": "crowned"}, "radius", "is needed"),
-        ({"kind": "none", "radius": "1 m"}, "radius", "is not of a profile of kind none"),
+        ({"kind": "none", "radius": "1 m"}, "radius", "does not apply to a profile of kind none"),
         ({"kind": "iso", "factor": 0.5}, "factor", "at most 0.01"),
         ({"kind": "crowned", "radius": 1.0}, "radius", "needs a unit"),
         ({"kind": "round"}, "kind", "must be one of"),

@@ -11,16 +11,24 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-from rolamento.case import Bearing, Case, Duty
+from rolamento.case import Bearing, Case, Duty, Load
 from rolamento.case.roller_bearing import RollerBearing
+from rolamento.catalogue import catalogue, rolling_bearings
 from rolamento.cli.app import app
 from rolamento.errors import InputError
 from rolamento.geometry import apex_half_angle
+from rolamento.solution import solve
 from rolamento.tasks.diagnosis import DiagnosisResult, diagnose
 from rolamento.tasks.frequencies import fault_frequencies
 from rolamento.tasks.synthesis import SynthesisResult, synthesise
-from rolamento.vibration.frequencies import LINES, FaultFrequencies, nominal_frequencies
+from rolamento.vibration.frequencies import (
+    LINES,
+    FaultFrequencies,
+    frequencies_of,
+    nominal_frequencies,
+)
 from rolamento.vibration.frequency_band import Tolerances, banded_frequencies
+from rolamento.vibration.lookalikes import orders_of as lookalike_orders
 from rolamento.vibration.synthesis import (
     Fault,
     LoadDistribution,
@@ -221,3 +229,105 @@ def test_notes_name_what_rolls() -> None:
     nested = of_element(Note("undecided_speed", {"speeds": [["ball", 10.0]]}), "roller")
     assert nested.values["speeds"] == [["roller", 10.0]]
     assert "a roller" in sentence(nested.key, nested.values)
+
+
+# --- of a designation, whose number of rollers is open -------------------------------------------
+
+
+def test_another_number_of_rollers_moves_the_orders_of_the_races_alone() -> None:
+    found = fault_frequencies("NU 205")
+    assert len(found.alternatives) > 1
+    for one in found.alternatives:
+        assert one.orders["ball_pass_outer"] == pytest.approx(one.ball_count * one.orders["cage"])
+        assert one.orders["cage"] == pytest.approx(found.nominal.cage.order)
+    band = found.nominal.ball_pass_outer.band
+    assert band is not None
+    assert band.order_high - band.order_low > 2.0 * found.nominal.cage.order
+    assert "roller_count_open" in [note.key for note in found.notes]
+    counted = fault_frequencies("NU 205", settings=["bearing.roller_count=12"])
+    assert [one.ball_count for one in counted.alternatives] == [12]
+    assert "roller_count_open" not in [note.key for note in counted.notes]
+
+
+def test_a_diagnosis_says_which_number_of_rollers_its_peak_would_fit(tmp_path: Path) -> None:
+    """With 12 rollers the outer race is within 3.3 % of what the 13 strike twice a turn."""
+    path = tmp_path / "twelve.npz"
+    synthesise(
+        "NU 205",
+        path,
+        settings=["bearing.roller_count=12"],
+        speed="1530 rpm",
+        faults=[Fault(kind="outer_race")],
+        noise=Noise(ratio=0.0, of="faults"),
+        duration=4.0,
+    )
+    found = diagnose(path, "NU 205", speed="1530 rpm")
+    assert isinstance(found, DiagnosisResult)
+    told = {note.key: note for note in found.advice}
+    assert told["peak_of_other_count"].values["count"] == 12
+    assert told["peak_of_other_count"].values["part"] == "outer_race"
+    assert "peak_of_other_count" in [one["key"] for one in found.to_mapping()["advice"]]
+    counted = diagnose(path, "NU 205", speed="1530 rpm", settings=["bearing.roller_count=12"])
+    assert isinstance(counted, DiagnosisResult)
+    assert counted.diagnosis.faults == ("outer_race",)
+    assert "peak_of_other_count" not in [note.key for note in counted.advice]
+    assert counted.lookalikes is not None
+    assert "NU 2205 ET" in [one.designation for one in counted.lookalikes.found]
+
+
+@pytest.mark.parametrize("designation", ["NU 205", "30206", "NA 4905"])
+def test_the_catalogue_rolls_as_its_bearings_do(designation: str) -> None:
+    own = RollerBearing.named(designation)
+    turns = nominal_frequencies(own).turns
+    listed = {one.designation: one for one in rolling_bearings(of_rollers=True)}
+    name = catalogue().find(designation).bearing.designation
+    assert lookalike_orders(listed[name]).cage == pytest.approx(turns.cage, rel=1e-6)
+    assert name not in [one.designation for one in rolling_bearings()]
+
+
+# --- under load ----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("speeds", [(SPEED, 0.0), (0.0, -SPEED), (0.0, 0.0)])
+def test_under_load_rollers_roll_as_by_their_geometry(speeds: tuple[float, float]) -> None:
+    for bearing, load in (
+        (RollerBearing(**NU205), Load(fz=3000.0)),
+        (tapered(), Load(fz=3000.0, fx=2000.0)),
+    ):
+        duty = Duty(inner_speed=speeds[0], outer_speed=speeds[1], load=load)
+        loaded = frequencies_of(solve(Case(bearing=bearing, duty=duty)))
+        nominal = nominal_frequencies(bearing, *speeds)
+        assert loaded.element == bearing.element
+        for name in LINES:
+            line = loaded.lines[name]
+            assert line.order == pytest.approx(nominal.lines[name].order, rel=1e-12)
+            assert line.minimum == pytest.approx(line.maximum, rel=1e-12)
+        assert loaded.outer_contact_angle == pytest.approx(bearing.row_angle)
+        assert loaded.inner_contact_angle == pytest.approx(bearing.inner_contact_angle)
+
+
+def test_loads_of_a_solved_case_give_the_strengths_of_impacts() -> None:
+    duty = Duty(inner_speed=SPEED, load=Load(fz=3000.0))
+    solved = solve(Case(bearing=RollerBearing(**NU205), duty=duty))
+    loads = LoadDistribution.of_solved(solved, positions=4)
+    assert loads.exponent == pytest.approx(10.0 / 9.0)
+    assert float(loads.at(0.0, "outer")) == pytest.approx(1.0, abs=0.01)
+    assert float(loads.at(pi, "inner")) == 0.0
+    assert 0.0 < float(loads.at(pi, "outer")) < 1e-3  # by centrifugal force
+
+
+def test_a_ball_bearing_beside_a_roller_bearing_each_has_its_own_frequencies() -> None:
+    balls = {
+        "element": "ball",
+        "ball_count": 9,
+        "ball_diameter": 0.0079375,
+        "pitch_diameter": 0.0385,
+        "diametral_clearance": 1e-5,
+        "inner_conformity": 0.515,
+        "outer_conformity": 0.53,
+        "position": -0.01,
+    }
+    rollers = {**NU205, "position": 0.01}
+    found = nominal_frequencies(Bearing(rows=(balls, rollers)), SPEED)  # type: ignore[arg-type]
+    assert [row.element for row in found.rows] == ["ball", "cylindrical"]
+    assert orders(found.rows[1]) == orders(nominal_frequencies(RollerBearing(**NU205), SPEED))

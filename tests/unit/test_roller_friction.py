@@ -15,9 +15,9 @@ from rolamento.errors import InputError
 from rolamento.friction import MachineBearing, friction
 from rolamento.friction.line_losses import starting_torque
 from rolamento.friction.skf import roller_series, skf_moment
+from rolamento.geometry import apex_half_angle
 from rolamento.lubrication import film
 from rolamento.lubrication.line_film import line_groups, pan_hamrock_central
-from rolamento.roller_kinematics import apex_half_angle
 from rolamento.solution import solve
 from rolamento.solved import Solved
 

@@ -14,6 +14,7 @@ from rolamento._data import toml_of
 from rolamento.cli.app import app
 from rolamento.document.terminal import terminal
 from rolamento.pages.speed import speed_page
+from rolamento.ratings import roller_dynamic_rating
 from rolamento.speeds import (
     heat_shares,
     minimum_axial_load,
@@ -196,3 +197,53 @@ def test_the_command_takes_what_nobody_tells() -> None:
     assert (result.exit_code, "greater than zero" in result.stderr) == (2, True)
     result = run(app, ["speed", "6210", "--width", "3 kg"])
     assert (result.exit_code, "--width" in result.stderr) == (2, True)
+
+
+# --- rollers --------------------------------------------------------------------------------------
+
+
+def test_roller_bearings_by_their_designation() -> None:
+    found = speed_limits("NU 205", [*WARM, "duty.inner_speed=8000 rpm", "duty.load.fz=2 kN"])
+    names = [one.name for one in found.limits]
+    assert names == ["catalogue", "reference", "permissible", "grease", "oil_bath"]
+    assert found.limits[1].speed / RPM == pytest.approx(11_800, rel=0.015)
+    assert found.boundary.series == "NU2"
+    (rule,) = found.minimum_loads
+    ratio = 8000.0 * RPM / found.limits[1].speed
+    assert rule.load == pytest.approx(1e3 * 0.15 * (6.0 + 4.0 * ratio) * 0.385**2, rel=1e-9)
+    tapered = speed_limits("30205", ["duty.inner_speed=8000 rpm", "duty.load.fz=200 N"])
+    assert tapered.boundary.width == pytest.approx(16.25e-3)
+    assert tapered.minimum_loads[0].load == pytest.approx(0.02 * tapered.boundary.dynamic_rating)
+    note = next(note for note in tapered.notes if note.key == "load_below_minimum")
+    assert "rollers" in note.text
+    assert "Minimum load" in terminal(speed_page(tapered))
+
+
+def test_coefficients_and_factors_that_no_print_supports_are_named() -> None:
+    keys = {note.key for note in speed_limits("32205").notes}
+    assert "reference_coefficients_unchecked" in keys
+    keys = {note.key for note in speed_limits("NU 1005", ["duty.inner_speed=1000 rpm"]).notes}
+    assert "minimum_load_factors_unchecked" in keys
+    assert "reference_coefficients_unchecked" not in keys
+
+
+def test_ratings_of_rollers_without_a_designation() -> None:
+    case = parse_case(
+        '[bearing]\nelement = "needle"\nroller_count = 20\nroller_diameter = "3 mm"\n'
+        'effective_length = "12 mm"\npitch_diameter = "30 mm"\ndiametral_clearance = "20 um"\n'
+        '[duty.load]\nfz = "100 N"\n'
+    )
+    found = speed_limits(case)
+    rating = float(roller_dynamic_rating(20, 3e-3, 12e-3, 30e-3, kind="needle"))
+    assert found.minimum_loads[0].load == pytest.approx(0.02 * rating)
+
+
+def test_different_elements_are_asked_for_alone() -> None:
+    with pytest.raises(InputError, match="ask for each bearing alone"):
+        speed_limits(
+            parse_case(
+                '[bearing]\nrows = [\n{ designation = "6205", position = "-10 mm" },\n'
+                '{ designation = "NU 205", element = "cylindrical", position = "10 mm" }]\n'
+                '[duty.load]\nfz = "1 kN"\n'
+            )
+        )

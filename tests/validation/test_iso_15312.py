@@ -13,7 +13,6 @@ from math import pi
 import pytest
 
 from rolamento.speeds import (
-    ReferenceCoefficients,
     reference_coefficients,
     speed_ratio,
     thermal_reference_speed,
@@ -38,12 +37,50 @@ def test_thermal_reference_speeds(name: str) -> None:
     assert found * 30.0 / pi == pytest.approx(printed, rel=WITHIN)
 
 
-def test_the_formula_holds_for_a_roller_bearing_too() -> None:
-    """NU205-E, f_0r 2 and f_1r 3e-4 of series NU2: no coefficients of rollers are on file yet."""
-    found = thermal_reference_speed(
-        25e-3, 52e-3, 15e-3, 27_500.0, ReferenceCoefficients(2.0, 3.0e-4)
-    )
+SKF = {
+    # designation: series, d, D, T or B (mm), C_0r (kN), reference speed (r/min)
+    "30203 J2": ("302", 17, 40, 13.25, 18.6, 13_000),
+    "30204 J2/Q": ("302", 20, 47, 15.25, 28.0, 11_000),
+    "30205 J2/Q": ("302", 25, 52, 16.25, 33.5, 10_000),
+    "30206 J2/Q": ("302", 30, 62, 17.25, 44.0, 8_500),
+    "30303 J2": ("303", 17, 47, 15.25, 25.0, 12_000),
+    "30305 J2/Q": ("303", 25, 62, 18.25, 43.0, 9_000),
+    "30306 J2/Q": ("303", 30, 72, 20.75, 56.0, 7_500),
+    "32004 X/Q": ("320", 20, 42, 15, 27.0, 12_000),
+    "32006 X/Q": ("320", 30, 55, 17, 44.0, 9_000),
+    "32303 J2/Q": ("323", 17, 47, 20.25, 33.5, 11_000),
+    "32304 J2/Q": ("323", 20, 52, 22.25, 45.5, 10_000),
+    "32305 J2": ("323", 25, 62, 25.25, 63.0, 8_000),
+    "32306 J2/Q": ("323", 30, 72, 28.75, 85.0, 7_000),
+    "33205/Q": ("332", 25, 52, 22, 56.0, 9_000),
+    "33206/Q": ("332", 30, 62, 25, 76.5, 7_500),
+    "NJ 204 ECP": ("NJ2", 20, 47, 14, 22.0, 16_000),
+    "NU 205 ECP": ("NU2", 25, 52, 15, 27.0, 14_000),
+    "NU 304 ECP": ("NU3", 20, 52, 15, 26.0, 15_000),
+}
+
+
+def test_nu205_by_the_coefficients_on_file() -> None:
+    coefficients = reference_coefficients("NU2")
+    assert coefficients is not None
+    found = thermal_reference_speed(25e-3, 52e-3, 15e-3, 27_500.0, coefficients)
     assert found * 30.0 / pi == pytest.approx(11_800, rel=WITHIN)
+
+
+@pytest.mark.parametrize("name", SKF)
+def test_skf_prints_reference_speeds_of_its_own_friction_model(name: str) -> None:
+    """SKF's are not of the standard's f_0r: from the same to a quarter above it.
+
+    SKF, Rolling bearings (catalogue), product tables of single-row cylindrical and tapered roller
+    bearings.
+    """
+    series, bore, outside, width, rating, printed = SKF[name]
+    coefficients = reference_coefficients(series)
+    assert coefficients is not None
+    found = thermal_reference_speed(
+        1e-3 * bore, 1e-3 * outside, 1e-3 * width, 1e3 * rating, coefficients
+    )
+    assert 0.80 < found * 30.0 / pi / printed < 1.01
 
 
 def test_permissible_speed_of_the_example() -> None:

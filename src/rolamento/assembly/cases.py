@@ -361,6 +361,8 @@ def _varied(
     if row.element == "tapered" and "roller_half_angle" not in known:  # cones keep one apex
         sizes = (made[name] for name in ("roller_diameter", "pitch_diameter", "contact_angle"))
         made["roller_half_angle"] = apex_half_angle(*sizes)
+    if "effective_length" in given and "roller_length" not in known:
+        made["roller_length"] = given["effective_length"]
     return SimpleNamespace(**made)
 
 

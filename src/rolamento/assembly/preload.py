@@ -2,8 +2,10 @@
 
 Rings that are clamped press each row in by a fixed offset: the force between them grows with
 speed and changes with load, and an axial load of some three times the preload lifts a row of a
-pair off its balls. (Where the contact angle does not change, 2^(3/2) times.) Springs keep their
-force.
+pair off its balls. Where the contact angle does not change, a row whose force grows with its
+approach as δ^n is lifted by 2^n times the preload: 2^(3/2) = 2.83 of balls, 2^(10/9) = 2.16 of
+straight rollers, up to 3 of crowned ones, whose line of contact grows with the load. Springs keep
+their force.
 """
 
 from __future__ import annotations
@@ -23,7 +25,8 @@ from rolamento.case.duty import AXES, LOADS, Duty
 from rolamento.case.varied import varied_arrays
 from rolamento.clearance.batch import MOUNTED_FIELDS
 from rolamento.numerics import BoolArray, FloatArray, IntArray
-from rolamento.rows.ball.row import compiled_but_not_loaded
+from rolamento.rows.ball import row as balls
+from rolamento.rows.roller import row as rollers
 from rolamento.solved import Preloading, Solved
 
 __all__ = ["Lost", "first_lift_off", "preload_at", "preload_loss", "preload_of"]
@@ -87,7 +90,7 @@ def preload_at(solved: Solved, *, running: bool) -> FloatArray:
 
 
 def first_lift_off(solved: Solved) -> Lost:
-    """Find the multiple of the external load at which a ball first loses contact.
+    """Find the multiple of the external load at which a rolling element first loses contact.
 
     Parameters
     ----------
@@ -159,15 +162,18 @@ class _Given:
     def load_kernels(self) -> None:
         """Have the compiled kernels loaded if they are on disk: hundreds of rows are solved.
 
-        At rest plain Python is as fast as loading them. A single case takes them only where they
-        are loaded already, two cases always.
+        Of balls at rest plain Python is as fast as loading them. A single case takes them only
+        where they are loaded already, two cases always.
         """
-        if self.moving and any(self.loads.values()) and compiled_but_not_loaded():
+        elements = {place.bearing.element for place in self.case.bearing.places}
+        waiting = self.moving and "ball" in elements and balls.compiled_but_not_loaded()
+        waiting = waiting or (elements != {"ball"} and rollers.compiled_but_not_loaded())
+        if waiting and any(self.loads.values()):
             twice = {"inner_speed": [self.case.duty.inner_speed] * 2}
             _solved(self.case, varied_arrays(twice))
 
     def grips(self, factor: FloatArray, some: IntArray, shallowest: np.ufunc) -> FloatArray:
-        """How far the rows' balls are pressed into the inner ring; a gap is negative.
+        """How far the rows' elements are pressed into the inner ring; a gap is negative.
 
         Parameters
         ----------
@@ -176,7 +182,7 @@ class _Given:
         some
             Which cases.
         shallowest
-            `np.minimum` for the shallowest ball of each row, `np.maximum` for the deepest.
+            `np.minimum` for the shallowest element of each row, `np.maximum` for the deepest.
 
         Returns
         -------
@@ -186,9 +192,12 @@ class _Given:
         for name, load in self.loads.items():
             values[f"duty.load.{name}"] = factor * load[some]
         solved = _solved(self.case, values)
-        return np.asarray(
-            shallowest.reduceat(solved.inner.approach, solved.rows.starts, axis=1), np.float64
-        )
+        grip = solved.inner.approach
+        if solved.rollers is not None:  # a tilted roller may hold on by its end alone
+            deepest = solved.inner.deflection
+            of_rollers = np.where(deepest > 0.0, deepest, -np.abs(grip))
+            grip = np.where(np.isnan(solved.rollers.tilt), grip, of_rollers)
+        return np.asarray(shallowest.reduceat(grip, solved.rows.starts, axis=1), np.float64)
 
 
 def _given_by(solved: Solved) -> _Given:

@@ -124,7 +124,7 @@ class Profile(Record):
                 continue
             if name not in _MAY_HAVE[self.kind]:
                 raise InputError(
-                    said("is not of a profile of kind {kind}", kind=self.kind),
+                    said("does not apply to a profile of kind {kind}", kind=self.kind),
                     field=name,
                     value=value,
                     example=example,

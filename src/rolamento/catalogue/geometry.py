@@ -156,17 +156,24 @@ class InternalGeometry:
         if the width is not known.
         """
         width, centre = self.width, self.bearing.load_centre
-        told = [self.fields.get(name) for name in ("pitch_diameter", "roller_diameter")]
-        if width is None or centre is None or None in told or arrangement not in ("DB", "DF"):
+        pitch, roller = (self.fields.get(name) for name in ("pitch_diameter", "roller_diameter"))
+        if width is None or centre is None or arrangement not in ("DB", "DF"):
             return width
-        angle, (pitch, roller) = self.fields["contact_angle"], told
+        if pitch is None or roller is None:
+            return width
+        angle = self.fields["contact_angle"]
         middle = centre - 0.5 * (pitch + roller * cos(angle)) * tan(angle)
         return float(2.0 * (middle if arrangement == "DB" else width - middle))
 
     @property
+    def has_inner_ring(self) -> bool:
+        """Whether the shaft itself is not the inner raceway."""
+        return self.bearing_type not in _WITHOUT_INNER
+
+    @property
     def lack_of_play(self) -> str:
         """What a user has to add if neither contact angle nor clearance is known, as a rule."""
-        if self.bearing_type in _WITHOUT_INNER:
+        if not self.has_inner_ring:
             return said(
                 "has no inner ring: its clearance follows from shaft and housing: give"
                 " diametral_clearance"
@@ -183,7 +190,7 @@ class InternalGeometry:
     @property
     def clearance_class(self) -> ClearanceClass | None:
         """The class of the designation, CN if a bearing that has one names none."""
-        if self.bearing.kind not in _CLEARED or self.bearing_type in _WITHOUT_INNER:
+        if self.bearing.kind not in _CLEARED or not self.has_inner_ring:
             return None
         return self.designation.clearance_class or "CN"
 
@@ -271,7 +278,8 @@ def _roller_geometry(
     if bearing.kind == "tapered":
         angle = nominal_angle(bearing)
         fields["contact_angle"] = angle
-        origins["contact_angle"] = "published"
+        told = bearing.contact_angle is not None
+        origins["contact_angle"] = "published" if told else "inferred"
         if with_rollers:
             size = (fields["roller_diameter"], fields["pitch_diameter"])
             fields["roller_half_angle"] = float(apex_half_angle(*size, angle))

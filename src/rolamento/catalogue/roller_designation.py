@@ -113,10 +113,10 @@ def roller_number_of(plain: str, joined: str, maker: str = "") -> RollerNumber |
             _meant("roller_types", found["type"]), found["rest"] or "",
         )  # fmt: skip
     if (found := _CAGE.fullmatch(joined)) is not None:
-        inner, outer, width = (found[name] for name in ("inner", "outer", "width"))
-        sizes = f"{inner}{outer}{width}"
+        inner, outer, wide = (found[name] for name in ("inner", "outer", "width"))
+        sizes = f"{inner}{outer}{wide}"
         own = [f"{letters}{sizes}" for letters in ("FWF", "FWJ", "FBN", "FBNP")]
-        names = (f"K{inner}X{outer}X{width}", *own, f"FWF{sizes}A")
+        names = (f"K{inner}X{outer}X{wide}", *own, f"FWF{sizes}A")
         return RollerNumber(
             "needle", "K", "", names[0], inner, names, _meant("roller_types", "K"),
             found["rest"] or "",

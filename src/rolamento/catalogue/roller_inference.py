@@ -129,9 +129,13 @@ def inferred_rollers(
     Raises
     ------
     InputError
-        If the bearing has no rating to infer from, or, tapered, nothing that tells its contact
-        angle.
+        If the bearing has balls, no rating to infer from or, tapered, nothing that tells its
+        contact angle.
     """
+    if not bearing.has_rollers:
+        raise InputError(
+            said("has balls, not rollers"), field="designation", value=bearing.designation
+        )
     if bearing.rated == (None, None) and bearing.effective_length is None:
         raise InputError(
             said(
@@ -153,13 +157,13 @@ def inferred_rollers(
             example='contact_angle = "14 deg"',
         )
     places = _places(bearing, angle)
-    if not places.count.size:
+    if not places.number.size:
         return ()
     best: dict[tuple[int, float], int] = {}  # of each count, and each standard diameter
     order = np.flatnonzero(places.chi <= places.chi.min() + _FARTHEST)
     for index in order[np.argsort(places.chi[order], kind="stable")].tolist():
         size = 0.0 if places.is_free else _rounded(places.diameter[index])
-        best.setdefault((int(places.count[index]), size), index)
+        best.setdefault((int(places.number[index]), size), index)
     chosen = list(best.values())[: max(1, most)]
     weights = np.exp(-0.5 * (places.chi[chosen] - places.chi[chosen[0]]))
     return tuple(
@@ -171,7 +175,7 @@ def inferred_rollers(
 class _Places(NamedTuple):
     """Every Z, D_we and d_pw that is tried, with its length; squared misfits."""
 
-    count: FloatArray
+    number: FloatArray
     diameter: FloatArray
     pitch: FloatArray
     length: FloatArray
@@ -230,10 +234,20 @@ def _places(bearing: CatalogueBearing, angle: float) -> _Places:
         np.concatenate(columns) for columns in zip(*found, strict=True)
     )
     times = len(found)
-    whole = [np.tile(a, times) for a in (count, diameter, pitch, filling)]
     good = np.isfinite(chi)
+    counts, diameters, pitches, fillings = (
+        np.tile(a, times)[good] for a in (count, diameter, pitch, filling)
+    )
     return _Places(
-        *(a[good] for a in (*whole[:3], length, factor, whole[3], error, error_static, chi)),
+        counts,
+        diameters,
+        pitches,
+        length[good],
+        factor[good],
+        fillings,
+        error[good],
+        error_static[good],
+        chi[good],
         is_free,
     )
 
@@ -317,7 +331,7 @@ def _candidate(
         for error, name, value in zip(errors, ("dynamic", "static"), listed, strict=True)
         if value is not None
     ]
-    alike = (places.count == places.count[index]) & (places.chi <= places.chi[index] + 1.0)
+    alike = (places.number == places.number[index]) & (places.chi <= places.chi[index] + 1.0)
     if not places.is_free:
         alike &= np.abs(places.diameter - places.diameter[index]) < _ROUNDING
 
@@ -334,7 +348,7 @@ def _candidate(
     )  # fmt: skip
     return RollerCandidate(
         rank=rank,
-        roller_count=round(float(places.count[index])),
+        roller_count=round(float(places.number[index])),
         roller_diameter=_rounded(places.diameter[index]),
         effective_length=_rounded(places.length[index]),
         pitch_diameter=_rounded(places.pitch[index]),

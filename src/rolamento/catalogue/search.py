@@ -195,6 +195,9 @@ class Catalogue:
         if own is not None and not self._is_displaced(own, text):
             return self._own(own, text)
         designation = parse_designation(text)
+        own = self._by_key.get(folded(designation.name))
+        if own is not None and own.has_rollers and own.maker == designation.maker:
+            return self._own(own, text)
         named = self._by_shorter_name(designation)
         if named is not None:
             return named

@@ -19,6 +19,7 @@ from rolamento.case.roller_bearing import RollerBearing, roller_clearance_fits
 from rolamento.clearance.chain import (
     Chain,
     PartTemperatures,
+    check_two_rings,
     gathered,
     housing_bands,
     initial_band,
@@ -174,7 +175,14 @@ def row_bearing(
     own: Mapping[str, Any],
     arrays: Mapping[str, FloatArray],
 ) -> Any:
-    """A row's bearing with the arrays for its attributes; own: what the row has of its own."""
+    """A row's bearing with the arrays for its attributes; own: what the row has of its own.
+
+    Raises
+    ------
+    InputError
+        If it has no inner ring that could be fitted.
+    """
+    check_two_rings(row)
     shared = type(row) is type(bearing)
     common = {
         name: arrays[f"bearing.{name}"]

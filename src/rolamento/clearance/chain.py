@@ -223,8 +223,8 @@ def assembly_of(
     Raises
     ------
     InputError
-        If the bearing is a set, does not lie between bore and outside diameter, or a temperature
-        or an expansion that is needed is missing.
+        If the bearing is a set, has no inner ring, does not lie between bore and outside diameter,
+        or a temperature or an expansion that is needed is missing.
     """
     if bearing.is_set:
         raise InputError(
@@ -232,6 +232,7 @@ def assembly_of(
             field="bearing",
             example="bearing.places[0].bearing",
         )
+    check_two_rings(bearing)
     assembly = gathered(bearing, mounting, temperatures, inner_speed, outer_speed)
     _check_rings_between_seats(mounting, assembly.inner_raceway, assembly.outer_raceway)
     return assembly
@@ -570,6 +571,17 @@ def initial_band(assembly: Assembly, bearing: Bearing | RollerBearing) -> tuple[
         load = mounting.measuring_load or usual_measuring_load(mounting.bore)
         found = clearance_from_reading(bearing, reading, load)
     return Band(found, found), reading
+
+
+def check_two_rings(bearing: Bearing | RollerBearing) -> None:
+    """Refuse needle bearings whose inner raceway is the shaft: nothing is fitted on it."""
+    if bearing.element == "needle" and bearing.told and not bearing.told.has_inner_ring:
+        raise InputError(
+            said("is for bearings with two rings: here the shaft is the inner raceway"),
+            field="mounting",
+            value=bearing.designation,
+            example="diametral_clearance as shaft and housing leave it, and no [mounting]",
+        )
 
 
 def _check_given_clearance(mounting: Any, bearing: Bearing | RollerBearing) -> None:

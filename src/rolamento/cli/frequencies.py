@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 _HARMONICS: Final = 3
 _TOLERANCES: Final[dict[str, Any]] = {
     "ball_diameter": "length",
+    "roller_diameter": "length",
     "pitch_diameter": "length",
     "contact_angle": "angle",
     "speed": None,
@@ -59,8 +60,8 @@ def frequencies(
         typer.Option(
             "--tolerance",
             metavar="KEY=VALUE",
-            help="Tolerance of ball_diameter, pitch_diameter, contact_angle, speed "
-            "(a fraction) or slip, such as speed=0.01. Repeatable.",
+            help="Tolerance of ball_diameter or roller_diameter, pitch_diameter, "
+            "contact_angle, speed (a fraction) or slip, such as speed=0.01. Repeatable.",
         ),
     ] = None,
     harmonics: Annotated[
@@ -78,7 +79,7 @@ def frequencies(
 ) -> None:
     """Show the fault frequencies of a bearing, also under load.
 
-    BPFO, BPFI, BSF and FTF, from its geometry, and from its loaded balls if the case has a load.
+    BPFO, BPFI, BSF and FTF, from its geometry, and from what rolls under the case's load if any.
     """
     with plain_endings(lang), given.in_force(), in_options(frequencies):
         outputs.check({"--json": json}, bearing)
@@ -118,7 +119,8 @@ def _tolerances(given: list[str]) -> Tolerances:
                     example="speed=0.01",
                 )
             dimension = _TOLERANCES[key]
-            found[key] = to_si(text, dimension) if dimension else _part_of_one(key, text)
+            value = to_si(text, dimension) if dimension else _part_of_one(key, text)
+            found["ball_diameter" if key == "roller_diameter" else key] = value
         return Tolerances(**found)
     except InputError as error:
         raise error.with_details(source="--tolerance") from None

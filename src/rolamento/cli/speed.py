@@ -1,4 +1,4 @@
-"""`rolamento speed`: how fast a bearing may run, and what load its balls need."""
+"""`rolamento speed`: how fast a bearing may run, and what load its elements need."""
 
 from __future__ import annotations
 
@@ -27,12 +27,16 @@ def speed_command(
         typer.Option(
             "--series",
             metavar="SERIES",
-            help="Series of the bearing, such as 62 or 70, where no designation tells it.",
+            help="Series of the bearing, such as 62, 70 or NU2, where no designation tells it.",
         ),
     ] = None,
     width: Annotated[
         str | None,
-        typer.Option("--width", metavar="LENGTH", help="Width B of the bearing, such as '20 mm'."),
+        typer.Option(
+            "--width",
+            metavar="LENGTH",
+            help="Width of the bearing, B or T of tapered rollers, such as '20 mm'.",
+        ),
     ] = None,
     minimum_load_factor: Annotated[
         str | None,
@@ -46,7 +50,7 @@ def speed_command(
     outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
 ) -> None:
-    """Show how fast a bearing may run, and what load its balls need.
+    """Show how fast a bearing may run, and what load its balls or rollers need.
 
     Thermal reference and permissible speed, the maker's n·d_m, minimum load.
     """

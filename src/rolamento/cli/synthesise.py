@@ -154,7 +154,7 @@ def synthesise(
         typer.Option(
             "--fault",
             metavar="KIND[,KEY=VALUE…]",
-            help="outer_race, inner_race, ball or cage; with strength, azimuth, "
+            help="outer_race, inner_race, ball (or roller) or cage; with strength, azimuth, "
             "jitter, slip, scatter, modulation, index, inner_gain. Repeatable.",
         ),
     ] = None,
@@ -255,7 +255,7 @@ def synthesise(
         typer.Option(
             "--waviness",
             metavar="SURFACE,KEY=VALUE…",
-            help="Waviness of outer, inner or ball: amplitude, such as '50 nm', "
+            help="Waviness of outer, inner or ball (or roller): amplitude, such as '50 nm', "
             "with first, last, slope, direction. Repeatable.",
         ),
     ] = None,
@@ -326,7 +326,8 @@ def _fault(text: str, jitter: float | None) -> Fault:
     from rolamento.vibration.synthesis import Fault
 
     fields = _fields_given("--fault", text)
-    fields["kind"] = fields["kind"].replace("-", "_")
+    kind = fields["kind"].replace("-", "_")
+    fields["kind"] = "ball" if kind == "roller" else kind
     if jitter is not None:
         fields.setdefault("jitter", jitter)
     with _in_option("--fault"):
@@ -429,6 +430,8 @@ def _waviness(text: str) -> Waviness:
             field="amplitude",
             example=EXAMPLES["--waviness"],
         )
+    if fields.get("surface") == "roller":
+        fields["surface"] = "ball"
     with _in_option("--waviness"):
         return Waviness.falling(**fields)
 

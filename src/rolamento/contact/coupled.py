@@ -40,7 +40,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import lru_cache
-from math import log
+from math import exp, log
 from typing import Final
 
 import numpy as np
@@ -95,8 +95,10 @@ def influence_table(slices: int) -> Array:
     start = np.asarray(_FIRST + _STEP * np.arange(_POINTS), np.float64)
     between = np.asarray(start[:-1, np.newaxis] + 0.5 * _STEP * (node + 1.0), np.float64)
     grown = 0.5 * _STEP * np.tensordot(_slope(edge, between), weight, axes=([1], [0]))
-    # far below a: ⟨ln(2a/(β|t|))⟩ = ln(2a/β) + ln 2 + ½, and G is odd in a
-    first = np.sign(edge) * (np.log(4.0 * np.abs(edge)) - _FIRST + 0.5)
+    # far below a: ⟨ln(2a/(β|t|)) + (β t/2a)²⟩ = ln(2a/β) + ln 2 + ½ + β²/(16 a²); G is odd in a
+    size = np.abs(edge)
+    far = np.log(4.0 * size) - _FIRST + 0.5 + np.exp(2.0 * _FIRST) / (4.0 * size) ** 2
+    first = np.sign(edge) * far
     value = first + np.concatenate([np.zeros((1, edge.size)), np.cumsum(grown, axis=0)])
     table = np.stack([np.diff(value, axis=-1), _STEP * np.diff(_slope(edge, start), axis=-1)], 1)
     table.setflags(write=False)
@@ -179,12 +181,12 @@ def coupled_slices(
         return 1
     depth, pressed = work[n, :n], work[n + 1, :n]
     deepest = 0.0
-    finite = abs(approach) < 1e300 and abs(tilt) < 1e300
+    finite = abs(approach) < 1e300 and abs(tilt) < 1e300 and 0.0 < compliance < 1e300
     for k in range(n):
         depth[k] = approach + tilt * place[k] - drop[k]
         deepest = max(deepest, depth[k])
         # a drop may be infinite, but nothing else
-        finite = finite and depth[k] < 1e300
+        finite = finite and depth[k] < 1e300 and 0.0 < curvature[k] < 1e300
     if finite and deepest <= 0.0:
         for i in range(6):
             answer[i] = 0.0
@@ -265,7 +267,7 @@ def _assemble(
 
 @shared
 def _influence(at: float, table: Array, body: Array, value: Array, slope: Array) -> None:
-    """g_j - s B_j, and with it ∂(v g_j)/∂v: cubic between points, straight beyond them."""
+    """g_j - s B_j, and with it ∂(v g_j)/∂v: cubic between points, and what it tends to beyond."""
     n = body.size
     last = table.shape[0] - 1
     if 0.0 <= at < last:
@@ -286,12 +288,17 @@ def _influence(at: float, table: Array, body: Array, value: Array, slope: Array)
             d = dv * (below[0, j] - above[0, j]) + ds0 * below[1, j] + ds1 * above[1, j]
             value[j] = g - body[j]
             slope[j] = g - body[j] + d
-    else:
-        i = 0 if at < 0.0 else last
+    elif at < 0.0:
         for j in range(n):
-            g = table[i, 0, j] + (at - i) * table[i, 1, j]
+            g = table[0, 0, j] + at * table[0, 1, j]
             value[j] = g - body[j]
-            slope[j] = g - body[j] + 0.5 * _STEPS_PER_UNIT * table[i, 1, j]
+            slope[j] = g - body[j] + 0.5 * _STEPS_PER_UNIT * table[0, 1, j]
+    else:
+        # far wider than the slice the mean goes with 1/β
+        fallen = exp((last - at) * _STEP)
+        for j in range(n):
+            value[j] = fallen * table[last, 0, j] - body[j]
+            slope[j] = 0.5 * fallen * table[last, 0, j] - body[j]
 
 
 @shared
@@ -417,6 +424,27 @@ def _tell(
         load[k] = pressed[k] / compliance
 
 
+@kernel
+def press_one(
+    approach: float,
+    tilt: float,
+    place: Array,
+    drop: Array,
+    width: float,
+    compliance: float,
+    curvature: Array,
+    table: Array,
+    body: Array,
+    load: Array,
+    work: Array,
+    answer: Array,
+) -> int:
+    """`coupled_slices` on its own."""
+    return coupled_slices(
+        approach, tilt, place, drop, width, compliance, curvature, table, body, load, work, answer
+    )
+
+
 @dataclass(frozen=True, slots=True)
 class CoupledPress:
     """A roller pressed on a race; NaN where no loads are found. SI.
@@ -433,26 +461,6 @@ class CoupledPress:
     moment: float
     stiffness: FloatArray
     converged: bool
-
-
-@kernel
-def _press_one(
-    approach: float,
-    tilt: float,
-    place: Array,
-    drop: Array,
-    width: float,
-    compliance: float,
-    curvature: Array,
-    table: Array,
-    body: Array,
-    load: Array,
-    work: Array,
-    answer: Array,
-) -> int:
-    return coupled_slices(
-        approach, tilt, place, drop, width, compliance, curvature, table, body, load, work, answer
-    )
 
 
 def coupled_press(
@@ -487,7 +495,7 @@ def coupled_press(
     place, width = slice_places(effective_length, n), effective_length / n
     rho = np.ascontiguousarray(np.broadcast_to(np.asarray(curvature, np.float64), n))
     load, answer = np.zeros(n), np.zeros(6)
-    number = _press_one.compiled(
+    number = press_one.compiled(
         approach, tilt, place, drops, width, 2.0 / (np.pi * modulus), rho, influence_table(n),
         body_term(n, width, roller_diameter, share), load, scratch(n), answer,
     )  # fmt: skip

@@ -11,6 +11,8 @@ Source: ISO/TS 16281:2008; Harris (1991), section 6.
 
 from __future__ import annotations
 
+import numpy as np
+
 from rolamento.numerics import FloatArray as Array
 from rolamento.numerics.compiled import shared
 
@@ -47,31 +49,28 @@ def independent_slices(
     0; or 1 with NaN where a number is not one.
     """
     force = moment = by_approach = mixed = by_tilt = 0.0
+    finite = abs(approach) < 1e300 and abs(tilt) < 1e300
     for k in range(place.size):
-        x = place[k]
-        deflection = approach + tilt * x - drop[k]
-        if deflection > 0.0:
+        deflection = approach + tilt * place[k] - drop[k]
+        finite = finite and deflection < 1e300
+        load[k] = 0.0
+        if finite and deflection > 0.0:
+            x = place[k]
             stiffness = constant * deflection ** (1.0 / 9.0)
-            q = stiffness * deflection
             slope = 10.0 / 9.0 * stiffness
-            force += q
-            moment += q * x
+            load[k] = stiffness * deflection
+            force += load[k]
+            moment += load[k] * x
             by_approach += slope
             mixed += slope * x
             by_tilt += slope * x * x
-        else:
-            q = 0.0 if deflection <= 0.0 else deflection  # NaN stays NaN
-        load[k] = q
-        if q != q:
-            force = q
-    bad = not (abs(force) < 1e300 and abs(moment) < 1e300)
+    if not finite:
+        load[:] = 0.0
+        answer[:] = np.nan
+        return 1
     answer[0] = force * width
     answer[1] = moment * width
     answer[2] = by_approach * width
     answer[3] = answer[4] = mixed * width
     answer[5] = by_tilt * width
-    if bad:
-        for i in range(6):
-            answer[i] = float("nan")
-        return 1
     return 0

@@ -16,8 +16,17 @@ the principal stresses on the z axis, over the maximum pressure p0, are
 This is the classical solution with its common factor 1/(k² - 1) divided out, so that the
 circle k = 1 is no special case.
 
+Under a line contact of half width b, long against its depth, all is closed: with
+
+    m², n² = ½ {√[(b² - x² + z²)² + 4 x² z²] ± (b² - x² + z²)},   n with the sign of x,
+
+    σ_x = -(p0/b) {m [1 + (z² + n²)/(m² + n²)] - 2 z}
+    σ_z = -(p0/b)  m [1 - (z² + n²)/(m² + n²)]
+    τ_xz = -(p0/b) n (m² - z²)/(m² + n²),            σ_y = ν (σ_x + σ_z).
+
 Sources: Thomas and Hoersch (1930); Johnson, Contact Mechanics (1985), section 4.2(c); Lundberg
-and Palmgren (1947) for the orthogonal shear; Sackfield and Hills (1983) for the field.
+and Palmgren (1947) for the orthogonal shear; Sackfield and Hills (1983) for the field; McEwen
+(1949) and Johnson (1985), section 4.2(c), for the line contact.
 """
 
 from __future__ import annotations
@@ -230,6 +239,161 @@ def point_stresses(
     return PointStresses(
         p0 * np.where(at_surface, 0.0, shear), p0 * np.where(at_surface, -pressure, normal)
     )
+
+
+@dataclass(frozen=True, slots=True)
+class LineStresses:
+    """Stresses under a line contact; Pa, tension positive, arrays of one shape."""
+
+    rolling: FloatArray
+    """σ_x, in the rolling direction."""
+    along: FloatArray
+    """σ_y, along the line: that of plane strain."""
+    normal: FloatArray
+    """σ_z, into the body."""
+    shear: FloatArray
+    """τ_xz."""
+
+    @property
+    def von_mises(self) -> FloatArray:
+        """The equivalent stress of von Mises."""
+        x, y, z = self.rolling, self.along, self.normal
+        square = 0.5 * ((x - y) ** 2 + (y - z) ** 2 + (z - x) ** 2) + 3.0 * self.shear**2
+        return np.asarray(np.sqrt(square))
+
+
+@dataclass(frozen=True, slots=True)
+class VonMises:
+    """The greatest stress of von Mises under the middle of a contact (Pa), and its depth (m)."""
+
+    stress: FloatArray
+    depth: FloatArray
+
+
+def line_stresses(
+    x: ArrayLike,
+    z: ArrayLike,
+    max_pressure: ArrayLike,
+    half_width: ArrayLike,
+    poisson_ratio: ArrayLike,
+) -> LineStresses:
+    """Stresses anywhere under a line contact, away from its ends.
+
+    Parameters
+    ----------
+    x, z : arrays, along rolling from the middle, and into the body, z ≥ 0; m.
+    max_pressure : array, p0; Pa.
+    half_width : array, b > 0; m.
+    poisson_ratio : array, of the body looked into.
+        All broadcast against each other.
+
+    Returns
+    -------
+    LineStresses of the broadcast shape; NaN above the surface or for an unloaded contact.
+
+    Johnson (1985), eq. 4.49, after McEwen (1949).
+    """
+    x, z, p0, b, nu = np.broadcast_arrays(
+        *(np.asarray(v, np.float64) for v in (x, z, max_pressure, half_width, poisson_ratio))
+    )
+    safe = np.where((z >= 0.0) & (b > 0.0), b, np.nan)
+    x, z = x / safe, z / safe
+    plain = (1.0 - x) * (1.0 + x) + z * z
+    root = np.hypot(plain, 2.0 * x * z)
+    # of m² and n², whose product is (x z)², the greater is the one without cancellation
+    greater = np.sqrt(0.5 * (root + np.abs(plain)))
+    lesser = np.where(greater > 0.0, np.abs(x * z) / np.where(greater > 0.0, greater, 1.0), 0.0)
+    m = np.where(plain >= 0.0, greater, lesser)
+    n = np.copysign(np.where(plain >= 0.0, lesser, greater), x)
+    size = np.where(root > 0.0, root, 1.0)  # m² + n²; 0 at the edge, where m and n are as well
+    depth = (z * z + n * n) / size
+    across, normal = -(m * (1.0 + depth) - 2.0 * z), -m * (1.0 - depth)
+    return LineStresses(
+        p0 * across, p0 * nu * (across + normal), p0 * normal, -p0 * n * (m * m - z * z) / size
+    )
+
+
+def line_maximum_shear(
+    max_pressure: ArrayLike, half_width: ArrayLike, poisson_ratio: ArrayLike
+) -> MaximumShear:
+    """The maximum 45° shear under the middle of a line contact, as `maximum_shear`.
+
+    It lies between σ_z and σ_x: 0.300 p0 at 0.786 b, where (z/b)² = (√5 - 1)/2; below ν = 0.24
+    between σ_z and σ_y, where 2ν (1 + ζ²)(√(1 + ζ²) - ζ) = ζ.
+
+    Parameters
+    ----------
+    max_pressure : array, p0; Pa.
+    half_width : array, b; m.
+    poisson_ratio : array, of the body looked into.
+        All broadcast against each other.
+
+    Returns
+    -------
+    MaximumShear of the broadcast shape.
+
+    Johnson (1985), eq. 4.47.
+    """
+    p0, b, nu = np.broadcast_arrays(
+        *(np.asarray(v, np.float64) for v in (max_pressure, half_width, poisson_ratio))
+    )
+    lower, upper = np.zeros_like(nu), np.ones_like(nu)
+    for _ in range(_NEWTON_STEPS):
+        middle = 0.5 * (lower + upper)
+        root = np.sqrt(1.0 + middle * middle)
+        rising = 2.0 * nu * root * root * (root - middle) > middle
+        lower, upper = np.where(rising, middle, lower), np.where(rising, upper, middle)
+    transverse = np.stack([np.full_like(nu, np.sqrt(0.5 * (np.sqrt(5.0) - 1.0))), middle])
+    stresses = line_stresses(0.0, transverse, 1.0, 1.0, nu)
+    shears = 0.5 * np.stack(
+        [
+            (stresses.rolling - stresses.normal)[0],
+            (stresses.along - stresses.normal)[1],
+        ]
+    )
+    plane = np.asarray(np.argmax(shears, axis=0), np.int64)
+    depth = np.where(plane == ShearPlane.ROLLING, transverse[0], transverse[1])
+    return MaximumShear(p0 * shears.max(axis=0), b * depth, plane)
+
+
+def line_orthogonal_shear(max_pressure: ArrayLike, half_width: ArrayLike) -> OrthogonalShear:
+    """Amplitude and depth of the orthogonal shear under a line contact: p0/4 at b/2.
+
+    It is there at x = ±√3/2 b. Parameters: p0 (Pa) and b (m), arrays that broadcast.
+
+    Lundberg and Palmgren (1947); Johnson (1985), section 4.2(c).
+    """
+    p0, b = np.broadcast_arrays(
+        np.asarray(max_pressure, np.float64), np.asarray(half_width, np.float64)
+    )
+    return OrthogonalShear(0.25 * p0, 0.5 * b)
+
+
+def line_von_mises(
+    max_pressure: ArrayLike, half_width: ArrayLike, poisson_ratio: ArrayLike
+) -> VonMises:
+    """The greatest stress of von Mises under the middle of a line contact, over all depths.
+
+    For ν = 0.3 it is 0.558 p0 at 0.70 b: the first yielding begins there at p0 = 1.79 Y.
+
+    Parameters and shapes: as `line_maximum_shear`. The stress is exact to rounding.
+
+    Johnson (1985), section 6.1.
+    """
+    p0, b, nu = np.broadcast_arrays(
+        *(np.asarray(v, np.float64) for v in (max_pressure, half_width, poisson_ratio))
+    )
+    ratio = nu[..., np.newaxis]
+    lower, upper = np.zeros_like(ratio), np.full_like(ratio, _DEEPEST_PEAK)
+    grid = np.linspace(0.0, 1.0, _SEARCH_POINTS)
+    for _ in range(_SEARCH_ROUNDS):
+        zeta = lower + (upper - lower) * grid
+        stress = line_stresses(0.0, zeta, 1.0, 1.0, ratio).von_mises
+        best = np.argmax(stress, axis=-1, keepdims=True)
+        lower = np.take_along_axis(zeta, np.maximum(best - 1, 0), axis=-1)
+        upper = np.take_along_axis(zeta, np.minimum(best + 1, _SEARCH_POINTS - 1), axis=-1)
+    peak = np.take_along_axis(zeta, best, axis=-1)[..., 0]
+    return VonMises(p0 * stress.max(axis=-1), b * peak)
 
 
 def _shape(semi_major: ArrayLike, semi_minor: ArrayLike) -> tuple[FloatArray, FloatArray]:

@@ -136,7 +136,7 @@ def _of_rollers(case: Case, film: Film) -> MachineBearing | None:
         lubrication="grease" if grease else "oil_bath",
         supply="grease" if grease else "low_oil_bath",
         constants=None if kind == "needle" else roller_series(kind).get(designation.series or ""),
-        axial_factor=0.4 / tan(angle) if kind == "tapered" else None,
+        axial_factor=(published.axial_factor or 0.4 / tan(angle)) if kind == "tapered" else None,
         by_row=len(bearing.places) > 1,
     )
 

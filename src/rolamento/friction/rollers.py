@@ -297,7 +297,7 @@ def _limits(setting: Setting) -> dict[str, BoolArray]:
 
 MODEL: Final = TorqueModel(
     name="roller_sliding",
-    title=marked("Sliding of the rollers"),
+    title=marked("Contacts of the rollers"),
     short_title=marked("Rollers"),
     needs=("friction_coefficient",),
     evaluate=_of_contacts,

@@ -98,6 +98,11 @@ class Friction:
     models: Mapping[str, Torque]
     validity: tuple[ModelValidity, ...]
 
+    @property
+    def judged(self) -> tuple[ModelValidity, ...]:
+        """The validity of the models of what rolls in the bearing."""
+        return tuple(own for own in self.validity if "for_balls" not in own.limits)
+
     def valid_models(self, case: int = 0) -> tuple[str, ...]:
         """Name the models that are valid for a case."""
         return tuple(found.model for found in self.validity if found.valid[case])

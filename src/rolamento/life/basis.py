@@ -290,7 +290,9 @@ class Basis:
                 "moment_left_out": (moment > _MOMENT * force * arm) & ~governs,
                 "preload_left_out": np.full(len(self), preloaded),
                 "centrifugal_left_out": outer > _CENTRIFUGAL * inner,
-                self._shared_otherwise: otherwise & np.isfinite(self.basic_life) & by_clearance,
+                self._shared_otherwise: otherwise
+                & np.isfinite(self.basic_life)
+                & (by_clearance | (self.has_rollers & (ratio > 1.0))),
             }
 
     @property

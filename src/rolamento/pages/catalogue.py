@@ -300,7 +300,7 @@ def _internal(geometry: InternalGeometry) -> Section:
     }
     origins = [geometry.origins[name] for name in told]
     tones: list[Tone] = ["" if origin == "published" else "warning" for origin in origins]
-    sizes = [ball_name(value) if name == "ball_diameter" else "" for name, value in told.items()]
+    sizes = [ball_name(geometry.fields[name]) if name == "ball_diameter" else "" for name in told]
     columns = (
         *_named_figures(told, _names_of(geometry.bearing)),
         Column(head="", key="origin", values=[said(_ORIGINS[one]) for one in origins], tones=tones),

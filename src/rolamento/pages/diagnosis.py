@@ -80,7 +80,11 @@ def _facts(found: DiagnosisResult) -> Section:
     entries = (
         Entry(
             said("bearing"),
-            said("{name}: {balls}", name=found.bearing_name, balls=balls_of(found.bearing)),
+            said(
+                "{name}: {balls}",
+                name=found.bearing_name,
+                balls=balls_of(found.bearing, found.frequencies),
+            ),
         ),
         Entry(said("frequencies"), _frequencies(found.frequencies)),
         Entry(said("shaft"), "\n".join(_speed(found))),

@@ -237,9 +237,13 @@ def _loss(name: str) -> Used:
 def _torque_model(*names: str) -> Used:
     def used(case: CaseReport) -> bool:
         friction = case.analysis.friction
-        return friction is not None and any(name in friction.models for name in names)
+        return friction is not None and any(own.model in names for own in friction.judged)
 
     return used
+
+
+def _both(one: Used, other: Used) -> Used:
+    return lambda case: one(case) and other(case)
 
 
 def _frequencies(case: CaseReport) -> bool:
@@ -1416,6 +1420,18 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         ),
     ),
     Law(
+        key="rib_coefficient",
+        rolls="roller",
+        name=marked("Coefficient of friction at a rib under a film"),
+        latex=r"\mu = \mu_0\,e^{-1.8\,\Lambda^{1.2}}",
+        plain="μ = μ_0 e^(−1.8 Λ^1.2)",
+        symbols=("mu",),
+        source=marked("Aihara (1987)"),
+        references=("aihara_1987",),
+        used=_loss("rib"),
+        valid=marked("Λ film parameter at the rib, zero where that film is not known"),
+    ),
+    Law(
         key="hysteresis",
         rolls="ball",
         name=marked("Elastic hysteresis"),
@@ -1441,26 +1457,26 @@ EQUATIONS: Final[tuple[Law, ...]] = (
     Law(
         key="line_hysteresis",
         rolls="roller",
-        name=marked("Elastic hysteresis of a line of contact"),
-        latex=r"M_h = \frac{2}{3\pi}\,\alpha_h \sum_k q_k\, b_k",
-        plain="M_h = (2/(3π)) α_h Σ q_k b_k",
+        name=marked("Elastic hysteresis"),
+        latex=r"M_h = \frac{2}{3\pi}\,\alpha_h \int q\,b\,dx",
+        plain="M_h = (2/3π) α_h ∫ q b dx",
         symbols=("alpha_h", "q", "b_line"),
         source=marked("Johnson (1985), section 9.1"),
         references=("johnson_1985",),
         used=_loss("hysteresis"),
     ),
     Law(
-        key="line_rolling_resistance",
+        key="line_resistance",
         rolls="roller",
-        name=marked("Rolling resistance of the lubricant on a line of contact"),
-        latex=r"P = 2\,t\,u\,L_{we},\quad t = \frac{88\,R}{\alpha_p}\,"
+        name=marked("Rolling resistance of the lubricant"),
+        latex=r"P = 2\,u\int t\,dx,\quad t = \frac{88\,R_x}{\alpha_p}\,"
         r"\frac{(G U)^{0.658}\,W'^{0.31}}{1 + 0.29\,L^{0.78}}",
-        plain="P = 2 t u L_we,  t = 88 (R/α_p) (G U)^0.658 W'^0.31/(1 + 0.29 L^0.78)",
-        symbols=("UWG", "alpha_p", "b_line", "L_T", "L_we"),
-        source=marked("Aihara (1987), equations 19, 21 and 27"),
+        plain="P = 2 u ∫ t dx,  t = 88 (R_x/α_p) (G U)^0.658 W'^0.31/(1 + 0.29 L^0.78)",
+        symbols=("UWG", "R_x", "alpha_p", "L_T", "eta"),
+        source=marked("Aihara (1987)"),
         references=("aihara_1987",),
         used=_loss("rolling_resistance"),
-        valid=marked("fully flooded; t force of the oil per length"),
+        valid=marked("t force of the oil on each surface per length; fully flooded"),
     ),
     Law(
         key="palmgren",
@@ -1472,6 +1488,18 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         references=("palmgren_1959", "harris_1991"),
         used=_torque_model("palmgren"),
         valid=marked("lubricated bearings, moderate speed and load"),
+    ),
+    Law(
+        key="palmgren_ribs",
+        rolls="roller",
+        name=marked("Friction torque of the ribs by Palmgren"),
+        latex=r"M_2 = f_2\,F_a\,d_m",
+        plain="M_2 = f_2 F_a d_m",
+        symbols=("F_ra", "d_m"),
+        source=marked("Palmgren (1959); Harris (1991), chapter 14"),
+        references=("palmgren_1959", "harris_1991"),
+        used=_both(_torque_model("palmgren"), _element("cylindrical")),
+        valid=marked("F_a up to 0.4 F_r"),
     ),
     Law(
         key="skf_friction",

@@ -25,7 +25,7 @@ from rolamento.pages.given import reason
 from rolamento.solved import Solved
 from rolamento.vibration.frequencies import ABBREVIATIONS, FAULTS, FaultFrequencies, LineName
 from rolamento.vibration.frequency_band import Alternative
-from rolamento.words import marked, said, said_in
+from rolamento.words import marked, said, said_in, worded
 from rolamento.words.naming import PARTS, part_name
 
 if TYPE_CHECKING:
@@ -89,11 +89,13 @@ def _every_line(found: FrequencyResult) -> Iterator[tuple[CellContent, ...]]:
                     yield one.source, one.row, *called, *own, *[None] * 4
 
 
-def balls_of(bearing: Bearing | RollerBearing) -> str:
+def balls_of(bearing: Bearing | RollerBearing, frequencies: FaultFrequencies) -> str:
     """Say what the frequencies follow from: the balls and the circle of their centres, or rollers.
 
-    Of a set, those of its first row.
+    Of a set that has both, those of the row that the frequencies are of.
     """
+    if frequencies.element != bearing.element:
+        bearing = bearing.element_rows[frequencies.row].bearing
     if isinstance(bearing, RollerBearing):
         return said(
             "{count} rollers of {roller:.5 mm}, pitch diameter {pitch:.6 mm}",
@@ -128,7 +130,7 @@ def failure(solved: Solved) -> str:
 
 def _head(found: FrequencyResult) -> Section:
     nominal = found.nominal
-    lines = [f"{balls_of(found.bearing)}; {contact_angle(nominal)}"]
+    lines = [f"{balls_of(found.bearing, nominal)}; {contact_angle(nominal)}"]
     if isfinite(nominal.shaft_frequency):
         lines.append("; ".join(_speeds(nominal)))
     else:
@@ -152,7 +154,14 @@ def _lines(found: FrequencyResult, one: FaultFrequencies) -> Section:
     nominal, several = one.source == "nominal", bool(found.nominal.rows)
     lines = list(one.lines.values())
     columns = [
-        Column(head="", values=[said(_names(one)[name]) for name in one.lines], key="line"),
+        Column(
+            head="",
+            values=[
+                worded((one.element,), said(_LINES[name]), said(_OF_ROLLERS[name]))
+                for name in one.lines
+            ],
+            key="line",
+        ),
         Column(head="", values=[ABBREVIATIONS[name] for name in one.lines], key="abbreviation"),
         Column(head=said("order"), values=[line.order for line in lines], form=".4f", key="order"),
         Column(
@@ -175,21 +184,19 @@ def _lines(found: FrequencyResult, one: FaultFrequencies) -> Section:
     return Section(_heading(one, several=several), (table,), key=name)
 
 
-def _names(one: FaultFrequencies) -> dict[LineName, str]:
-    return _LINES if one.rolling_element == "ball" else _OF_ROLLERS
-
-
 def _loaded_legend(one: FaultFrequencies, count: int) -> str:
-    if one.rolling_element == "ball":
-        return said(
+    return worded(
+        (one.element,),
+        said(
             "Order: of the cage as driven by the loads. Minimum, mean, maximum: over the {count}"
             " balls in contact with the inner ring.",
             count=count,
-        )
-    return said(
-        "Order: of the cage as driven by the loads. Minimum, mean, maximum: over the {count}"
-        " rollers in contact with the inner ring.",
-        count=count,
+        ),
+        said(
+            "Order: of the cage as driven by the loads. Minimum, mean, maximum: over the {count}"
+            " rollers in contact with the inner ring.",
+            count=count,
+        ),
     )
 
 
@@ -291,15 +298,17 @@ def _harmonics(found: FrequencyResult) -> Section:
             for side in sides
         ),
     ]
-    legend = said(
-        "Sidebands: of a stationary load, with the ring that is damaged, or with the cage for a"
-        " ball."
+    legend = worded(
+        (best.element,),
+        said(
+            "Sidebands: of a stationary load, with the ring that is damaged, or with the cage for a"
+            " ball."
+        ),
+        said(
+            "Sidebands: of a stationary load, with the ring that is damaged, or with the cage for a"
+            " roller."
+        ),
     )
-    if best.rolling_element == "roller":
-        legend = said(
-            "Sidebands: of a stationary load, with the ring that is damaged, or with the cage for"
-            " a roller."
-        )
     headings = {
         (True, "nominal"): said("Harmonics and sidebands by the geometry"),
         (True, "loaded"): said("Harmonics and sidebands under load"),
@@ -356,15 +365,17 @@ def _alternatives(alternatives: Sequence[Alternative], element: str) -> Section:
             for name, head in orders
         ),
     )
-    legend = said(
-        "Ball: both races. × marks a geometry that misses a printed rating by more than three"
-        " tolerances; the band leaves it out."
-    )
-    if element != "ball":
-        legend = said(
+    legend = worded(
+        (element,),
+        said(
+            "Ball: both races. × marks a geometry that misses a printed rating by more than three"
+            " tolerances; the band leaves it out."
+        ),
+        said(
             "Roller: both races. × marks a geometry that misses a printed rating by more than three"
             " tolerances; the band leaves it out."
-        )
+        ),
+    )
     table = Table(columns=columns, key="alternatives", legends=(legend,))
     heading = said("Other geometries that the ratings allow (orders)")
     return Section(heading, (table,), key="alternatives")

@@ -117,6 +117,8 @@ def _torque_and_heat(solved: Solved, friction: Friction) -> Section:
 
 
 def _totals(friction: Friction) -> Table:
+    from rolamento.friction.line_losses import RIB_COEFFICIENT
+
     running, starting = float(friction.torque[0]), float(friction.starting_torque[0])
     power = float(friction.power[0])
     rows = [(said("running torque"), running), (said("starting torque"), starting)]
@@ -134,7 +136,15 @@ def _totals(friction: Friction) -> Table:
         Column(head="", values=values, key="value", tone="strong"),
         Column(head="", values=units, key="unit"),
     )
-    return Table(columns=columns, key="friction", headless=True)
+    legends: tuple[str, ...] = ()
+    if float(friction.torque_by_source.get("rib", [0.0])[0]) > 0.0:
+        text = said(
+            "starting torque of bearings that have not run in; coefficient of friction at the ribs"
+            " {coefficient}",
+            coefficient=RIB_COEFFICIENT,
+        )
+        legends = (text,)
+    return Table(columns=columns, key="friction", headless=True, legends=legends)
 
 
 def _sources(friction: Friction) -> list[Section]:
@@ -188,10 +198,7 @@ def _models(solved: Solved, friction: Friction) -> Section:
 
     added = float(friction.torque[0] - friction.models[friction.model].total[0])
     entries: list[tuple[str, float, float, str, bool]] = []
-    of_balls = [own for own in friction.validity if "for_balls" in own.limits]
-    for found in friction.validity:
-        if found in of_balls:
-            continue
+    for found in friction.judged:
         own = float(friction.models[found.model].total[0])
         whole = own + added if TORQUE_MODELS[found.model].of_contacts else own
         valid = bool(found.valid[0])
@@ -234,7 +241,9 @@ def _models(solved: Solved, friction: Friction) -> Section:
             tones=["" if entry[4] else "warning" for entry in entries],
         ),
     )
-    legends = (said("the models of Jones, Harris and Todd are for balls"),) if of_balls else ()
+    legends: tuple[str, ...] = ()
+    if friction.judged != friction.validity:
+        legends = (said("the models of Jones, Harris and Todd are for balls"),)
     table = Table(columns=columns, key="models", legends=legends)
     nowhere = [Statement(n.text, "warning", indent=2) for n in friction.without_model(solved)]
     return Section(said("Friction torque by model"), (table, *nowhere), key="models")

@@ -44,6 +44,7 @@ _REASONS: Final = {
     "no_film": marked("no film {place}: {models}"),
     "more_contacts": marked("balls on both arcs {place}: {models}"),
     "other_angle": marked("constants for 40° {place}: {models}"),
+    "axial_share": marked("axial load too high {place}: {models}"),
 }
 
 
@@ -87,7 +88,7 @@ def _valid_torques(curve: FrictionCurve) -> dict[str, tuple[FloatArray, BoolArra
     """Torque of every model, and where the model is valid."""
     found = {
         validity.model: (curve.torque(validity.model), validity.valid)
-        for validity in curve.friction.validity
+        for validity in curve.friction.judged
     }
     torque = curve.controlled_torque
     if np.isfinite(torque).any():
@@ -126,6 +127,12 @@ def _torques(curve: FrictionCurve, number: int) -> Section:
             " hysteresis, oil at the inlets; friction control includes the inertia of the balls",
             unit=unit,
         )
+    if curve.case.bearing.element != "ball":
+        legend = said(
+            "running torque of all sources, in {unit}: the contacts, elastic hysteresis, oil at the"
+            " inlets; Palmgren and SKF have formulas for the whole bearing",
+            unit=unit,
+        )
     table = Table(columns=tuple(columns), key=f"torque_{number}", legends=(legend,))
     heading = said("Friction torque by model over {field}", field=curve.field.label)
     blocks = (*_variant(curve), table, *_failures(curve))
@@ -134,7 +141,7 @@ def _torques(curve: FrictionCurve, number: int) -> Section:
 
 def _failures(curve: FrictionCurve) -> Iterator[Block]:
     """Say of every group of models why and where they are not valid, and what was not solved."""
-    validities = curve.friction.validity
+    validities = curve.friction.judged
     why: dict[tuple[str, str], list[str]] = {}
     for validity in validities:
         for key in _REASONS:
@@ -155,7 +162,7 @@ def _failures(curve: FrictionCurve) -> Iterator[Block]:
         place = place_text(curve.field, curve.values, nowhere)
         text = said("No model is valid {place}.", place=place)
         yield Statement(text, "warning", indent=2)
-        if curve.controlled is None:
+        if curve.controlled is None and curve.case.bearing.element == "ball":
             yield Statement(no_friction_control().text, "faint", indent=4)
     failed = curve.status[curve.status != "converged"]
     if failed.size:
@@ -201,7 +208,7 @@ def _ratio(head: str, values: FloatArray, key: str) -> Column:
 def _points(curves: Sequence[FrictionCurve]) -> Table:
     """Return a line for every point of every curve; for files."""
     first = curves[0]
-    models = [validity.model for validity in first.friction.validity]
+    models = [validity.model for validity in first.friction.judged]
     sources = list(first.friction.torque_by_source)
     across = field_column(first.field, np.concatenate([curve.values for curve in curves]))
     columns = [

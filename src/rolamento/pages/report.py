@@ -238,7 +238,7 @@ def _friction_warnings(case: CaseReport) -> Iterator[_Warning]:
     if friction is None:
         return
     refused: dict[Note, list[str]] = {}
-    for found in friction.validity:
+    for found in friction.judged:
         for note in found.notes_of(0):
             refused.setdefault(note, []).append(found.model)
     for note, models in refused.items():
@@ -1653,7 +1653,7 @@ def _friction_validity(report: Report) -> tuple[Table, ...]:
         found.model
         for case in report.cases
         if case.analysis.friction is not None
-        for found in case.analysis.friction.validity
+        for found in case.analysis.friction.judged
     )
     verdicts = [[_friction_verdict(case, name) for case in report.cases] for name in names]
     labels = [torque_model_name(name) for name in names]

@@ -67,8 +67,7 @@ def _statement(found: ShaftLife) -> tuple[Block, ...]:
         sentences.append((none, "bad-strong"))
         sentences += [(text, "bad") for text in _failures(found)]
     elif not (leading.valid or leading.below):
-        elements = {own.headline.element for own in found.lives if own is not None}
-        none = none_valid("ball" if elements <= {"ball"} else "element")
+        none = none_valid("ball" if _elements(found) <= {"ball"} else "element")
         sentences += [(none, "bad-strong"), (formulas_only(), "strong")]
     elif np.isnan(leading.hours):
         text = said("Nothing turns at one of the bearings: there are no hours.")
@@ -147,13 +146,21 @@ def _table(found: ShaftLife, names: Sequence[str]) -> Table:
                key="failure_share", align="right"),
     )  # fmt: skip
     first = 3 + sum(THEORIES[name].standard for name in order)
-    legend = said(
-        "for {reliability:.7 %} reliability, of each bearing and of all together (Weibull slope "
-        "10/9); share of each in the failure probability, by the {theory}; * the theory is not "
-        "valid there, < the life is below",
-        reliability=found.reliability,
-        theory=_theories(found),
-    )
+    values = {"reliability": found.reliability, "theory": _theories(found)}
+    if _elements(found) <= {"ball"}:
+        legend = said(
+            "for {reliability:.7 %} reliability, of each bearing and of all together (Weibull "
+            "slope 10/9); share of each in the failure probability, by the {theory}; * the theory "
+            "is not valid there, < the life is below",
+            **values,
+        )
+    else:
+        legend = said(
+            "for {reliability:.7 %} reliability, of each bearing and of all together (Weibull "
+            "slope 10/9 of ball bearings, 9/8 of roller bearings); share of each in the failure "
+            "probability, by the {theory}; * the theory is not valid there, < the life is below",
+            **values,
+        )
     return Table(
         columns=tuple(columns),
         key="bearings",
@@ -192,6 +199,11 @@ def _hours_column(found: ShaftLife, name: str) -> Column:
     tones[-1] = "strong"
     head = "\n".join(f"{word} " for word in theory_heads(name))
     return Column(head=head, values=values, unit="h", key=name, tones=tones, align="right")
+
+
+def _elements(found: ShaftLife) -> set[str]:
+    """What rolls in the bearings that have a life."""
+    return {own.headline.element for own in found.lives if own is not None}
 
 
 def _remarks(found: ShaftLife) -> tuple[Block, ...]:

@@ -89,7 +89,8 @@ def _together(faults: Iterable[Fault], element: str) -> str:
 
 
 def _facts(found: SynthesisResult) -> Section:
-    balls, angle = balls_of(found.bearing), contact_angle(found.recipe.frequencies)
+    own = found.recipe.frequencies
+    balls, angle = balls_of(found.bearing, own), contact_angle(own)
     of_impacts = (
         Entry(said("load"), _load(found)),
         Entry(said("resonances"), _modes(found)),

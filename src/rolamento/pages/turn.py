@@ -26,7 +26,7 @@ from rolamento.document import (
 from rolamento.numerics import FloatArray
 from rolamento.pages.given import untitled
 from rolamento.solved import RACES
-from rolamento.words import decimals_for, in_unit, said, said_in
+from rolamento.words import decimals_for, in_unit, said, said_in, worded
 from rolamento.words.reasons import reason
 
 if TYPE_CHECKING:
@@ -59,7 +59,11 @@ def turn_page(turn: CageTurn) -> Document:
         sections += [_displacement(turn), _load(turn), _stiffness(turn)]
         sections += [_ball(history, turn) for history in turn.histories]
     figure = Figure(
-        caption=said("Displacement, stiffness and ball load over one pitch of the cage"),
+        caption=worded(
+            turn.elements,
+            said("Displacement, stiffness and ball load over one pitch of the cage"),
+            said("Displacement, stiffness and roller load over one pitch of the cage"),
+        ),
         draw=lambda: _picture(turn),
         key="turn",
     )
@@ -74,10 +78,12 @@ def _picture(turn: CageTurn) -> Picture:
 
 
 def _head(turn: CageTurn) -> KeyValues:
-    points = said(
-        "{count} instants of the first ball over {period:.4 °}",
-        count=len(turn),
-        period=turn.period,
+    over = {"count": len(turn), "period": turn.period}
+    points = worded(
+        turn.elements,
+        said("{count} instants of the first ball over {period:.4 °}", **over),
+        said("{count} instants of the first roller over {period:.4 °}", **over),
+        said("{count} instants over {period:.4 °}", **over),
     )
     entries = [Entry(said("turn"), points)]
     if turn.converged:
@@ -101,13 +107,25 @@ def _cage(turn: CageTurn) -> str:
     if not isfinite(turn.passage_frequency):
         return said("at rest: no frequency")
     speed = turn.cage_speed
-    return said(
-        "{mean:.5 rpm}, mean of the loaded balls ({least:.5 [rpm]} to {greatest:.5 [rpm]})\n"
-        "balls pass under the load at {frequency:.5 Hz}",
-        mean=speed.mean,
-        least=speed.minimum,
-        greatest=speed.maximum,
-        frequency=turn.passage_frequency,
+    values = {
+        "mean": speed.mean,
+        "least": speed.minimum,
+        "greatest": speed.maximum,
+        "frequency": turn.passage_frequency,
+    }
+    return worded(
+        turn.elements,
+        said(
+            "{mean:.5 rpm}, mean of the loaded balls ({least:.5 [rpm]} to {greatest:.5 [rpm]})\n"
+            "balls pass under the load at {frequency:.5 Hz}",
+            **values,
+        ),
+        said("{mean:.5 rpm}\nrollers pass under the load at {frequency:.5 Hz}", **values),
+        said(
+            "{mean:.5 rpm}, mean of the loaded balls and rollers ({least:.5 [rpm]} to"
+            " {greatest:.5 [rpm]})\nall stand as before at {frequency:.5 Hz}",
+            **values,
+        ),
     )
 
 
@@ -120,7 +138,11 @@ def _displacement(turn: CageTurn) -> Section:
         _variation_table(AXES, variation, _MEAN_UNITS, _VARIED_UNITS, key="displacement")
     ]
     if not variation.peak_to_peak.any():
-        text = said("no variation: the ring does not move while the balls pass")
+        text = worded(
+            turn.elements,
+            said("no variation: the ring does not move while the balls pass"),
+            said("no variation: the ring does not move while the rollers pass"),
+        )
         blocks.append(Statement(text, "faint", indent=2))
     heading = said("Displacement of the inner ring")
     return Section(heading, tuple(blocks), key="displacement")
@@ -243,9 +265,14 @@ def _ball(history: BallHistory, turn: CageTurn) -> Section:
         ]
         columns.append(Column(head=heads[race], values=cells, key=race, align="right"))
     columns.append(Column(head="", values=[unit for _, unit in shown], key="unit"))
-    heading = said("One ball over its orbit")
+    element = (turn.elements[history.row],)
+    heading = worded(element, said("One ball over its orbit"), said("One roller over its orbit"))
     if len(turn.histories) > 1:
-        heading = said("One ball of row {number} over its orbit", number=history.row)
+        heading = worded(
+            element,
+            said("One ball of row {number} over its orbit", number=history.row),
+            said("One roller of row {number} over its orbit", number=history.row),
+        )
     key = f"ball_{history.row}"
     return Section(heading, (Table(columns=tuple(columns), key=key),), key=key)
 

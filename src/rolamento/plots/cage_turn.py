@@ -22,13 +22,13 @@ from rolamento.plots.frame import (
     number,
 )
 from rolamento.plots.style import INNER, MILLIMETRE, OUTER, WIDTH, Series, series, styled
-from rolamento.words import said
+from rolamento.words import said, worded
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from rolamento.geometry import Race
-    from rolamento.studies.cage_turn import BallHistory, CageTurn, ContactHistory
+    from rolamento.studies.cage_turn import CageTurn, ContactHistory
 
 __all__ = ["cage_turn_figure"]
 
@@ -67,7 +67,7 @@ def cage_turn_figure(turn: CageTurn) -> Figure:
         _displacements(figure.add_subplot(grid[0, 0]), turn)
         polar = figure.add_subplot(grid[0, 1], projection="polar")
         assert isinstance(polar, PolarAxes)
-        _ball_load(polar, turn.histories)
+        _ball_load(polar, turn)
         _stiffnesses(figure.add_subplot(grid[1, 0]), turn)
         _harmonics(figure.add_subplot(grid[1, 1]), turn)
         if turn.case.title:
@@ -132,7 +132,12 @@ def _line(axes: Axes, turn: CageTurn, values: Floats, index: int, name: str) -> 
 def _angle_panel(axes: Axes, turn: CageTurn, label: str) -> None:
     axes.set_xlim(0.0, float(np.degrees(turn.period)))
     axes.margins(y=0.08)
-    label_x(axes, said("Azimuth of the first ball (°)"))
+    azimuth = worded(
+        turn.elements,
+        said("Azimuth of the first ball (°)"),
+        said("Azimuth of the first roller (°)"),
+    )
+    label_x(axes, azimuth)
     label_y(axes, label)
 
 
@@ -150,7 +155,8 @@ def _level_if_flat(axes: Axes, flat: bool) -> None:
         axes.text(0.5, 0.7, said("no variation"), transform=axes.transAxes, ha="center", color=GREY)
 
 
-def _ball_load(axes: PolarAxes, histories: tuple[BallHistory, ...]) -> None:
+def _ball_load(axes: PolarAxes, turn: CageTurn) -> None:
+    histories = turn.histories
     if not any(np.isfinite(history.inner.load).any() for history in histories):
         empty_frame(axes, said("no point has a result"))
         return
@@ -172,7 +178,12 @@ def _ball_load(axes: PolarAxes, histories: tuple[BallHistory, ...]) -> None:
     axes.set_rlabel_position(112.5)
     axes.yaxis.set_major_formatter(PlainNumbers())
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.1), ncols=2)
-    axes.set_title(said("Load of one ball over a turn (kN)"), pad=10.0)
+    title = worded(
+        turn.elements,
+        said("Load of one ball over a turn (kN)"),
+        said("Load of one roller over a turn (kN)"),
+    )
+    axes.set_title(title, pad=10.0)
 
 
 def _harmonics(axes: Axes, turn: CageTurn) -> None:
@@ -188,7 +199,11 @@ def _harmonics(axes: Axes, turn: CageTurn) -> None:
         axes.set_yscale("log")
     frequency = turn.passage_frequency
     known = np.isfinite(frequency)
-    label = said("Harmonic of the ball passage")
+    label = worded(
+        turn.elements,
+        said("Harmonic of the ball passage"),
+        said("Harmonic of the roller passage"),
+    )
     behind = f"\n({number(frequency)} Hz)" if known else ""
     axes.set_xlabel(label + behind, parse_math=False)
     _headed(axes, said("Harmonics of the displacement"))

@@ -146,7 +146,7 @@ def _lines(
     """Torque, where it is valid, name and look of every line."""
     own = curves[0]
     lines: list[tuple[Floats, NDArray[np.bool_], str, dict[str, Any]]] = []
-    for index, found in enumerate(own.friction.validity):
+    for index, found in enumerate(own.friction.judged):
         name = torque_model_name(found.model)
         look = series(index).keywords()
         lines.append((own.torque(found.model), found.valid, name, look))

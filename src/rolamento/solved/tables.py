@@ -14,6 +14,8 @@ from rolamento.contact.hertz import HertzContact, elliptical_contact
 from rolamento.contact.subsurface import (
     MaximumShear,
     OrthogonalShear,
+    line_maximum_shear,
+    line_orthogonal_shear,
     maximum_shear,
     orthogonal_shear,
 )
@@ -339,6 +341,9 @@ class Rows:
         return values[..., self.row_of_element]
 
 
+_Shapes = TypeVar("_Shapes", HertzContact, MaximumShear, OrthogonalShear)
+
+
 @dataclass(frozen=True, eq=False)
 class Contacts:
     """The contacts of one race; (cases, elements), SI, NaN where a case has no result.
@@ -378,12 +383,7 @@ class Contacts:
         point = elliptical_contact(self.load, curvature.rolling, curvature.across, self.modulus)
         if self.line is None or self.effective_length is None:
             return point
-        line = line_contact(self.line, self.effective_length, self.load)
-        rollers = np.isfinite(self.effective_length)
-        names = (part.name for part in fields(HertzContact))
-        return HertzContact(
-            **{n: np.where(rollers, getattr(line, n), getattr(point, n)) for n in names}
-        )
+        return self._of_lines(line_contact(self.line, self.effective_length, self.load), point)
 
     @property
     def rolling_curvature(self) -> FloatArray:
@@ -417,12 +417,23 @@ class Contacts:
 
     @cached_property
     def _maximum_shear(self) -> MaximumShear:
-        axes = self.semi_major, self.semi_minor
-        return maximum_shear(self.max_pressure, *axes, self.ring_poisson_ratio)
+        p0, a, b = self.max_pressure, self.semi_major, self.semi_minor
+        point = maximum_shear(p0, a, b, self.ring_poisson_ratio)
+        return self._of_lines(line_maximum_shear(p0, b, self.ring_poisson_ratio), point)
 
     @cached_property
     def _orthogonal_shear(self) -> OrthogonalShear:
-        return orthogonal_shear(self.max_pressure, self.semi_major, self.semi_minor)
+        p0, a, b = self.max_pressure, self.semi_major, self.semi_minor
+        return self._of_lines(line_orthogonal_shear(p0, b), orthogonal_shear(p0, a, b))
+
+    def _of_lines(self, line: _Shapes, point: _Shapes) -> _Shapes:
+        """Take what a line contact has for rollers, and what an ellipse has for balls."""
+        if self.effective_length is None:
+            return point
+        rollers = np.isfinite(self.effective_length)
+        names = [part.name for part in fields(point)]
+        both = {n: np.where(rollers, getattr(line, n), getattr(point, n)) for n in names}
+        return type(point)(**both)
 
     @cached_property
     def max_shear(self) -> FloatArray:

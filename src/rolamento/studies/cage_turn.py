@@ -160,6 +160,11 @@ class CageTurn:
         return self.solved.case
 
     @property
+    def elements(self) -> tuple[str, ...]:
+        """What rolls in each row: "ball", "cylindrical", "tapered" or "needle"."""
+        return tuple(place.bearing.element for place in self.case.bearing.places)
+
+    @property
     def status(self) -> NDArray[np.str_]:
         """(points,), "converged" or why there is no result."""
         return self.solved.status.code

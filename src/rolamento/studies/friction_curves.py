@@ -78,7 +78,7 @@ class FrictionCurve:
     friction
         arrays over the points
     controlled
-        under friction control; None for a set of rows
+        under friction control; None for a set of rows, and for rollers
     """
 
     case: Case
@@ -239,7 +239,9 @@ def friction_curve(
         values=over.values,
         status=np.concatenate([solved.status.code for solved in solutions]),
         friction=found,
-        controlled=None if case.bearing.is_set else joined(list(map(_controlled, solutions))),
+        controlled=joined(list(map(_controlled, solutions)))
+        if case.bearing.element == "ball" and not case.bearing.is_set
+        else None,
     )
 
 

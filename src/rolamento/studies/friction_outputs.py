@@ -22,6 +22,8 @@ if TYPE_CHECKING:
     from rolamento.solved import Solved
 
 _COEFFICIENT: Final = ("lubricant.friction_coefficient",)
+_OF_BALLS: Final = (*_COEFFICIENT, "balls")
+_OF_ROLLERS: Final = (*_COEFFICIENT, "rollers")
 _OIL: Final = ("lubricant", "temperature.lubricant")
 
 
@@ -36,6 +38,12 @@ def friction_outputs() -> tuple[Output, ...]:
             needs=_COEFFICIENT,
         ),
         Output(
+            "rib_torque",
+            "N*m",
+            _source("rib"),
+            needs=_OF_ROLLERS,
+        ),
+        Output(
             "rolling_resistance_torque",
             "N*m",
             _source("rolling_resistance"),
@@ -47,16 +55,16 @@ def friction_outputs() -> tuple[Output, ...]:
 
 
 def _of_models() -> Iterator[Output]:
-    from rolamento.friction import CONTACT_MODELS, TORQUE_MODELS
+    from rolamento.friction import CONTACT_MODELS, ROLLER_MODEL, TORQUE_MODELS
 
-    for model in CONTACT_MODELS:
+    for model in (*CONTACT_MODELS, ROLLER_MODEL):
         known = TORQUE_MODELS[model]
         for name, unit in (("torque", "N*m"), ("power", "W")):
             yield Output(
                 f"friction_{name}_{model}",
                 unit,
                 _total(model, name),
-                needs=_COEFFICIENT,
+                needs=_OF_ROLLERS if model == ROLLER_MODEL else _OF_BALLS,
                 slow=not known.closed_form,
             )
 
@@ -82,14 +90,14 @@ def _of_contacts() -> Iterator[Output]:
             "W",
             _spin_loss(race),
             None,
-            _COEFFICIENT,
+            _OF_BALLS,
         )
         yield from family(
             f"{race}_pressure_slip",
             "W/m^2",
             _pressure_slip(race),
             None,
-            (),
+            ("balls",),
         )
 
 
@@ -124,7 +132,10 @@ def _total(model: str, attribute: str) -> Callable[[Evaluation], Floats]:
 
 def _source(name: str) -> Callable[[Evaluation], Floats]:
     def compute(given: Evaluation) -> Floats:
-        found = given.of(_friction, model="jones_simplified").torque_by_source.get(name)
+        from rolamento.friction.summary import default_model
+
+        model = default_model(given.solved, quick=True)
+        found = given.of(_friction, model=model).torque_by_source.get(name)
         unknown = np.isnan(_coefficient(given))
         return np.where(unknown, np.nan, np.nan if found is None else found)
 

@@ -17,6 +17,7 @@ _WHOLE: Final = {
     "residual": marked("residual of the equilibrium, over the scale of its loads"),
     "iterations": marked("Newton iterations"),
     "loaded_balls": marked("number of loaded balls (inner race)"),
+    "loaded_rollers": marked("number of loaded rollers (inner race)"),
     "ball": marked("ball"),
     "row": marked("row"),
     "variant": marked("variant"),
@@ -36,6 +37,7 @@ _WHOLE: Final = {
     "kinematic_viscosity": marked("kinematic viscosity of the lubricant"),
     # friction
     "hysteresis_torque": marked("friction torque, elastic hysteresis"),
+    "rib_torque": marked("friction torque, sliding of rollers at the ribs"),
     "rolling_resistance_torque": marked("friction torque, rolling resistance of the oil"),
     "rolling_power": marked("power loss in the contacts (friction control)"),
     "cage_speed": marked("cage speed (friction control)"),
@@ -80,6 +82,10 @@ _QUANTITIES: Final = {
     "film_parameter": marked("film parameter λ"),
     "entrainment_speed": marked("entrainment speed"),
     "spin_loss": marked("spin power loss"),
+    "roller_tilt": marked("tilt of the roller"),
+    "rib_force": marked("force of the ribs on the roller"),
+    "end_pressure": marked("pressure at the roller's worse end"),
+    "edge_ratio": marked("pressure at the roller's worse end over that in the middle"),
     "pressure_slip": marked("maximum of pressure times slip"),
 }
 _ONLY_LOADED: Final = ("contact_angle", "spin_to_roll")

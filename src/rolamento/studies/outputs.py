@@ -72,7 +72,8 @@ class Output:
     compute
         from a solved batch: (cases,), or (cases, balls) or (cases, rows)
     along
-        ``"ball"`` or ``"row"`` of an output that has a value for each of them
+        ``"ball"`` or ``"row"`` of an output that has a value for each of them; rollers count as
+        balls
     kind
         ``"whole"`` of a whole number that every case has, solved or not
     needs
@@ -125,11 +126,12 @@ def catalogue() -> Mapping[str, Output]:
     from rolamento.studies.friction_outputs import friction_outputs
     from rolamento.studies.life_outputs import life_outputs
     from rolamento.studies.lubrication_outputs import lubrication_outputs
+    from rolamento.studies.roller_outputs import roller_outputs
     from rolamento.studies.row_outputs import row_outputs
 
     providers = (
-        ring_outputs, row_outputs, ball_outputs, lubrication_outputs, friction_outputs,
-        life_outputs,
+        ring_outputs, row_outputs, ball_outputs, roller_outputs, lubrication_outputs,
+        friction_outputs, life_outputs,
     )  # fmt: skip
     return {output.name: output for provider in providers for output in provider()}
 
@@ -181,6 +183,8 @@ _MISSING: Final[Mapping[str, tuple[str, str]]] = {
         marked("friction control of the balls"),
         'model.raceway_control = "friction" in the case',
     ),
+    "balls": (marked("balls"), "friction_torque_roller_sliding, of rollers"),
+    "rollers": (marked("rollers"), 'element = "cylindrical" in [bearing]'),
     "life": (
         marked("a designation or a [life] table"),
         '[life] with cleanliness = "-/17/14" and oil_supply = "circulating" in the case',
@@ -232,6 +236,9 @@ def _has(case: Case, need: str, varied: frozenset[str]) -> bool:
         return has_life(case) or "bearing.designation" in varied
     if need in needs_of_life():
         return needs_of_life()[need].met(case, varied)
+    if need in ("balls", "rollers"):
+        rolls = {place.bearing.element == "ball" for place in case.bearing.places}
+        return (need == "balls") in rolls or "bearing.designation" in varied
     lubricant = case.lubricant
     if need == "lubricant":
         return lubricant is not None and lubricant.kind != "dry"

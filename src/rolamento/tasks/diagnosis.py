@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import asdict, dataclass, replace
 from functools import cached_property
+from itertools import product
 from math import ceil, inf, isfinite, pi
 from typing import Any, Final, Literal, Unpack
 
@@ -32,7 +33,7 @@ from rolamento.vibration.diagnosis import (
 )
 from rolamento.vibration.diagnosis.blocks import MOST_SAMPLES
 from rolamento.vibration.frequencies import FaultFrequencies, frequencies_of, nominal_frequencies
-from rolamento.vibration.frequency_band import open_counts
+from rolamento.vibration.frequency_band import open_counts, roller_counts
 from rolamento.vibration.lookalikes import Lookalikes, lookalikes
 from rolamento.vibration.noise_floor import LOWEST_LINE
 from rolamento.vibration.reading import open_signal
@@ -173,7 +174,7 @@ class DiagnosisResult:
         """What to do, the evidence against the verdict, and which bearings it may be about."""
         if self.verdict == "no_verdict":
             return ()
-        return (*self.diagnosis.advice, *self._shared())
+        return (*self.diagnosis.advice, *self._other_counts(), *self._shared())
 
     def _shared(self) -> tuple[Note, ...]:
         return () if self.lookalikes is None else (self.lookalikes.shared,)
@@ -207,6 +208,20 @@ class DiagnosisResult:
             yield Note("frequencies_of_estimated_geometry")
         yield from open_counts(self.bearing)
 
+    def _other_counts(self) -> Iterator[Note]:
+        """Say which peaks would be those of a race if the rollers were more or fewer."""
+        turns, shaft = self.frequencies.turns, self.diagnosis.shaft_frequency
+        shaft /= self.diagnosis.speed_factor
+        passing = {"outer_race": turns.cage - turns.outer, "inner_race": turns.inner - turns.cage}
+        counts = roller_counts(self.bearing).keys() - {self.frequencies.ball_count}
+        stated = [part.frequency for part in self.diagnosis.stated]
+        for frequency in (*stated, *(line.frequency for line in self.diagnosis.unexplained)):
+            for part, count in product(passing, sorted(counts)):
+                expected = count * abs(passing[part]) * shaft
+                if abs(frequency - expected) <= self.settings.tolerance * expected:
+                    values = {"part": part, "count": count, "frequency": frequency}
+                    yield Note("peak_of_other_count", values)
+
     def to_mapping(self) -> dict[str, Any]:
         """Return everything but the spectra as plain data, in SI units and Hz."""
         diagnosis, signal = self.diagnosis, self.signal
@@ -223,7 +238,7 @@ class DiagnosisResult:
                 for part, frequency in diagnosis.undecided
             ],
             "statement": _mappings(self.statement),
-            "advice": _mappings((*diagnosis.advice, *self._shared())),
+            "advice": _mappings((*diagnosis.advice, *self._other_counts(), *self._shared())),
             "lookalikes": None if self.lookalikes is None else self.lookalikes.to_mapping(),
             "components": [part.to_mapping() for part in diagnosis.components],
             "unexplained": [asdict(line) for line in diagnosis.unexplained],

@@ -1,4 +1,4 @@
-"""How fast a bearing may run, and what load its balls need."""
+"""How fast a bearing may run, and what load its balls or rollers need."""
 
 from __future__ import annotations
 
@@ -9,21 +9,30 @@ from typing import Any, Final, Literal
 
 from rolamento._json import plain
 from rolamento.case import Case
+from rolamento.case.bearing import Bearing
+from rolamento.case.roller_bearing import RollerBearing
 from rolamento.errors import InputError
 from rolamento.friction.palmgren import friction_load
 from rolamento.life.equivalent_load import equivalent_load
 from rolamento.life.equivalent_load import minimum_axial_load as minimum_thrust_load
 from rolamento.lubrication.oil_state import oil_state
-from rolamento.ratings import dynamic_rating, static_rating
+from rolamento.ratings import (
+    dynamic_rating,
+    roller_dynamic_rating,
+    roller_static_rating,
+    static_rating,
+)
 from rolamento.speeds import (
     heat_shares,
     minimum_axial_load,
     minimum_axial_load_of_thrust,
     minimum_load_factors,
     minimum_radial_load,
+    minimum_radial_load_of_rollers,
     minimum_share,
     reference_coefficients,
     reference_heat_flow,
+    roller_load_factor,
     speed_class,
     speed_ratio,
     thermal_reference_speed,
@@ -52,11 +61,11 @@ class Boundary:
     designation
         empty without one
     series
-        of the designation, or that of the catalogue's bearings of this size
+        of the designation, or that of the catalogue's ball bearings of this size
     bore, outside_diameter, width
-        d, D and B
+        d, D and B, or T of tapered roller bearings
     contact_angle
-        nominal, of angular-contact bearings
+        nominal, of angular-contact and tapered roller bearings
     dynamic_rating, static_rating
         C and C_0 of one row
     rows
@@ -106,12 +115,12 @@ class SpeedLimit:
 
 @dataclass(frozen=True, slots=True)
 class MinimumLoad:
-    """One rule for the load that balls need.
+    """One rule for the load that balls or rollers need.
 
     Attributes
     ----------
     name
-        "share" (P ≥ 0.01 C), "radial", "axial" or "thrust"
+        "share" (P ≥ 0.01 C of balls), "radial", "axial" or "thrust"
     load
         that is needed; N
     given
@@ -152,7 +161,7 @@ class SpeedLimits:
     viscosity
         of the oil at its temperature; m²/s, None where the case does not tell
     minimum_loads
-        what the balls need at this speed
+        what the rolling elements need at this speed
     notes
         what is missing, and what to know
     """
@@ -219,16 +228,16 @@ def speed_limits(
     width: float | None = None,
     minimum_load_factor: float | None = None,
 ) -> SpeedLimits:
-    """Find how fast a bearing may run, and what load its balls need.
+    """Find how fast a bearing may run, and what load its balls or rollers need.
 
     Parameters
     ----------
     bearing
-        A designation, a case file, a `Bearing` or a `Case`.
+        A designation, a case file, a bearing's record or a `Case`.
     settings
         ``KEY=VALUE``, over the case.
     series
-        Such as ``"70"``, in the place of what the designation or the size tells.
+        Such as ``"70"`` or ``"NU2"``, in the place of what the designation or the size tells.
     width
         B, likewise; m.
     minimum_load_factor
@@ -237,7 +246,8 @@ def speed_limits(
     Raises
     ------
     InputError, FileError
-        If there is no such bearing, or a number is not above zero.
+        If there is no such bearing, different elements roll in its rows, or a number is not above
+        zero.
     """
     for field, value in (("width", width), ("minimum_load_factor", minimum_load_factor)):
         if value is not None and not (isfinite(value) and value > 0.0):
@@ -254,6 +264,14 @@ def speed_limits(
 def _boundary(case: Case) -> Boundary:
     """Sizes, series and ratings, from the designation, the mounting, the film and the life."""
     bearing, told = case.bearing, case.bearing.told
+    elements = {place.bearing.element for place in bearing.places}
+    if len(elements) > 1:
+        raise InputError(
+            said("is a set of different rolling elements: ask for each bearing alone"),
+            field="bearing",
+            value=", ".join(sorted(elements)),
+            example='rolamento speed "NU 205"',
+        )
     published = None if told is None else told.bearing
     sizes: dict[str, float | None] = {}
     for name in ("bore", "outside_diameter", "width"):
@@ -266,17 +284,16 @@ def _boundary(case: Case) -> Boundary:
     if angle is None and row.contact_angle:
         angle = row.contact_angle
     series = "" if told is None else told.designation.series
-    if not series:
+    if told is not None and row.element in ("cylindrical", "needle"):
+        series = f"{told.designation.bearing_type}{series}"
+    if not series and row.element == "ball":
         series = _series_of_size(sizes["bore"], sizes["outside_diameter"], angle is not None)
-    geometry = (row.element_count, row.element_diameter, row.pitch_diameter, angle or 0.0)
     ratings = []
-    for name, rule in (("dynamic_rating", dynamic_rating), ("static_rating", static_rating)):
+    for name in ("dynamic_rating", "static_rating"):
         own = None if case.life is None else getattr(case.life, name)
         listed = None if published is None else getattr(published, name)
         known = own if own is not None else listed
-        if known is None:
-            known = float(rule(*geometry)) if bearing.kind is None else nan
-        ratings.append(known)
+        ratings.append(_rating(row, name, angle or 0.0) if known is None else known)
     return Boundary(
         bearing.designation or "",
         series,
@@ -288,6 +305,19 @@ def _boundary(case: Case) -> Boundary:
         ratings[1],
         len(bearing.places),
     )
+
+
+def _rating(row: Bearing | RollerBearing, name: str, angle: float) -> float:
+    """C or C_0 by the standards, NaN of balls on other grooves; N."""
+    if isinstance(row, RollerBearing):
+        sizes = (row.roller_count, row.roller_diameter, row.effective_length, row.pitch_diameter)
+        if name == "static_rating":
+            return float(roller_static_rating(*sizes, angle))
+        return float(roller_dynamic_rating(*sizes, angle, kind=row.element))
+    if row.kind is not None:
+        return nan
+    of_balls = dynamic_rating if name == "dynamic_rating" else static_rating
+    return float(of_balls(row.ball_count, row.ball_diameter, row.pitch_diameter, angle))
 
 
 def _series_of_size(bore: float | None, outside: float | None, angular: bool) -> str:
@@ -310,6 +340,16 @@ class _Asked:
     case: Case
     boundary: Boundary
     thrust_factor: float | None
+
+    @property
+    def element(self) -> str:
+        """What rolls in the rows."""
+        return self.case.bearing.places[0].bearing.element
+
+    @property
+    def told_of(self) -> dict[str, Any]:
+        """What the sentences tell rollers by."""
+        return {} if self.element == "ball" else {"element": self.element}
 
     @property
     def speed(self) -> float:
@@ -345,7 +385,8 @@ class _Asked:
             limits.append(self._limit("catalogue", listed, Note("source_listed_speed", where)))
         shares = self._thermal(limits, notes)
         self._of_maker(limits, notes)
-        loads = tuple(self._minimum_loads(notes))
+        of_kind = self._minimum_loads if self.element == "ball" else self._minimum_of_rollers
+        loads = tuple(of_kind(limits, notes))
         notes += self._excess(limits, loads)
         return SpeedLimits(
             title, self.boundary, self.speed, self.mean_diameter, tuple(limits), shares,
@@ -378,19 +419,18 @@ class _Asked:
         speed = thermal_reference_speed(*sizes, given.static_rating, found)
         values = {"f_0r": found.f_0r, "f_1r": found.f_1r}
         limits.append(self._limit("reference", speed, Note("source_reference_speed", values)))
+        if not found.checked:
+            notes.append(Note("reference_coefficients_unchecked", {"series": given.series}))
         if given.rows > 1:
             notes.append(Note("reference_speed_of_one_row"))
         if self.viscosity is None:
             notes.append(Note("no_permissible_speed"))
             return None
         radial, axial = (load / given.rows for load in self.loads)
-        angular = given.contact_angle is not None
-        load = float(
-            friction_load(
-                radial, axial, "angular_contact" if angular else "deep_groove",
-                given.contact_angle or 0.0,
-            )
-        )  # fmt: skip
+        kind: Any = "deep_groove" if given.contact_angle is None else "angular_contact"
+        if self.element != "ball":
+            kind = self.element
+        load = float(friction_load(radial, axial, kind, given.contact_angle or 0.0))
         mean = 0.5 * (given.bore + given.outside_diameter)
         shares = heat_shares(
             speed, mean, reference_heat_flow(*sizes), viscosity=self.viscosity, load=load,
@@ -437,14 +477,36 @@ class _Asked:
         places = self.case.bearing.places
         row, facing = places[0].bearing, len({place.sign for place in places}) > 1
         carrying = 1.0 if facing and angle else float(given.rows)
-        relative = axial / (carrying * row.element_count * row.element_diameter**2)
+        assert isinstance(row, Bearing)
+        relative = axial / (carrying * row.ball_count * row.ball_diameter**2)
         found = equivalent_load(radial, axial, angle, relative, double_row=facing)
         return float(found.load)
 
-    def _minimum_loads(self, notes: list[Note]) -> list[MinimumLoad]:
+    def _minimum_of_rollers(
+        self, limits: Sequence[SpeedLimit], notes: list[Note]
+    ) -> list[MinimumLoad]:
+        given, (radial, _) = self.boundary, self.loads
+        share = minimum_share(self.element)
+        if share is not None:
+            source = Note("source_minimum_of_rollers", {"share": share})
+            needed = share * given.dynamic_rating * given.rows
+            return [MinimumLoad("radial", needed, radial, source)]
+        found = roller_load_factor(given.series)
+        reference = next((one.speed for one in limits if one.name == "reference"), None)
+        if found is None or reference is None or not self.speed:
+            return []
+        if not found.checked:
+            notes.append(Note("minimum_load_factors_unchecked"))
+        needed = given.rows * minimum_radial_load_of_rollers(
+            found.factor, self.speed, reference, self.mean_diameter
+        )
+        source = Note("source_minimum_of_cylindrical", {"factor": found.factor})
+        return [MinimumLoad("radial", needed, radial, source)]
+
+    def _minimum_loads(self, limits: Sequence[SpeedLimit], notes: list[Note]) -> list[MinimumLoad]:
         given, (radial, axial) = self.boundary, self.loads
         found = []
-        share = minimum_share()
+        share = minimum_share() or 0.0
         if isfinite(given.dynamic_rating) and self.case.bearing.kind != "thrust":
             needed = share * given.dynamic_rating * given.rows**0.7
             source = Note("source_minimum_share", {"share": share})
@@ -487,9 +549,9 @@ class _Asked:
         preloaded = self.case.bearing.preload is not None
         any_load = any(self.loads)
         if self.speed and not preloaded and any_load and any(not one.enough for one in loads):
-            notes.append(Note("load_below_minimum"))
+            notes.append(Note("load_below_minimum", self.told_of))
         if preloaded and loads:
             notes.append(Note("preload_for_minimum_load"))
         if not any_load and not preloaded:
-            notes.append(Note("no_load_to_compare"))
+            notes.append(Note("no_load_to_compare", self.told_of))
         return notes

@@ -151,14 +151,20 @@ def alternatives_of(
 
 
 def open_counts(bearing: Bearing | RollerBearing) -> tuple[Note, ...]:
-    """Return how many rollers there may be where the ratings do not decide it; empty of balls."""
-    shares: dict[int, float] = {}
-    for one in _candidates(bearing):
-        shares[one.count] = shares.get(one.count, 0.0) + one.share
-    if bearing.element == "ball" or max(shares.values(), default=1.0) > _DECIDED:
+    """Say how many rollers there may be where the ratings do not decide it; empty of balls."""
+    shares = roller_counts(bearing)
+    if len(shares) < 2 or max(shares.values()) > _DECIDED:
         return ()
     counts = sorted(shares.items(), key=lambda item: -item[1])[:_MOST_COUNTS]
     return (Note("roller_count_open", {"shares": [list(item) for item in counts]}),)
+
+
+def roller_counts(bearing: Bearing | RollerBearing) -> dict[int, float]:
+    """Return the numbers of rollers that the ratings allow, with their shares; empty of balls."""
+    shares: dict[int, float] = {}
+    for one in _candidates(bearing) if bearing.element != "ball" else ():
+        shares[one.count] = shares.get(one.count, 0.0) + one.share
+    return shares
 
 
 def banded_frequencies(

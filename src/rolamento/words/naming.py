@@ -56,12 +56,16 @@ def part_name(part: str, element: str = "ball") -> str:
 
     element: what rolls in the bearing; its part "ball" is a roller where no balls do.
     """
-    return said(PARTS[part if part != "ball" or element == "ball" else "roller"])
+    return said(PARTS[_own(part, element)])
 
 
 def the_part(part: str, element: str = "ball") -> str:
     """Return the name of a part within a sentence: "the outer race", "a ball"; as `part_name`."""
-    return said(_THE_PARTS[part if part != "ball" or element == "ball" else "roller"])
+    return said(_THE_PARTS[_own(part, element)])
+
+
+def _own(part: str, element: str) -> str:
+    return part if element == "ball" else _OF_ROLLERS.get(part, part)
 
 
 def the_part_first(part: str) -> str:

@@ -11,26 +11,34 @@ Harris, Rolling Bearing Analysis, 3rd ed. (1991), chapters 2 and 8; docs/theory/
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, fields
+from functools import lru_cache
 from typing import Any, Final
 
 import numpy as np
 
 from rolamento.case import Case
 from rolamento.case.bearing import RowPlace
-from rolamento.contact.coupled import body_term, influence_table
+from rolamento.case.roller_bearing import RollerBearing
+from rolamento.contact.coupled import body_term, influence_table, scratch
 from rolamento.contact.hertz import effective_modulus
 from rolamento.contact.line import contact_constant, roller_share, slice_places
 from rolamento.contact.profile import drop
+from rolamento.errors import InputError
 from rolamento.geometry import Race
 from rolamento.kinematics import BallMotion, centrifugal_force
 from rolamento.numerics import FloatArray
-from rolamento.roller_kinematics import roller_body, roller_gyroscopic_moment, roller_motion
+from rolamento.roller_kinematics import (
+    RollerBody,
+    roller_body,
+    roller_gyroscopic_moment,
+    roller_motion,
+)
 from rolamento.rows.roller import layout
 from rolamento.rows.roller.roller import Line
 
-__all__ = ["RIB_HEIGHT", "Cut", "Numbers", "numbers_of"]
+__all__ = ["RIB_HEIGHT", "Cut", "Geometry", "Numbers", "geometry_of", "numbers_of"]
 
 RIB_HEIGHT: Final = 0.1
 """Of the roller's diameter: where a rib touches if the bearing does not say; general knowledge of
@@ -58,10 +66,9 @@ class Cut:
 
     def lines(self) -> Line:
         """For the kernels, with scratch of its own."""
-        n = self.slices if self.coupled else 1
         return (
             self.coupled, self.place, self.drops, self.curvature, self.body, self.table,
-            np.empty((n + 8, n)),
+            scratch(self.slices if self.coupled else 1),
         )  # fmt: skip
 
     def part(self, index: Any) -> Cut:
@@ -74,18 +81,15 @@ class Cut:
 
 
 @dataclass(frozen=True, slots=True)
-class Numbers:
-    """The numbers of a row in many cases: columns of `layout`, slices, and what tables need.
+class Geometry:
+    """What does not depend on the duty; p: columns of `layout`, the others (cases,).
 
-    motion, centrifugal and gyroscopic (N, N·m, as they are shown), modulus, axis (β), half_angle
-    and rib_angle (ε), rib_arm (of the rib's force about the roller's centre): (cases,).
+    axis: β, half_angle: φ, rib_angle: ε, rib_arm: of the rib's force about the roller's centre.
     """
 
     p: FloatArray
     cut: Cut
-    motion: BallMotion
-    centrifugal: FloatArray
-    gyroscopic: FloatArray
+    body: RollerBody
     modulus: FloatArray
     axis: FloatArray
     half_angle: FloatArray
@@ -93,17 +97,96 @@ class Numbers:
     rib_arm: FloatArray
     tapered: bool
 
+    def part(self, index: Any) -> Geometry:
+        """Of some of the cases."""
+        return self._each(lambda one: one[..., index], self.cut.part(index))
+
+    def repeated(self, cases: int) -> Geometry:
+        """The one case that it is, as often as asked."""
+        return self._each(lambda one: np.repeat(one, cases, axis=-1), self.cut)
+
+    def _each(self, change: Callable[[FloatArray], FloatArray], cut: Cut) -> Geometry:
+        body = RollerBody(*(change(getattr(self.body, one.name)) for one in fields(RollerBody)))
+        own = (self.modulus, self.axis, self.half_angle, self.rib_angle, self.rib_arm)
+        return Geometry(change(self.p), cut, body, *(change(one) for one in own), self.tapered)
+
+
+@dataclass(frozen=True, slots=True)
+class Numbers:
+    """The numbers of a row in many cases: its geometry, with the duty in its columns p.
+
+    centrifugal, gyroscopic: as they are shown; (cases,), N and N·m.
+    """
+
+    p: FloatArray
+    geometry: Geometry
+    motion: BallMotion
+    centrifugal: FloatArray
+    gyroscopic: FloatArray
+
+    @property
+    def cut(self) -> Cut:
+        """The contacts along the roller."""
+        return self.geometry.cut
+
+    @property
+    def tapered(self) -> bool:
+        """Whether the rollers are cones."""
+        return self.geometry.tapered
+
+    def part(self, index: Any) -> Numbers:
+        """Of some of the cases."""
+        motion = BallMotion(*(getattr(self.motion, one.name)[index] for one in fields(BallMotion)))
+        own = self.geometry.part(index)
+        return Numbers(
+            self.p[:, index], own, motion, self.centrifugal[index], self.gyroscopic[index]
+        )
+
 
 def numbers_of(
     case: Case, place: RowPlace, bearing: Any, varied: Mapping[str, FloatArray], cases: int
 ) -> Numbers:
-    """Make the numbers; bearing: the fields of `RollerBearing`, numbers or arrays (cases,)."""
+    """Make the numbers; bearing: the fields of `RollerBearing`, numbers or arrays (cases,).
+
+    The roller's inertia acts at its centroid, which a taper has toward its large end.
+    """
+    duty, model = case.duty, case.model
+    coupled = model.roller_contact == "coupled"
+    if any(name.startswith("bearing.") for name in varied):
+        element = place.bearing.element
+        geometry = geometry_of(bearing, element == "tapered", model.slices, coupled, cases)
+    else:
+        geometry = _alone(place.bearing, model.slices, coupled).repeated(cases)
+    p, body, axis = geometry.p, geometry.body, geometry.axis
+    diameter, pitch = p[layout.DIAMETER], 2.0 * p[layout.ARM]
+    speeds = [_column(varied.get(f"duty.{n}", getattr(duty, n)), cases) for n in _SPEEDS]
+    motion = roller_motion(diameter, pitch, axis, geometry.half_angle, *speeds)
+    at_centroid = pitch + 2.0 * body.centroid * np.sin(axis)
+    force = model.centrifugal_force * centrifugal_force(
+        body.mass, at_centroid, motion.orbital_speed
+    )
+    moment = model.gyroscopic_moment * roller_gyroscopic_moment(body, motion)
+    p[layout.CENTRIFUGAL] = force
+    # M_g is what turns the roller's momentum; the roller resists it
+    p[layout.MOMENT] = force * body.centroid * np.cos(axis) - moment
+    first = varied.get("duty.first_ball_azimuth", np.asarray(duty.first_ball_azimuth))
+    p[layout.COS_FIRST] = np.cos(first + place.phase)
+    p[layout.SIN_FIRST] = np.sin(first + place.phase)
+    return Numbers(p, geometry, motion, force, moment)
+
+
+@lru_cache(maxsize=64)
+def _alone(bearing: RollerBearing, slices: int, coupled: bool) -> Geometry:
+    """Of a bearing of one row; not to be written to."""
+    return geometry_of(bearing, bearing.element == "tapered", slices, coupled, 1)
+
+
+def geometry_of(bearing: Any, tapered: bool, slices: int, coupled: bool, cases: int) -> Geometry:
+    """Lay a roller between its races; bearing: as of `numbers_of`."""
 
     def column(value: Any) -> FloatArray:
-        return np.array(np.broadcast_to(np.asarray(value, np.float64), cases))
+        return _column(value, cases)
 
-    tapered = place.bearing.element == "tapered"
-    duty, model = case.duty, case.model
     diameter, pitch = column(bearing.roller_diameter), column(bearing.pitch_diameter)
     length = column(bearing.effective_length)
     whole = length if bearing.roller_length is None else column(bearing.roller_length)
@@ -113,14 +196,6 @@ def numbers_of(
     height = RIB_HEIGHT * diameter if bearing.rib_height is None else column(bearing.rib_height)
     epsilon, arm = _rib_normal(bearing, diameter, whole, half, height, tapered)
     modulus = column(effective_modulus(bearing.ring_material, bearing.roller_material))
-    constant = contact_constant(length, modulus)
-    speeds = [column(varied.get(f"duty.{n}", getattr(duty, n))) for n in _SPEEDS]
-    motion = roller_motion(diameter, pitch, axis, half, *speeds)
-    body = roller_body(diameter, whole, half, column(bearing.roller_material.density))
-    force = centrifugal_force(body.mass, pitch, motion.orbital_speed)
-    moment = roller_gyroscopic_moment(body, motion)
-    first = varied.get("duty.first_ball_azimuth", np.asarray(duty.first_ball_azimuth))
-
     p = np.zeros((layout.COLUMN, cases))
     radius = 0.5 * diameter
     p[layout.ARM] = 0.5 * pitch
@@ -131,31 +206,22 @@ def numbers_of(
     p[layout.INNER_TURN] = arm * np.sin(epsilon - half) - p[layout.LEVER]
     p[layout.OUTER_SHIFT] = np.cos(half + epsilon)
     p[layout.OUTER_TURN] = p[layout.LEVER] - arm * np.sin(half + epsilon)
-    p[layout.INNER_CONSTANT] = p[layout.OUTER_CONSTANT] = constant
+    p[layout.INNER_CONSTANT] = p[layout.OUTER_CONSTANT] = contact_constant(length, modulus)
     p[layout.GAP] = 0.0 if tapered else 0.25 * column(bearing.diametral_clearance)
-    p[layout.CENTRIFUGAL] = model.centrifugal_force * force
     p[layout.CENTRIFUGAL_SHIFT] = np.cos(axis - epsilon)
     p[layout.CENTRIFUGAL_TURN] = arm * np.sin(axis - epsilon)
-    # M_g is what turns the roller's momentum; the roller resists it
-    p[layout.GYROSCOPIC] = -model.gyroscopic_moment * moment
     if not tapered:
         ahead, behind = _opposed_ribs(bearing)
         stiffness = _rib_stiffness(diameter, height, modulus)
         p[layout.RIB_AHEAD], p[layout.RIB_BEHIND] = ahead * stiffness, behind * stiffness
         p[layout.RIB_LEVER] = (radius - height) * (ahead or behind)
-        play = getattr(bearing, "axial_play", None)
+        play = bearing.axial_play
         p[layout.RIB_PLAY] = 0.0 if play is None else 0.5 * column(play)
-    p[layout.COS_FIRST], p[layout.SIN_FIRST] = (
-        np.cos(first + place.phase),
-        np.sin(first + place.phase),
-    )
     p[layout.COMPLIANCE] = 2.0 / (np.pi * modulus)
-    return Numbers(
+    return Geometry(
         p=p,
-        cut=_cut(case, bearing, p, half, axis, modulus),
-        motion=motion,
-        centrifugal=p[layout.CENTRIFUGAL].copy(),
-        gyroscopic=-p[layout.GYROSCOPIC],
+        cut=_cut(bearing, p, half, axis, modulus, slices, coupled),
+        body=roller_body(diameter, whole, half, column(bearing.roller_material.density)),
         modulus=modulus,
         axis=axis,
         half_angle=half,
@@ -163,6 +229,10 @@ def numbers_of(
         rib_arm=arm if tapered else -2.0 * p[layout.RIB_LEVER],
         tapered=tapered,
     )
+
+
+def _column(value: Any, cases: int) -> FloatArray:
+    return np.array(np.broadcast_to(np.asarray(value, np.float64), cases))
 
 
 _SPEEDS: Final = ("inner_speed", "outer_speed")
@@ -216,16 +286,15 @@ def _rib_stiffness(diameter: FloatArray, height: FloatArray, modulus: FloatArray
 
 
 def _cut(
-    case: Case,
     bearing: Any,
     p: FloatArray,
     half: FloatArray,
     axis: FloatArray,
     modulus: FloatArray,
+    slices: int,
+    coupled: bool,
 ) -> Cut:
     """Cut the contacts into slices; what is alike in all cases is kept once."""
-    slices = case.model.slices
-    coupled = case.model.roller_contact == "coupled"
     length, diameter, pitch = p[layout.LENGTH], p[layout.DIAMETER], 2.0 * p[layout.ARM]
     same = all(bool((a == a[:1]).all()) for a in (length, diameter, pitch, half, axis, modulus))
     some = slice(0, 1) if same else slice(None)
@@ -233,12 +302,16 @@ def _cut(
     place = slice_places(length, slices)
     tapered = bool((half > 0.0).any())
     sizes = {"length": length[:, np.newaxis], "diameter": diameter[:, np.newaxis]}
-    roller = drop(bearing.roller_profile, place, tapered=tapered, **sizes)
-    races = [
-        drop(getattr(bearing, f"{race}_profile"), place, tapered=tapered, **sizes)
-        for race in ("inner", "outer")
-    ]
-    drops = np.stack([roller + race for race in races], axis=1)
+
+    def drops_of(body: str) -> FloatArray:
+        try:
+            return drop(getattr(bearing, f"{body}_profile"), place, tapered=tapered, **sizes)
+        except InputError as error:
+            name = f"bearing.{body}_profile.{error.field}"
+            raise error.with_details(field=name) from None
+
+    roller = drops_of("roller")
+    drops = np.stack([roller + drops_of(race) for race in ("inner", "outer")], axis=1)
     curvature = np.stack(
         [_curvature(race, place, diameter, pitch, half, axis) for race in ("inner", "outer")],
         axis=1,

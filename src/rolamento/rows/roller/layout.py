@@ -33,8 +33,8 @@ CENTRIFUGAL: Final = 13
 CENTRIFUGAL_SHIFT: Final = 14
 """How far outward the roller's centre goes for η = 1."""
 CENTRIFUGAL_TURN: Final = 15
-GYROSCOPIC: Final = 16
-"""Moment of inertia on a roller, about r × x turned over: it works on θ (N·m)."""
+MOMENT: Final = 16
+"""Of a roller's inertia about its middle, as θ turns (N·m)."""
 RIB_AHEAD: Final = 17
 """Stiffness of the pair of ribs that carries load toward +x (N/m); 0 without such ribs."""
 RIB_BEHIND: Final = 18

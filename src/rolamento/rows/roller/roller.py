@@ -17,6 +17,7 @@ from rolamento.contact.coupled import coupled_slices
 from rolamento.contact.slices import independent_slices
 from rolamento.numerics import FloatArray as Array
 from rolamento.numerics.compiled import inline_exact, shared
+from rolamento.numerics.newton import LEAST_DAMPING, LEAST_HELP, MUCH_SHORTER
 from rolamento.rows.roller import layout
 
 EXPONENT: Final = 10.0 / 9.0
@@ -127,7 +128,7 @@ def balance(p: Array, column: int, ring: Array, turn: float, sums: Array) -> For
     pushed, stiffness = rib(p, column, ring[0] + lever * (ring[2] + 2.0 * turn))
     g0 = ai * qi + ao * qo - force * p[layout.CENTRIFUGAL_SHIFT, column]
     g1 = bi * qi + mi + bo * qo - mo - force * p[layout.CENTRIFUGAL_TURN, column]
-    g1 += 2.0 * lever * pushed - p[layout.GYROSCOPIC, column]
+    g1 += 2.0 * lever * pushed - p[layout.MOMENT, column]
     h00 = ai * ai * qi_u + ao * ao * qo_u
     h01 = ai * (bi * qi_u + qi_w) + ao * (bo * qo_u - qo_w)
     h10 = ai * (bi * qi_u + mi_u) + ao * (bo * qo_u - mo_u)
@@ -193,13 +194,14 @@ def relax(
     if sums[0, 0] + sums[1, 0] == 0.0 and p[layout.CENTRIFUGAL, column] > 0.0:
         shift, turn = thrown_out(p, column, ring, line[2])
         g0, g1, h00, h01, h10, h11, scale = press(p, column, line, ring, shift, turn, found)
-    steps = 0
+    steps, damping = 0, 0.0
     while True:
         size = max(scale, least)
         residual = max(abs(g0), abs(g1) / half) / size
         if not residual > PRECISION or steps >= STEPS:
             break
-        a, d = h00 + extra, h11 / (half * half) + extra
+        more = extra + damping * max(h00, h11 / (half * half))
+        a, d = h00 + more, h11 / (half * half) + more
         b, c = h01 / half, h10 / half
         determinant = a * d - b * c
         s0 = -(d * g0 - b * g1 / half) / determinant
@@ -209,7 +211,8 @@ def relax(
         if not (slope > 0.0 and length < np.inf):
             break
         steps += 1
-        part = min(1.0, longest / length)
+        whole = min(1.0, longest / length)
+        part = whole
         old_shift, old_turn, old = shift, turn, residual
         for _ in range(SHORTENINGS):
             shift, turn = old_shift + part * s0, old_turn + part * s1 / half
@@ -218,6 +221,11 @@ def relax(
             if ahead >= -OVERSHOOT * slope:
                 break
             part *= min(max(slope / (slope - ahead), 0.1), 0.6)
+        # along what hardly holds, a whole step would be cut to nothing in all the rest as well
+        if part < MUCH_SHORTER * whole:
+            damping = max(4.0 * damping, LEAST_HELP)
+        elif part == 1.0:
+            damping = 0.03 * damping if damping > LEAST_DAMPING else 0.0
         if shift == old_shift and turn == old_turn and old <= 100.0 * PRECISION:
             break  # no step betters its rounding
     state[0], state[1] = shift, turn
@@ -249,7 +257,7 @@ def condensed(
     pushed, rate = rib(p, column, ring[0] + reach * (ring[2] + 2.0 * turn))
     force[0] = sine * q + pushed
     force[1] = cosine * q - p[layout.CENTRIFUGAL, column]
-    force[2] = lever * q - m + reach * pushed - p[layout.GYROSCOPIC, column]
+    force[2] = lever * q - m + reach * pushed - p[layout.MOMENT, column]
     half = 0.5 * p[layout.LENGTH, column]
     extra = added(p, column)
     h00, h11 = h00 + extra, h11 + extra * half * half

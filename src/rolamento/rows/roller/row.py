@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from typing import Any, Self, cast
 
 import numpy as np
@@ -14,7 +14,8 @@ from rolamento.contact.line import EXPONENT, half_width, max_pressure
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.rows.ball.problem import directions
 from rolamento.rows.roller import layout
-from rolamento.rows.roller.columns import Cut, Numbers, numbers_of
+from rolamento.rows.roller.batch import settle_cases
+from rolamento.rows.roller.columns import Numbers, numbers_of
 from rolamento.rows.roller.run import Solution, hold, settle
 from rolamento.rows.row import Held, Indices, IntArray, RowGeometry, RowSizes
 from rolamento.solved import Elements, Index, Pressed, Tables
@@ -161,7 +162,7 @@ class RollerRow:
     def pressed_in(self, force: FloatArray) -> FloatArray:
         """Place along x under an axial force at rest; (cases,), m, NaN where there is none."""
         p = self.numbers.p.copy()
-        p[[layout.CENTRIFUGAL, layout.GYROSCOPIC]] = 0.0
+        p[[layout.CENTRIFUGAL, layout.MOMENT]] = 0.0
         still = replace(self, numbers=replace(self.numbers, p=p))
         found = np.full(self.cases, np.nan)
         which = np.flatnonzero(self.valid & np.isfinite(force))
@@ -208,17 +209,22 @@ def roller_row(
         numbers = numbers_of(case, place, bearing, varied, cases)
     p = numbers.p
     nothing = np.full(cases, np.nan)
-    angle = numbers.axis + numbers.half_angle
+    angle = numbers.geometry.axis + numbers.geometry.half_angle
     geometry = RowGeometry(
         ball_diameter=p[layout.DIAMETER].copy(),
         pitch_diameter=2.0 * p[layout.ARM],
         inner_conformity=nothing,
         outer_conformity=nothing,
         free_contact_angle=angle,
-        modulus=numbers.modulus,
+        modulus=numbers.geometry.modulus,
         effective_length=p[layout.LENGTH].copy(),
     )
     return RollerRow(numbers, place.bearing.element_count, geometry, threads)
+
+
+def compiled_but_not_loaded() -> bool:
+    """Whether the kernels are on disk, and this process has not needed them yet."""
+    return settle_cases.is_cached and not settle_cases.is_loaded
 
 
 @dataclass(frozen=True, slots=True)
@@ -234,7 +240,7 @@ class RollerAnswer:
     def part(self, index: Index) -> RollerAnswer:
         """Return some of the cases."""
         return RollerAnswer(
-            numbers=_taken(self.numbers, index),
+            numbers=self.numbers.part(index),
             place=self.place[index],
             state=self.state[index],
             loads=self.loads[index] if len(self.loads) else self.loads,
@@ -243,7 +249,7 @@ class RollerAnswer:
 
     def tables(self) -> Tables:
         """Evaluate every slice of every roller of every case."""
-        n, p = self.numbers, self.numbers.p[:, :, np.newaxis]
+        n, g, p = self.numbers, self.numbers.geometry, self.numbers.p[:, :, np.newaxis]
         cases, rollers = self.shown.shape
         azimuth, ring = _seen(self.numbers.p, self.place, rollers)
         shift, turn = self.state[..., 0], self.state[..., 1]
@@ -276,8 +282,8 @@ class RollerAnswer:
         pressed = [
             Pressed(load, wide(angle), deep, approach, wide(spin), wide(roll))
             for (load, deep, _), approach, angle, spin, roll in (
-                (races[0], inner, n.axis - n.half_angle, motion.inner_spin, motion.inner_roll),
-                (races[1], outer, n.axis + n.half_angle, motion.outer_spin, motion.outer_roll),
+                (races[0], inner, g.axis - g.half_angle, motion.inner_spin, motion.inner_roll),
+                (races[1], outer, g.axis + g.half_angle, motion.outer_spin, motion.outer_roll),
             )
         ]
         force = self._rib_force(ring, turn, races[0][0], races[1][0])
@@ -285,7 +291,7 @@ class RollerAnswer:
         found = Rollers(
             tilt=-tilt,
             rib_force=force,
-            rib_moment=n.rib_arm[:, np.newaxis] * force,
+            rib_moment=g.rib_arm[:, np.newaxis] * force,
             slice_place=place + known[..., np.newaxis],
             inner=races[0][2],
             outer=races[1][2],
@@ -306,7 +312,7 @@ class RollerAnswer:
             constant = n.p[layout.INNER_CONSTANT + race][:, np.newaxis, np.newaxis]
             load = constant / length * depth**EXPONENT
         curvature = cut.curvature[:, race][:, np.newaxis]
-        modulus = n.modulus[:, np.newaxis, np.newaxis]
+        modulus = n.geometry.modulus[:, np.newaxis, np.newaxis]
         line = Line(
             load_per_length=load,
             pressure=max_pressure(load, curvature, modulus),
@@ -323,9 +329,9 @@ class RollerAnswer:
         outer: FloatArray,
     ) -> FloatArray:
         """Of tapered rollers from their balance along the rib's normal, else of the ribs' law."""
-        n, p = self.numbers, self.numbers.p[:, :, np.newaxis]
+        n, g, p = self.numbers, self.numbers.geometry, self.numbers.p[:, :, np.newaxis]
         if n.tapered:
-            epsilon, half, axis = (a[:, np.newaxis] for a in (n.rib_angle, n.half_angle, n.axis))
+            epsilon, half, axis = (a[:, np.newaxis] for a in (g.rib_angle, g.half_angle, g.axis))
             thrown = n.centrifugal[:, np.newaxis] * np.sin(axis - epsilon)
             return outer * np.sin(half + epsilon) + inner * np.sin(half - epsilon) + thrown
         apart = ring[0] + p[layout.RIB_LEVER] * (ring[2] + 2.0 * turn)
@@ -347,20 +353,3 @@ def _seen(
     first = np.arctan2(s0, c0) + 2.0 * np.pi * np.arange(rollers) / rollers
     wrapped = np.mod(first, 2.0 * np.pi)
     return np.where(wrapped < 2.0 * np.pi, wrapped, 0.0), ring
-
-
-def _taken(numbers: Numbers, index: Index) -> Numbers:
-    """Some of the cases."""
-
-    def of(value: Any) -> Any:
-        if isinstance(value, np.ndarray):
-            return value[index]
-        if isinstance(value, Cut):
-            return value.part(index)
-        if isinstance(value, bool):
-            return value
-        return type(value)(*(of(getattr(value, one.name)) for one in fields(value)))
-
-    changed = {one.name: of(getattr(numbers, one.name)) for one in fields(numbers)}
-    changed["p"] = numbers.p[:, index]
-    return Numbers(**changed)

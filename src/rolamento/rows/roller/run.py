@@ -28,6 +28,8 @@ LITTLE: Final = 2000
 LONG: Final = 1.0
 """Seconds of plain Python in this process after which the compiler is worth loading."""
 _spent: Final = [0.0]
+_ready: Final[set[Kernel[..., None]]] = set()
+"""What has been compiled or loaded: to ask each time takes as long as a small case."""
 
 
 @dataclass(slots=True)
@@ -120,16 +122,17 @@ def _run_threads(
 
     Loading the compiler takes longer than that.
     """
-    little = cases == 1 and not coupled and slices <= LITTLE and not kernel.is_loaded
+    little = cases == 1 and not coupled and slices <= LITTLE and kernel not in _ready
     if little and (_spent[0] < LONG or not kernel.is_cached):
         start = perf_counter()
         with np.errstate(all="ignore"):
             run(kernel, 0, 1)
         _spent[0] += perf_counter() - start
         return
-    if cases and not kernel.is_cached:
+    if kernel not in _ready and cases and not kernel.is_cached:
         _log.warning("compiling the solver for this machine, once: this takes about half a minute")
     compiled = kernel.compiled
+    _ready.add(kernel)
     starts = range(0, cases, CHUNK)
     workers = min(thread_count(threads), len(starts))
     if workers <= 1:

@@ -19,6 +19,7 @@ from typing import Final, Literal, NamedTuple, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento.contact.line import EXPONENT
 from rolamento.errors import InputError
 from rolamento.geometry import Race
 from rolamento.numerics import FloatArray
@@ -38,7 +39,7 @@ _TURN: Final = 2.0 * np.pi
 _POINTS: Final = 720
 _MOST_POSITIONS: Final = 360
 
-EXPONENTS: Final[Mapping[RollingElement, float]] = {"ball": 1.5, "roller": 10.0 / 9.0}
+EXPONENTS: Final[Mapping[RollingElement, float]] = {"ball": 1.5, "roller": EXPONENT}
 """With which the load of a contact goes with its approach: Hertz; ISO/TS 16281 for rollers."""
 
 

@@ -379,6 +379,14 @@ def _rows(values: Values) -> str:
     )
 
 
+def _other_count(values: Values) -> str:
+    return said(
+        "The number of rollers is estimated: if there are {count}, the peak at {frequency} Hz is"
+        " that of {part}. Count them and give --set bearing.roller_count=N.",
+        frequency=hertz(values["frequency"]), part=the_part(values["part"]), count=values["count"],
+    )  # fmt: skip
+
+
 def _not_loaded(values: Values) -> str:
     from rolamento.words.sentences import sentence
 
@@ -549,6 +557,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " not, damage may remain undetected. Give a measured speed, or a part of the record."
     ),
     "no_loaded_frequencies": _not_loaded,
+    "peak_of_other_count": _other_count,
     "range_not_covered": by_element(
         marked(
             "Under this load the orders of some balls deviate by more than {tolerance:.3 %}: those"

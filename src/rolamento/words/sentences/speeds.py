@@ -54,6 +54,21 @@ def _no_coefficients(values: Mapping[str, Any]) -> str:
     )
 
 
+def _below(values: Mapping[str, Any]) -> str:
+    if values.get("element") == "tapered":
+        return said(
+            "The load does not reach the minimum load: the rollers may slide. Preload the pair."
+        )
+    if "element" in values:
+        return said(
+            "The load does not reach the minimum load: the rollers may slide, and smear. A"
+            " smaller bearing or more load helps."
+        )
+    return said(
+        "The load does not reach a minimum load: the balls may slide. Preload them by springs."
+    )
+
+
 SENTENCES: Final[dict[str, Sentence]] = {
     "source_listed_speed": lambda values: str(values["source"]),
     "source_minimum_of_maker": marked(
@@ -65,6 +80,10 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     "source_speed_class": marked("{source}: mean n·d_m of {bearings}"),
     "source_minimum_share": marked("P ≥ {share:.3} C; SKF catalogue 10000 EN"),
+    "source_minimum_of_rollers": marked("{share:.3} C; SKF catalogue 10000 EN"),
+    "source_minimum_of_cylindrical": marked(
+        "k_r (6 + 4 n/n_r) (d_m/100)², k_r {factor:.3}; SKF catalogue 10000 EN"
+    ),
     "source_minimum_radial": marked(
         "k_r (ν n/1000)^(2/3) (d_m/100)², k_r {factor:.3}; SKF catalogue 10000 EN"
     ),
@@ -76,6 +95,10 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "ISO 15312 excludes thrust ball bearings: they have no thermal reference speed."
     ),
     "no_reference_coefficients": _no_coefficients,
+    "reference_coefficients_unchecked": marked(
+        "f_0r and f_1r of the series {series} are from general knowledge of ISO 15312 and of a"
+        " maker's table, not checked against a print."
+    ),
     "no_boundary_dimensions": marked(
         "Bore, outside diameter and width are needed for the thermal reference speed: give a"
         " designation, or mounting.bore, mounting.outside_diameter and --width."
@@ -104,14 +127,16 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " lowers them."
     ),
     "speed_above_limits": _above,
-    "load_below_minimum": marked(
-        "The load does not reach a minimum load: the balls may slide. Preload them by springs."
-    ),
+    "load_below_minimum": _below,
     "preload_for_minimum_load": marked(
         "The set is preloaded, which the loads given here leave out; rolamento solve shows the"
         " preload at speed."
     ),
-    "no_load_to_compare": marked("The case has no load: only what its balls need is shown."),
+    "no_load_to_compare": lambda values: (
+        said("The case has no load: only what its rollers need is shown.")
+        if "element" in values
+        else said("The case has no load: only what its balls need is shown.")
+    ),
     "minimum_load_factors_unchecked": marked(
         "k_r and k_a of the series are from general knowledge of SKF's tables, not checked against"
         " a print."
