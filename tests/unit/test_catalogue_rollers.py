@@ -59,7 +59,7 @@ def test_every_roller_bearing_finds_itself() -> None:
 def test_a_bore_behind_a_stroke_is_not_a_bore_code() -> None:
     """320/28 has 28 mm; 32028 would have 140 mm, and is in no list."""
     assert catalogue().find("320/28").bearing.bore == pytest.approx(0.028)
-    with pytest.raises(InputError, match="did you mean|of a size"):
+    with pytest.raises(InputError, match=r"did you mean|of a size"):
         catalogue().find("32099")
 
 

@@ -38,11 +38,18 @@ __all__ = [
     "changed",
     "fields_of",
     "in_file_form",
+    "of_elements",
     "overridden",
     "values_of",
 ]
 
 OVERRIDE_SOURCE: Final = "--set"
+
+_OF_BALLS: Final = frozenset({
+    "model.raceway_control", "model.cage", "model.cage_drag", "model.mesh", "model.traction",
+    "model.film_in_contact",
+})  # fmt: skip
+_OF_ROLLERS: Final = frozenset({"model.roller_contact", "model.slices", "film.line"})
 
 Value = float | int | bool | str
 """What a field takes: SI floats of quantities, and what files hold of the others."""
@@ -185,6 +192,22 @@ class Field:
     def _checker(self) -> type[Record]:
         annotation: Any = (self._info.annotation, self._info)
         return create_model("Value", __base__=Record, **{self.leaf: annotation})
+
+
+def of_elements(name: str, elements: Iterable[str]) -> bool:
+    """Return whether a field outside [bearing] matters to bearings in which these elements roll.
+
+    Parameters
+    ----------
+    name
+        Dotted, of the field.
+    elements
+        Of the rows: ``"ball"``, ``"cylindrical"``, ``"tapered"``, ``"needle"``.
+    """
+    balls = {element == "ball" for element in elements}
+    return not (name in _OF_BALLS and True not in balls) and not (
+        name in _OF_ROLLERS and False not in balls
+    )
 
 
 @cache

@@ -122,9 +122,9 @@ def _between_rings(bearing: RollerBearing) -> str:
     """The angles of tapered rollers, or the clearance and the ribs of others."""
     if bearing.element == "tapered":
         return said(
-            "contact angle {angle} at the outer race, half angle of the rollers {half}",
-            angle=quantity(bearing.row_angle, "angle"),
-            half=quantity(_short(bearing.roller_half_angle or 0.0), "angle"),
+            "contact angle {angle:.5 °} at the outer race, half angle of the rollers {half:.4 °}",
+            angle=bearing.row_angle,
+            half=bearing.roller_half_angle or 0.0,
         )
     play = quantity(_short(bearing.diametral_clearance or 0.0), "length")
     ribs = {

@@ -32,7 +32,7 @@ from rolamento.document import (
     Tone,
 )
 from rolamento.friction.model import REMARKS
-from rolamento.life.record import BOUNDS, OUTSIDE
+from rolamento.life.record import BOUNDS, OUTSIDE, note_of
 from rolamento.life.theories import THEORIES
 from rolamento.pages.clearance import STEPS
 from rolamento.pages.elements import element_tables, roller_pictures
@@ -225,7 +225,7 @@ def _life_warnings(case: CaseReport) -> Iterator[_Warning]:
         refuses = key in OUTSIDE | BOUNDS and not always
         names = [theory_name(name) for name in concerned]
         what = "; ".join(names) if len(names) < len(life.theories) else said("all theories")
-        text = Note(key).text
+        text = note_of(key, life.headline.element).text
         if key in OUTSIDE:
             shown = said("Life, not valid ({theories}): {reason}", theories=what, reason=text)
         else:
@@ -1374,6 +1374,7 @@ _LOSSES: Final = {
     "rolling_slip": marked("differential slip"),
     "hysteresis": marked("elastic hysteresis"),
     "rolling_resistance": marked("hydrodynamic rolling resistance"),
+    "rib": marked("sliding on the rib"),
 }
 
 

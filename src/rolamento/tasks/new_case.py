@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Final, cast
 
 from rolamento.case import Case, parse_case
 from rolamento.case.bearing import Bearing
-from rolamento.case.fields import Field
+from rolamento.case.fields import Field, of_elements
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.case.rolling_bearing import BY_ELEMENT, element_told
 from rolamento.units import from_si, readable
@@ -55,12 +55,6 @@ _LOAD: Final = 1000.0
 """To start with: this share of C, or this force (N) where no rating is known."""
 _AXIAL: Final = ("angular_contact", "double_row", "four_point", "thrust", "tapered")
 _ONLY_AXIAL: Final = ("thrust",)
-_OF_BALLS: Final = frozenset({
-    "model.raceway_control", "model.cage", "model.cage_drag", "model.mesh", "model.traction",
-    "model.film_in_contact",
-})  # fmt: skip
-_OF_ROLLERS: Final = frozenset({"model.roller_contact", "model.slices", "film.line"})
-"""Fields beside those of the bearing that matter with balls only, and with rollers only."""
 _NOT_OF: Final[Mapping[str, tuple[str, ...]]] = {
     "tapered": ("diametral_clearance", "inner_ribs", "outer_ribs", "axial_play"),
     "cylindrical": ("contact_angle", "roller_half_angle", "preload"),
@@ -115,7 +109,7 @@ def _matters(name: str, bearing: Bearing | RollerBearing | None) -> bool:
     if table == "bearing":
         other = () if bearing is None else _NOT_OF.get(bearing.element, ())
         return leaf in record.model_fields and leaf not in other
-    return name not in (_OF_BALLS if record is RollerBearing else _OF_ROLLERS)
+    return of_elements(name, ["ball" if bearing is None else bearing.element])
 
 
 def _tables(bearing: Bearing | RollerBearing | None) -> dict[str, list[Field]]:

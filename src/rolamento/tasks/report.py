@@ -19,7 +19,7 @@ from rolamento._reading import format_of_path, format_of_text, parse_mapping, re
 from rolamento.analysis import Analysis, analyse
 from rolamento.analysis.needs import has_life, has_oil
 from rolamento.case import Case, is_designation, parse_case
-from rolamento.case.fields import Field
+from rolamento.case.fields import Field, of_elements
 from rolamento.case.film_model import FilmModel
 from rolamento.case.life_model import LifeModel
 from rolamento.case.report import ReportHead
@@ -538,6 +538,8 @@ def _matters(case: Case, name: str, told: Set[str]) -> bool:
     if name in told:
         return True
     table, _, leaf = name.rpartition(".")
+    if not of_elements(name, [place.bearing.element for place in case.bearing.places]):
+        return False
     if table == "model" and leaf in _OF_FRICTION_CONTROL:
         return case.model.raceway_control == "friction"
     if name == "bearing.element":
@@ -588,6 +590,8 @@ def _origin(case: Case, name: str, given: Set[str], settings: Set[str]) -> tuple
         return "data", str(source)
     if table == "lubricant" and holder is not None:
         return "data", str(getattr(case.lubricant, "base_oil", "") or "")
+    if any(parent in given for parent in parents):  # by a word, such as that of a profile
+        return "given", ""
     return "default", ""
 
 
