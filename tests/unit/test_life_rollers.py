@@ -150,7 +150,10 @@ def test_set_of_balls_and_rollers() -> None:
     assert 0.1 < modified.factors["a_iso"][0] < 50.0
     assert found.limit.share[0] <= 1.0
     assert found.headline.element == "element"
-    assert found.to_mapping()["ratings"]["dynamic"] is None
+    ratings = found.to_mapping()["ratings"]
+    assert ratings["dynamic"] is None
+    assert [row["dynamic"] for row in ratings["rows"]] == found.ratings.dynamic[0].tolist()
+    assert ratings["sources"]["dynamic"] == "rows"
 
 
 def test_one_rating_does_not_hold_for_balls_and_rollers() -> None:
