@@ -270,7 +270,7 @@ def test_permissible_axial_load_of_ribs() -> None:
 
 
 def test_load_zone_of_rollers() -> None:
-    """J_r at ½ is 0.2453 with the exponent 1.1 (Harris 1991; ISO 281, annex B), 0.2448 with 10/9."""
+    """J_r at ½: 0.2453 with the exponent 1.1 (Harris 1991; ISO 281, B), 0.2448 with 10/9."""
     psi = (np.arange(4000) + 0.5) / 4000 * 2.0 * np.pi
     printed = np.mean(np.maximum(np.cos(psi), 0.0) ** 1.1 * np.cos(psi))
     assert printed == pytest.approx(0.2453, abs=5e-5)
