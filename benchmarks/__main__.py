@@ -28,6 +28,7 @@ from benchmarks import (
     line_contact,
     lubrication,
     robustness,
+    rollers,
     start,
     sweep,
     throughput,
@@ -60,6 +61,7 @@ class Effort:
     signal_seconds: float
     modulations: int
     line_contacts: int
+    roller_cases: int
     recordings: tuple[float, float]
 
 
@@ -83,6 +85,7 @@ FULL = Effort(
     signal_seconds=vibration.DURATION,
     modulations=3,
     line_contacts=2000,
+    roller_cases=10_000,
     recordings=(5.0, 60.0),
 )
 QUICK = Effort(
@@ -105,6 +108,7 @@ QUICK = Effort(
     signal_seconds=2.0,
     modulations=1,
     line_contacts=100,
+    roller_cases=500,
     recordings=(0.5, 2.0),
 )
 
@@ -124,6 +128,7 @@ def steps(effort: Effort) -> list[tuple[str, Callable[[], Findings]]]:
             partial(friction_control.measure, e.friction_cases, e.friction_sample, e.repeats),
         ),
         ("line contact", partial(line_contact.measure, e.line_contacts, 5, e.repeats)),
+        ("rollers", partial(rollers.measure, e.roller_cases, 5, e.repeats)),
         ("start", partial(start.measure, e.runs)),
         ("sweep", partial(sweep.measure, e.sweep_cases)),
         ("film and friction", partial(lubrication.measure, e.analysed_cases)),

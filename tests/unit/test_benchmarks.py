@@ -90,6 +90,12 @@ def test_slices_coupled_by_scipy_are_the_same(module: Any) -> None:
     assert all(figure.value > 0.0 for figure in findings.figures)
 
 
+def test_rollers_on_a_ring_by_scipy_are_the_same(module: Any) -> None:
+    findings = module("rollers").measure(4, 2, 0)
+    assert findings.failures == []
+    assert all(figure.value > 0.0 for figure in findings.figures)
+
+
 def test_random_cases(module: Any) -> None:
     robustness = module("robustness")
     for name in robustness.KINDS:

@@ -18,6 +18,7 @@ from rolamento.life.lamina import edge_factor, roller_race_ratings
 from rolamento.life.record import slope_of
 from rolamento.solved import Solved
 from rolamento.tasks.life import life_of_shaft
+from rolamento.tasks.life_over import life_curves
 
 GEOMETRY: dict[str, Any] = {
     "element": "cylindrical",
@@ -216,3 +217,10 @@ def test_geometry_outside_the_table_says_so() -> None:
     thick = {**GEOMETRY, "roller_count": 5, "roller_diameter": 15e-3}
     with pytest.raises(InputError, match=r"0\.30"):
         life(solve(case_of(thick)))
+
+
+def test_curves_with_different_slices_are_not_compared() -> None:
+    with pytest.raises(InputError, match="35, 51"):
+        life_curves(
+            [("", case_of()), ("fine", case_of(model={"slices": 51}))], "duty.load.fz=2..4kN"
+        )

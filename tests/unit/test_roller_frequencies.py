@@ -15,9 +15,14 @@ from rolamento.case import Bearing, Case, Duty, Load
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.catalogue import catalogue, rolling_bearings
 from rolamento.cli.app import app
+from rolamento.document.medium import Medium
+from rolamento.document.terminal import terminal
 from rolamento.errors import InputError
 from rolamento.geometry import apex_half_angle
+from rolamento.pages.turn import turn_page
+from rolamento.plots.cage_turn import cage_turn_figure
 from rolamento.solution import solve
+from rolamento.studies.cage_turn import cage_turn
 from rolamento.tasks.diagnosis import DiagnosisResult, diagnose
 from rolamento.tasks.frequencies import fault_frequencies
 from rolamento.tasks.synthesis import SynthesisResult, synthesise
@@ -331,3 +336,17 @@ def test_a_ball_bearing_beside_a_roller_bearing_each_has_its_own_frequencies() -
     found = nominal_frequencies(Bearing(rows=(balls, rollers)), SPEED)  # type: ignore[arg-type]
     assert [row.element for row in found.rows] == ["ball", "cylindrical"]
     assert orders(found.rows[1]) == orders(nominal_frequencies(RollerBearing(**NU205), SPEED))
+
+
+def test_a_turn_of_the_cage_speaks_of_rollers() -> None:
+    duty = Duty(inner_speed=SPEED, load=Load(fz=3000.0))
+    turn = cage_turn(Case(bearing=RollerBearing(**NU205), duty=duty), points=8)
+    assert turn.converged
+    assert turn.passage_frequency == pytest.approx(
+        nominal_frequencies(RollerBearing(**NU205), SPEED).ball_pass_outer.frequency, rel=1e-12
+    )
+    shown = terminal(turn_page(turn), Medium())
+    assert "rollers pass under the load" in shown
+    assert "ball" not in shown
+    figure = cage_turn_figure(turn)  # without stiffness along x, and without a warning
+    assert "roller" in figure.axes[0].get_xlabel() + figure.axes[1].get_title()

@@ -244,3 +244,82 @@ def test_an_analysis_has_film_and_friction() -> None:
     assert mapping["model"] == "roller_sliding"
     assert mapping["models"]["todd"]["torque"] is None
     assert set(mapping["heat"]) == {"rib", "rolling_slip", "hysteresis", "rolling_resistance"}
+
+
+# --- what is shown -----------------------------------------------------------------------------
+
+
+def _pair(**more: Any) -> Case:
+    """Two 30206 back to back, preloaded with 500 N."""
+    bearing = {
+        "designation": "30206", "arrangement": "DB", "spacing": "30 mm", "preload": "500 N",
+    }  # fmt: skip
+    whole = Case.from_mapping(
+        {"bearing": bearing, "duty": {"inner_speed": "1000 rpm"}, **OIL, **more}
+    )
+    assert whole.lubricant is not None
+    return whole.replace(lubricant=whole.lubricant.replace(friction_coefficient=0.1))
+
+
+def test_a_pair_by_designation_beside_the_makers_models() -> None:
+    """Running and starting torque of contacts, Palmgren and SKF within a factor of two."""
+    found = analyse(_pair(temperature={"lubricant": "70 degC"})).friction
+    assert found is not None
+    assert set(found.models) >= {"roller_sliding", "palmgren", "skf"}
+    own, made = float(found.torque[0]), found.models["skf"]
+    assert 0.5 < own / float(made.total[0]) < 1.5
+    assert 1.0 < own / float(found.models["palmgren"].total[0]) < 2.0
+    assert made.starting is not None
+    assert 0.5 < float(found.starting_torque[0]) / float(made.starting[0]) < 1.5
+    mapping = found.to_mapping()["models"]
+    assert mapping["skf"]["starting_torque"] == pytest.approx(float(made.starting[0]))
+    assert "starting_torque" not in mapping["palmgren"]
+
+
+def test_pages_of_rollers_know_no_balls() -> None:
+    from rolamento.document import Document
+    from rolamento.document.terminal import terminal
+    from rolamento.pages.film import film_sections
+    from rolamento.pages.friction import friction_page
+
+    analysis = analyse(_pair())
+    assert analysis.film is not None
+    text = terminal(friction_page(analysis))
+    for part in ("sliding at the ribs", "starting torque, SKF", "not run in", "Palmgren"):
+        assert part in text
+    assert "the models of Jones, Harris and Todd are for balls" in text
+    assert "Jones, full" not in text
+    films = terminal(Document("films", tuple(film_sections(analysis.film)), main="films"))
+    assert "Films of the rollers" in films
+
+
+def test_a_curve_over_speed_has_the_models_of_rollers() -> None:
+    from rolamento.document.terminal import terminal
+    from rolamento.pages.friction_over import friction_over_page
+    from rolamento.studies.friction_curves import friction_curve, read_range
+
+    curve = friction_curve(_pair(), read_range("duty.inner_speed=100..3000rpm", points=3))
+    assert curve.controlled is None
+    assert np.isfinite(curve.torque("roller_sliding")).all()
+    assert (np.diff(curve.torque("skf")) > 0.0).all()
+    text = terminal(friction_over_page([curve]))
+    assert "Rollers" in text
+    assert "Jones" not in text
+
+
+def test_an_axial_load_beyond_palmgrens_third_term() -> None:
+    bearing = {"designation": "NJ 210"}
+    loads = {"load": {"fz": "2 kN", "fx": "1 kN"}, "inner_speed": "3000 rpm"}
+    whole = Case.from_mapping({"bearing": bearing, "duty": loads, **OIL})
+    assert whole.lubricant is not None
+    whole = whole.replace(lubricant=whole.lubricant.replace(friction_coefficient=0.1))
+    found = analyse(whole).friction
+    assert found is not None
+    validity = {own.model: own for own in found.validity}
+    assert "axial_share" in [note.key for note in validity["palmgren"].notes_of()]
+    # both ribs share the force, the inner and the outer: μ F h (ω_ri + ω_ro) at 0.1 D
+    body = whole.bearing
+    height = 0.1 * body.element_diameter
+    rates = body.pitch_diameter / body.element_diameter
+    expected = 0.1 * 1000.0 * height * rates
+    assert float(found.torque_by_source["rib"][0]) == pytest.approx(expected, rel=0.1)

@@ -206,7 +206,8 @@ def _life(solved: Solved) -> tuple[LifeSummary | None, tuple[Note, ...]]:
         if error.field == "bearing.contact_angle":
             return None, (Note("life_of_thrust_bearing"),)
         if error.field == "dynamic_rating":
-            return None, (Note("life_without_rating"),)
+            rollers = all(place.bearing.element != "ball" for place in case.bearing.places)
+            return None, (Note("life_without_rating", {"element": "roller"} if rollers else {}),)
         raise
 
 

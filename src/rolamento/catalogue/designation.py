@@ -161,6 +161,7 @@ _FOUR_POINT: Final = re.compile(
 _ANGLE: Final = re.compile(r"(?<=[\s/-])(?P<angle>\d{1,2}(?:\.\d+)?)\s*(?:DEG|°)(?![A-Z])")
 _DESIGN: Final = re.compile(r"(?P<angle>AC|C|F)(?P<design>[DEB])(?=G[ABC]?(?:\||$)|\||$)")
 """SKF's letters of contact angle and internal design, behind the number of a spindle bearing."""
+_PARTING: Final = str.maketrans(dict.fromkeys("-/.,_"))
 _BORE_IN_MM: Final = re.compile(r"\b((?:HR\s*)?3\d\d|R?NA\s*\d\d)\s*/\s*(\d\d)(?!\d)", re.I)
 """Of tapered and needle roller bearings."""
 _SPINDLE_SERIES: Final = ("70", "718", "719")
@@ -280,12 +281,12 @@ def folded(text: str) -> str:
     A stroke before a bore in mm stays, as of 322/28, which is another bearing than 32228.
     """
     kept = with_kept_bore(text[:_LONGEST].replace("°", "deg"))
-    return re.sub(r"[\s\-/.,_]", "", kept).casefold()
+    return "".join(kept.translate(_PARTING).split()).casefold()
 
 
 def with_kept_bore(text: str) -> str:
     """Return a designation with a colon for the stroke before a bore in mm."""
-    return _BORE_IN_MM.sub(r"\1:\2", text)
+    return _BORE_IN_MM.sub(r"\1:\2", text) if "/" in text else text
 
 
 def parse_designation(text: str) -> Designation:

@@ -282,12 +282,12 @@ def _curves(
 ) -> list[LifeCurve]:
     """Solve the case and its variants over a field."""
     from rolamento.studies.ranges import read_range
-    from rolamento.tasks.life_over import life_curve
+    from rolamento.tasks.life_over import life_curves
 
     chosen = read_range(over, points, log=log)
     cases = cases_over(case, variants)
     with told_in_options(), waiting(lang):
-        return [life_curve(one, chosen, label=label, **tables) for label, one in cases]
+        return life_curves(cases, chosen, **tables)
 
 
 def _show_curves(

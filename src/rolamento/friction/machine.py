@@ -100,8 +100,9 @@ def machine_of(
         return None
     published, designation = told.bearing, told.designation
     grease = case.lubricant is not None and case.lubricant.kind == "grease"
+    kind: BearingKind = "needle" if published.kind == "drawn_cup" else published.kind
     return MachineBearing(
-        kind=published.kind,
+        kind=kind,
         bore_diameter=published.bore,
         outside_diameter=published.outside_diameter,
         kinematic_viscosity=film.kinematic_viscosity,
@@ -110,7 +111,7 @@ def machine_of(
         contact_angle=published.contact_angle or designation.contact_angle or 0.0,
         lubrication="grease" if grease else "oil_bath",
         supply="grease" if grease else "low_oil_bath",
-        constants=_constants(published.kind, designation.series or published.designation[:2]),
+        constants=_constants(kind, designation.series or published.designation[:2]),
     )
 
 

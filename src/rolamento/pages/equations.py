@@ -486,7 +486,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         latex=r"\delta_k = \delta - x_k \tan\theta - P(x_k)",
         plain="δ_k = δ − x_k tan θ − P(x_k)",
         symbols=("delta", "L_we", "tilt"),
-        source=marked("ISO/TS 16281:2008, 4.2.2"),
+        source=marked("ISO/TS 16281:2008"),
         references=("iso_ts_16281",),
         valid=marked(
             "P drop of the profiles of roller and race; skew of the roller is not modelled"
@@ -499,7 +499,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         latex=r"P(x) = k\, D_{we} \ln\frac{1}{1 - (2x/L_{we})^2}",
         plain="P(x) = k D_we ln(1/(1 − (2x/L_we)²))",
         symbols=("D_we", "L_we"),
-        source=marked("ISO/TS 16281:2008, 4.2.3"),
+        source=marked("ISO/TS 16281:2008"),
         references=("iso_ts_16281",),
         used=_iso_profile,
         valid=marked(
@@ -514,7 +514,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         latex=r"q_k = \frac{c_L}{n_s}\,\delta_k^{10/9},\quad c_L = 35948\, L_{we}^{8/9}",
         plain="q_k = (c_L/n_s) δ_k^(10/9),  c_L = 35948 L_we^(8/9)  (N, mm)",
         symbols=("q", "delta", "L_we"),
-        source=marked("ISO/TS 16281:2008, 4.2.1; Palmgren (1959)"),
+        source=marked("ISO/TS 16281:2008; Palmgren (1959)"),
         references=("iso_ts_16281", "palmgren_1959"),
         used=_line_contact("slices"),
         valid=marked(
@@ -530,9 +530,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         r"\ \mathrm{if}\ q_l > 0",
         plain="δ_l = Σ_k (2 q_k/(π E')) [g_|l−k| − s B_|l−k|] where q_l > 0",
         symbols=("q", "delta", "E_prime", "B_image"),
-        source=marked(
-            "Johnson (1985), sections 3.2 and 5.6; de Mul, Kalker and Fredriksson (1986)"
-        ),
+        source=marked("Johnson (1985), sections 3.2 and 5.6; de Mul et al. (1986)"),
         references=("johnson_1985", "de_mul_1986"),
         used=_line_contact("coupled"),
         valid=marked("elastic half-spaces; each slice a half ellipse of pressure across its width"),
@@ -623,7 +621,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         latex=r"\omega_m = \frac{\omega_i}{2}(1-\gamma) + \frac{\omega_o}{2}(1+\gamma)",
         plain="ω_m = ½ ω_i (1 − γ) + ½ ω_o (1 + γ)",
         symbols=("omega_m", "omega", "gamma"),
-        source=marked("pure rolling in the middle of both lines; Harris (1991), chapter 7"),
+        source=marked("pure rolling in the middle of both lines; Harris (1991)"),
         references=("harris_1991",),
         used=_turns,
     ),
@@ -634,7 +632,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         latex=r"F_c = \frac{1}{2}\,m\,d_{pw}\,\omega_m^2",
         plain="F_c = ½ m d_pw ω_m²",
         symbols=("F_c", "mass", "d_m", "omega_m"),
-        source=marked("Harris (1991), chapter 5"),
+        source=marked("Harris (1991)"),
         references=("harris_1991",),
         used=_centrifugal,
     ),
@@ -1534,7 +1532,7 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         r" \frac{Z\,|\omega_i-\omega_m|}{2\pi},\quad f_b = \frac{|\omega_R|}{2\pi}",
         plain="f_o = Z |ω_m − ω_o|/2π,  f_i = Z |ω_i − ω_m|/2π,  f_b = |ω_R|/2π",
         symbols=("order", "Z", "omega_m", "omega"),
-        source=marked("Harris (1991), chapter 7"),
+        source=marked("Harris (1991)"),
         references=("harris_1991",),
         used=_frequencies,
     ),

@@ -16,7 +16,7 @@ from rolamento.case.rolling_bearing import RollingBearing
 from rolamento.document import Entry, KeyValues, Section, Title
 from rolamento.solved import Solved
 from rolamento.units import Dimension, readable
-from rolamento.words import manner, said
+from rolamento.words import manner, said, said_in
 from rolamento.words.reasons import reason
 
 __all__ = ["BOTH", "facing", "head", "model_text", "quantity", "reason", "untitled"]
@@ -128,10 +128,10 @@ def _between_rings(bearing: RollerBearing) -> str:
         )
     play = quantity(_short(bearing.diametral_clearance or 0.0), "length")
     ribs = {
-        "none": said("none"),
-        "+": said("toward +x"),
-        "-": said("toward −x"),
-        "both": said("both sides"),
+        "none": said_in("ribs", "none"),
+        "+": said_in("ribs", "toward +x"),
+        "-": said_in("ribs", "toward −x"),
+        "both": said_in("ribs", "both sides"),
     }
     return said(
         "diametral clearance {clearance}; ribs: inner ring {inner}, outer ring {outer}",

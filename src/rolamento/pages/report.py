@@ -1454,6 +1454,23 @@ _LINES: Final[dict[LineName, str]] = {
     "ball_spin": marked("ball spin"),
     "ball_spin_twice": marked("ball damage (twice the spin)"),
 }
+_LINES_OF_ROLLERS: Final[dict[LineName, str]] = {
+    "cage": marked("cage"),
+    "ball_pass_outer": marked("outer race (roller pass)"),
+    "ball_pass_inner": marked("inner race (roller pass)"),
+    "ball_spin": marked("roller spin"),
+    "ball_spin_twice": marked("roller damage (twice the spin)"),
+}
+
+
+def _line_names(cases: Sequence[CaseReport]) -> dict[LineName, str]:
+    """What the lines are called in some cases, whose frequencies are of balls or of rollers."""
+    found = [case.analysis.frequencies for case in cases]
+    elements = [one.element for one in found if one is not None]
+    return {
+        name: worded(elements or ("ball",), said(label), said(_LINES_OF_ROLLERS[name]), said(label))
+        for name, label in _LINES.items()
+    }
 
 
 def _frequencies(report: Report) -> tuple[Table, ...]:
@@ -1461,10 +1478,9 @@ def _frequencies(report: Report) -> tuple[Table, ...]:
     if len(report.cases) == 1:
         return _frequency_table(report.cases[0])
     shaft = [_Row(said("shaft frequency"), f"{path}.shaft_frequency", ".5 Hz")]
-    hertz = [
-        _Row(said(label), f"{path}.{name}.frequency", ".5 Hz") for name, label in _LINES.items()
-    ]
-    orders = [_Row(said(label), f"{path}.{name}.order", ".5") for name, label in _LINES.items()]
+    labels = _line_names(report.cases)
+    hertz = [_Row(label, f"{path}.{name}.frequency", ".5 Hz") for name, label in labels.items()]
+    orders = [_Row(label, f"{path}.{name}.order", ".5") for name, label in labels.items()]
     groups: list[_Group] = [
         (said("Shaft"), shaft),
         (said("Frequencies"), hertz),
@@ -1478,9 +1494,10 @@ def _frequency_table(case: CaseReport) -> tuple[Table, ...]:
     path = "analysis.frequencies"
     if case.analysis.frequencies is None:
         return ()
-    names = list(_LINES)
+    labels = _line_names([case])
+    names = list(labels)
     columns = (
-        Column(head="", values=[said(_LINES[name]) for name in names], key="line"),
+        Column(head="", values=list(labels.values()), key="line"),
         Column(head="", values=[ABBREVIATIONS[name] for name in names], key="abbreviation"),
         Column(
             head=said("frequency"),

@@ -99,6 +99,7 @@ def _stiffnesses(axes: Axes, turn: CageTurn) -> None:
         return
     variation = turn.variation("stiffness")
     extent, mean = np.diagonal(variation.peak_to_peak)[:3], np.diagonal(variation.mean)[:3]
+    mean = np.where(mean == 0.0, 1.0, mean)  # cylindrical rollers do not hold the ring along x
     unit = _fitting(_SHARES, extent / np.abs(mean)) if turn.converged else _STIFFNESS
     for index, name in enumerate(_SHIFTS):
         values = turn.solved.stiffness.array[:, index, index]

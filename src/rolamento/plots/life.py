@@ -266,6 +266,8 @@ def load_over_life(
             return empty_frame(axes, no_result())
         faint = False
         for theory in _by_rank(found):
+            if np.isnan(found[theory]).all():
+                continue  # it knows nothing of such a bearing
             record, name = lives.theories[theory], _name_of(theory)
             faint |= _draw_load(
                 axes, found[theory], upright, record.valid, name, theory_look(theory)
@@ -351,15 +353,16 @@ def aiso_chart(summary: LifeSummary | None = None, axes: Axes | None = None) -> 
         To draw on; of a new figure if not given.
 
     Curves are without additives; a case with them may lie above its curve, at 3 at most.
-    ISO 281:2007, 9.3.3: radial ball bearings.
+    ISO 281:2007, 9.3.3: radial ball bearings, or those of rollers for a roller bearing.
     """
     with styled():
         axes = new_figure(height=110.0)[1] if axes is None else axes
         points = [] if summary is None else _factors_of(summary)
+        rollers = summary is not None and summary.headline.element == "roller"
         limits = _wide_enough([strength for *_, strength, _ in points])
         strength = np.geomspace(*limits, _POINTS)
         for ratio in _RATIOS:
-            factor = life_modification_factor(ratio, strength, 1.0, 1.0)
+            factor = life_modification_factor(ratio, strength, 1.0, 1.0, rollers=rollers)
             axes.plot(strength, factor, color=GREY, linewidth=0.8, zorder=1.5)
             _name_curve(axes, strength, factor, ratio, "κ = ")
         for label, marker, colour, x, y in points:

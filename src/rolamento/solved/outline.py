@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from math import cos, sin
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.contact.profile import drop
@@ -53,7 +53,11 @@ def roller_outline(solved: Solved, roller: int) -> RollerOutline:
     number = int(solved.elements.row[roller])
     row, sign = solved.case.bearing.places[number].bearing, float(solved.rows.sign[number])
     assert isinstance(row, RollerBearing)
-    size = {"length": row.effective_length, "diameter": row.roller_diameter}
+    size: dict[str, Any] = {
+        "length": row.effective_length,
+        "diameter": row.roller_diameter,
+        "tapered": row.element == "tapered",
+    }
     own = drop(row.roller_profile, place, **size)
     tilt, azimuth = float(rollers.tilt[0, roller]), float(solved.elements.azimuth[0, roller])
     ry, rz = float(solved.displacement.ry[0]), float(solved.displacement.rz[0])

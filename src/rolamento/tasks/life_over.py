@@ -5,7 +5,7 @@ Every theory at every point, and where it is valid.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, fields
 from typing import Any, Final, TypeVar
 
@@ -47,6 +47,7 @@ __all__ = [
     "ZoneLife",
     "curves_json",
     "life_curve",
+    "life_curves",
     "lives_of_rows",
     "lives_over_load",
     "lives_over_zone",
@@ -79,6 +80,8 @@ class LifeRows:
         basic reference life of each race, (rows, races), 10^6 rev, and Weibull's e, (races,)
     viscosity_ratio, contamination_factor
         κ and e_C, (rows,); NaN where they are not known
+    slices
+        into how many slices rollers were divided; None without rollers
     refused
         why there is no such case, and in which rows: (rows,)
     """
@@ -90,6 +93,7 @@ class LifeRows:
     slopes: FloatArray
     viscosity_ratio: FloatArray
     contamination_factor: FloatArray
+    slices: int | None
     refused: tuple[tuple[NDArray[np.int64], InputError], ...]
 
     def __getitem__(self, theory: str) -> Life:
@@ -228,6 +232,35 @@ def life_curve(
     return LifeCurve(case=base, label=label, over=chosen, **own)
 
 
+def life_curves(
+    cases: Iterable[tuple[str, CaseSource]],
+    over: Range | str,
+    *,
+    nsk_table: TableSource = None,
+    decimal_mark: str | None = None,
+) -> list[LifeCurve]:
+    """Find the lives of several cases over one range, to be compared.
+
+    Parameters
+    ----------
+    cases
+        What sets each apart, and the case.
+    over, nsk_table, decimal_mark
+        As of `life_curve`.
+
+    Raises
+    ------
+    InputError
+        As `life_curve`, or if rollers are divided into different numbers of slices.
+    """
+    curves = [
+        life_curve(one, over, label=label, nsk_table=nsk_table, decimal_mark=decimal_mark)
+        for label, one in cases
+    ]
+    one_number_of_slices(curve.slices for curve in curves)
+    return curves
+
+
 # --- rows of values -----------------------------------------------------------------------------
 
 
@@ -286,7 +319,7 @@ def lives_of_rows(
             blocks.append((index, found))
     if not blocks:
         raise refused[0][1]
-    one_number_of_slices(own.slices for _, own in blocks)
+    slices = one_number_of_slices(own.slices for _, own in blocks)
     known = {name for _, summary in blocks for name in summary.theories}
     races = [
         (index, np.concatenate([own.reference.inner, own.reference.outer], axis=1))
@@ -304,6 +337,7 @@ def lives_of_rows(
         headline=_joined([(index, own.headline) for index, own in blocks], count),
         races=_spread(races, count),
         slopes=blocks[0][1].reference.race_slopes,
+        slices=slices,
         viscosity_ratio=_spread([(i, own.viscosity_ratio) for i, own in blocks], count),
         contamination_factor=_spread([(i, own.contamination_factor) for i, own in blocks], count),
         refused=tuple(refused),

@@ -217,6 +217,10 @@ def _examples_of(bearing: Bearing | RollerBearing) -> dict[str, Any]:
         field = fields[f"bearing.{leaf}"]
         found[field.name] = _written(field, getattr(bearing, leaf))
     found.update(_sizes(published, fields))
+    if isinstance(bearing, RollerBearing) and bearing.told is not None:
+        spacing = bearing.spacing or bearing.told.spacing("DB")
+        if spacing:
+            found["bearing.spacing"] = _written(fields["bearing.spacing"], spacing)
     return found
 
 

@@ -642,7 +642,7 @@ class _LoadedBalls(NamedTuple):
 
 def _loaded_row(solved: Solved, shaft: _Shaft, slip: float, row: int) -> FaultFrequencies:
     count = int(solved.rows.element_count[row])
-    element = solved.case.bearing.element_rows[row].bearing.element
+    element = solved.rows.element[row]
     row_of = _Row("loaded", count, shaft, slip, row, element)
     if not solved.converged[0]:
         return row_of.without_result("no_solution_no_frequencies")
@@ -675,7 +675,7 @@ def _loaded_balls(solved: Solved, shaft: _Shaft, slip: float, row: int) -> _Load
         control = np.where(elements.raceway_control[0, own] == -1, -1, 1)
         diameter, pitch = rows.ball_diameter[0, row], rows.pitch_diameter[0, row]
         motion = ball_motion(inner_angle, outer_angle, diameter / pitch, 1.0, control=control)
-        if solved.case.bearing.element_rows[row].bearing.element != "ball":
+        if solved.rows.element[row] != "ball":
             axis, half = 0.5 * (outer_angle + inner_angle), 0.5 * (outer_angle - inner_angle)
             motion = roller_motion(diameter, pitch, axis, half, 1.0)
         cage, ball_speed = motion.orbital_speed, motion.ball_speed

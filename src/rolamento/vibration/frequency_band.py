@@ -141,10 +141,10 @@ def alternatives_of(
     found = []
     for one in _candidates(bearing):
         turns = turns_of(one.diameter / one.pitch, angle, inner, outer, slip)
-        orders = {name: abs(o) for name, o in line_orders(turns, one.count).items()}
+        orders = {name: abs(o) for name, o in line_orders(turns, one.elements).items()}
         found.append(
             Alternative(
-                one.rank, one.share, one.count, one.diameter, one.pitch, one.reproduces, orders
+                one.rank, one.share, one.elements, one.diameter, one.pitch, one.reproduces, orders
             )
         )
     return tuple(found)
@@ -163,7 +163,7 @@ def roller_counts(bearing: Bearing | RollerBearing) -> dict[int, float]:
     """Return the numbers of rollers that the ratings allow, with their shares; empty of balls."""
     shares: dict[int, float] = {}
     for one in _candidates(bearing) if bearing.element != "ball" else ():
-        shares[one.count] = shares.get(one.count, 0.0) + one.share
+        shares[one.elements] = shares.get(one.elements, 0.0) + one.share
     return shares
 
 
@@ -271,7 +271,7 @@ def _places(
     insides = [(bearing.element_count, (size, size), (pitch, pitch))]
     if allowed.candidates:
         insides += [
-            (one.count, one.diameter_range, one.pitch_range)
+            (one.elements, one.diameter_range, one.pitch_range)
             for one in _candidates(bearing)
             if one.reproduces or one.rank == 1
         ]
@@ -307,7 +307,7 @@ class _Inside(NamedTuple):
 
     rank: int
     share: float
-    count: int
+    elements: int
     diameter: float
     diameter_range: Interval
     pitch: float

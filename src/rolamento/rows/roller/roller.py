@@ -163,17 +163,29 @@ def added(p: Array, column: int) -> float:
 
 
 @shared
-def thrown_out(p: Array, column: int, ring: Array, drops: Array) -> tuple[float, float]:
-    """Where the centrifugal force presses a roller alone: into the outer race, along its line."""
-    least = np.inf
-    for k in range(drops.shape[1]):
-        least = min(least, drops[OUTER, k])
-    turn = -ring[2]
-    load = p[layout.CENTRIFUGAL, column] * p[layout.CENTRIFUGAL_SHIFT, column]
-    load /= p[layout.OUTER_SHIFT, column]
-    depth = least + (load / p[layout.OUTER_CONSTANT, column]) ** (1.0 / EXPONENT)
+def thrown_out(
+    p: Array, column: int, ring: Array, place: Array, drop: Array
+) -> tuple[float, float]:
+    """Where its inertia presses a roller alone: into the outer race, at the place of the resultant.
+
+    That is where the roller leans with the slope of the profile. drop: (n,), of the outer contact.
+    """
+    across = p[layout.OUTER_SHIFT, column]
+    load = p[layout.CENTRIFUGAL, column] * p[layout.CENTRIFUGAL_SHIFT, column] / across
+    moment = p[layout.OUTER_TURN, column] * load - p[layout.MOMENT, column]
+    moment -= p[layout.CENTRIFUGAL, column] * p[layout.CENTRIFUGAL_TURN, column]
+    nearest = 1
+    for k in range(2, place.size - 1):
+        if abs(place[k] - moment / load) < abs(place[nearest] - moment / load):
+            nearest = k
+    before, after = drop[nearest - 1], drop[nearest + 1]
+    slope = (after - before) / (place[nearest + 1] - place[nearest - 1])
+    if not abs(slope) < np.inf:
+        slope = 0.0
+    turn = -ring[2] - slope
+    depth = (load / p[layout.OUTER_CONSTANT, column]) ** (1.0 / EXPONENT)
     without, _ = outer_line(p, column, ring, 0.0, turn)
-    return (depth - without) / p[layout.OUTER_SHIFT, column], turn
+    return (depth + drop[nearest] - slope * place[nearest] - without) / across, turn
 
 
 @shared
@@ -192,7 +204,7 @@ def relax(
     shift, turn = middle(p, column, ring)
     g0, g1, h00, h01, h10, h11, scale = press(p, column, line, ring, shift, turn, found)
     if sums[0, 0] + sums[1, 0] == 0.0 and p[layout.CENTRIFUGAL, column] > 0.0:
-        shift, turn = thrown_out(p, column, ring, line[2])
+        shift, turn = thrown_out(p, column, ring, line[1], line[2][OUTER])
         g0, g1, h00, h01, h10, h11, scale = press(p, column, line, ring, shift, turn, found)
     steps, damping = 0, 0.0
     while True:

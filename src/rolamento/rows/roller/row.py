@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any, Self, cast
+from typing import Any, Final, Self, cast
 
 import numpy as np
 
@@ -22,6 +22,10 @@ from rolamento.solved import Elements, Index, Pressed, Tables
 from rolamento.solved.rollers import Line, Rollers
 
 __all__ = ["RollerRow", "roller_row"]
+
+
+RUN_OFF: Final = 0.2
+"""Of the roller's diameter: a ring that has gone so far without rest is likely to go on."""
 
 
 @dataclass(slots=True)
@@ -147,13 +151,17 @@ class RollerRow:
         """Where the ring of a bearing that is this row comes to rest; (len(which), 5), m and rad.
 
         free, load, place: as `assembly` has them, of the chosen cases; (len(which), 5) each. With
-        it, whether it did: a proposal, found in one go by the kernels.
+        it, whether it did, or has run off: a proposal, found in one go by the kernels.
         """
         p = self.numbers.p[:, which]
         p[layout.FREE : layout.FREE + 5] = free.T
         p[layout.APPLIED : layout.APPLIED + 5] = load.T
         p[layout.IMPOSED : layout.IMPOSED + 5] = place.T
-        return settle(p, self.numbers.cut.part(which), self.element_count, self.threads)
+        rings, settled = settle(p, self.numbers.cut.part(which), self.element_count, self.threads)
+        reach = np.abs(rings[:, :3]).max(axis=1)
+        tilted = p[layout.ARM] * np.abs(rings[:, 3:]).max(axis=1)
+        off = np.maximum(reach, tilted) > RUN_OFF * p[layout.DIAMETER]
+        return rings, settled | off
 
     def first_contact(self) -> FloatArray:
         """Place along x where the unloaded rollers touch, from which x counts; (cases,), m."""
@@ -168,8 +176,10 @@ class RollerRow:
         which = np.flatnonzero(self.valid & np.isfinite(force))
         free, load = np.zeros((len(which), 5), np.bool_), np.zeros((len(which), 5))
         free[:, 0], load[:, 0] = True, force[which]
-        place, settled = still.near(free, load, np.zeros_like(load), which)
-        found[which] = np.where(settled, place[:, 0], np.nan)
+        place, _ = still.near(free, load, np.zeros_like(load), which)
+        force_there = still.held(place, which, np.ones((1, 1))).force[:, 0]
+        near = np.abs(force_there - force[which]) <= 1e-9 * np.abs(force[which])
+        found[which] = np.where(near, place[:, 0], np.nan)
         return found
 
     def verdict(self, held: Held, control: FloatArray) -> IntArray:

@@ -166,7 +166,7 @@ class LoadDistribution:
         azimuth = np.mod(azimuth, _TURN)
         order = np.argsort(azimuth)
         loads = inner[order] / inner.max(), outer[order] / outer.max()
-        kind = solved.case.bearing.element_rows[row].bearing.element
+        kind = solved.rows.element[row]
         return cls(azimuth[order], *loads, EXPONENTS["ball" if kind == "ball" else "roller"])
 
 

@@ -260,9 +260,19 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "No life: with contact angles above 45° a bearing is rated as a thrust bearing; give"
         ' kind = "thrust".'
     ),
-    "life_without_rating": marked(
-        "No life: the geometry lies outside the table of the standard (D cos α/d_m from 0.01 to"
-        " 0.40), and no dynamic load rating is given (life.dynamic_rating)."
+    "life_without_rating": _of_element(
+        marked(
+            "No life: the geometry lies outside the table of the standard (D cos α/d_m from 0.01"
+            " to 0.40), and no dynamic load rating is given (life.dynamic_rating)."
+        ),
+        marked(
+            "No life: the geometry lies outside the table of the standard (D cos α/d_pw from 0.01"
+            " to 0.30), and no dynamic load rating is given (life.dynamic_rating)."
+        ),
+        marked(
+            "No life: the geometry of a row lies outside the tables of the standard, and its"
+            " designation gives no dynamic load rating."
+        ),
     ),
     "l_able_without_viscosity": marked(
         "No L_able: the viscosity ratio is not known; it needs a lubricant with its temperature, or"
