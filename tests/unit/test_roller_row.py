@@ -466,6 +466,18 @@ def test_friction_control_is_of_balls() -> None:
         )
 
 
+@pytest.mark.parametrize(
+    ("ends", "message"),
+    [
+        ({"rib_height": "4 mm"}, r"rib_height.*less than half the roller diameter, 3.5 mm"),
+        ({"roller_end_radius": "3 mm"}, r"roller_end_radius.*must be greater than 3.0"),
+    ],
+)
+def test_a_rib_touches_the_end_of_a_roller(ends: dict[str, str], message: str) -> None:
+    with pytest.raises(ValidationError, match=message):
+        case_of({**TAPERED, **ends}, duty={"load": {"fx": "3 kN"}})
+
+
 # --- hard cases -----------------------------------------------------------------------------------
 
 NEEDLES = {
