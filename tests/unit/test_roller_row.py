@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from pydantic import ValidationError
 from scipy.optimize import root
 
 from rolamento.assembly.cases import spread
@@ -453,6 +454,28 @@ def test_an_axial_load_takes_a_rib_on_either_ring(
     if code == "no_equilibrium":
         assert solved.status.unsupported[0] == 0
         assert np.isnan(solved.inner.load).all()
+
+
+def test_friction_control_is_of_balls() -> None:
+    with pytest.raises(ValidationError, match=r"raceway_control.*is for balls only"):
+        case_of(
+            NU205,
+            duty={"load": {"fz": "3 kN"}},
+            lubricant={"kind": "dry", "friction_coefficient": 0.1},
+            model={"raceway_control": "friction"},
+        )
+
+
+@pytest.mark.parametrize(
+    ("ends", "message"),
+    [
+        ({"rib_height": "4 mm"}, r"rib_height.*less than half the roller diameter, 3.5 mm"),
+        ({"roller_end_radius": "3 mm"}, r"roller_end_radius.*must be greater than 3.0"),
+    ],
+)
+def test_a_rib_touches_the_end_of_a_roller(ends: dict[str, str], message: str) -> None:
+    with pytest.raises(ValidationError, match=message):
+        case_of({**TAPERED, **ends}, duty={"load": {"fx": "3 kN"}})
 
 
 # --- hard cases -----------------------------------------------------------------------------------

@@ -281,6 +281,13 @@ class Case(Record):
         """Balls that only friction controls need a coefficient of it, and one row."""
         if self.model.raceway_control != "friction":
             return self._without_film()
+        if self.bearing.element != "ball":
+            raise InputError(
+                said("is for balls only: rollers turn as both races roll them"),
+                field="model.raceway_control",
+                value="friction",
+                example='raceway_control = "outer"',
+            )
         if self.bearing.is_set:
             raise InputError(
                 said(

@@ -33,6 +33,9 @@ from rolamento.words import said
 
 __all__ = ["RollerBearing", "roller_clearance_fits", "rollers_fit"]
 
+USUAL_RIB_HEIGHT: Final = 0.1
+"""Of the roller's diameter: where a rib touches if the bearing does not say; general knowledge of
+how high ribs are (a fifth of the diameter), not a figure of a source."""
 _MOST_INTERFERENCE: Final = 0.02
 """Of the roller diameter: beyond is no elastic contact."""
 
@@ -116,7 +119,8 @@ class RollerBearing(RollingBearing):
         Height of the point where a roller's end touches a rib above the edge of the raceway, in m;
         if not given, a tenth of the roller's diameter.
     roller_end_radius
-        Of the sphere that ends a tapered roller, in m; only its pressure on the rib needs it.
+        Of the sphere that ends a tapered roller, in m; with the height of the contact it gives the
+        direction of the rib's force. A sphere about the apex of the roller's cone if not given.
     roller_profile
         A `Profile` of the rollers, or its kind: ``"iso"``, the logarithmic one of ISO/TS 16281 and
         the default, ``"none"`` …
@@ -290,7 +294,9 @@ class RollerBearing(RollingBearing):
     @property
     def contact_height(self) -> float:
         """Height of the contact with a rib above the edge of the raceway; m."""
-        return 0.1 * self.roller_diameter if self.rib_height is None else self.rib_height
+        return (
+            USUAL_RIB_HEIGHT * self.roller_diameter if self.rib_height is None else self.rib_height
+        )
 
     @property
     def _never_written(self) -> tuple[str, ...]:
@@ -307,6 +313,7 @@ class RollerBearing(RollingBearing):
         self._check_angles()
         self._check_clearance()
         self._check_lengths()
+        self._check_ends()
         self.check_set()
         return self
 
@@ -418,6 +425,32 @@ class RollerBearing(RollingBearing):
                 field="roller_half_angle",
                 value=readable(self.roller_half_angle or 0.0, "angle"),
                 example='roller_half_angle = "2 deg"',
+            )
+
+    def _check_ends(self) -> None:
+        """A rib touches a roller below its axis, and the sphere of its end reaches there."""
+        if not self.contact_height < 0.5 * self.roller_diameter:
+            raise InputError(
+                said(
+                    "must be less than half the roller diameter, {radius}",
+                    radius=readable(0.5 * self.roller_diameter, "length"),
+                ),
+                field="rib_height",
+                value=readable(self.contact_height, "length"),
+                example='rib_height = "0.8 mm"',
+            )
+        taper = 0.5 * self.roller_length * math.tan(self.roller_half_angle or 0.0)
+        below = 0.5 * self.roller_diameter + taper - self.contact_height
+        if self.roller_end_radius is not None and not below < self.roller_end_radius:
+            raise InputError(
+                said(
+                    "must be greater than {least}, the distance of the contact with the rib from "
+                    "the roller's axis",
+                    least=readable(below, "length"),
+                ),
+                field="roller_end_radius",
+                value=readable(self.roller_end_radius, "length"),
+                example='roller_end_radius = "120 mm"',
             )
 
 

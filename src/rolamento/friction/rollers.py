@@ -17,7 +17,7 @@ from typing import Final
 
 import numpy as np
 
-from rolamento.case.roller_bearing import RollerBearing
+from rolamento.case.roller_bearing import USUAL_RIB_HEIGHT, RollerBearing
 from rolamento.friction.line_losses import (
     RIB_FILM,
     inlet_force,
@@ -127,7 +127,7 @@ def _shape_of_row(solved: Solved, index: int) -> dict[str, FloatArray]:
         "length": number("roller_length", bearing.roller_length),
         "axis": number("contact_angle", bearing.row_angle) - taper,
         "taper": taper,
-        "rib_height": np.where(np.isnan(given), 0.1 * diameter, given),
+        "rib_height": np.where(np.isnan(given), USUAL_RIB_HEIGHT * diameter, given),
         "end_radius": number("roller_end_radius", bearing.roller_end_radius),
     }
 

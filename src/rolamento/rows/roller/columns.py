@@ -20,7 +20,7 @@ import numpy as np
 
 from rolamento.case import Case
 from rolamento.case.bearing import RowPlace
-from rolamento.case.roller_bearing import RollerBearing
+from rolamento.case.roller_bearing import USUAL_RIB_HEIGHT, RollerBearing
 from rolamento.contact.coupled import body_term, influence_table, scratch
 from rolamento.contact.hertz import effective_modulus
 from rolamento.contact.line import contact_constant, roller_share, slice_places
@@ -38,11 +38,7 @@ from rolamento.roller_kinematics import (
 from rolamento.rows.roller import layout
 from rolamento.rows.roller.roller import Line
 
-__all__ = ["RIB_HEIGHT", "Cut", "Geometry", "Numbers", "geometry_of", "numbers_of"]
-
-RIB_HEIGHT: Final = 0.1
-"""Of the roller's diameter: where a rib touches if the bearing does not say; general knowledge of
-how high ribs are (a fifth of the diameter), not a figure of a source."""
+__all__ = ["Cut", "Geometry", "Numbers", "geometry_of", "numbers_of"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -196,7 +192,8 @@ def geometry_of(bearing: Any, tapered: bool, slices: int, coupled: bool, cases: 
     outer = column(bearing.contact_angle if tapered else 0.0)
     half = column(bearing.roller_half_angle if tapered else 0.0)
     axis = outer - half
-    height = RIB_HEIGHT * diameter if bearing.rib_height is None else column(bearing.rib_height)
+    given = bearing.rib_height
+    height = USUAL_RIB_HEIGHT * diameter if given is None else column(given)
     epsilon, arm = _rib_normal(bearing, diameter, whole, half, height, tapered)
     modulus = column(effective_modulus(bearing.ring_material, bearing.roller_material))
     p = np.zeros((layout.COLUMN, cases))
@@ -217,7 +214,8 @@ def geometry_of(bearing: Any, tapered: bool, slices: int, coupled: bool, cases: 
         ahead, behind = _opposed_ribs(bearing)
         stiffness = _rib_stiffness(diameter, height, modulus)
         p[layout.RIB_AHEAD], p[layout.RIB_BEHIND] = ahead * stiffness, behind * stiffness
-        p[layout.RIB_LEVER] = (radius - height) * (ahead or behind)
+        reach = np.where(height < radius, radius - height, np.nan)
+        p[layout.RIB_LEVER] = reach * (ahead or behind)
         play = bearing.axial_play
         p[layout.RIB_PLAY] = 0.0 if play is None else 0.5 * column(play)
     p[layout.COMPLIANCE] = 2.0 / (np.pi * modulus)
