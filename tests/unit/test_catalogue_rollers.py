@@ -11,7 +11,7 @@ from typer.testing import CliRunner
 
 from rolamento import Case
 from rolamento.case.roller_bearing import RollerBearing
-from rolamento.catalogue import catalogue, geometry_of, inferred_rollers
+from rolamento.catalogue import catalogue, catalogues, geometry_of, inferred_rollers
 from rolamento.cli.catalogue import app
 from rolamento.errors import InputError
 
@@ -190,3 +190,17 @@ def test_pages(name: str, language: str, ball: str) -> None:
 def test_search_lists_rollers() -> None:
     shown = run("search", "NU 22", "--lang", "en")
     assert "NU 2205 ET" in shown
+
+
+def test_a_tapered_bearing_without_an_angle_says_where_to_give_it(tmp_path: Path) -> None:
+    file = tmp_path / "own.csv"
+    header = "designation,kind,bore_mm,outside_diameter_mm,width_mm,dynamic_rating_kN"
+    file.write_text(f"# source: drawing 8\n{header}\nT-1,tapered,25,52,16.25,32\n")
+    with catalogues([file]):
+        with pytest.raises(InputError, match="tell its contact angle"):
+            RollerBearing.named("T-1", contact_angle=0.25)
+        bearing = RollerBearing.named(
+            "T-1", contact_angle=0.25, roller_count=17, roller_diameter=6e-3,
+            effective_length=9e-3, pitch_diameter=38.5e-3,
+        )  # fmt: skip
+    assert bearing.element == "tapered"

@@ -150,7 +150,7 @@ def inferred_rollers(
         raise InputError(
             said(
                 "has neither the limit e nor the factor Y that tell its contact angle: give"
-                " contact_angle"
+                " contact_angle beside it in its catalogue, or with the rollers in the case"
             ),
             field="designation",
             value=bearing.designation,
