@@ -560,7 +560,7 @@ def initial_band(assembly: Assembly, bearing: Bearing | RollerBearing) -> tuple[
     mounting = assembly.mounting
     _check_given_clearance(mounting, bearing)
     reading = mounting.measured_clearance
-    named = mounting.clearance_class
+    named: str | None = mounting.clearance_class
     if named is None and reading is None:
         named = cast("ClearanceClass | None", bearing.clearance_class)
     if named is not None:
