@@ -165,6 +165,7 @@ LABELS: Final = {
     "film.supply": marked("lubricant supply to the contact"),
     "film.bore": marked("bore diameter (replenishment)"),
     "film.outside_diameter": marked("outside diameter (replenishment)"),
+    "film.line": marked("film formulas of line contacts"),
     "life.reliability": marked("reliability"),
     "life.wanted_life": marked("required life"),
     "life.dynamic_rating": marked("basic dynamic load rating C"),
