@@ -226,6 +226,7 @@ def test_the_bearing_in_operation_is_what_solve_takes() -> None:
         lubricant=343.15, inner_ring=own.inner_ring, outer_ring=own.outer_ring
     )
     assert operating_case(running) is running
+    solve_one(running)  # a first hard case has the compiled kernels loaded, which round otherwise
     state, plain = solve_one(case), solve_one(running)
     assert state.displacement == plain.displacement
     assert state.case == running

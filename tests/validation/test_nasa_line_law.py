@@ -2,8 +2,8 @@
 
 E' = E/(1 - ν²) of steel on steel. It is a rival of ISO/TS 16281, whose 35948 N/mm^(10/9) is 0.1580
 of the same form, and so 4 % softer; Palmgren's own 3.84e-5 Q^0.9 L^-0.8 mm of one contact (Harris
-1991, chapter 6) is next to it. All of them take one exponent for all loads. Coupled slices, which have
-none, are stiffer the wider the contact.
+1991, chapter 6) is next to it. All of them take one exponent for all loads. Coupled slices, which
+have none, are stiffer the wider the contact.
 """
 
 from __future__ import annotations

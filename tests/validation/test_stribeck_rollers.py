@@ -1,8 +1,9 @@
 """NASA/TM-2012-217115: the most heavily loaded roller, against Stribeck.
 
 Their table of Z Q_max/F at zero clearance, with a roller or a gap under the load, whichever is
-worse, is computed with Q ~ δ^1.11; with 10/9 the numbers are up to 3e-4 greater. The integral for any clearance is
-Sjövall's J_r(ε), Harris, Rolling Bearing Analysis, 3rd ed. (1991), section 7.3, for n = 10/9.
+worse, is computed with Q ~ δ^1.11; with 10/9 the numbers are up to 3e-4 greater. The integral for
+any clearance is Sjövall's J_r(ε), Harris, Rolling Bearing Analysis, 3rd ed. (1991), section 7.3,
+for n = 10/9.
 """
 
 from __future__ import annotations

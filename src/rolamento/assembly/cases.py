@@ -415,7 +415,7 @@ def _check_own_fields(bearing: RollingBearing, arrays: Mapping[str, FloatArray])
                 field=name,
                 example="bearing.pitch_diameter",
             )
-    foreign = ()
+    foreign: tuple[str, ...] = ()
     if bearing.element != "ball":
         tapered = bearing.element == "tapered"
         foreign = ("diametral_clearance",) if tapered else ("contact_angle", "roller_half_angle")

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import inf
-from typing import Any, Final, NamedTuple, Protocol
+from typing import Any, Final, NamedTuple, Protocol, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -37,6 +37,7 @@ from rolamento.clearance.measuring_load import clearance_from_reading, usual_mea
 from rolamento.clearance.standards import (
     TABLES,
     Band,
+    ClearanceClass,
     Limit,
     bore_deviations,
     class_clearance,
@@ -559,9 +560,9 @@ def initial_band(assembly: Assembly, bearing: Bearing | RollerBearing) -> tuple[
     mounting = assembly.mounting
     _check_given_clearance(mounting, bearing)
     reading = mounting.measured_clearance
-    named = mounting.clearance_class
+    named: str | None = mounting.clearance_class
     if named is None and reading is None:
-        named = bearing.clearance_class
+        named = cast("ClearanceClass | None", bearing.clearance_class)
     if named is not None:
         return class_clearance(mounting.bore, named, TABLES[bearing.element]), None
     if reading is None:

@@ -438,7 +438,7 @@ def _end_over_middle(rollers: Rollers, race: Race) -> FloatArray:
     """The pressure at the end that bears more over that in the middle."""
     pressure, middle = _line(rollers, race), _in_the_middle(rollers, race)
     end = np.maximum(pressure[:, 0], pressure[:, -1])
-    return np.divide(end, middle, out=np.full(len(end), np.nan), where=middle > 0.0)
+    return np.asarray(np.divide(end, middle, out=np.full(len(end), np.nan), where=middle > 0.0))
 
 
 def _along(race: Race, of: Callable[[Rollers, Race], FloatArray]) -> Values:
@@ -512,7 +512,7 @@ def rollers_table(solved: Solved) -> Table:
         "Q load, p maximum pressure along the roller, x its place from the middle toward +x, θ tilt"
         " of the roller, positive where its +x end stands outward; i inner, o outer; ◂ maximum"
     )
-    legends = (legend,)
+    legends: tuple[str, ...] = (legend,)
     if np.any(solved.rows.sign < 0.0):
         legends += (said("x and θ of a row that faces − are as seen in a row that faces +"),)
     return Table(

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from math import floor, log10
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -55,7 +55,7 @@ Floats = NDArray[np.float64]
 
 _MICROMETRE: Final = ReadableUnit("µm", 1e6)
 _MOST_LINES: Final = len(SERIES)
-_FAINT: Final = {"color": "#A8A8A8", "linewidth": 0.7}
+_FAINT: Final[dict[str, Any]] = {"color": "#A8A8A8", "linewidth": 0.7}
 _ROOM: Final = 1.08
 _STEPS: Final = (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0)
 _SHAPE: Final = 0.55
@@ -316,7 +316,7 @@ def roller_between_races(
     top = max(float(race_above.max()), float(above.max()))
     bottom = min(float(race_below.min()), float(below.min()))
     margin = _MARGIN * (top - bottom)
-    roller_line = {"color": "black", "linewidth": 1.0, "zorder": 3.0}
+    roller_line: dict[str, Any] = {"color": "black", "linewidth": 1.0, "zorder": 3.0}
     name = _tilted(_roller_label(solved, one), outline.tilt)
     axes.fill_between(x, below, above, color="#E4E4E4", linewidth=0.0, zorder=1.6)
     axes.plot(x, above, label=name, **roller_line)

@@ -12,7 +12,7 @@ Harris, Rolling Bearing Analysis, 3rd ed. (1991), chapters 2 and 8; docs/theory/
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from functools import lru_cache
 from typing import Any, Final
 
@@ -107,8 +107,11 @@ class Geometry:
 
     def _each(self, change: Callable[[FloatArray], FloatArray], cut: Cut) -> Geometry:
         body = RollerBody(*(change(getattr(self.body, one.name)) for one in fields(RollerBody)))
-        own = (self.modulus, self.axis, self.half_angle, self.rib_angle, self.rib_arm)
-        return Geometry(change(self.p), cut, body, *(change(one) for one in own), self.tapered)
+        changed: dict[str, Any] = {
+            name: change(getattr(self, name))
+            for name in ("p", "modulus", "axis", "half_angle", "rib_angle", "rib_arm")
+        }
+        return replace(self, cut=cut, body=body, **changed)
 
 
 @dataclass(frozen=True, slots=True)
