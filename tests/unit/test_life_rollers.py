@@ -17,6 +17,7 @@ from rolamento.life.iso16281 import ROLLER_SLOPE, SLOPE
 from rolamento.life.lamina import edge_factor, roller_race_ratings
 from rolamento.life.record import slope_of
 from rolamento.solved import Solved
+from rolamento.studies.life_outputs import refuse_lifeless
 from rolamento.tasks.life import life_of_shaft
 from rolamento.tasks.life_over import life_curves
 
@@ -149,7 +150,10 @@ def test_set_of_balls_and_rollers() -> None:
     assert 0.1 < modified.factors["a_iso"][0] < 50.0
     assert found.limit.share[0] <= 1.0
     assert found.headline.element == "element"
-    assert found.to_mapping()["ratings"]["dynamic"] is None
+    ratings = found.to_mapping()["ratings"]
+    assert ratings["dynamic"] is None
+    assert [row["dynamic"] for row in ratings["rows"]] == found.ratings.dynamic[0].tolist()
+    assert ratings["sources"]["dynamic"] == "rows"
 
 
 def test_one_rating_does_not_hold_for_balls_and_rollers() -> None:
@@ -224,3 +228,9 @@ def test_curves_with_different_slices_are_not_compared() -> None:
         life_curves(
             [("", case_of()), ("fine", case_of(model={"slices": 51}))], "duty.load.fz=2..4kN"
         )
+
+
+def test_a_study_does_not_compare_lives_over_slices() -> None:
+    refuse_lifeless(case_of(), frozenset({"duty.load.fz"}))
+    with pytest.raises(InputError, match="edge factor"):
+        refuse_lifeless(case_of(), frozenset({"model.slices"}))

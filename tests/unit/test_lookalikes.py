@@ -10,7 +10,13 @@ import numpy as np
 import pytest
 
 from rolamento import Bearing
-from rolamento.catalogue import RollingBearing, catalogue, inferred_geometry, rolling_bearings
+from rolamento.catalogue import (
+    RollingBearing,
+    catalogue,
+    inferred_geometry,
+    inferred_rollers,
+    rolling_bearings,
+)
 from rolamento.document.terminal import terminal
 from rolamento.errors import InputError
 from rolamento.pages.diagnosis import diagnosis_page
@@ -152,6 +158,19 @@ def test_balls_are_kept_for_every_bearing_that_has_none() -> None:
             assert found.is_inferred
             assert found.element_count == best.ball_count
             assert found.diameter_ratio == pytest.approx(best.ball_diameter / best.pitch_diameter)
+
+
+def test_rollers_are_kept_likewise() -> None:
+    kept = {bearing.designation: bearing for bearing in rolling_bearings(of_rollers=True)}
+    listed = [b for b in catalogue().bearings if b.has_rollers and not b.knows_elements]
+    for bearing in listed[::60]:
+        if bearing.designation in kept:
+            best, found = inferred_rollers(bearing, most=1)[0], kept[bearing.designation]
+            assert found.is_inferred
+            assert found.element_count == best.roller_count
+            ratio = best.roller_diameter / best.pitch_diameter
+            assert found.diameter_ratio == pytest.approx(ratio)
+    assert len(kept) > 1000
 
 
 def test_it_takes_no_time(of_6310: Path) -> None:

@@ -161,8 +161,8 @@ def test_kinds_of_studies(file: str, kind: str, run: Run) -> None:
 
 def test_every_kind_has_a_place() -> None:
     assert {kind.value for kind in Kind} == {
-        "rosette", "balls", "angles", "pressures", "ellipses", "aiso", "sn", "zone", "helps",
-        "lines", "map", "histogram", "scatter",
+        "rosette", "balls", "angles", "pressures", "ellipses", "along", "between", "aiso", "sn",
+        "zone", "helps", "lines", "map", "histogram", "scatter",
     }  # fmt: skip
 
 

@@ -26,6 +26,11 @@ from rolamento.life.lamina import (
     one_number_of_slices,
     roller_race_ratings,
 )
+from rolamento.life.load_zone import (
+    roller_clearance_function,
+    roller_radial,
+    roller_zone_life,
+)
 from rolamento.ratings import (
     roller_dynamic_factor,
     roller_dynamic_rating,
@@ -262,3 +267,22 @@ def test_permissible_axial_load_of_ribs() -> None:
     assert fast == pytest.approx(112 * 1e4 / (2000 * 160) * 1e3 - 0.1 * 20e3)
     # without a radial load nothing holds the rollers straight
     assert float(permissible_axial_load_skf(*shape, 0.0, 100.0)) == 0.0
+
+
+def test_load_zone_of_rollers() -> None:
+    """J_r at ½: 0.2453 with the exponent 1.1 (Harris 1991; ISO 281, B), 0.2448 with 10/9."""
+    psi = (np.arange(4000) + 0.5) / 4000 * 2.0 * np.pi
+    printed = np.mean(np.maximum(np.cos(psi), 0.0) ** 1.1 * np.cos(psi))
+    assert printed == pytest.approx(0.2453, abs=5e-5)
+    assert float(roller_radial(0.5)) == pytest.approx(0.2448, abs=5e-5)
+    for zone in (0.3, 0.8, 2.0):
+        load = np.maximum(1.0 - (1.0 - np.cos(psi)) / (2.0 * zone), 0.0) ** (10.0 / 9.0)
+        assert float(roller_radial(zone)) == pytest.approx(np.mean(load * np.cos(psi)), rel=1e-5)
+    falling = roller_clearance_function([0.2, 0.5, 1.0, 3.0])
+    assert falling[1] == pytest.approx(0.0, abs=1e-12)
+    assert np.all(np.diff(falling) < 0.0)
+    races = roller_race_ratings(3e4, 13, 7.5e-3, 39e-3, 0.0)
+    ratios = roller_zone_life([0.2, 0.5, 0.75, 3.0], races)
+    assert ratios[1] == pytest.approx(1.0)
+    assert ratios[2] > 1.0 > ratios[0]
+    assert ratios[3] < 1.0

@@ -10,11 +10,12 @@ import pytest
 
 from rolamento import Case
 from rolamento.errors import InputError
-from rolamento.friction import friction
+from rolamento.friction import friction, machine_of
 from rolamento.friction.line_losses import inlet_force
 from rolamento.friction.palmgren import palmgren, rib_torque
 from rolamento.friction.skf import SkfMoment, roller_series, skf_moment
 from rolamento.geometry import apex_half_angle
+from rolamento.lubrication import film
 from rolamento.solution import solve
 
 RPM = pi / 30.0
@@ -128,6 +129,33 @@ def test_skf_of_a_cylindrical_bearing_by_hand() -> None:
     assert made.rolling == pytest.approx(1e-3 * factor * variable * 204e3**0.6)
     assert made.sliding == pytest.approx(1e-3 * 0.0015 * 70 * 10e3 * 0.02, rel=1e-3)
     assert made.starting == pytest.approx(1e-3 * 0.0015 * 70 * 10e3 * 0.15)
+
+
+@pytest.mark.parametrize(
+    ("celsius", "skf", "palmgren_too"),
+    [(40.0, 1.01, 1.00), (70.0, 0.90, 0.87), (100.0, 0.86, 0.70)],
+)
+def test_rival_models_of_a_cylindrical_bearing(
+    celsius: float, skf: float, palmgren_too: float
+) -> None:
+    """NU 210, 10 kN, 3000 r/min, ISO VG 68: contacts over SKF's and Palmgren's whole bearing.
+
+    With 68 mm²/s all three meet at 0.58 N·m, though none knows of the others.
+    """
+    case = Case.from_mapping(
+        {
+            "bearing": {"designation": "NU 210"},
+            "duty": {"inner_speed": "3000 rpm", "load": {"fz": "10 kN"}},
+            "lubricant": "ISO VG 68",
+            "temperature": {"lubricant": f"{celsius} degC"},
+        }
+    )
+    solved = solve(case)
+    machine = machine_of(case, film(solved), np.nan, np.nan)
+    found = friction(solved, friction_coefficient=0.1, machine=machine)
+    own = float(found.torque[0])
+    assert own / float(found.models["skf"].total[0]) == pytest.approx(skf, abs=0.03)
+    assert own / float(found.models["palmgren"].total[0]) == pytest.approx(palmgren_too, abs=0.03)
 
 
 def test_skf_of_a_tapered_bearing_by_hand() -> None:

@@ -124,7 +124,7 @@ class _Problem:
 
     By row: control (cases, elements), transforms (cases, 5, 6), press (cases,). Of the ring: arms
     (cases, 6), and scaled: free, target (what is asked of a free unknown) and start (where a held
-    one is), (cases, 6).
+    one is), (cases, 6); before: steps that have led to the start, (cases,).
     """
 
     system: RowsOnRing
@@ -136,6 +136,7 @@ class _Problem:
     free: BoolArray
     target: FloatArray
     start: FloatArray
+    before: IntArray
 
     @classmethod
     def of(cls, system: RowsOnRing, control: FloatArray, chosen: Indices) -> _Problem:
@@ -155,7 +156,7 @@ class _Problem:
         target, held = target / arms, held * arms
         touching = np.max([np.abs(e) for e in press], axis=0) > 0.0
         start = held + _pushed(cases, chosen, free & ~touching[:, np.newaxis], target)
-        _propose(cases, chosen, press[0], arms, start)
+        before = _propose(cases, chosen, press[0], arms, start)
         return cls(
             system=system,
             chosen=chosen,
@@ -166,6 +167,7 @@ class _Problem:
             free=free,
             target=target,
             start=start,
+            before=before,
         )
 
     def solve(self) -> RingSolution:
@@ -250,7 +252,7 @@ class _Problem:
             whole.put(which, part)
         rest = np.max([held.residual for held in view.rows], axis=0)
         solution.residual[which] = np.fmax(found.residual, rest)
-        solution.iterations[which] = found.steps
+        solution.iterations[which] = found.steps + self.before[which]
         solution.safe_path[which] = np.any([held.safe_path for held in view.rows], axis=0)
         solution.number[which], solution.unsupported[which] = _judged(found, view)
         return solution
@@ -258,24 +260,26 @@ class _Problem:
 
 def _propose(
     cases: Cases, chosen: Indices, press: FloatArray, arms: FloatArray, start: FloatArray
-) -> None:
-    """Begin where a row that is the whole bearing says that the ring comes to rest.
+) -> IntArray:
+    """Begin where a row that is the whole bearing says that the ring rests; in how many steps.
 
     Only rows whose kernels know of the ring can tell; it is judged as any other start.
     """
-    placed = cases.rows[0]
+    placed, steps = cases.rows[0], np.zeros(len(chosen), np.int64)
     if len(cases.rows) > 1 or placed.sign < 0.0 or not isinstance(placed.row, Knowing):
-        return
+        return steps
     known = cases.valid[chosen] & placed.row.valid[chosen] & (press == 0.0)
     known &= placed.lever[chosen] == 0.0
     if not known.any():
-        return
+        return steps
     which = chosen[known]
-    place, settled = placed.row.near(
+    place, settled, taken = placed.row.near(
         cases.free[which], cases.load[which], cases.displacement[which], which
     )
     rows = np.flatnonzero(known)[settled]
     start[rows, :5] = place[settled] * arms[rows, :5]
+    steps[known] = taken
+    return steps
 
 
 def _pushed(cases: Cases, chosen: Indices, loose: BoolArray, target: FloatArray) -> FloatArray:

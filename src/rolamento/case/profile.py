@@ -137,7 +137,6 @@ class Profile(Record):
                 raise InputError(
                     said("does not apply to a profile of kind {kind}", kind=self.kind),
                     field=name,
-                    value=value,
                     example=example,
                 )
         for name in _NEEDS[self.kind]:

@@ -73,8 +73,9 @@ _NODES: Final = 5
 _ROUNDS: Final = 60
 _BOLD: Final = 15
 """Rounds in which a slice that would pull is let go at once; afterwards it yields by steps."""
-_TOLERANCE: Final = 1e-8
-"""Of the gap, over the deepest interference, from which one last step of Newton is taken."""
+_TOLERANCE: Final = 1e-6
+"""Of the gap, over the deepest interference, from which one last step of Newton is taken: it leaves
+1e-12 of the load."""
 _NO_LOAD: Final = 1e-14
 """Load over the greatest at which a slice that goes on yielding is let go."""
 

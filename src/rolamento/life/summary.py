@@ -104,12 +104,16 @@ class LifeSummary:
 
     @property
     def rating_sources(self) -> dict[str, str]:
-        """Where C, C_0 and C_u come from: "given", "geometry", or the source of the catalogue."""
+        """Where C, C_0 and C_u come from: "given", "geometry", or the source of the catalogue.
+
+        "rows" of a set of balls and rollers: each row's own, by its designation or its geometry.
+        """
         given, limit = self.conditions, self.conditions.fatigue_load_limit
         found = {"fatigue": limit if isinstance(limit, str) else "given"}
         for name in ("dynamic", "static"):
             own = getattr(given, f"{name}_rating") is not None
-            found[name] = given.sources.get(f"{name}_rating", "given") if own else "geometry"
+            other = "rows" if self.ratings.mixed else "geometry"
+            found[name] = given.sources.get(f"{name}_rating", "given") if own else other
         return found
 
     def reliability_after(self, time: ArrayLike) -> FloatArray:
@@ -152,6 +156,7 @@ class LifeSummary:
                 "static": _at(self.ratings.static_of_set, case),
                 "fatigue": _at(self.ratings.fatigue_of_set, case),
                 "sources": self.rating_sources,
+                **self._of_rows(case),
             },
             "viscosity_ratio": _at(self.viscosity_ratio, case),
             "contamination_factor": _at(self.contamination_factor, case),
@@ -165,6 +170,18 @@ class LifeSummary:
             },
             **({} if self.slices is None else {"slices": self.slices}),
             **({} if self.rib_load is None else {"rib_load": self.rib_load.to_mapping(case)}),
+        }
+
+    def _of_rows(self, case: int) -> dict[str, Any]:
+        """Ratings row by row of a set of balls and rollers, which has none of its own."""
+        if not self.ratings.mixed:
+            return {}
+        columns = {name: getattr(self.ratings, name) for name in ("dynamic", "static", "fatigue")}
+        return {
+            "rows": [
+                {name: finite(values[case, index]) for name, values in columns.items()}
+                for index in range(len(self.ratings.kinds))
+            ]
         }
 
     def _required(self, case: int) -> dict[str, float | bool | None] | None:

@@ -173,8 +173,10 @@ class Knowing(Protocol):
 
     def near(
         self, free: BoolArray, load: FloatArray, place: FloatArray, which: Indices
-    ) -> tuple[FloatArray, BoolArray]:
-        """Where the ring comes to rest, and whether it did; (len(which), 5), (len(which),).
+    ) -> tuple[FloatArray, BoolArray, IntArray]:
+        """Where the ring comes to rest, whether it did, and in how many steps.
+
+        (len(which), 5) and (len(which),).
 
         free: whether the load is given on a degree of freedom, else the place; of the chosen
         cases, (len(which), 5) each.

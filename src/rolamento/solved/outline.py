@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from math import cos, sin
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
+from rolamento.case.profile import Profile
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.contact.profile import drop
 from rolamento.numerics import FloatArray
@@ -53,21 +54,24 @@ def roller_outline(solved: Solved, roller: int) -> RollerOutline:
     number = int(solved.elements.row[roller])
     row, sign = solved.case.bearing.places[number].bearing, float(solved.rows.sign[number])
     assert isinstance(row, RollerBearing)
-    size: dict[str, Any] = {
-        "length": row.effective_length,
-        "diameter": row.roller_diameter,
-        "tapered": row.element == "tapered",
-    }
-    own = drop(row.roller_profile, place, **size)
+
+    def dropped(profile: Profile) -> FloatArray:
+        return drop(
+            profile,
+            place,
+            length=row.effective_length,
+            diameter=row.roller_diameter,
+            tapered=row.element == "tapered",
+        )
+
+    own = dropped(row.roller_profile)
+    races = {"inner": dropped(row.inner_profile), "outer": dropped(row.outer_profile)}
     tilt, azimuth = float(rollers.tilt[0, roller]), float(solved.elements.azimuth[0, roller])
     ry, rz = float(solved.displacement.ry[0]), float(solved.displacement.rz[0])
     ring = sign * (rz * sin(azimuth) - ry * cos(azimuth))
     slopes = {"inner": ring - tilt, "outer": tilt}
     inner, outer = (
-        float(solved.contacts[race].approach[0, roller])
-        + slopes[race] * place
-        - own
-        - drop(getattr(row, f"{race}_profile"), place, **size)
+        float(solved.contacts[race].approach[0, roller]) + slopes[race] * place - own - races[race]
         for race in ("inner", "outer")
     )
     return RollerOutline(place, own, inner, outer, tilt, ring)

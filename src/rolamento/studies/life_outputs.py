@@ -52,9 +52,18 @@ def refuse_lifeless(case: Case, varied: frozenset[str]) -> None:
     from rolamento.life.equivalent_load import MAXIMUM_ANGLE
     from rolamento.ratings import dynamic_factor
 
+    rows = [place.bearing for place in case.bearing.places]
+    if "model.slices" in varied and any(row.element != "ball" for row in rows):
+        raise InputError(
+            said(
+                "cannot vary where lives of rollers are compared: the edge factor of ISO/TS 16281"
+                " acts on the outermost slice however narrow it is"
+            ),
+            field="model.slices",
+            example='outputs = ["outer_max_pressure"]',
+        )
     if any(name.startswith(("bearing.", "life.")) for name in varied):
         return
-    rows = [place.bearing for place in case.bearing.places]
     angle = np.array([row.contact_angle or 0.0 if row.element == "ball" else 0.0 for row in rows])
     if case.bearing.kind == "thrust":
         return

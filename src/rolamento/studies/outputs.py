@@ -183,7 +183,7 @@ _MISSING: Final[Mapping[str, tuple[str, str]]] = {
         marked("friction control of the balls"),
         'model.raceway_control = "friction" in the case',
     ),
-    "balls": (marked("balls"), "friction_torque_roller_sliding, of rollers"),
+    "balls": (marked("balls"), "friction_torque_roller_sliding"),
     "rollers": (marked("rollers"), 'element = "cylindrical" in [bearing]'),
     "life": (
         marked("a designation or a [life] table"),

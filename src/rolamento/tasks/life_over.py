@@ -16,12 +16,22 @@ from rolamento._json import dumps
 from rolamento.case import Case
 from rolamento.case.bearing import ball_bearing
 from rolamento.case.duty import LOADS
+from rolamento.case.roller_bearing import RollerBearing
+from rolamento.contact.hertz import effective_modulus
+from rolamento.contact.line import EXPONENT as LINE
+from rolamento.contact.line import pair_constant
 from rolamento.errors import InputError
 from rolamento.life import Headline, Life, LifeSummary, life
 from rolamento.life.iso16281 import race_ratings
 from rolamento.life.l_able import FactorTable
-from rolamento.life.lamina import one_number_of_slices
-from rolamento.life.load_zone import clearance_function, load_zone, zone_life
+from rolamento.life.lamina import one_number_of_slices, roller_race_ratings
+from rolamento.life.load_zone import (
+    clearance_function,
+    load_zone,
+    roller_clearance_function,
+    roller_zone_life,
+    zone_life,
+)
 from rolamento.life.theories import THEORIES
 from rolamento.numerics import FloatArray
 from rolamento.solution import solve
@@ -499,6 +509,8 @@ def lives_over_zone(solved: Solved) -> ZoneLife:
     InputError
         If the bearing is a set, has a contact angle, or has no life.
     """
+    if isinstance(solved.case.bearing, RollerBearing):
+        return _rollers_over_zone(solved, solved.case.bearing)
     case, bearing = solved.case, ball_bearing(solved.case)
     if bearing.is_set or bearing.contact_angle:
         raise InputError(
@@ -531,14 +543,40 @@ def lives_over_zone(solved: Solved) -> ZoneLife:
     )
 
 
+def _rollers_over_zone(solved: Solved, bearing: RollerBearing) -> ZoneLife:
+    """The same of a single cylindrical or needle roller bearing."""
+    if bearing.is_set or bearing.diametral_clearance is None:
+        raise InputError(
+            said("needs a single radial-contact bearing given by its clearance"),
+            field="case.bearing",
+            example="diametral_clearance in the place of contact_angle",
+        )
+    rating = life(solved, stress_volume=False).ratings.dynamic[0, 0]
+    inside = (bearing.roller_count, bearing.roller_diameter, bearing.pitch_diameter)
+    ratings = roller_race_ratings(rating, *inside, 0.0)
+    zone = np.linspace(_NARROWEST, _WIDEST, _ZONES)
+    modulus = effective_modulus(bearing.roller_material, bearing.ring_material)
+    stiffness = float(pair_constant(bearing.effective_length, modulus))
+    scale = (_radial_load(solved) / (bearing.roller_count * stiffness)) ** (1.0 / LINE)
+    ratio, clearance = roller_zone_life(zone, ratings), scale * roller_clearance_function(zone)
+    own, play = None, bearing.diametral_clearance
+    if np.isfinite(scale) and clearance[-1] <= play <= clearance[0]:
+        epsilon = float(np.interp(-play, -clearance, zone))
+        own = epsilon, float(roller_zone_life(epsilon, ratings))
+    return ZoneLife(case=solved.case, zone=zone, life_ratio=ratio, clearance=clearance, own=own)
+
+
+def _radial_load(solved: Solved) -> float:
+    """F_r, N; NaN if anything else acts on the ring."""
+    load, arm = solved.load, solved.case.bearing.pitch_diameter
+    radial = float(np.hypot(load.fy[0], load.fz[0]))
+    others = (load.fx[0], load.my[0] / arm, load.mz[0] / arm)
+    return radial if radial > 0.0 and max(map(abs, others)) <= _PURE * radial else float("nan")
+
+
 def _clearance_scale(solved: Solved) -> float:
     """(F_r/(Z K))^(2/3), by which f(ε) gives the clearance, m; NaN if the load is not radial."""
-    bearing, load = ball_bearing(solved.case), solved.load
-    radial = float(np.hypot(load.fy[0], load.fz[0]))
-    arm = bearing.pitch_diameter
-    others = (load.fx[0], load.my[0] / arm, load.mz[0] / arm)
-    if not radial > 0.0 or max(map(abs, others)) > _PURE * radial:
-        return float("nan")
+    bearing, radial = ball_bearing(solved.case), _radial_load(solved)
     stiffness = float(race_stiffness(bearing, 0.0).combined)
     return float((radial / (bearing.ball_count * stiffness)) ** (2.0 / 3.0))
 

@@ -180,11 +180,13 @@ def settle_cases(
     first: int,
     last: int,
     rings: Array,
-    settled: Array,
+    settled: NDArray[np.bool_],
+    steps: NDArray[np.int64],
 ) -> None:
     """Let the rings of the cases go until the loads balance: a proposal, for `assembly` to judge.
 
-    As `hold_cases`; rings: places (cases, 5), settled: whether, (cases,), both written.
+    As `hold_cases`; rings: places (cases, 5), settled: whether, and steps: in how many, (cases,)
+    each, all written.
     """
     z = cosines.size
     loads = np.zeros((z, 2, lines[1].shape[1]))
@@ -204,7 +206,7 @@ def settle_cases(
         number, _, scale, _ = ring_forces(
             p, case, line, cosines, sines, u, rollers, force, stiffness
         )
-        settled[case] = 0.0
+        settled[case], steps[case] = False, 0
         for _ in range(RING_STEPS):
             size = max(scale, least)
             worst = 0.0
@@ -214,7 +216,7 @@ def settle_cases(
                 worst = max(worst, abs(rest[i]))
                 size = max(size, abs(p[layout.APPLIED + i, case]) / arms[i])
             if worst <= RING_PRECISION * size:
-                settled[case] = 1.0
+                settled[case] = True
                 break
             if not worst < np.inf or number == status.NOT_CONVERGED:
                 break
@@ -234,6 +236,7 @@ def settle_cases(
             if not (slope > 0.0 and length < np.inf):
                 break
             part = min(1.0, longest / length)
+            steps[case] += 1
             for _ in range(SHORTENINGS):
                 for i in range(DEGREES):
                     u[i] = old[i] + part * step[i] / arms[i]

@@ -147,21 +147,23 @@ class RollerRow:
 
     def near(
         self, free: BoolArray, load: FloatArray, place: FloatArray, which: Indices
-    ) -> tuple[FloatArray, BoolArray]:
+    ) -> tuple[FloatArray, BoolArray, IntArray]:
         """Where the ring of a bearing that is this row comes to rest; (len(which), 5), m and rad.
 
         free, load, place: as `assembly` has them, of the chosen cases; (len(which), 5) each. With
-        it, whether it did, or has run off: a proposal, found in one go by the kernels.
+        it, whether it did, or has run off, and in how many steps: a proposal, found in one go by
+        the kernels.
         """
         p = self.numbers.p[:, which]
         p[layout.FREE : layout.FREE + 5] = free.T
         p[layout.APPLIED : layout.APPLIED + 5] = load.T
         p[layout.IMPOSED : layout.IMPOSED + 5] = place.T
-        rings, settled = settle(p, self.numbers.cut.part(which), self.element_count, self.threads)
+        cut = self.numbers.cut.part(which)
+        rings, settled, steps = settle(p, cut, self.element_count, self.threads)
         reach = np.abs(rings[:, :3]).max(axis=1)
         tilted = p[layout.ARM] * np.abs(rings[:, 3:]).max(axis=1)
         off = np.maximum(reach, tilted) > RUN_OFF * p[layout.DIAMETER]
-        return rings, settled | off
+        return rings, settled | off, steps
 
     def first_contact(self) -> FloatArray:
         """Place along x where the unloaded rollers touch, from which x counts; (cases,), m."""
@@ -176,7 +178,7 @@ class RollerRow:
         which = np.flatnonzero(self.valid & np.isfinite(force))
         free, load = np.zeros((len(which), 5), np.bool_), np.zeros((len(which), 5))
         free[:, 0], load[:, 0] = True, force[which]
-        place, _ = still.near(free, load, np.zeros_like(load), which)
+        place, _, _ = still.near(free, load, np.zeros_like(load), which)
         force_there = still.held(place, which, np.ones((1, 1))).force[:, 0]
         near = np.abs(force_there - force[which]) <= 1e-9 * np.abs(force[which])
         found[which] = np.where(near, place[:, 0], np.nan)

@@ -96,18 +96,19 @@ def hold(p: FloatArray, cut: Cut, rollers: int, threads: int | None) -> Solution
 
 def settle(
     p: FloatArray, cut: Cut, rollers: int, threads: int | None
-) -> tuple[FloatArray, NDArray[np.bool_]]:
-    """Let the rings of every column go: their places (cases, 5), and whether each came to rest."""
+) -> tuple[FloatArray, NDArray[np.bool_], NDArray[np.int64]]:
+    """Let the rings of every column go: places (cases, 5), whether each came to rest, and steps."""
     cases = p.shape[1]
-    rings, settled = np.zeros((cases, 5)), np.zeros(cases)
+    rings = np.zeros((cases, 5))
+    settled, steps = np.zeros(cases, np.bool_), np.zeros(cases, np.int64)
     p = np.ascontiguousarray(p)
     cosines, sines = directions(rollers)
 
     def run(kernel: Callable[..., Any], first: int, last: int) -> None:
-        kernel(p, cut.lines(), cosines, sines, first, last, rings, settled)
+        kernel(p, cut.lines(), cosines, sines, first, last, rings, settled, steps)
 
     _run_threads(settle_cases, run, cases, rollers * cut.slices, cut.coupled, threads)
-    return rings, settled > 0.0
+    return rings, settled, steps
 
 
 def _run_threads(
