@@ -21,6 +21,7 @@ from rolamento.clearance import (
     operating_case,
 )
 from rolamento.solution import solve
+from rolamento.tasks.bearing import case_of
 from rolamento.tasks.clearance import mounted_clearance, mounted_samples
 
 RPM = pi / 30.0
@@ -350,3 +351,13 @@ def test_balls_and_rollers_on_one_shaft() -> None:
     assert abs(load[2, 0]) < 1e-6 * 1000.0
     assert solved.rows.element == ("ball", "ball", "cylindrical")
     assert atan(load[2, 2] / 6000.0) > 0.0
+
+
+@pytest.mark.parametrize(
+    ("designation", "low", "high"),
+    [("NU 210/C3", 50, 80), ("NU 210 CC3", 50, 65), ("NU210CM", 20, 35), ("NA 4910 CC", 30, 45)],
+)
+def test_the_class_of_a_designation(designation: str, low: float, high: float) -> None:
+    case = case_of(designation, ["mounting.shaft_interference=0 um"])
+    first = clearance_of_case(case).steps[0]
+    assert first.clearance == pytest.approx((1e-6 * low, 0.5e-6 * (low + high), 1e-6 * high))

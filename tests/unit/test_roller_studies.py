@@ -141,3 +141,12 @@ def test_balls_have_no_outputs_of_rollers() -> None:
     with pytest.raises(InputError, match="needs rollers"):
         refuse_missing([catalogue()["max_rib_force"]], balls, ())
     refuse_missing([catalogue()["max_rib_force"]], case(), ())
+
+
+def test_a_part_of_the_usual_profile_may_vary() -> None:
+    wide = case(bearing__roller_profile={"factor": 0.001})
+    assert wide.bearing == case(bearing__roller_profile={"kind": "iso", "factor": 0.001}).bearing
+    with pytest.raises(InputError, match="kind"):
+        case(bearing__roller_profile={"factor": 0.001, "radius": 1.0})
+    arc = parse_case(NU, overrides=["bearing.roller_profile.radius=2 m"])
+    assert arc.bearing.roller_profile.kind == "crowned"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from itertools import pairwise
 from typing import Annotated, Any, ClassVar, Final, Literal, Self, get_args
 
@@ -51,7 +52,7 @@ class Profile(Record):
         ``"none"``, straight; ``"iso"``, the logarithmic profile that ISO/TS 16281 assumes where
         nothing is known; ``"logarithmic"``, one with its own amplitude; ``"crowned"``, an arc
         over the whole length; ``"tangential"``, a straight middle that runs into arcs at its
-        ends; ``"table"``, as measured.
+        ends; ``"table"``, as measured. If not given, that which has what is given.
     factor
         Of kind ``"iso"``: the drop's amplitude over the roller's diameter; by default the
         standard's for the kind of bearing and length.
@@ -114,6 +115,16 @@ class Profile(Record):
         ]
         | None
     ) = Field(None, examples=['["0 um", "1 um", "4 um"]'])
+
+    @model_validator(mode="before")
+    @classmethod
+    def _kind_of_what_is_given(cls, given: Any) -> Any:
+        """Let a factor alone be of the profile that has one, as where only it varies."""
+        if not isinstance(given, Mapping) or "kind" in given or not given:
+            return given
+        kinds = (kind for kind, names in _MAY_HAVE.items() if given.keys() <= set(names))
+        kind = next(kinds, None)
+        return given if kind is None else {**given, "kind": kind}
 
     @model_validator(mode="after")
     def _of_its_kind(self) -> Self:

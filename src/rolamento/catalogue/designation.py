@@ -360,9 +360,18 @@ def parse_designation(text: str) -> Designation:
     )
 
 
+_OF_ROLLERS: Final = re.compile(r"CC[1-5]?|CT")
+"""Clearance classes of NSK's that balls do not have, or where the letters mean something else."""
+
+
 def _with_rollers(known: Mapping[str, Any], rollers: RollerNumber, before: Letters) -> Designation:
     coded = rollers.bore.removeprefix("code ")
     in_mm = coded == rollers.bore
+    groups = groups_of(rollers.rest)
+    others = (group for group in groups if not _OF_ROLLERS.fullmatch(group))
+    behind = letters_behind(others, known["text"])
+    for group in filter(_OF_ROLLERS.fullmatch, groups):
+        behind += Letters(clearance_class=cast("ClearanceClass", group))
     return Designation(
         **known,
         number=rollers.number,
@@ -370,7 +379,7 @@ def _with_rollers(known: Mapping[str, Any], rollers: RollerNumber, before: Lette
         bearing_type=rollers.type,
         names=tuple(folded(name) for name in rollers.names),
         bore=float(coded) * MILLIMETRE if in_mm else _bore(coded),
-        letters=before + rollers.letters + letters_behind(groups_of(rollers.rest), known["text"]),
+        letters=before + rollers.letters + behind,
     )
 
 

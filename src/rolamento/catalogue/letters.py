@@ -20,7 +20,10 @@ from rolamento.words import said
 designation_data = partial(toml_of, "designations")
 """What the parts of designations mean."""
 
-ClearanceClass = Literal["C2", "CN", "C3", "C4", "C5", "CM"]
+ClearanceClass = Literal[
+    "C2", "CN", "C3", "C4", "C5", "CM", "CT", "CC1", "CC2", "CC", "CC3", "CC4", "CC5"
+]
+"""CC of rollers between rings that are not interchangeable, CM and CT of electric motors."""
 
 _CLASS: Final = re.compile(r"C[0-9N]")
 _TOLERANCE_AND_CLASS: Final = re.compile(r"(P[456])([2345])(?!\d)")
@@ -45,7 +48,7 @@ class Letters:
     Attributes
     ----------
     clearance_class
-        By ISO 5753-1, or CM; None if they say none.
+        By ISO 5753-1, or a maker's; None if they say none.
     ball_material
         A name of `rolamento.Material`; None likewise.
     arrangement
