@@ -157,7 +157,7 @@ def test_settings_and_variants_of_rollers() -> None:
 
 
 def test_cases_that_the_record_refuses_are_not_solved() -> None:
-    case = case_of(NU, load={"fz": "1 kN"}, displacement={"x": "0 mm"})
+    case = case_of({**NU, "roller_length": "9 mm"}, load={"fz": "1 kN"}, displacement={"x": "0 mm"})
     lengths = np.array([8.2e-3, 30e-3, 8e-3])
     solved = rolamento.solve(case, {"bearing.effective_length": lengths})
     assert solved.status.code.tolist() == ["converged", "invalid_input", "converged"]

@@ -6,6 +6,7 @@ import logging
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import lru_cache
 from time import perf_counter
 from typing import Any, Final, Self
 
@@ -30,6 +31,12 @@ LONG: Final = 1.0
 _spent: Final = [0.0]
 _ready: Final[set[Kernel[..., None]]] = set()
 """What has been compiled or loaded: to ask each time takes as long as a small case."""
+
+
+@lru_cache(maxsize=64)
+def _around(rollers: int) -> tuple[FloatArray, FloatArray]:
+    """Where the rollers stand; not to be written to."""
+    return directions(rollers)
 
 
 @dataclass(slots=True)
@@ -83,7 +90,7 @@ def hold(p: FloatArray, cut: Cut, rollers: int, threads: int | None) -> Solution
     found = Solution.empty(cases, rollers, cut.slices, cut.coupled)
     out = found.arrays()
     p = np.ascontiguousarray(p)
-    cosines, sines = directions(rollers)
+    cosines, sines = _around(rollers)
 
     def run(kernel: Callable[..., Any], first: int, last: int) -> None:
         loads = out[1] if cut.coupled else np.zeros((1, rollers, 2, cut.slices))
@@ -102,7 +109,7 @@ def settle(
     rings = np.zeros((cases, 5))
     settled, steps = np.zeros(cases, np.bool_), np.zeros(cases, np.int64)
     p = np.ascontiguousarray(p)
-    cosines, sines = directions(rollers)
+    cosines, sines = _around(rollers)
 
     def run(kernel: Callable[..., Any], first: int, last: int) -> None:
         kernel(p, cut.lines(), cosines, sines, first, last, rings, settled, steps)
