@@ -116,7 +116,7 @@ EXAMPLES: Final = {
     "nu205_gear": _case(
         "nu205_gear",
         marked("cylindrical roller bearing of a gear shaft that bends: pressure along the rollers"),
-        "solve nu205_gear.toml --html nu205_gear.html",
+        "solve nu205_gear.toml --report nu205_gear.html",
     ),
     "30206_pinion": _case(
         "30206_pinion",
