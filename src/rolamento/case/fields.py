@@ -276,7 +276,9 @@ def _choices_in(annotation: object) -> Iterator[str]:
 
 
 def _bounds_in(info: FieldInfo) -> Quantity | Ratio | None:
-    """The annotation that bounds a number."""
+    """The annotation that bounds a number; None of a list of them."""
+    if _kind_of(info) == "list":
+        return None
     return next(_numbers_in((*info.metadata, info.annotation)), None)
 
 

@@ -50,7 +50,7 @@ def speed_command(
     outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
 ) -> None:
-    """Show how fast a bearing may run, and what load its balls or rollers need.
+    """Show how fast a bearing may run, and the load that it needs.
 
     Thermal reference and permissible speed, the maker's n·d_m, minimum load.
     """

@@ -109,7 +109,7 @@ class Ball:
 
         idle: with rolling radii of D/2 and β′ = 0; beta: at other attitudes, with that yaw.
         """
-        half = 0.5 * self.solved.case.bearing.ball_diameter
+        half = 0.5 * self.solved.case.bearing.element_diameter
         one = np.ones(1) if beta is None else np.ones_like(beta)
         inner, outer = self.patch("inner"), self.patch("outer")
         return Orbits(

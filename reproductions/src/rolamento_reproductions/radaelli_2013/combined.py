@@ -75,7 +75,7 @@ class Round:
 
 def solved_round(case: Case) -> Round:
     """Solve a case, and again with the cage turned."""
-    count = case.bearing.ball_count
+    count = case.bearing.element_count
     turns = np.arange(_STEPS) * 2.0 * np.pi / (count * _STEPS)
     solved = solve(case, first_ball_azimuth=case.duty.first_ball_azimuth + turns)
     number = np.full((_STEPS, count), np.nan)
@@ -148,7 +148,7 @@ def _figure_round_the_ring(
         Series("cage_turned", "°", said("figure_round_the_ring.cage_turned"), found.turn),
     )
     status = status_column(found.solved.status.code)
-    states = np.asarray(status.values).repeat(found.case.bearing.ball_count)[found.order]
+    states = np.asarray(status.values).repeat(found.case.bearing.element_count)[found.order]
     races = (
         said("figure_round_the_ring.inner_race", symbols=symbols[0]),
         said("figure_round_the_ring.outer_race", symbols=symbols[1]),
