@@ -27,8 +27,8 @@ __all__ = ["SI_UNITS", "table_of", "to_csv", "to_xlsx"]
 SI_UNITS: Final = {
     "mm": "m", "µm": "m", "nm": "m", "mm²": "m²", "mm³": "m³", "mrad": "rad", "µrad": "rad",
     "°": "rad", "rpm": "rad/s", "kHz": "Hz", "kN": "N", "N·mm": "N·m", "µN·m": "N·m",
-    "N/mm": "N/m", "N/µm": "N/m", "N/mrad": "N/rad", "N·m/mm": "N·m/m", "N·m/mrad": "N·m/rad", "MPa": "Pa",
-    "GPa": "Pa", "1/GPa": "1/Pa", "mW": "W", "µW": "W", "°C": "K", "10⁻⁶/K": "1/K",
+    "N/mm": "N/m", "N/µm": "N/m", "N/mrad": "N/rad", "N·m/mm": "N·m/m", "N·m/mrad": "N·m/rad",
+    "MPa": "Pa", "GPa": "Pa", "1/GPa": "1/Pa", "mW": "W", "µW": "W", "°C": "K", "10⁻⁶/K": "1/K",
     "mm²/s": "m²/s", "mPa·s": "Pa·s", "mm/s": "m/s", "µm/s": "m/s", "10⁶ mm·rpm": "m·rad/s",
     "ms": "s", "min": "s", "h": "s", "10⁶ rev": "rev", "%": "", "–": "",
 }  # fmt: skip
