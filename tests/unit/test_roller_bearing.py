@@ -145,6 +145,17 @@ def test_rows_by_designation_are_those_bearings() -> None:
         )  # fmt: skip
 
 
+def test_a_designation_says_what_rolls_in_a_row() -> None:
+    rows = {"6210": "-40 mm", "NU 210": "0 mm", "30210": "40 mm"}
+    case = case_of({"rows": [{"designation": n, "position": x} for n, x in rows.items()]})
+    elements = [place.bearing.element for place in case.bearing.places]
+    assert elements == ["ball", "cylindrical", "tapered"]
+    assert Case.from_mapping(case.to_mapping()) == case
+    rollers = case_of({"rows": [{"designation": n, "position": rows[n]} for n in list(rows)[1:]]})
+    assert [place.bearing.element for place in rollers.bearing.places] == elements[1:]
+    assert isinstance(rollers.bearing, RollerBearing)
+
+
 def test_settings_and_variants_of_rollers() -> None:
     case = case_of(NU, load={"fz": "1 kN"})
     assert case.with_({"bearing.roller_profile": "none"}).bearing.roller_profile.kind == "none"

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, Literal, Self
+from collections.abc import Mapping
+from contextlib import suppress
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, Literal, Self, get_args
 
 from pydantic import BeforeValidator, Field, model_validator
 
 from rolamento.case.preload_classes import Level, listed_preload
 from rolamento.case.profile import ProfileField
 from rolamento.case.quantity import Count, Line, Quantity, Ratio, Replaces
-from rolamento.case.record import ByElement, Record, refuse_rivals, replaced
+from rolamento.case.record import ByElement, Record, elements_of, refuse_rivals, replaced
 from rolamento.errors import InputError, UnitError
 from rolamento.units import Dimension, to_si
 from rolamento.words import said
@@ -87,6 +89,16 @@ class _Row(Record):
         given = {name: value for name, value in own.items() if value is not None}
         ended = (other for name in given for other in replaced(record, name))
         return {**dict.fromkeys(ended), **given}
+
+    @model_validator(mode="before")
+    @classmethod
+    def _with_element(cls, given: Any) -> Any:
+        """Let a designation say what rolls."""
+        if isinstance(given, Mapping) and "element" not in given:
+            told = element_by_designation(given)
+            if told in elements_of(cls):
+                return {**given, "element": told}
+        return given
 
     @model_validator(mode="after")
     def _angle_or_clearance(self) -> Self:
@@ -207,8 +219,41 @@ class RollerRow(_Row):
     offset: _Offset | None = Field(None, examples=["5 um"])
 
 
-RowOfElements = Annotated[BallRow | RollerRow, ByElement()]
-"""A row of any rolling elements, told apart by `element`."""
+def as_text(value: object) -> object:
+    """Let a designation be written as a number."""
+    if isinstance(value, int) and not isinstance(value, bool) and 0 <= value < 10**9:
+        return str(value)
+    return value
+
+
+def element_by_designation(given: Mapping[str, Any]) -> str | None:
+    """What rolls in a table's designation; None where there is none, or the catalogue lacks it."""
+    designation = as_text(given.get("designation"))
+    if isinstance(designation, str):
+        from rolamento.catalogue import catalogue
+
+        with suppress(InputError):
+            kind = catalogue().find(designation).bearing.kind
+            return (
+                "needle"
+                if kind == "drawn_cup"
+                else kind
+                if kind in get_args(RollerKind)
+                else "ball"
+            )
+    return None
+
+
+def element_of_row(row: object) -> str:
+    """What rolls in a row, as a record or as a table that nobody has checked."""
+    if not isinstance(row, Mapping):
+        return str(getattr(row, "element", "ball"))
+    told = element_by_designation(row) if "element" not in row else None
+    return str(row.get("element", told or "ball"))
+
+
+RowOfElements = Annotated[BallRow | RollerRow, ByElement(element_by_designation)]
+"""A row of any rolling elements, told apart by `element`, else by the designation."""
 
 
 class Preload(Record):

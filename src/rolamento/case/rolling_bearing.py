@@ -38,6 +38,9 @@ from rolamento.case.arrangement import (
     Preload,
     RollerRow,
     RowOfElements,
+    as_text,
+    element_by_designation,
+    element_of_row,
 )
 from rolamento.case.preload_classes import Level, listed_preload
 from rolamento.case.quantity import Line, at_the_border
@@ -86,13 +89,6 @@ _WRITTEN_ANGLE: Final = re.compile(r"\s*\d+deg$")
 """Of designations that tell their contact angle so, which lists of preloads do not."""
 _ELSE_FROM: Final = {"spacing": "assumed", "preload": "designation"}
 """Where a field comes from that the catalogue tells only together with what is given."""
-
-
-def as_text(value: object) -> object:
-    """Let a designation be written as a number."""
-    if isinstance(value, int) and not isinstance(value, bool) and 0 <= value < 10**9:
-        return str(value)
-    return value
 
 
 Designation = Annotated[
@@ -343,7 +339,7 @@ class RollingBearing(Record):
         rows = given.get("rows")
         for row in rows if isinstance(rows, list | tuple) else ():
             told = row if isinstance(row, Mapping) else getattr(row, "own", {})
-            if BY_ELEMENT.get(_element_of(row)) is cls:
+            if BY_ELEMENT.get(element_of_row(row)) is cls:
                 break
         else:
             return {}
@@ -441,15 +437,12 @@ def element_told(given: Mapping[str, Any]) -> str | None:
     Balls, if any row is of balls: a set of both has their record.
     """
     rows = given.get("rows")
-    elements = [_element_of(row) for row in (rows if isinstance(rows, list | tuple) else ())]
+    elements = [element_of_row(row) for row in (rows if isinstance(rows, list | tuple) else ())]
     if elements:
         return "ball" if "ball" in elements else elements[0]
-    designation = as_text(given.get("designation"))
-    if isinstance(designation, str):
-        from rolamento.catalogue import catalogue
-
-        with suppress(InputError):
-            return ELEMENT_OF_KIND.get(catalogue().find(designation).bearing.kind, "ball")
+    by_designation = element_by_designation(given)
+    if by_designation is not None:
+        return by_designation
     if any(name.startswith("roller_") for name in given):
         raise InputError(
             said("is missing; a bearing of rollers needs it"),
@@ -457,23 +450,6 @@ def element_told(given: Mapping[str, Any]) -> str | None:
             example='element = "cylindrical"',
         )
     return None
-
-
-def _element_of(row: object) -> str:
-    """What rolls in a row, as a record or as a table that nobody has checked."""
-    if not isinstance(row, Mapping):
-        return str(getattr(row, "element", "ball"))
-    told = element_told(row) if "designation" in row and "element" not in row else None
-    return str(row.get("element", told or "ball"))
-
-
-ELEMENT_OF_KIND: Final = {
-    "cylindrical": "cylindrical",
-    "tapered": "tapered",
-    "needle": "needle",
-    "drawn_cup": "needle",
-}
-"""What rolls in the bearings of a catalogue, by their kind there; balls in the others."""
 
 
 def _own_fields(given: Mapping[str, Any]) -> set[str]:
