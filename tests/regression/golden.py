@@ -83,7 +83,7 @@ def spread(every: int) -> list[str]:
 
 def compile_first() -> None:
     """Load the compiled kernels: few cases alone run as plain Python, whose last digits differ."""
-    for study in ("study_axes", "study_set", "study_friction"):
+    for study in ("study_axes", "study_set", "study_friction", "study_rollers"):
         _outputs((f"sweep {study}.toml -o out.nc",))
 
 

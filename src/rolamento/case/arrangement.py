@@ -234,13 +234,9 @@ def element_by_designation(given: Mapping[str, Any]) -> str | None:
 
         with suppress(InputError):
             kind = catalogue().find(designation).bearing.kind
-            return (
-                "needle"
-                if kind == "drawn_cup"
-                else kind
-                if kind in get_args(RollerKind)
-                else "ball"
-            )
+            if kind == "drawn_cup":
+                return "needle"
+            return kind if kind in get_args(RollerKind) else "ball"
     return None
 
 
