@@ -31,7 +31,9 @@ PAGES: Final = (
     "synthesise_inner", "diagnose_inner", "diagnose_healthy", "diagnose_swing", "anderon_one",
     "anderon_hours", "weibull_campanha", "weibull_calculated", "weibull_bayes", "weibull_ratio",
     "plan_demonstration", "plan_precision", "trend_clearance", "sweep_axes", "sweep_scatter",
-    "tolerance_sobol", "verify_campanha", "verify_iso",
+    "tolerance_sobol", "verify_campanha", "verify_iso", "solve_nu205_tilted", "solve_tapered_pair",
+    "solve_balls_and_rollers", "life_nu205", "friction_nu210", "frequencies_30206", "speed_nu205",
+    "clearance_nu210", "catalogue_30205", "sweep_rollers",
 )  # fmt: skip
 """Of the golden runs: at least one of every command that has a page."""
 
