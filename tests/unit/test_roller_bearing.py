@@ -97,6 +97,9 @@ def test_what_is_refused(bearing: dict[str, Any], field: str, rule: str) -> None
 def test_slices_are_odd() -> None:
     with pytest.raises(InputError, match="must be odd"):
         Case.from_mapping({"bearing": NU, "duty": {}, "model": {"slices": 34}})
+    coupled = {"slices": 303, "roller_contact": "coupled"}
+    with pytest.raises(InputError, match="at most 301"):
+        Case.from_mapping({"bearing": NU, "duty": {}, "model": coupled})
     assert "slices" not in Case.from_mapping({"bearing": BALLS, "duty": {}}).to_mapping()["model"]
     given = Case.from_mapping({"bearing": NU, "duty": {}, "model": {"slices": 51}})
     assert given.to_mapping()["model"]["slices"] == 51

@@ -18,6 +18,8 @@ CageKind = Literal["loose", "rigid", "none"]
 Mesh = Literal["coarse", "fine"]
 Traction = Literal["coulomb", "film"]
 RollerContact = Literal["slices", "coupled"]
+MOST_COUPLED: Final = 301
+"""The time that coupled slices take grows with the third power of their number."""
 _OF_ROLLERS: Final = ("roller_contact", "slices")
 
 
@@ -61,8 +63,8 @@ class Model(Record):
         How a roller's line of contact carries: ``"slices"``, each by itself, as in ISO/TS 16281;
         ``"coupled"``, as parts of one elastic half-space, which finds the peaks at the edges.
     slices
-        Into how many slices a roller is divided; odd, 5 to 1001. Lives of rollers depend on it,
-        and are compared at the same number only.
+        Into how many slices a roller is divided; odd, 5 to 1001, coupled to 301. Lives of rollers
+        depend on it, and are compared at the same number only.
 
     Raises
     ------
@@ -84,13 +86,20 @@ class Model(Record):
     slices: Annotated[int, Field(strict=True, ge=5, le=1001), Count] = Field(35, examples=[35])
 
     @model_validator(mode="after")
-    def _has_a_middle(self) -> Self:
+    def _slices_in_reason(self) -> Self:
         if self.slices % 2 == 0:
             raise InputError(
                 said("must be odd: one slice stands in the middle of the roller"),
                 field="slices",
                 value=self.slices,
                 example="slices = 35",
+            )
+        if self.roller_contact == "coupled" and self.slices > MOST_COUPLED:
+            raise InputError(
+                said('must be at most {most} with roller_contact = "coupled"', most=MOST_COUPLED),
+                field="slices",
+                value=self.slices,
+                example="slices = 101",
             )
         return self
 
