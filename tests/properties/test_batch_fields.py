@@ -14,6 +14,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from rolamento import Bearing, Case, Duty, InputError, Load, Model
+from rolamento.case.roller_bearing import RollerBearing
 from rolamento.case.varied import batch_fields
 from rolamento.clearance import MOUNTED_FIELDS
 from rolamento.solution import solve
@@ -88,6 +89,36 @@ CASES["arches"] = Case(
 CASES["mounted pair"] = CASES["pair"].replace(
     temperature=CASES["mounted"].temperature, mounting=CASES["mounted"].mounting
 )
+ROLLERS: dict[str, Any] = {
+    "roller_count": 9,
+    "roller_diameter": "10 mm",
+    "effective_length": "11 mm",
+    "roller_length": "12 mm",
+    "pitch_diameter": "60 mm",
+}
+ON_NJ = Duty(inner_speed=150.0, load=Load(fx=300.0, fz=4e3))
+CASES["cylindrical"] = Case(
+    bearing=RollerBearing(
+        **ROLLERS, element="cylindrical", diametral_clearance="20 um", inner_ribs="-",
+        axial_play="50 um", roller_material="Si3N4",
+    ),
+    duty=ON_NJ,
+)  # fmt: skip
+CASES["tapered"] = Case(
+    bearing=RollerBearing(
+        **ROLLERS, element="tapered", contact_angle="14 deg", roller_half_angle="2 deg"
+    ),
+    duty=DUTY,
+)
+OF_ROLLERS = {
+    **dict.fromkeys(
+        ("roller_diameter", "effective_length", "roller_length", "rib_height"),
+        ("cylindrical", "tapered"),
+    ),
+    **dict.fromkeys(("roller_half_angle", "roller_end_radius"), ("tapered",)),
+    **dict.fromkeys(("axial_play", "roller_material"), ("cylindrical",)),
+}
+"""Which cases the fields of rollers are tried on."""
 FOR_ROLLING = (
     "lubricant.friction_coefficient", "model.cage_drag", "temperature.lubricant",
     "duty.inner_speed", "bearing.inner_conformity",
@@ -109,6 +140,16 @@ VALUES: dict[str, tuple[float, float, tuple[float, ...]]] = {
     "duty.displacement.rz": (-5e-4, 5e-4, (0.09,)),
     "bearing.ball_diameter": (0.018, 0.0243, (0.0244, 0.0246, 0.0, -1.0, 0.011, 0.012, 2.0)),
     "bearing.pitch_diameter": (0.115, 0.2, (0.1139, 0.02, 0.0, 25.0)),
+    "bearing.roller_diameter": (0.008, 0.012, (0.0, -1.0, 0.0204, 0.0206, 0.06, 2.0)),
+    "bearing.effective_length": (0.006, 0.012, (0.0, 0.0121, 2.0)),
+    "bearing.roller_length": (0.011, 0.02, (0.0109, 0.0, 2.0)),
+    "bearing.roller_half_angle": (0.01, 0.05, (0.0, 0.1221, 0.1223, 0.8)),
+    "bearing.axial_play": (0.0, 2e-4, (-1e-6, 2.0)),
+    "bearing.rib_height": (2e-4, 2e-3, (0.0, 9e-3, 2.0)),
+    "bearing.roller_end_radius": (0.1, 1.0, (0.0, 1e-3, 101.0)),
+    "bearing.roller_material.youngs_modulus": (1e11, 4e11, (0.0, 1e30)),
+    "bearing.roller_material.poisson_ratio": (0.1, 0.45, (0.5, 0.6)),
+    "bearing.roller_material.density": (2e3, 9e3, (0.0, -5.0)),
     "bearing.contact_angle": (0.1, 1.2, (0.0, 1.5707, 1.5708, -0.1)),
     "bearing.diametral_clearance": (-5e-5, 4e-4, (0.0, -3e-4, 2.1e-3, 2.0)),
     "bearing.inner_conformity": (0.505, 0.6, (0.501, 0.5, 1.0, 1.01)),
@@ -187,6 +228,10 @@ def changed(case: Case, field: str, value: float) -> Case:
             duty[other][rival[path[1]]] = None
         return case.replace(duty=Duty(**duty))
     bearing = case.bearing
+    if path[0] == "roller_material":
+        assert isinstance(bearing, RollerBearing)
+        material = bearing.roller_material.replace(**{path[1]: value})
+        return case.replace(bearing=bearing.replace(roller_material=material))
     if path[0] in ("ring_material", "ball_material"):
         material = getattr(bearing, path[0]).replace(**{path[1]: value})
         changes = {path[0]: material}
@@ -206,6 +251,9 @@ def changed(case: Case, field: str, value: float) -> Case:
 
 
 def applies(case: Case, field: str) -> bool:
+    of_rollers = [CASES[name] for name in OF_ROLLERS.get(field.split(".")[1], ())]
+    if of_rollers or isinstance(case.bearing, RollerBearing):
+        return case in of_rollers
     if case is CASES["rolling"]:
         return field in FOR_ROLLING
     if field == "bearing.shim_angle" or case is CASES["arches"]:

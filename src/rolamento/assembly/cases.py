@@ -19,7 +19,13 @@ from rolamento.case.bearing import (
     clearance_fits,
 )
 from rolamento.case.duty import AXES, LOADS
-from rolamento.case.roller_bearing import RollerBearing, roller_clearance_fits, rollers_fit
+from rolamento.case.roller_bearing import (
+    USUAL_RIB_HEIGHT,
+    RollerBearing,
+    below_axis,
+    roller_clearance_fits,
+    rollers_fit,
+)
 from rolamento.case.rolling_bearing import RollingBearing
 from rolamento.case.varied import bounded, varied_arrays
 from rolamento.clearance.batch import MOUNTED_FIELDS
@@ -476,6 +482,11 @@ def _rollers_consistent(bearing: Any, own: RollerBearing) -> BoolArray:
     sound = (pitch > diameter) & rollers_fit(own.roller_count, diameter, pitch)
     sound = sound & (bearing.effective_length <= bearing.roller_length * (1.0 + _ROUNDING))
     sound = sound & (bearing.roller_length * np.tan(half_angle) < diameter)
+    usual = USUAL_RIB_HEIGHT * diameter
+    height = usual if bearing.rib_height is None else bearing.rib_height
+    sound = sound & (height < 0.5 * diameter)
+    if bearing.roller_end_radius is not None:
+        sound = sound & (below_axis(bearing, height) < bearing.roller_end_radius)
     if own.element == "tapered":
         angle = bearing.contact_angle
         return np.asarray(sound & (angle < 0.5 * np.pi) & (angle - 2.0 * half_angle > 0.0))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Annotated, Any, ClassVar, Final, Self, cast
 
+import numpy as np
 from pydantic import ConfigDict, Field, model_validator
 
 from rolamento.case.arrangement import (
@@ -365,7 +366,7 @@ class RollerBearing(RollingBearing):
                 )
         if self.element != "tapered":
             return
-        if not 0.0 < self.inner_contact_angle < self.row_angle < 0.5 * math.pi:
+        if not 0.0 < self.inner_contact_angle <= self.row_angle < 0.5 * math.pi:
             raise InputError(
                 said(
                     "must be less than half the contact angle, {half}, and the contact angle "
@@ -439,8 +440,7 @@ class RollerBearing(RollingBearing):
                 value=readable(self.contact_height, "length"),
                 example='rib_height = "0.8 mm"',
             )
-        taper = 0.5 * self.roller_length * math.tan(self.roller_half_angle or 0.0)
-        below = 0.5 * self.roller_diameter + taper - self.contact_height
+        below = float(below_axis(self, self.contact_height))
         if self.roller_end_radius is not None and not below < self.roller_end_radius:
             raise InputError(
                 said(
@@ -452,6 +452,16 @@ class RollerBearing(RollingBearing):
                 value=readable(self.roller_end_radius, "length"),
                 example='roller_end_radius = "120 mm"',
             )
+
+
+def below_axis(bearing: Any, contact_height: Any) -> Any:
+    """Where a rib touches the large end of a roller, from the roller's axis; m.
+
+    bearing: attributes, numbers or arrays (cases,).
+    """
+    half_angle = 0.0 if bearing.roller_half_angle is None else bearing.roller_half_angle
+    large = 0.5 * (bearing.roller_diameter + bearing.roller_length * np.tan(half_angle))
+    return large - contact_height
 
 
 def rollers_fit(count: int, roller_diameter: Any, pitch_diameter: Any) -> Any:

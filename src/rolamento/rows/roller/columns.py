@@ -221,7 +221,7 @@ def geometry_of(bearing: Any, tapered: bool, slices: int, coupled: bool, cases: 
     p[layout.COMPLIANCE] = 2.0 / (np.pi * modulus)
     return Geometry(
         p=p,
-        cut=_cut(bearing, p, half, axis, modulus, slices, coupled),
+        cut=_cut(bearing, p, half, axis, modulus, slices, coupled, tapered),
         body=roller_body(diameter, whole, half, column(bearing.roller_material.density)),
         modulus=modulus,
         axis=axis,
@@ -294,6 +294,7 @@ def _cut(
     modulus: FloatArray,
     slices: int,
     coupled: bool,
+    tapered: bool,
 ) -> Cut:
     """Cut the contacts into slices; what is alike in all cases is kept once."""
     length, diameter, pitch = p[layout.LENGTH], p[layout.DIAMETER], 2.0 * p[layout.ARM]
@@ -301,7 +302,6 @@ def _cut(
     some = slice(0, 1) if same else slice(None)
     length, diameter, pitch, half, axis = (a[some] for a in (length, diameter, pitch, half, axis))
     place = slice_places(length, slices)
-    tapered = bool((half > 0.0).any())
     sizes = {"length": length[:, np.newaxis], "diameter": diameter[:, np.newaxis]}
 
     def drops_of(body: str) -> FloatArray:
