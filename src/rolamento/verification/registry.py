@@ -15,6 +15,7 @@ from rolamento.verification.makers import checks as makers_checks
 from rolamento.verification.makers import life_checks as makers_life_checks
 from rolamento.verification.radaelli_2013 import checks as radaelli_2013_checks
 from rolamento.verification.rigs import case_western_checks, rig_checks
+from rolamento.verification.rollers import checks as rollers_checks
 from rolamento.verification.standards import iso_76_checks, iso_281_checks, iso_16281_checks
 from rolamento.words import said
 
@@ -93,6 +94,7 @@ def sources() -> tuple[Source, ...]:
         "iso_16281": iso_16281_checks,
         "iso_76": iso_76_checks,
         "campanha_2008": campanha_2008_checks,
+        "rollers": rollers_checks,
         "radaelli_2013": radaelli_2013_checks,
         "case_western": case_western_checks,
         "rigs": rig_checks,

@@ -172,6 +172,10 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "By exact Hertz 15.653 with 207 GPa and 0.3: the table's one number that is not the "
         "rounded one. Tolerance: 0.003 more than half a digit."
     ),
+    "verify_rollers_exponent": marked(
+        "The source takes Q ~ δ^1.11, ISO/TS 16281 10/9: up to 3e-4 of the number, which the "
+        "tolerance has beside half a digit. The worse of a roller and a gap under the load."
+    ),
     "verify_iso_approximate": marked(
         "The tolerance is 1e-5 of the number where that is more than half a digit: the "
         "reference program approximates the elliptic integrals."
