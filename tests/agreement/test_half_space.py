@@ -49,6 +49,7 @@ def both(name: str) -> tuple[CoupledPress, Pressed]:
 
 
 @pytest.mark.parametrize("name", CASES)
+@pytest.mark.sweep
 def test_load_and_moment(name: str) -> None:
     slices, whole = both(name)
     assert whole.gap_error < 1e-9
@@ -57,6 +58,7 @@ def test_load_and_moment(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", CASES)
+@pytest.mark.sweep
 def test_pressure_along_the_roller(name: str) -> None:
     slices, whole = both(name)
     along = whole.pressure.max(axis=0)

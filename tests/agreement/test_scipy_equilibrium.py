@@ -162,6 +162,7 @@ def assert_close(value: Any, expected: Any, scale: float, tolerance: float = TOL
 
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.title)
+@pytest.mark.thirds
 def test_independent_implementation(case: Case) -> None:
     expected = reference.solve_reference(case)
     assert expected.error < 1e-10

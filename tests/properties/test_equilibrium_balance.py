@@ -222,6 +222,7 @@ def test_contacts_close_the_geometry(solved: tuple[Case, Solved]) -> None:
 
 
 @pytest.mark.parametrize("race", ["inner", "outer"])
+@pytest.mark.thirds
 def test_loads_are_those_of_exact_hertz(solved: tuple[Case, Solved], race: Any) -> None:
     case, batch = solved
     bearing = case.bearing

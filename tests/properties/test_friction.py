@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -45,6 +46,7 @@ def under(bearing: Bearing, pressure: float, slant: float = 0.0) -> Solved:
 
 @settings(max_examples=30)
 @given(bearings, st.floats(1e5, 5e7), st.floats(0.0, 0.8))
+@pytest.mark.sweep
 def test_models_stand_in_order_and_in_proportion(
     bearing: Bearing, pressure: float, slant: float
 ) -> None:

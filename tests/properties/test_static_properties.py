@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -163,6 +164,7 @@ def test_every_axial_load_is_solved(bearing: Balls, load: float) -> None:
 
 
 @given(st.floats(1.0, 1e5), st.floats(0.1, 10.0), st.floats(0.1, 1.4))
+@pytest.mark.sweep
 def test_axial_state_is_the_same_in_a_bearing_of_any_size(
     load: float, factor: float, angle: float
 ) -> None:

@@ -231,6 +231,7 @@ def test_work_of_the_rings_is_what_is_lost(solved: tuple[Case, Solved, Rolling])
 
 
 @pytest.mark.parametrize("race", ["inner", "outer"])
+@pytest.mark.thirds
 def test_friction_is_that_of_the_slip_in_the_result(
     solved: tuple[Case, Solved, Rolling], race: Any
 ) -> None:

@@ -76,6 +76,7 @@ def test_every_field_has_a_meaning_and_an_example() -> None:
 
 
 @pytest.mark.parametrize("name", NUMBERS)
+@pytest.mark.thirds
 def test_bounds_are_those_of_the_record(name: str) -> None:
     field = FIELDS[name]
     assert field.bounds is not None
@@ -290,6 +291,7 @@ def entry_of(name: str) -> dict[str, Any]:
 
 
 @pytest.mark.parametrize("name", NUMBERS)
+@pytest.mark.thirds
 def test_bounds_and_units_are_in_the_schema(name: str) -> None:
     field, entry = FIELDS[name], entry_of(name)
     number = next(one for one in alternatives(entry) if one.get("type") == "number")
@@ -306,6 +308,7 @@ def test_bounds_and_units_are_in_the_schema(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", FIELDS)
+@pytest.mark.thirds
 def test_meanings_and_examples_are_in_the_schema(name: str) -> None:
     field, entry = FIELDS[name], entry_of(name)
     assert entry["description"]

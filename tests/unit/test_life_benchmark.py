@@ -41,6 +41,7 @@ def test_stress_volume(bench: Any) -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.sweep
 def test_scipy_integrates_the_same(bench: Any) -> None:
     findings = bench.measure_stress_volume(20, 1, 1)
     assert findings.failures == []

@@ -339,6 +339,7 @@ HOT = {
 
 
 @pytest.mark.parametrize("arrangement", ["DB", "TBT"])
+@pytest.mark.thirds
 def test_the_running_set_is_what_is_solved(arrangement: str) -> None:
     case = pair(bearing__arrangement=arrangement, **HOT)
     state = solve(case)

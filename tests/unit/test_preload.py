@@ -308,6 +308,7 @@ def test_under_axial_load_all_balls_of_a_row_lift_off_together() -> None:
 
 @settings(max_examples=3)
 @given(scale=st.floats(1e-3, 5.0))
+@pytest.mark.sweep
 def test_the_point_does_not_hang_on_how_the_load_is_counted(scale: float) -> None:
     bearing = pair({"force": 500.0})
     point = preload_of(bearing, fx=1000.0, fz=100.0).loss_factor
@@ -321,6 +322,7 @@ def test_turned_around_the_other_row_is_lost() -> None:
     assert one.loss_factor == pytest.approx(other.loss_factor, rel=1e-6)
 
 
+@pytest.mark.sweep
 def test_where_there_is_no_such_point_the_number_does_not_exist() -> None:
     unloaded = preload_of(pair({"force": 500.0}), speed=1000.0)
     without = [

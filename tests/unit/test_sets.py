@@ -131,6 +131,7 @@ def test_a_bad_case_does_not_touch_its_neighbours() -> None:
 @pytest.mark.parametrize("size", [1e-6, 1e5, 1e7, 1e9])
 @pytest.mark.parametrize("name", ["fx", "fz", "my"])
 @pytest.mark.parametrize("preload", [None, "5 kN", {"spring": "5 kN"}])
+@pytest.mark.thirds
 def test_absurd_loads_have_a_name(size: float, name: str, preload: Any) -> None:
     case = Case(bearing=set_of("DB", preload), duty=Duty())
     loads = {"my": 0.0, "mz": 0.0, name: [size, -size]}

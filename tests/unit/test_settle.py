@@ -35,6 +35,7 @@ def grooves(p: np.ndarray, count: int = 40) -> np.ndarray:
     return np.stack([reach * np.sin(alpha), reach * np.cos(alpha)], axis=1)
 
 
+@pytest.mark.thirds
 def test_one_place_from_every_start(parameters: np.ndarray) -> None:
     l_o = parameters[layout.OUTER_LENGTH, 0]
     for a1, a2 in grooves(parameters):

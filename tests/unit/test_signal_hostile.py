@@ -324,6 +324,7 @@ def test_hdf5_of_unwritten_samples(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("kind", ["f8", "i1"])
+@pytest.mark.thirds
 def test_arrays_that_repeat_one_number(tmp_path: Path, kind: str) -> None:
     """100 kB that inflate to 100 MB, or to as many samples of one byte each."""
     count = 100_000_000 // np.dtype(kind).itemsize

@@ -287,6 +287,7 @@ def test_times_give_the_rate(tmp_path: Path, name: str) -> None:
         (-1, -10_000.0, True),
     ],
 )
+@pytest.mark.thirds
 def test_times_that_are_not_even(
     tmp_path: Path, name: str, place: int, change: float, refused: bool
 ) -> None:

@@ -209,6 +209,7 @@ def test_rolling_lines_are_the_zeros_of_slip(race: Race) -> None:
             assert np.ptp(mine) < 2e-3
 
 
+@pytest.mark.sweep
 def test_maximum_pressure_slip_is_that_of_a_dense_grid() -> None:
     patch = patch_of("inner")
     motion = relative_motion(patch, BallVelocity(*BALL), RING)

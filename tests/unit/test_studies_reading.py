@@ -217,6 +217,7 @@ class TestNames:
          "scatter.fields.duty.load.fx.low", 6, "known: distribution, mean"),
     ],
 )  # fmt: skip
+@pytest.mark.thirds
 def test_refused(text: str, field: str, line: int | None, says: str, examples: Path) -> None:
     error = refused(text, examples)
     assert (error.field, error.line) == (field, line)

@@ -19,6 +19,7 @@ def bench(monkeypatch: pytest.MonkeyPatch) -> Any:
     return importlib.import_module("benchmarks.vibration")
 
 
+@pytest.mark.sweep
 def test_diagnosis_and_plain_bands_find_the_same(bench: Any) -> None:
     findings = bench.measure(3.0, 1)
     assert findings.failures == []
@@ -93,6 +94,7 @@ def test_recordings_in_a_process_of_their_own(bench: Any) -> None:
     assert values["peak memory, 0.75 min"] > 10.0
 
 
+@pytest.mark.sweep
 def test_a_process_that_fails_is_told(bench: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(
         bench, "write_recording", lambda path, minutes: path.write_bytes(b"not a recording")

@@ -242,6 +242,7 @@ def test_machines_in_order_keep_the_false_alarm_rate(
     assert wrong <= stats.binom(12, 0.1).isf(1e-3)
 
 
+@pytest.mark.sweep
 def test_sidebands_that_overlap_are_not_counted_twice() -> None:
     """An outer ring that creeps has sidebands nearer than the lines of a short record."""
     creeping = FaultOrders.of(nominal_frequencies(Bearing.named("6205"), SPEED, 0.2))

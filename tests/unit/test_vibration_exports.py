@@ -97,6 +97,7 @@ TAKE_A_SIGNAL: dict[str, Callable[[Any], Any]] = {
 @pytest.mark.parametrize("name", TAKE_A_SIGNAL)
 @pytest.mark.parametrize("given", [np.array(SAMPLES), SAMPLES, "x.wav", None, 3.0, REFUSED[0]],
                          ids=str)  # fmt: skip
+@pytest.mark.thirds
 def test_what_is_no_signal_is_refused(name: str, given: Any) -> None:
     with pytest.raises(InputError, match="must be a Signal, samples with their rate") as refused:
         TAKE_A_SIGNAL[name](given)

@@ -32,6 +32,7 @@ def test_fits_agree(module: Any) -> None:
     assert values["SciPy, one at a time"] > 0.0
 
 
+@pytest.mark.sweep
 def test_coverage_is_counted(module: Any) -> None:
     coverage = module("weibull_coverage")
     results = {

@@ -373,6 +373,7 @@ def test_pivotal_bounds_hold_as_often_as_they_say(quantity: str) -> None:
     assert hits / 400 == pytest.approx(0.9, abs=0.045)
 
 
+@pytest.mark.sweep
 def test_likelihood_ratio_with_few_failures_does_not_hold_and_its_calibration_does() -> None:
     random = np.random.default_rng(13)
     hits = {"likelihood_ratio": 0, "calibrated_likelihood_ratio": 0}

@@ -269,6 +269,7 @@ def test_the_example_can_be_copied(run: Run, tmp_path: Path) -> None:
         (("campanha_2008.csv", "--contour", "x.png", "--contour-of", "shape"), "scale or a life"),
     ],
 )
+@pytest.mark.thirds
 def test_wrong_wishes_end_with_one_line(run: Run, arguments: tuple[str, ...], said: str) -> None:
     few = () if "--samples" in arguments else FEW
     assert said in wrong(run("weibull", *arguments, *few))
@@ -303,6 +304,7 @@ def test_wrong_wishes_end_with_one_line(run: Run, arguments: tuple[str, ...], sa
         "tempo,situação\n12,5,falhou\n".encode(),
     ],
 )
+@pytest.mark.thirds
 def test_hostile_files_end_with_one_line(run: Run, tmp_path: Path, content: bytes) -> None:
     (tmp_path / "bad.csv").write_bytes(content)
     wrong(run("weibull", "bad.csv", *FEW))

@@ -60,6 +60,7 @@ def test_groups_of_one_test() -> None:
 
 
 @pytest.mark.parametrize("hypothesis", ["common_shape", "same_life", "homogeneous"])
+@pytest.mark.sweep
 def test_p_values_are_even_if_the_hypothesis_is_true(hypothesis: str) -> None:
     random = np.random.default_rng(3)
     values, chi_square = [], []
@@ -151,6 +152,7 @@ def test_ratio_without_a_common_shape() -> None:
     assert found.upper / found.lower > common.upper / common.lower
 
 
+@pytest.mark.sweep
 def test_ratio_holds_as_often_as_it_says() -> None:
     random = np.random.default_rng(5)
     hits = {True: 0, False: 0}

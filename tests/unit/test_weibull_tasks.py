@@ -154,6 +154,7 @@ OF_A_TEST: list[Callable[[Any], object]] = [
 
 @pytest.mark.parametrize("call", OF_A_TEST, ids=range(len(OF_A_TEST)))
 @pytest.mark.parametrize("wrong", REFUSED, ids=NAMES)
+@pytest.mark.thirds
 def test_what_is_no_life_test_is_refused(call: Callable[[Any], object], wrong: object) -> None:
     with pytest.raises(InputError) as caught:
         call(wrong)
@@ -195,6 +196,7 @@ ARRAYS: list[tuple[str, Callable[[Any], object]]] = [
 
 @pytest.mark.parametrize(("field", "call"), ARRAYS)
 @pytest.mark.parametrize("wrong", [FRAME, "abc", None, ["a"], [[1.0], [1.0, 2.0]]], ids=range(5))
+@pytest.mark.thirds
 def test_arrays_are_refused_by_name(
     field: str, call: Callable[[Any], object], wrong: object
 ) -> None:

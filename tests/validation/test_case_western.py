@@ -60,6 +60,7 @@ def test_every_line_that_is_printed_is_known() -> None:
 
 
 @EACH
+@pytest.mark.thirds
 def test_the_command_for_frequencies_gives_the_same(rig: dict[str, Any], line: str) -> None:
     """`nominal_frequencies` of a whole bearing, in Hz where the rig has a speed."""
     bearing = Bearing(

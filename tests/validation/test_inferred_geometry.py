@@ -91,6 +91,7 @@ def test_ratings_of_the_deep_groove_list_are_reproduced() -> None:
     assert missed_ratings() == ["6808", "6809"]
 
 
+@pytest.mark.sweep
 def test_hit_rate_of_the_angular_contact_list() -> None:
     found = hits(SPINDLES)
     assert found["all"] == 340

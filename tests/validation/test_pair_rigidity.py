@@ -45,6 +45,7 @@ def rigidities(geometry: Bearing, forces: Any) -> Any:
 
 
 @pytest.mark.parametrize("row", ORDINARY, ids=lambda row: row["designation"])
+@pytest.mark.thirds
 def test_rigidities_of_gmn_from_55_mm_of_bore(row: dict[str, Any]) -> None:
     found = rigidities(bearing(row["designation"]), row["preload_N"])
     for force, printed, computed in zip(
@@ -178,6 +179,7 @@ def _ratio(designation: str, force: float) -> float:
     return found.loss_factor
 
 
+@pytest.mark.sweep
 def test_fags_unloading_loads_grow_with_preload_as_ours() -> None:
     """Ball count and diameter are not printed: their range of ratios, by angle and class."""
     printed: dict[int, list[Any]] = {15: [], 25: []}
