@@ -15,7 +15,6 @@ from rolamento.case.bearing import (
     LEAST_THRUST_ANGLE,
     Bearing,
     RowPlace,
-    balls_fit,
     clearance_fits,
 )
 from rolamento.case.duty import AXES, LOADS
@@ -24,9 +23,8 @@ from rolamento.case.roller_bearing import (
     RollerBearing,
     below_axis,
     roller_clearance_fits,
-    rollers_fit,
 )
-from rolamento.case.rolling_bearing import RollingBearing
+from rolamento.case.rolling_bearing import RollingBearing, elements_fit
 from rolamento.case.varied import bounded, varied_arrays
 from rolamento.clearance.batch import MOUNTED_FIELDS
 from rolamento.errors import InputError
@@ -460,7 +458,7 @@ def _consistent(bearing: Any, own: Bearing | RollerBearing) -> BoolArray:
     if isinstance(own, RollerBearing):
         return _rollers_consistent(bearing, own)
     diameter, pitch = bearing.ball_diameter, bearing.pitch_diameter
-    sound = (pitch > diameter) & balls_fit(own.ball_count, diameter, pitch)
+    sound = (pitch > diameter) & elements_fit(own.ball_count, diameter, pitch)
     if bearing.diametral_clearance is not None:
         reach = diameter * (bearing.inner_conformity + bearing.outer_conformity - 1.0)
         closed = 1.0 if bearing.shim_angle is None else np.cos(bearing.shim_angle)
@@ -479,7 +477,7 @@ def _consistent(bearing: Any, own: Bearing | RollerBearing) -> BoolArray:
 def _rollers_consistent(bearing: Any, own: RollerBearing) -> BoolArray:
     diameter, pitch = bearing.roller_diameter, bearing.pitch_diameter
     half_angle = 0.0 if bearing.roller_half_angle is None else bearing.roller_half_angle
-    sound = (pitch > diameter) & rollers_fit(own.roller_count, diameter, pitch)
+    sound = (pitch > diameter) & elements_fit(own.roller_count, diameter, pitch)
     sound = sound & (bearing.effective_length <= bearing.roller_length * (1.0 + _ROUNDING))
     sound = sound & (bearing.roller_length * np.tan(half_angle) < diameter)
     usual = USUAL_RIB_HEIGHT * diameter

@@ -29,6 +29,7 @@ from rolamento.case.rolling_bearing import (
     Designation,
     RollingBearing,
     RowPlace,
+    elements_fit,
 )
 from rolamento.errors import InputError
 from rolamento.geometry import free_contact_angle, ring_geometry, sphere_conformity
@@ -38,7 +39,7 @@ from rolamento.words import said
 if TYPE_CHECKING:
     pass
 
-__all__ = ["Bearing", "RowPlace", "ball_bearing", "balls_fit", "clearance_fits"]
+__all__ = ["Bearing", "RowPlace", "ball_bearing", "clearance_fits"]
 
 _Conformity = Annotated[float, Ratio(at_least=0.501, at_most=1.0, varies=True)]
 
@@ -290,7 +291,7 @@ class Bearing(RollingBearing):
                 value=readable(self.pitch_diameter, "length"),
                 example='pitch_diameter = "125.26 mm"',
             )
-        if not balls_fit(self.ball_count, self.ball_diameter, self.pitch_diameter):
+        if not elements_fit(self.ball_count, self.ball_diameter, self.pitch_diameter):
             ratio = self.ball_diameter / self.pitch_diameter
             room = math.floor(math.pi / math.asin(ratio))
             raise InputError(
@@ -480,11 +481,6 @@ def ball_bearing(case: Any) -> Bearing:
             example='element = "ball"',
         )
     return cast("Bearing", bearing)
-
-
-def balls_fit(count: int, ball_diameter: Any, pitch_diameter: Any) -> Any:
-    """Whether neighbouring balls on the pitch circle do not overlap; numbers or arrays."""
-    return ball_diameter / pitch_diameter <= math.sin(math.pi / count)
 
 
 def clearance_fits(clearance: Any, groove_distance: Any, closed: Any = 1.0) -> Any:

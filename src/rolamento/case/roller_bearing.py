@@ -26,13 +26,14 @@ from rolamento.case.rolling_bearing import (
     BearingKind,
     Designation,
     RollingBearing,
+    elements_fit,
 )
 from rolamento.errors import InputError
 from rolamento.geometry import apex_half_angle
 from rolamento.units import readable
 from rolamento.words import said
 
-__all__ = ["RollerBearing", "roller_clearance_fits", "rollers_fit"]
+__all__ = ["RollerBearing", "below_axis", "roller_clearance_fits"]
 
 USUAL_RIB_HEIGHT: Final = 0.1
 """Of the roller's diameter: where a rib touches if the bearing does not say; general knowledge of
@@ -330,7 +331,7 @@ class RollerBearing(RollingBearing):
                 value=readable(self.pitch_diameter, "length"),
                 example='pitch_diameter = "38.5 mm"',
             )
-        if not rollers_fit(self.roller_count, self.roller_diameter, self.pitch_diameter):
+        if not elements_fit(self.roller_count, self.roller_diameter, self.pitch_diameter):
             room = math.floor(math.pi / math.asin(self.roller_diameter / self.pitch_diameter))
             raise InputError(
                 said(
@@ -460,13 +461,8 @@ def below_axis(bearing: Any, contact_height: Any) -> Any:
     bearing: attributes, numbers or arrays (cases,).
     """
     half_angle = 0.0 if bearing.roller_half_angle is None else bearing.roller_half_angle
-    large = 0.5 * (bearing.roller_diameter + bearing.roller_length * np.tan(half_angle))
-    return large - contact_height
-
-
-def rollers_fit(count: int, roller_diameter: Any, pitch_diameter: Any) -> Any:
-    """Whether neighbouring rollers on the pitch circle do not overlap; numbers or arrays."""
-    return roller_diameter / pitch_diameter <= math.sin(math.pi / count)
+    taper = 0.5 * bearing.roller_length * np.tan(half_angle)
+    return 0.5 * bearing.roller_diameter + taper - contact_height
 
 
 def roller_clearance_fits(clearance: Any, roller_diameter: Any) -> Any:

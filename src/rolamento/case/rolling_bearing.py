@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Mapping
 from contextlib import AbstractContextManager, nullcontext, suppress
@@ -64,6 +65,7 @@ __all__ = [
     "RollingBearing",
     "RowPlace",
     "element_told",
+    "elements_fit",
 ]
 
 BearingKind = Literal["four_point", "self_aligning", "thrust"]
@@ -429,6 +431,11 @@ class RollingBearing(Record):
 
 BY_ELEMENT: Final[dict[str, type[RollingBearing]]] = {}
 """The record of a bearing by what rolls in it."""
+
+
+def elements_fit(count: int, diameter: Any, pitch_diameter: Any) -> Any:
+    """Whether neighbours on the pitch circle do not overlap; numbers or arrays."""
+    return diameter / pitch_diameter <= math.sin(math.pi / count)
 
 
 def element_told(given: Mapping[str, Any]) -> str | None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import pairwise
@@ -49,7 +49,7 @@ _FOUR_POINT_ANGLE: Final = radians(35.0)
 _CLEARED: Final = ("deep_groove", "self_aligning", "four_point", "cylindrical", "needle")
 """Kinds with a class of clearance."""
 _BALLS: Final = ("ball_count", "ball_diameter")
-_ROLLERS: Final = ("roller_count", "roller_diameter", "effective_length", "pitch_diameter")
+_ROLLERS: Final = ("roller_count", "roller_diameter", "effective_length")
 _RIBS: Final = {  # inner, outer; those of one rib carry an axial load of the shaft toward +x
     "NU": ("none", "both"),
     "NJ": ("-", "both"),
@@ -238,7 +238,7 @@ def _geometry_in(
     sisters = known.sisters(bearing, found.designation.letters.design)
     if with_balls:
         try:
-            candidates = _add_balls(bearing, rank, fields, origins)
+            candidates = _add_inside(bearing, _BALLS, inferred_geometry, rank, fields, origins)
         except InputError as error:
             raise _without_balls(error, found, sisters) from None
     for name in ("inner_conformity", "outer_conformity"):
@@ -342,19 +342,8 @@ def _axial_play(designation: Designation) -> float | None:
 def _add_rollers(
     bearing: CatalogueBearing, rank: int, fields: dict[str, Any], origins: dict[str, Origin]
 ) -> tuple[RollerCandidate, ...]:
-    """Add rollers and pitch diameter; return what they were chosen from, if inferred."""
-    known = {name: getattr(bearing, name) for name in _ROLLERS}
-    candidates: tuple[RollerCandidate, ...] = ()
-    otherwise: Origin = "assumed"
-    if any(known[name] is None for name in _ROLLERS[:3]):
-        candidates, otherwise = inferred_rollers(bearing), "inferred"
-        chosen = _chosen(candidates, rank, bearing)
-        fields.update({name: getattr(chosen, name) for name in _ROLLERS})
-    else:
-        fields.update(known)
-        fields["pitch_diameter"] = known["pitch_diameter"] or bearing.mean_diameter
-    for name in _ROLLERS:
-        origins[name] = otherwise if known[name] is None else "published"
+    """Add rollers and pitch diameter, published where both raceways are; as `_add_inside`."""
+    candidates = _add_inside(bearing, _ROLLERS, inferred_rollers, rank, fields, origins)
     both = (bearing.inner_raceway_diameter, bearing.outer_raceway_diameter)
     if None not in both and bearing.kind != "tapered":  # (E - F)/2 and (E + F)/2
         origins["roller_diameter"] = origins["pitch_diameter"] = "published"
@@ -474,7 +463,7 @@ def ambiguity_axis(
     if not kept:
         raise InputError(said("has no candidates"), field="candidates")
     of_rollers = isinstance(kept[0], RollerCandidate)
-    names = _ROLLERS if of_rollers else (*_BALLS, "pitch_diameter")
+    names = (*(_ROLLERS if of_rollers else _BALLS), "pitch_diameter")
     return {
         "name": "internal geometry",
         "zipped": {f"bearing.{name}": [getattr(one, name) for one in kept] for name in names},
@@ -531,16 +520,24 @@ def _chosen(candidates: tuple[_C, ...], rank: int, bearing: CatalogueBearing) ->
     return candidates[rank - 1]
 
 
-def _add_balls(
-    bearing: CatalogueBearing, rank: int, fields: dict[str, Any], origins: dict[str, Origin]
-) -> tuple[Candidate, ...]:
-    """Add balls and pitch diameter; return what they were chosen from, if inferred."""
-    names = (*_BALLS, "pitch_diameter")
+def _add_inside(
+    bearing: CatalogueBearing,
+    elements: tuple[str, ...],
+    infer: Callable[[CatalogueBearing], tuple[_C, ...]],
+    rank: int,
+    fields: dict[str, Any],
+    origins: dict[str, Origin],
+) -> tuple[_C, ...]:
+    """Add elements and pitch diameter; return what they were chosen from, if inferred.
+
+    elements: what has to be known of them.
+    """
+    names = (*elements, "pitch_diameter")
     known = {name: getattr(bearing, name) for name in names}
-    candidates: tuple[Candidate, ...] = ()
+    candidates: tuple[_C, ...] = ()
     otherwise: Origin = "assumed"
-    if any(known[name] is None for name in _BALLS):
-        candidates, otherwise = inferred_geometry(bearing), "inferred"
+    if any(known[name] is None for name in elements):
+        candidates, otherwise = infer(bearing), "inferred"
         chosen = _chosen(candidates, rank, bearing)
         fields.update({name: getattr(chosen, name) for name in names})
     else:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import partial
 from typing import Final
 
 from rolamento.catalogue import (
@@ -350,16 +351,25 @@ def _how_sure(first: RollerCandidate) -> str:
     )
 
 
+def _column_to_the_right(
+    head: str,
+    key: str,
+    values: Sequence[CellContent],
+    form: str = "",
+    unit: str = "",
+    *,
+    tones: Sequence[Tone],
+) -> Column:
+    own = f"{form} [{unit}]" if unit else form
+    return Column(
+        head=head, key=key, values=values, form=own, unit=unit, tones=tones, align="right"
+    )
+
+
 def _roller_candidates(candidates: Sequence[RollerCandidate], *, tapered: bool) -> Section:
     tones: list[Tone] = ["strong" if one.rank == 1 else "" for one in candidates]
 
-    def column(
-        head: str, key: str, values: Sequence[CellContent], form: str = "", unit: str = ""
-    ) -> Column:
-        own = f"{form} [{unit}]" if unit else form
-        return Column(
-            head=head, key=key, values=values, form=own, unit=unit, tones=tones, align="right"
-        )
+    column = partial(_column_to_the_right, tones=tones)
 
     def of(head: str, key: str, form: str, unit: str = "") -> Column:
         return column(head, key, [getattr(one, key) for one in candidates], form, unit)
@@ -401,13 +411,7 @@ def _candidates(candidates: Sequence[Candidate]) -> Section:
     sizes = [ball_name(one.ball_diameter) for one in candidates]
     tones: list[Tone] = ["strong" if one.rank == 1 else "" for one in candidates]
 
-    def column(
-        head: str, key: str, values: Sequence[CellContent], form: str = "", unit: str = ""
-    ) -> Column:
-        own = f"{form} [{unit}]" if unit else form
-        return Column(
-            head=head, key=key, values=values, form=own, unit=unit, tones=tones, align="right"
-        )
+    column = partial(_column_to_the_right, tones=tones)
 
     def errors(head: str, key: str, form: str, unit: str = "") -> Column:
         return column(head, key, [getattr(one, key) for one in candidates], form, unit)
