@@ -1,0 +1,1 @@
+"""The browser app and the HTTP API: they parse, call a task, show a page."""
