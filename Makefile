@@ -6,7 +6,7 @@ PYTHON ?=
 export PYTHON
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test verify golden bench runtime dev clean
+.PHONY: help demo test verify golden bench plotly runtime dev clean
 
 help:
 	@echo "make demo    solve the shipped example: a 218 bearing at 10 000 rpm, combined load"
@@ -14,6 +14,7 @@ help:
 	@echo "make verify  the longer sweeps, the golden runs, the published numbers"
 	@echo "make golden  compare what all commands answer with what they answered before"
 	@echo "make bench   measure the speed"
+	@echo "make plotly  bundle the part of Plotly.js that the app draws with; needs Node.js"
 	@echo "make clean   remove the virtual environment and all caches"
 
 demo: runtime
@@ -41,6 +42,10 @@ golden: dev
 
 bench: dev
 	@$(BIN)/python -m benchmarks
+
+plotly:
+	@cd scripts/plotly && npm install --ignore-scripts --no-audit --no-fund --no-package-lock
+	@node scripts/plotly/build.mjs
 
 runtime:
 	@sh scripts/setup.sh runtime

@@ -9,7 +9,7 @@ from typing import Any, Final
 from rolamento import __version__
 from rolamento._reading import format_of_text, parse_mapping
 from rolamento.case import Case, case_to_json, case_to_toml, parse_case
-from rolamento.catalogue import built_in_catalogue
+from rolamento.catalogue.search import built_in_catalogue
 from rolamento.errors import InputError
 from rolamento.pages.catalogue import KINDS
 from rolamento.pages.report import ORIGINS, PARTS
