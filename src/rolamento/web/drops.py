@@ -13,18 +13,26 @@ import os
 import re
 import secrets
 import unicodedata
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Any, Final, Literal
+from urllib.parse import unquote
+
+import anyio
+from fastapi import APIRouter
+from starlette.requests import Request
+from starlette.responses import Response
 
 from rolamento.document import Document, Figure, Statement
-from rolamento.errors import FileError, InputError
+from rolamento.errors import InputError
 from rolamento.tasks.asked import DEMONSTRATION, LIFE_TEST, SIGNAL, Group, by_name, given
 from rolamento.vibration.reading.formats import ENDINGS
-from rolamento.words import language, marked, said, speaking
+from rolamento.web.answers import answer, chunks, read_json
+from rolamento.web.limits import slow
+from rolamento.words import language, marked, said
 
 if TYPE_CHECKING:
     from rolamento.case import Case
@@ -38,6 +46,7 @@ __all__ = [
     "life_test_page",
     "plan_page",
     "report_file",
+    "router",
     "signal_page",
 ]
 
@@ -54,9 +63,17 @@ _SEVERITY: Final = ("power", "support", "group", "machine_class", "baseline")
 _SEARCH: Final = ("tolerance", "speed_tolerance", "false_alarm")
 _READING: Final = ("channel", "rate", "unit", "scale", "start", "duration", "decimal_mark")
 _COLUMNS: Final = ("unit", "time", "status", "count", "group", "decimal_mark")
+_ENDINGS: Final = tuple(ending for many in ENDINGS.values() for ending in many)
 _LONGEST_NAME: Final = 100
+_SECONDS: Final = 120.0
+"""That a file may take: those that read damaged ones give up after a quarter of it."""
+_GLANCE: Final = 0.5
+"""Seconds between two looks at whether anybody waits for an answer."""
 
 WORDS: Final[Mapping[str, str]] = {
+    "title_signal": marked("Diagnose a vibration record"),
+    "title_weibull": marked("Evaluate a life test"),
+    "title_plan": marked("Plan a test that demonstrates a life"),
     "drop_signal": marked("Drop a vibration record here, or choose a file"),
     "drop_weibull": marked("Drop a table of lives here, or choose a file"),
     "formats_signal": marked("WAV, CSV, NumPy, MATLAB, HDF5, Parquet or UFF 58"),
@@ -82,7 +99,6 @@ WORDS: Final[Mapping[str, str]] = {
     "of_options": marked("The options have changed since this result."),
     "save_as": marked("Save the result"),
     "result": marked("Result"),
-    "page_case": marked("case on the page"),
 }
 """What the page says by itself."""
 
@@ -153,10 +169,7 @@ def described() -> dict[str, Any]:
             ]
             for kind, many in _EXAMPLES.items()
         },
-        "endings": {
-            "signal": sorted(ending for many in ENDINGS.values() for ending in many),
-            "weibull": [".csv", ".tsv", ".txt"],
-        },
+        "endings": {"signal": list(_ENDINGS), "weibull": [".csv", ".tsv", ".txt"]},
         "largest": dict(LARGEST),
         "files": list(_TYPES),
         "reports": list(REPORTS),
@@ -167,7 +180,7 @@ def described() -> dict[str, Any]:
 # --- the work, each in a process of its own ----------------------------------------------------
 
 
-def signal_page(path: str, label: str, typed: Typed, code: str, form: str = "") -> dict[str, Any]:
+def signal_page(path: str, label: str, typed: Typed, form: str = "") -> dict[str, Any]:
     """Diagnose a record, and measure its severity where its samples are calibrated.
 
     Parameters
@@ -178,8 +191,6 @@ def signal_page(path: str, label: str, typed: Typed, code: str, form: str = "") 
         What the user calls it.
     typed
         As of `SIGNAL`; ``case`` is the case on the page, as JSON.
-    code
-        Of the language.
     form
         "" for what the page shows; or the kind of a file.
 
@@ -195,7 +206,7 @@ def signal_page(path: str, label: str, typed: Typed, code: str, form: str = "") 
 
     typed = dict(typed)
     page_case = typed.pop(_CASE, ())
-    with speaking(code), _told(SIGNAL, path, label):
+    with _told(SIGNAL, path, label):
         told = given(SIGNAL, typed)
         bearing = _bearing(told.pop("bearing", ""), page_case[-1] if page_case else "")
         machine = {name: told.pop(name) for name in _SEVERITY if name in told}
@@ -218,9 +229,7 @@ def signal_page(path: str, label: str, typed: Typed, code: str, form: str = "") 
         return _answer(document, mapping, found.verdict, form)
 
 
-def life_test_page(
-    path: str, label: str, typed: Typed, code: str, form: str = ""
-) -> dict[str, Any]:
+def life_test_page(path: str, label: str, typed: Typed, form: str = "") -> dict[str, Any]:
     """Say what a life test says; parameters as of `signal_page`."""
     from rolamento._tables import table_text
     from rolamento.pages.weibull import weibull_page
@@ -234,7 +243,7 @@ def life_test_page(
     )
     from rolamento.weibull import parse_life_test
 
-    with speaking(code), _told(LIFE_TEST, path, label):
+    with _told(LIFE_TEST, path, label):
         told = given(LIFE_TEST, typed)
         bounds, prior = told.get("bounds"), told.get("prior")
         if bounds is not None and "shape" in told:
@@ -261,12 +270,12 @@ def life_test_page(
         return _answer(weibull_page(found), found.to_mapping(), verdict, form)
 
 
-def plan_page(typed: Typed, code: str, form: str = "") -> dict[str, Any]:
+def plan_page(typed: Typed, form: str = "") -> dict[str, Any]:
     """Plan a test that demonstrates a life; parameters as of `signal_page`."""
     from rolamento.pages.weibull_plan import demonstration_page
     from rolamento.tasks.weibull import demonstration_study
 
-    with speaking(code), _told(DEMONSTRATION):
+    with _told(DEMONSTRATION):
         told = given(DEMONSTRATION, typed)
         if "life" not in told:
             raise InputError(said("is missing"), field="life", example="1000 h")
@@ -276,7 +285,7 @@ def plan_page(typed: Typed, code: str, form: str = "") -> dict[str, Any]:
 
 
 def report_file(
-    cases: Sequence[Mapping[str, Any]], head: Mapping[str, str], code: str, form: str
+    cases: Sequence[Mapping[str, Any]], head: Mapping[str, str], form: str
 ) -> dict[str, Any]:
     """Return the report of the cases on the page as a file.
 
@@ -286,8 +295,6 @@ def report_file(
         As their files have them.
     head
         project, author, revision, date, checked_by; what is missing is as in the first case.
-    code
-        Of the language.
     form
         Kind of the file, one of `REPORTS`.
 
@@ -300,15 +307,14 @@ def report_file(
     from rolamento.pages.report import report_page
     from rolamento.tasks.report import report_on
 
-    with speaking(code):
-        if form not in REPORTS:
-            rule = said("must be one of {known}", known=", ".join(REPORTS))
-            raise InputError(rule, field="format", value=form, example="pdf")
-        found = report_on([Case.from_mapping(one) for one in cases], head)
-        return _answer(report_page(found), found.to_mapping(), "", form)
+    if form not in REPORTS:
+        rule = said("must be one of {known}", known=", ".join(REPORTS))
+        raise InputError(rule, field="format", value=form, example="pdf")
+    found = report_on([Case.from_mapping(one) for one in cases], head)
+    return _answer(report_page(found), found.to_mapping(), "", form)
 
 
-def example_file(kind: str, name: str, code: str) -> dict[str, Any]:
+def example_file(kind: str, name: str) -> dict[str, Any]:
     """Return a file to try; records are made when they are asked for, and say that they are.
 
     Raises
@@ -316,21 +322,20 @@ def example_file(kind: str, name: str, code: str) -> dict[str, Any]:
     InputError
         If there is no such example.
     """
-    with speaking(code):
-        known = _EXAMPLES[kind]
-        if name not in known:
-            rule = said("must be one of {known}", known=", ".join(known))
-            raise InputError(rule, field="name", value=name)
-        file = known[name].file
-        if kind == "weibull":
-            from rolamento.weibull import published_text
+    known = _EXAMPLES[kind]
+    if name not in known:
+        rule = said("must be one of {known}", known=", ".join(known))
+        raise InputError(rule, field="name", value=name)
+    file = known[name].file
+    if kind == "weibull":
+        from rolamento.weibull import published_text
 
-            return {"content": published_text(name).encode(), "name": file, "type": _TYPES["csv"]}
-        with TemporaryDirectory(prefix="rolamento-") as folder:
-            path = Path(folder) / file
-            _synthesise(path, damaged=name == "outer_race")
-            content = path.read_bytes()
-        return {"content": content, "name": file, "type": "application/octet-stream"}
+        return {"content": published_text(name).encode(), "name": file, "type": _TYPES["csv"]}
+    with TemporaryDirectory(prefix="rolamento-") as folder:
+        path = Path(folder) / file
+        _synthesise(path, damaged=name == "outer_race")
+        content = path.read_bytes()
+    return {"content": content, "name": file, "type": "application/octet-stream"}
 
 
 def _synthesise(path: Path, *, damaged: bool) -> None:
@@ -342,7 +347,7 @@ def _synthesise(path: Path, *, damaged: bool) -> None:
         _of_designation("6205"),
         path,
         speed="1797 rpm",
-        faults=[Fault("outer_race", jitter=0.01)] if damaged else [],
+        faults=[Fault(kind="outer_race", jitter=0.01)] if damaged else [],
         shaft_harmonics=(0.3, 0.1),
         noise=Noise(ratio=-3.0) if damaged else Noise(level=0.5),
         duration=5.0,
@@ -405,9 +410,15 @@ def _told(groups: Sequence[Group], path: str = "", label: str = "") -> Iterator[
         field = error.source if error.source in known else error.field
         labels = {name: said(one.label) for name, one in known.items()}
         told = renamed(error, labels, "{}: {}".format)
-        if error.source == path or error.source in known:
-            told = told.with_details(source=label if error.source == path else "")
-        raise told.with_details(field=field, rule=_named(told.rule, path, label)) from None
+        source = "" if error.source in known else label if error.source == path else error.source
+        raise type(error)(
+            _named(told.rule, path, label),
+            field=field,
+            value=error.value,
+            example=told.example,
+            source=source,
+            line=error.line,
+        ) from None
 
 
 def _named(text: str, path: str, label: str) -> str:
@@ -422,8 +433,8 @@ def _answer(document: Document, mapping: dict[str, Any], code: str, form: str) -
         return {"content": _file(document, mapping, form), "name": name, "type": _TYPES[form]}
     from rolamento.document.html import body
 
-    said_first = (block for block in document.blocks() if isinstance(block, Statement))
-    first = next(said_first, None)
+    statements = [block for block in document.blocks() if isinstance(block, Statement)]
+    first = next((one for one in statements if one.tone != "faint"), None)
     return {
         "verdict": {
             "code": code,
@@ -489,31 +500,103 @@ def _plain(title: str) -> str:
     return re.sub(r"[^A-Za-z0-9]+", "-", letters).strip("-").lower()[:60].strip("-")
 
 
-# --- uploads -----------------------------------------------------------------------------------
+# --- what the page asks --------------------------------------------------------------------------
+
+router: Final = APIRouter(prefix="/page", include_in_schema=False)
+_PAGES: Final = {"signal": signal_page, "weibull": life_test_page}
 
 
-def label_of(name: str) -> str:
+@router.put("/signal")
+@router.put("/weibull")
+async def _dropped(request: Request) -> Response:
+    """Answer with what a file says: its body is the file, the address has the options."""
+    kind = request.url.path.rpartition("/")[2]
+    typed, form = _typed(request)
+    label = _label(unquote(request.headers.get("x-file-name", "")))
+    with TemporaryDirectory(prefix="rolamento-") as folder:
+        path = os.path.join(folder, secrets.token_hex(12) + _ending(label, kind))
+        with open(path, "xb") as file:
+            async for chunk in chunks(request, LARGEST[kind]):
+                file.write(chunk)
+        found = await _while_there(request, _PAGES[kind], path, label, typed, form)
+    return _response(found)
+
+
+@router.post("/weibull/plan")
+async def _planned(request: Request) -> Response:
+    """Answer with a planned test; the address has the options."""
+    return _response(await _while_there(request, plan_page, *_typed(request)))
+
+
+@router.post("/report")
+async def _reported(request: Request) -> Response:
+    """Answer with the report of cases: ``cases``, ``format``, and ``head`` if there is one."""
+    asked = await read_json(request)
+    cases, head = asked.get("cases"), asked.get("head") or {}
+    if not isinstance(cases, list) or not all(isinstance(one, dict) for one in cases):
+        raise InputError(said("must be a list of tables"), field="cases")
+    if not isinstance(head, dict):
+        raise InputError(said("must be a table"), field="head")
+    form = str(asked.get("format", "html"))
+    return _response(await _while_there(request, report_file, cases, head, form))
+
+
+@router.get("/example/{kind}/{name}")
+async def _example(kind: Literal["signal", "weibull"], name: str) -> Response:
+    """Answer with a file to try."""
+    return _response(await slow(example_file, kind, name))
+
+
+def _typed(request: Request) -> tuple[dict[str, list[str]], str]:
+    """Return what an address says, by names, and which kind of file is asked for."""
+    typed: dict[str, list[str]] = {}
+    for name, text in request.query_params.multi_items():
+        typed.setdefault(name, []).append(text)
+    typed.pop("lang", None)
+    form = typed.pop("format", [""])[-1]
+    if form and form not in _TYPES:
+        rule = said("must be one of {known}", known=", ".join(_TYPES))
+        raise InputError(rule, field="format", value=form, example="pdf")
+    return typed, form
+
+
+async def _while_there(request: Request, function: Callable[..., Any], *args: Any) -> Any:
+    """Run something slow, and end it when nobody waits for it any more."""
+    found: Any = None
+
+    async def leaving() -> None:
+        while not await request.is_disconnected():
+            await anyio.sleep(_GLANCE)
+        group.cancel_scope.cancel()
+
+    refused: InputError | None = None
+    async with anyio.create_task_group() as group:
+        group.start_soon(leaving)
+        try:
+            found = await slow(function, *args, seconds=_SECONDS)
+        except InputError as error:  # not as one of a group of errors
+            refused = error
+        group.cancel_scope.cancel()
+    if refused is not None:
+        raise refused
+    return found if found is not None else {}
+
+
+def _response(found: dict[str, Any]) -> Response:
+    """Return JSON, or a file to be saved under its name."""
+    if "content" not in found:
+        return answer(found)
+    headers = {"content-disposition": f'attachment; filename="{found["name"]}"'}
+    return Response(found["content"], headers=headers, media_type=found["type"])
+
+
+def _label(name: str) -> str:
     """Return what to call a file that a client calls so: its last part, in one line."""
     last = re.split(r"[/\\]", name)[-1]
-    shown = "".join(sign for sign in last if sign.isprintable()).strip()
-    return shown[-_LONGEST_NAME:] or said("file")
+    return "".join(sign for sign in last if sign.isprintable()).strip()[-_LONGEST_NAME:] or "file"
 
 
-def private_name(label: str, kind: str) -> str:
-    """Return a name that nobody knows, with the ending of a label if it is one that is read."""
-    known = described_endings(kind)
+def _ending(label: str, kind: str) -> str:
+    """Return the ending of a file's name, if it is one that is read."""
     ending = os.path.splitext(label)[1].lower()
-    return secrets.token_hex(12) + (ending if ending in known else known[0] * (kind != "signal"))
-
-
-def described_endings(kind: str) -> list[str]:
-    """Return what the names of files of a kind may end in."""
-    if kind == "signal":
-        return [ending for many in ENDINGS.values() for ending in many]
-    return [".csv", ".tsv", ".txt"]
-
-
-def too_large(kind: str, label: str) -> FileError:
-    """Return what is said of a file that is larger than one of its kind may be."""
-    rule = said("is larger than {most} MB", most=LARGEST[kind] // 1_000_000)
-    return FileError(rule, field="file", source=label)
+    return ending if kind == "signal" and ending in _ENDINGS else ""
