@@ -128,18 +128,6 @@ class InputError(RolamentoError, ValueError):
             return field
         return f"{field} = {shown(self.value)}" if field else shown(self.value)
 
-    def to_mapping(self) -> dict[str, Any]:
-        """Give it as plain values, its sentences in the language that is spoken."""
-        return {
-            "field": self.field,
-            "value": None if self.value is ABSENT else shown(self.value),
-            "message": str(self),
-            "rule": self.rule,
-            "example": self.example,
-            "source": self.source,
-            "line": self.line,
-        }
-
     def with_details(
         self,
         *,

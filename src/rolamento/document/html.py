@@ -48,12 +48,12 @@ from rolamento.document.picture import formula, picture_bytes
 from rolamento.errors import printable
 from rolamento.words import ABSENT, language, languages, said, speaking
 
-__all__ = ["PictureName", "body", "fragment", "html"]
+__all__ = ["STYLE", "PictureName", "body", "fragment", "html"]
 
 PictureName = Callable[[Figure], str | None]
 """Returns the name of the file that shows a figure; None where it is to be shown as usual."""
 
-_STYLE: Final = Path(__file__).with_name("page.css")
+STYLE: Final = Path(__file__).with_name("page.css")
 _WIDEST: Final = 110
 """Characters of a table that stands in one piece."""
 _MOST_WITHOUT_CONTENTS: Final = 6
@@ -113,7 +113,7 @@ def fragment(document: Document) -> str:
 
 @cache
 def _style() -> str:
-    return _STYLE.read_text(encoding="utf-8")
+    return STYLE.read_text(encoding="utf-8")
 
 
 class _Setter:

@@ -19,6 +19,7 @@ from rolamento.document.html import body
 from rolamento.errors import InputError
 from rolamento.pages.report import PARTS, part_of, summary_section, warning_section
 from rolamento.tasks.report import CaseReport, Input, Report, analysis_of, inputs_of, names_in
+from rolamento.web.answers import error_object
 from rolamento.web.form import inputs
 from rolamento.web.pictures import figures
 from rolamento.words import language, said
@@ -100,7 +101,7 @@ def _one(entry: object, *, quick: bool) -> tuple[dict[str, Any], _Given | None]:
         answer["case"] = mapping = changed(mapping, changes, Case, in_file=True)
         given = _given(json.dumps(mapping, sort_keys=True), quick)
     except InputError as error:
-        return {**answer, "error": error.to_mapping()}, None
+        return {**answer, "error": error_object(error)}, None
     solved = given.analysis.solved
     code, advice = str(solved.status.code[0]), solved.advice[0]
     answer["status"] = {

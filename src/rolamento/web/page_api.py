@@ -2,29 +2,54 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any, Final
+
+from fastapi import APIRouter
+from starlette.requests import Request
+from starlette.responses import FileResponse, Response
 
 from rolamento import __version__
 from rolamento._reading import format_of_text, parse_mapping
 from rolamento.case import Case, case_to_json, case_to_toml, parse_case
 from rolamento.catalogue.search import built_in_catalogue
+from rolamento.document.html import STYLE as DOCUMENT_STYLE
 from rolamento.errors import InputError
 from rolamento.pages.catalogue import KINDS
 from rolamento.pages.report import ORIGINS, PARTS
 from rolamento.tasks.examples import EXAMPLES
 from rolamento.tasks.report import names_in
+from rolamento.web import drops
+from rolamento.web.answers import answer, read_json
+from rolamento.web.curves import curve
 from rolamento.web.form import form, inputs, units
+from rolamento.web.limits import fast
+from rolamento.web.live import live
 from rolamento.web.page_words import page_words
 from rolamento.web.pictures import described
 from rolamento.words import language, languages, said, speaking
 
-__all__ = ["opened", "saved", "search", "start"]
+__all__ = ["opened", "router", "saved", "search", "start"]
+
+router: Final = APIRouter(prefix="/page", include_in_schema=False)
+
 
 _FORMATS: Final = ("toml", "json")
 _FOUND: Final = 30
 _LONGEST_SEARCH: Final = 60
+
+
+@router.get("/start")
+async def _start_request(request: Request) -> Response:
+    started = await fast(start)
+    return answer({**started, "warmth": request.app.state.warmth.to_mapping()})
+
+
+@router.get("/document.css")
+async def _style_of_documents() -> Response:
+    """The style of what is shown as a document, the same in reports."""
+    return FileResponse(DOCUMENT_STYLE, media_type="text/css")
 
 
 def start() -> dict[str, Any]:
@@ -39,7 +64,7 @@ def _start(code: str) -> dict[str, Any]:
             "version": __version__,
             "lang": code,
             "languages": list(languages()),
-            "words": page_words(),
+            "words": page_words() | drops.words(),
             "form": {"groups": form()},
             "units": units(),
             "origins": {key: said(text) for key, text in ORIGINS.items()},
@@ -50,6 +75,7 @@ def _start(code: str) -> dict[str, Any]:
                 if file.endswith(".toml") and "/" not in file
             ],
             "pictures": described(),
+            "drops": drops.described(),
             "sections": [{"key": key, "label": said(part.label)} for key, part in PARTS.items()],
         }
 
@@ -183,3 +209,18 @@ def search(request: Mapping[str, Any]) -> dict[str, Any]:
         ],
         "more": len(found) > _FOUND,
     }
+
+
+def _asks(path: str, function: Callable[[Mapping[str, Any]], Mapping[str, Any]]) -> None:
+    """Serve a function of the JSON object that a request brings."""
+
+    async def endpoint(request: Request) -> Response:
+        return answer(await fast(function, await read_json(request)))
+
+    router.add_api_route(path, endpoint, methods=["POST"])
+
+
+for _path, _function in (
+    ("/open", opened), ("/save", saved), ("/search", search), ("/live", live), ("/curve", curve),
+):  # fmt: skip
+    _asks(_path, _function)
