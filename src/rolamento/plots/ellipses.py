@@ -22,17 +22,10 @@ from numpy.typing import ArrayLike
 from rolamento.errors import InputError
 from rolamento.geometry import Race, edge_cosine
 from rolamento.plots.axes_units import DEGREE, MILLIMETRE
-from rolamento.plots.balls import check_one_case, refuse_rollers, rows_in_order, touching
-from rolamento.plots.frame import (
-    GREY,
-    empty_frame,
-    label_y,
-    legend_above,
-    no_result,
-    number,
-    require_axes,
-)
+from rolamento.plots.contacts import check_one_case, refuse_rollers, rows_in_order, touching
+from rolamento.plots.frame import GREY, empty_frame, label_y, legend_above, require_axes
 from rolamento.plots.style import INNER, OUTER, in_style, new_figure, new_stacked_figure
+from rolamento.plots.texts import no_result, number
 from rolamento.solved import RACES, Solved
 from rolamento.words import said
 

@@ -19,19 +19,16 @@ from rolamento.plots.axes_units import MEGAPASCAL, read_values
 from rolamento.plots.frame import (
     GREY,
     add_title,
-    capitalised,
     empty_frame,
     label_x,
     label_y,
     legend_above,
     legend_in_columns,
     log_scale,
-    no_result,
-    no_result_count,
-    number,
 )
 from rolamento.plots.over_field import across, decades, judged_line
 from rolamento.plots.style import SERIES, new_figure, series, styled
+from rolamento.plots.texts import capitalised, no_result, no_result_count, number
 from rolamento.studies.names import setting_name
 from rolamento.units import HOUR
 from rolamento.words import said

@@ -17,17 +17,8 @@ from numpy.typing import NDArray
 from rolamento.errors import InputError
 from rolamento.geometry import Race
 from rolamento.plots.axes_units import DEGREE, MEGAPASCAL, MILLIMETRE, ReadableUnit
-from rolamento.plots.balls import check_one_case
-from rolamento.plots.frame import (
-    GREY,
-    empty_frame,
-    label_x,
-    label_y,
-    legend_above,
-    no_result,
-    number,
-    require_axes,
-)
+from rolamento.plots.contacts import check_one_case
+from rolamento.plots.frame import GREY, empty_frame, label_x, label_y, legend_above, require_axes
 from rolamento.plots.style import (
     INNER,
     OUTER,
@@ -37,6 +28,7 @@ from rolamento.plots.style import (
     new_stacked_figure,
     series,
 )
+from rolamento.plots.texts import no_result, number
 from rolamento.solved import Solved
 from rolamento.solved.outline import roller_outline
 from rolamento.words import said

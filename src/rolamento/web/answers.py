@@ -90,20 +90,20 @@ def refused(error: InputError) -> Response:
     return answer({"error": error_object(error)}, status, _HEADERS.get(status))
 
 
-def language_for(query: str, accepted: str, otherwise: str) -> str:
-    """Return the language of an answer: asked for, or the first accepted one that there is.
+def language_for(query: str, chosen: str, accepted: str) -> str:
+    """Return the language of an answer: asked for, or the server's, or the first accepted one.
 
     Parameters
     ----------
     query
         ``lang`` of the address; empty if it has none.
+    chosen
+        Of the server; empty if it has none.
     accepted
         The header Accept-Language.
-    otherwise
-        Of the server.
     """
-    if query:
-        return language_of(query)
+    if query or chosen:
+        return language_of(query or chosen)
     ranked = []
     for one in accepted[:200].split(","):
         code, _, quality = one.partition(";q=")
@@ -111,9 +111,9 @@ def language_for(query: str, accepted: str, otherwise: str) -> str:
             ranked.append((-float(quality or 1.0), code.strip()[:2].lower()))
         except ValueError:
             continue
-    known = (code for weight, code in sorted(ranked, key=lambda pair: pair[0])
-             if weight < 0.0 and code in languages())  # fmt: skip
-    return next(known, otherwise)
+    ranked.sort(key=lambda pair: pair[0])
+    known = (code for weight, code in ranked if weight < 0.0 and code in languages())
+    return next(known, language_of("en"))
 
 
 async def read_body(request: Request, most: int = MOST_JSON) -> bytes:

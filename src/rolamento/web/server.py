@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 import hmac
 import importlib.util
 import ipaddress
@@ -12,6 +13,7 @@ import threading
 from collections.abc import AsyncIterator, Callable, Mapping
 from contextlib import asynccontextmanager
 from dataclasses import dataclass, field
+from functools import lru_cache
 from http.cookies import CookieError, SimpleCookie
 from importlib import import_module
 from pathlib import Path
@@ -20,17 +22,19 @@ from typing import Any, Final
 from urllib.parse import parse_qs, urlencode, urlsplit
 
 from fastapi import FastAPI
+from starlette.datastructures import Headers
 from starlette.exceptions import HTTPException
 from starlette.requests import Request
 from starlette.responses import FileResponse, RedirectResponse, Response
 from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
+from uvicorn.protocols.http.h11_impl import H11Protocol
 
 from rolamento.errors import InputError
 from rolamento.web.answers import RequestError, language_for, refused
 from rolamento.words import said, speaking
 
-__all__ = ["PAGE", "Settings", "Warmth", "create_app"]
+__all__ = ["PAGE", "Settings", "Warmth", "create_app", "server_options"]
 
 PAGE: Final = Path(__file__).parent / "page"
 """Where the files of the page are; each is served as ``/static/<path>``."""
@@ -66,6 +70,13 @@ _HEADERS: Final = {
     "cache-control": "no-cache",
 }
 _SAFE: Final = ("GET", "HEAD")
+_MOST_CONNECTIONS: Final = 256
+_LARGEST_HEAD: Final = 65_536
+"""Bytes of a request's line and headers; a query may hold a case."""
+_FIRST_REQUEST: Final = 10.0
+"""Seconds after which a new connection has to have brought one."""
+_KEPT_OPEN: Final = 30
+"""Seconds that a connection is kept between two requests."""
 
 
 @dataclass(frozen=True)
@@ -79,14 +90,14 @@ class Settings:
     token
         that every request has to bring; none is asked for where it is empty
     language
-        of what is said to who asks for none that there is
+        of what is said, unless a request asks for another; empty to go by what the browser accepts
     warm
         whether to make ready for the first request in the background
     """
 
     host: str = "127.0.0.1"
     token: str = ""
-    language: str = "en"
+    language: str = ""
     warm: bool = True
 
 
@@ -142,6 +153,42 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     return app
 
 
+class PatientProtocol(H11Protocol):
+    """HTTP/1.1 that ends a connection on which no request comes."""
+
+    def connection_made(self, transport: Any) -> None:
+        """Begin to wait for the first request; uvicorn waits only between two."""
+        super().connection_made(transport)
+        self._first = self.loop.call_later(_FIRST_REQUEST, self._end_if_silent)
+
+    def connection_lost(self, exc: Exception | None) -> None:
+        """Stop waiting."""
+        self._first.cancel()
+        super().connection_lost(exc)
+
+    def _end_if_silent(self) -> None:
+        if self.cycle is None:
+            self.transport.close()
+
+
+def server_options() -> dict[str, Any]:
+    """Return how uvicorn runs the server: bounded connections, no log of requests."""
+    return {
+        "http": PatientProtocol,
+        "loop": "asyncio",
+        "ws": "none",
+        "lifespan": "on",
+        "log_level": "warning",
+        "access_log": False,
+        "server_header": False,
+        "proxy_headers": False,
+        "limit_concurrency": _MOST_CONNECTIONS,
+        "h11_max_incomplete_event_size": _LARGEST_HEAD,
+        "timeout_keep_alive": _KEPT_OPEN,
+        "timeout_graceful_shutdown": 1,
+    }
+
+
 class Files(StaticFiles):
     """The files of the page, of kinds that do not depend on the system."""
 
@@ -150,9 +197,29 @@ class Files(StaticFiles):
     ) -> Response:
         """Answer with a file, or that it has not changed."""
         response = super().file_response(full_path, stat_result, scope, status_code)
-        if isinstance(response, FileResponse):
-            response.headers["content-type"] = _kind_of(os.fspath(full_path))
-        return response
+        if not isinstance(response, FileResponse):
+            return response
+        path = os.fspath(full_path)
+        response.headers["content-type"] = kind = _kind_of(path)
+        if "gzip" not in Headers(scope=scope).get("accept-encoding", "") or not _packs(kind):
+            return response
+        headers = {
+            "content-type": kind,
+            "content-encoding": "gzip",
+            "vary": "accept-encoding",
+            "etag": f"W/{response.headers['etag']}",
+        }
+        return Response(_packed(path, stat_result.st_mtime_ns), status_code, headers)
+
+
+def _packs(kind: str) -> bool:
+    """Tell whether a file becomes smaller when it is packed."""
+    return kind.startswith("text/") or "svg" in kind or "json" in kind
+
+
+@lru_cache(maxsize=64)
+def _packed(path: str, _changed: int) -> bytes:
+    return gzip.compress(Path(path).read_bytes(), mtime=0)
 
 
 def _kind_of(path: str) -> str:
@@ -223,7 +290,7 @@ class Gate:
             await send(message)
 
         asked = query.get("lang", "")
-        language = language_for(asked, headers.get("accept-language", ""), self.settings.language)
+        language = language_for(asked, self.settings.language, headers.get("accept-language", ""))
         with speaking(language):
             try:
                 response = self._refusal(scope, headers, query)
