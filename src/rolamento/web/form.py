@@ -120,6 +120,8 @@ def units() -> dict[str, list[dict[str, Any]]]:
 
 def _units_of(dimension: Dimension) -> Iterator[dict[str, Any]]:
     for unit in (*usual_units(dimension), *_CUSTOMARY.get(dimension, ())):
+        if unit == "um":  # µm once more, for keyboards without the sign
+            continue
         offset = to_si(f"0 {unit}", dimension) if dimension == "temperature" else 0.0
         label = unit
         for written, sign in _SIGNS:
