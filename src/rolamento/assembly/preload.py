@@ -55,8 +55,8 @@ class Lost:
     row: IntArray
 
 
-def preload_of(case: Case) -> Preloading | None:
-    """Find the preload of a set at rest and at speed, and its preload-loss point.
+def preload_of(case: Case, *, loss: bool = True) -> Preloading | None:
+    """Find the preload of a set at rest and at speed, and where it is lost, unless not asked for.
 
     None for a bearing without rows that face each other, or not preloaded.
     """
@@ -66,6 +66,8 @@ def preload_of(case: Case) -> Preloading | None:
     given = _Given(case, {}, 1)
     at_rest = float(_at(given, running=False)[0])
     at_speed = float(_at(given, running=True)[0]) if given.moving else at_rest
+    if not loss and given.loaded.any():
+        return Preloading(preload.kind, at_rest, at_speed)
     given.load_kernels()
     first = _lost(given, np.minimum)
     whole = first if given.axial[0] else _lost(given, np.maximum)

@@ -17,7 +17,8 @@ from rolamento.words import marked, said
 __all__ = ["DEMONSTRATION", "LIFE_TEST", "SIGNAL", "Asked", "Group", "by_name", "given"]
 
 Kind = Literal[
-    "text", "number", "count", "fraction", "frequency", "time", "switch", "choice", "choices", "list"
+    "text", "number", "count", "fraction", "frequency", "time", "switch", "choice", "choices",
+    "list",
 ]  # fmt: skip
 """Of a value: text with or without a unit, a number, one of several, several of them."""
 _LONGEST: Final = 300
