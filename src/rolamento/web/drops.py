@@ -26,13 +26,13 @@ from fastapi import APIRouter
 from starlette.requests import Request
 from starlette.responses import Response
 
-from rolamento.document import Document, Figure, Statement
+from rolamento.document import Document, Figure, Section, Statement
 from rolamento.errors import InputError
 from rolamento.tasks.asked import DEMONSTRATION, LIFE_TEST, SIGNAL, Group, by_name, given
 from rolamento.vibration.reading.formats import ENDINGS
 from rolamento.web.answers import answer, chunks, read_json
 from rolamento.web.limits import slow
-from rolamento.words import language, marked, said
+from rolamento.words import calling, language, marked, said
 
 if TYPE_CHECKING:
     from rolamento.case import Case
@@ -59,6 +59,10 @@ KINDS: Final[Mapping[str, tuple[Group, ...]]] = {
 LARGEST: Final[Mapping[str, int]] = {"signal": 256 * 2**20, "weibull": 5_000_000}
 """Bytes of an upload."""
 _CASE: Final = "case"
+_COMMAND_SAYS: Final = {
+    "tolerance": "slip", "machine_class": "class", "prior": "bayes", "times": "time",
+}  # fmt: skip
+"""What the commands call otherwise than their tasks."""
 _SEVERITY: Final = ("power", "support", "group", "machine_class", "baseline")
 _SEARCH: Final = ("tolerance", "speed_tolerance", "false_alarm")
 _READING: Final = ("channel", "rate", "unit", "scale", "start", "duration", "decimal_mark")
@@ -400,17 +404,22 @@ def _severity(
 
 @contextmanager
 def _told(groups: Sequence[Group], path: str = "", label: str = "") -> Iterator[None]:
-    """Call what is refused as the page does: options by their labels, the file by its own name."""
+    """Call what is said as the page does: options by their labels, the file by its own name."""
+    names = {
+        "--" + _COMMAND_SAYS.get(name, name.replace("_", "-")): said(
+            "“{label}”", label=said(one.label)
+        )
+        for name, one in by_name(groups).items()
+    }
     try:
-        yield
+        with calling({**names, "--set ": "", "rolamento diagnose": said("the diagnosis")}):
+            yield
     except InputError as error:
         from rolamento.tasks.parameters import renamed
 
-        known = by_name(groups)
-        field = error.source if error.source in known else error.field
-        labels = {name: said(one.label) for name, one in known.items()}
+        field = error.source if error.source in labels else error.field
         told = renamed(error, labels, "{}: {}".format)
-        source = "" if error.source in known else label if error.source == path else error.source
+        source = "" if error.source in labels else label if error.source == path else error.source
         raise type(error)(
             _named(told.rule, path, label),
             field=field,
@@ -442,9 +451,23 @@ def _answer(document: Document, mapping: dict[str, Any], code: str, form: str) -
             "tone": "" if first is None else first.tone,
         },
         "title": document.title,
-        "html": body(document, picture=_as_data),
+        "html": _below(body(_pictures_first(document), picture=_as_data)),
         "files": [one for one in _TYPES if one not in ("csv", "xlsx") or document.tables()],
     }
+
+
+def _pictures_first(document: Document) -> Document:
+    """Return a document whose pictures stand behind its first section: the verdict, or the data."""
+    parts = list(document.sections)
+    first = next(place for place, part in enumerate(parts, 1) if isinstance(part, Section))
+    pictures = [part for part in parts if part.key == "figures"]
+    others = [part for part in parts[first:] if part.key != "figures"]
+    return replace(document, sections=(*parts[:first], *pictures, *others))
+
+
+def _below(html: str) -> str:
+    """Return a page as a part of another: its headings stand two levels lower."""
+    return re.sub(r"(</?h)([1-6])", lambda at: at[1] + str(min(int(at[2]) + 2, 6)), html)
 
 
 def _as_data(figure: Figure) -> str | None:
