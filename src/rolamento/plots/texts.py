@@ -9,6 +9,7 @@ from typing import Final
 from rolamento.words import manner, said
 from rolamento.words.naming import one_line
 from rolamento.words.reasons import reason
+from rolamento.words.theories import theory_name
 
 _LONGEST_LABEL: Final = 90
 
@@ -53,6 +54,14 @@ def no_result_count(count: int, total: int) -> str:
 def shown_text(text: str, longest: int = _LONGEST_LABEL) -> str:
     """Return a text of others as one line that can be printed, not too long."""
     return one_line(text, longest)
+
+
+def theory_label(theory: str) -> str:
+    """Name a theory of life, and whether it only gives an upper bound."""
+    from rolamento.life.theories import THEORIES
+
+    name = theory_name(theory)
+    return said("{theory} (upper bound)", theory=name) if THEORIES[theory].bound else name
 
 
 def _written(value: float, digits: int, mark: str) -> str:

@@ -52,6 +52,8 @@ _CUSTOMARY: Final[Mapping[Dimension, tuple[str, ...]]] = {
 }
 """Units that are read too, beside the usual ones of a dimension."""
 _ELEMENTS: Final = {"ball": ("ball",), "roller": ("cylindrical", "tapered", "needle")}
+_MICROMETRES: Final = {"um": "µm"}
+"""For keyboards without the sign; the form offers the sign alone."""
 _SIGNS: Final = (("deg", "°"), ("^2", "²"), ("^3", "³"), (" ", "·"))
 
 
@@ -86,7 +88,7 @@ def _described(name: str, field: Field) -> dict[str, Any]:
         "meaning": field.meaning,
         "kind": field.kind,
         "dimension": field.dimension or "",
-        "unit": field.shown_unit,
+        "unit": _MICROMETRES.get(field.shown_unit, field.shown_unit),
         "choices": list(field.choices),
         "suggestions": list(field.names),
         "limits": {} if field.bounds is None else field.bounds.limits_in_si,
@@ -120,6 +122,8 @@ def units() -> dict[str, list[dict[str, Any]]]:
 
 def _units_of(dimension: Dimension) -> Iterator[dict[str, Any]]:
     for unit in (*usual_units(dimension), *_CUSTOMARY.get(dimension, ())):
+        if unit in _MICROMETRES:
+            continue
         offset = to_si(f"0 {unit}", dimension) if dimension == "temperature" else 0.0
         label = unit
         for written, sign in _SIGNS:

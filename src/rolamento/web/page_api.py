@@ -42,8 +42,9 @@ _LONGEST_SEARCH: Final = 60
 
 @router.get("/start")
 async def _start_request(request: Request) -> Response:
-    started = await fast(start)
-    return answer({**started, "warmth": request.app.state.warmth.to_mapping()})
+    warmth = request.app.state.warmth
+    progress = warmth.done / warmth.total if warmth.total else None
+    return answer({**await fast(start), "ready": warmth.ready, "progress": progress})
 
 
 @router.get("/document.css")
@@ -69,15 +70,23 @@ def _start(code: str) -> dict[str, Any]:
             "units": units(),
             "origins": {key: said(text) for key, text in ORIGINS.items()},
             "examples": [
-                {"name": file.removesuffix(".toml"), "title": said(example.shows)}
-                for example in EXAMPLES.values()
-                for file in example.files
-                if file.endswith(".toml") and "/" not in file
+                {"name": name, "title": said(shows)} for name, shows in _example_cases().items()
             ],
             "pictures": described(),
             "drops": drops.described(),
             "sections": [{"key": key, "label": said(part.label)} for key, part in PARTS.items()],
         }
+
+
+@cache
+def _example_cases() -> dict[str, str]:
+    """The case files among the examples, and what the first example with each of them shows."""
+    found: dict[str, str] = {}
+    for example in EXAMPLES.values():
+        for file in example.files:
+            if file.endswith(".toml") and "/" not in file:
+                found.setdefault(file.removesuffix(".toml"), example.shows)
+    return found
 
 
 def opened(request: Mapping[str, Any]) -> dict[str, Any]:
@@ -133,9 +142,9 @@ def _mapping_asked(request: Mapping[str, Any]) -> dict[str, Any]:
 
 def _example(name: str) -> dict[str, Any]:
     file = f"{name}.toml"
-    own = next((one for one in EXAMPLES.values() if file in one.files and "/" not in file), None)
-    if own is None:
-        known = ", ".join(one["name"] for one in start()["examples"])
+    own = next((one for one in EXAMPLES.values() if file in one.files), None)
+    if name not in _example_cases() or own is None:
+        known = ", ".join(_example_cases())
         raise InputError(said("must be one of {known}", known=known), field="example", value=name)
     return parse_mapping(own.source(file).read_text(encoding="utf-8"), "toml", file)
 
