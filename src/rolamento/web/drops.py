@@ -227,10 +227,9 @@ def signal_page(path: str, label: str, typed: Typed, form: str = "") -> dict[str
         if severity is not None:
             measured = [replace(one, title=label) for one in severity.measured]
             severity = replace(severity, measured=tuple(measured))
-            sections = severity_page(severity).sections
-            document = replace(document, sections=(*document.sections, *sections))
             mapping["severity"] = severity.to_mapping()
-        return _answer(document, mapping, found.verdict, form)
+        more = () if severity is None else (severity_page(severity),)
+        return _answer((document, *more), mapping, found.verdict, form)
 
 
 def life_test_page(path: str, label: str, typed: Typed, form: str = "") -> dict[str, Any]:
@@ -271,7 +270,7 @@ def life_test_page(path: str, label: str, typed: Typed, form: str = "") -> dict[
             sides=told["sides"],
         )
         verdict = "result" if found.has_result else "no_result"
-        return _answer(weibull_page(found), found.to_mapping(), verdict, form)
+        return _answer((weibull_page(found),), found.to_mapping(), verdict, form)
 
 
 def plan_page(typed: Typed, form: str = "") -> dict[str, Any]:
@@ -285,7 +284,7 @@ def plan_page(typed: Typed, form: str = "") -> dict[str, Any]:
             raise InputError(said("is missing"), field="life", example="1000 h")
         found = demonstration_study(told.pop("life"), **told)
         verdict = "result" if found.plan.planned else "no_result"
-        return _answer(demonstration_page(found), found.to_mapping(), verdict, form)
+        return _answer((demonstration_page(found),), found.to_mapping(), verdict, form)
 
 
 def report_file(
@@ -315,7 +314,7 @@ def report_file(
         rule = said("must be one of {known}", known=", ".join(REPORTS))
         raise InputError(rule, field="format", value=form, example="pdf")
     found = report_on([Case.from_mapping(one) for one in cases], head)
-    return _answer(report_page(found), found.to_mapping(), "", form)
+    return _answer((report_page(found),), found.to_mapping(), "", form)
 
 
 def example_file(kind: str, name: str) -> dict[str, Any]:
@@ -405,11 +404,10 @@ def _severity(
 @contextmanager
 def _told(groups: Sequence[Group], path: str = "", label: str = "") -> Iterator[None]:
     """Call what is said as the page does: options by their labels, the file by its own name."""
+    labels = {name: said(one.label) for name, one in by_name(groups).items()}
     names = {
-        "--" + _COMMAND_SAYS.get(name, name.replace("_", "-")): said(
-            "“{label}”", label=said(one.label)
-        )
-        for name, one in by_name(groups).items()
+        f"--{_COMMAND_SAYS.get(name, name.replace('_', '-'))}": said("“{label}”", label=label)
+        for name, label in labels.items()
     }
     try:
         with calling({**names, "--set ": "", "rolamento diagnose": said("the diagnosis")}):
@@ -435,8 +433,12 @@ def _named(text: str, path: str, label: str) -> str:
     return text.replace(path, label).replace(os.path.basename(path), label) if path else text
 
 
-def _answer(document: Document, mapping: dict[str, Any], code: str, form: str) -> dict[str, Any]:
-    """Return what the page shows, or a file of it."""
+def _answer(
+    pages: Sequence[Document], mapping: dict[str, Any], code: str, form: str
+) -> dict[str, Any]:
+    """Return what the page shows, one page behind the other, or a file of them."""
+    sections = tuple(part for page in pages for part in page.sections)
+    document = replace(pages[0], sections=sections)
     if form:
         name = f"{_plain(document.title) or 'rolamento'}.{form}"
         return {"content": _file(document, mapping, form), "name": name, "type": _TYPES[form]}
@@ -451,7 +453,7 @@ def _answer(document: Document, mapping: dict[str, Any], code: str, form: str) -
             "tone": "" if first is None else first.tone,
         },
         "title": document.title,
-        "html": _below(body(_pictures_first(document), picture=_as_data)),
+        "html": "".join(_below(body(_pictures_first(one), picture=_as_data)) for one in pages),
         "files": [one for one in _TYPES if one not in ("csv", "xlsx") or document.tables()],
     }
 
