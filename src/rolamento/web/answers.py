@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Mapping
+from collections.abc import AsyncIterator, Mapping
+from contextlib import asynccontextmanager
+from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any, Final
 
 from starlette.requests import Request
@@ -22,15 +25,19 @@ __all__ = [
     "language_for",
     "read_body",
     "read_json",
+    "received",
     "refused",
 ]
 
 MOST_JSON: Final = 5_000_000
 """Bytes of a JSON body: a batch of 10 000 cases with a dozen fields."""
-_SLOWEST: Final = 20_000.0
+_SLOWEST: Final = 50_000.0
 """Bytes a second that a sender has to keep up with, after `_PATIENCE`."""
 _PATIENCE: Final = 10.0
 """Seconds that a body may take, however small."""
+_MOST_COMING: Final = 8
+_COMING: Final[set[str]] = set()
+"""Folders of files that are being sent or read."""
 _WRONG_INPUT: Final = 422
 _HEADERS: Final = {
     408: {"connection": "close"},
@@ -130,7 +137,7 @@ async def read_body(request: Request, most: int = MOST_JSON) -> bytes:
     return bytes(body)
 
 
-async def chunks(request: Request, most: int) -> Any:
+async def chunks(request: Request, most: int) -> AsyncIterator[bytes]:
     """Yield the body of a request as it comes, bounded in size and time.
 
     Raises
@@ -156,6 +163,36 @@ async def chunks(request: Request, most: int) -> Any:
         if came > most:
             raise _too_large(most)
         yield chunk
+
+
+@asynccontextmanager
+async def received(request: Request, most: int, ending: str = "") -> AsyncIterator[Path]:
+    """Keep the body of a request in a private file as long as the context lasts.
+
+    Parameters
+    ----------
+    most
+        Bytes.
+    ending
+        Of the file's name, which nothing else of the request is part of.
+
+    Raises
+    ------
+    RequestError
+        413 or 408; 503 if too many files come at once.
+    """
+    if len(_COMING) >= _MOST_COMING:
+        raise RequestError(said("too many files are being sent; try again in a moment"), 503)
+    with TemporaryDirectory(prefix="rolamento-") as folder:
+        _COMING.add(folder)
+        try:
+            path = Path(folder) / f"upload{ending}"
+            with path.open("wb") as file:
+                async for chunk in chunks(request, most):
+                    file.write(chunk)
+            yield path
+        finally:
+            _COMING.discard(folder)
 
 
 def _too_large(most: int) -> RequestError:

@@ -10,18 +10,20 @@ from __future__ import annotations
 import os
 import threading
 from collections.abc import Callable
+from contextvars import ContextVar
 from functools import cache
-from typing import Any, Final, TypeVar
+from typing import Any, Final, TypeVar, cast
 
 import anyio
 import anyio.to_process
 import anyio.to_thread
+from starlette.types import Receive
 
 from rolamento.errors import InputError
 from rolamento.web.answers import RequestError
 from rolamento.words import language, said, speaking
 
-__all__ = ["Limits", "fast", "slow"]
+__all__ = ["VISITOR", "Limits", "fast", "slow"]
 
 R = TypeVar("R")
 
@@ -34,6 +36,10 @@ SECONDS: Final = 60.0
 _LONGEST_WAIT: Final = 60.0
 """Seconds in the queue."""
 _NICENESS: Final = 10
+
+
+VISITOR: Final[ContextVar[Receive | None]] = ContextVar("visitor", default=None)
+"""Tells when whoever made the request that is answered has left; its body has been read then."""
 
 
 class Limits:
@@ -105,9 +111,7 @@ async def slow(function: Callable[..., R], *args: Any, seconds: float = SECONDS)
         raise _busy() from None
     try:
         with anyio.fail_after(seconds):
-            found = await anyio.to_process.run_sync(
-                _in_worker, language(), function, args, cancellable=True, limiter=_unlimited()
-            )
+            found = await _while_there(_in_worker, language(), function, args)
     except TimeoutError:
         rule = said("took longer than {seconds} s and was ended", seconds=seconds)
         raise RequestError(rule, 504) from None
@@ -115,7 +119,44 @@ async def slow(function: Callable[..., R], *args: Any, seconds: float = SECONDS)
         queue.limiter.release()
     if isinstance(found, InputError):
         raise found
-    return found
+    return cast(R, found)
+
+
+async def _while_there(function: Callable[..., R], *args: Any) -> R | InputError:
+    """Run something in a process that ends when the visitor leaves.
+
+    Raises
+    ------
+    Exception
+        What it raised.
+    """
+    found: list[R] = []
+    failure: list[Exception] = []
+
+    async def run() -> None:
+        try:
+            found.append(
+                await anyio.to_process.run_sync(
+                    function, *args, cancellable=True, limiter=_unlimited()
+                )
+            )
+        except Exception as error:
+            failure.append(error)
+        group.cancel_scope.cancel()
+
+    async def watch(receive: Receive) -> None:
+        while (await receive())["type"] != "http.disconnect":
+            pass
+        group.cancel_scope.cancel()
+
+    receive = VISITOR.get()
+    async with anyio.create_task_group() as group:
+        group.start_soon(run)
+        if receive is not None:
+            group.start_soon(watch, receive)
+    if failure:
+        raise failure[0]
+    return found[0] if found else RequestError(said("the visitor has left"), 499)
 
 
 @cache

@@ -30,14 +30,17 @@ from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from uvicorn.protocols.http.h11_impl import H11Protocol
 
+import rolamento.document
 from rolamento.errors import InputError
 from rolamento.web.answers import RequestError, language_for, refused
+from rolamento.web.limits import VISITOR
 from rolamento.words import said, speaking
 
 __all__ = ["PAGE", "Settings", "Warmth", "create_app", "server_options"]
 
 PAGE: Final = Path(__file__).parent / "page"
 """Where the files of the page are; each is served as ``/static/<path>``."""
+_DOCUMENT_STYLE: Final = Path(rolamento.document.__file__).parent / "page.css"
 _log: Final = logging.getLogger("rolamento.web")
 
 _ROUTERS: Final = ("api", "page_api", "drops")
@@ -190,7 +193,16 @@ def server_options() -> dict[str, Any]:
 
 
 class Files(StaticFiles):
-    """The files of the page, of kinds that do not depend on the system."""
+    """The files of the page, and the style of documents, of kinds that do not depend on the system.
+
+    What is text is sent packed, and kept so.
+    """
+
+    def lookup_path(self, path: str) -> tuple[str, os.stat_result | None]:
+        """Find a file; one of them is not the page's own."""
+        if path == "document.css":
+            return os.fspath(_DOCUMENT_STYLE), os.stat(_DOCUMENT_STYLE)
+        return super().lookup_path(path)
 
     def file_response(
         self, full_path: Any, stat_result: os.stat_result, scope: Scope, status_code: int = 200
@@ -291,6 +303,7 @@ class Gate:
 
         asked = query.get("lang", "")
         language = language_for(asked, self.settings.language, headers.get("accept-language", ""))
+        VISITOR.set(receive)
         with speaking(language):
             try:
                 response = self._refusal(scope, headers, query)
