@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -55,7 +56,7 @@ class Analysis:
     notes: tuple[Note, ...] = ()
     left_out: tuple[str, ...] = ()
 
-    @property
+    @cached_property
     def frequencies(self) -> FaultFrequencies | None:
         """Fault frequencies of a single case under load; None without a result, or at rest."""
         duty = self.solved.case.duty

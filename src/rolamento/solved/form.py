@@ -65,7 +65,7 @@ def mapping_of(solved: Solved) -> dict[str, Any]:
     status, rows, advice = solved.status, solved.rows, solved.advice[0]
     control = control_names(solved)
     of_race = {
-        race: _columns(contacts, (*CONTACT_COLUMNS, *MORE_COLUMNS))
+        race: _entries(_columns(contacts, (*CONTACT_COLUMNS, *MORE_COLUMNS)))
         for race, contacts in solved.contacts.items()
     }
     elements = _columns(solved.elements, ELEMENT_COLUMNS)
@@ -89,7 +89,7 @@ def mapping_of(solved: Solved) -> dict[str, Any]:
             {
                 "row": int(row),
                 "azimuth": elements["azimuth"][j],
-                **{race: {name: v[j] for name, v in of_race[race].items()} for race in RACES},
+                **{race: of_race[race][j] for race in RACES},
                 **{name: elements[name][j] for name in ELEMENT_COLUMNS[1:]},
                 "raceway_control": control[j],
             }
@@ -125,24 +125,21 @@ def mapping_of(solved: Solved) -> dict[str, Any]:
 def _rollers_mapping(
     solved: Solved,
     elements: Mapping[str, list[Any]],
-    of_race: Mapping[Race, Mapping[str, list[Any]]],
+    of_race: Mapping[Race, list[dict[str, Any]]],
 ) -> dict[str, Any]:
     """The rollers of the first case, slice by slice; nothing where there are none."""
     rollers, rows = solved.rollers, solved.rows
     if rollers is None:
         return {}
-    own = _columns(rollers, (*ROLLER_COLUMNS, "slice_place"))
-    lines = {race: _columns(getattr(rollers, race), LINE_COLUMNS) for race in RACES}
+    own = _entries(_columns(rollers, (*ROLLER_COLUMNS, "slice_place")))
+    lines = {race: _entries(_columns(getattr(rollers, race), LINE_COLUMNS)) for race in RACES}
     entries = [
         {
             "row": int(row),
             "azimuth": elements["azimuth"][j],
-            **{
-                race: {name: v[j] for name, v in {**of_race[race], **lines[race]}.items()}
-                for race in RACES
-            },
+            **{race: {**of_race[race][j], **lines[race][j]} for race in RACES},
             **_of_kind({name: elements[name][j] for name in ELEMENT_COLUMNS[1:]}, "roller"),
-            **{name: column[j] for name, column in own.items()},
+            **own[j],
         }
         for j, row in enumerate(solved.elements.row)
         if rows.element[row] != "ball"
@@ -189,7 +186,12 @@ def control_names(solved: Solved) -> list[str]:
 
 def _columns(record: object, names: Iterable[str]) -> dict[str, list[Any]]:
     """Numbers of the first case by name, NaN as None."""
-    return {name: plain(getattr(record, name)[0].tolist()) for name in names}
+    return {name: plain(getattr(record, name)[0]) for name in names}
+
+
+def _entries(columns: Mapping[str, list[Any]]) -> list[dict[str, Any]]:
+    """The same element by element."""
+    return [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
 
 
 def _rolling_mapping(solved: Solved) -> dict[str, Any] | None:
