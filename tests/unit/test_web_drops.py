@@ -16,7 +16,7 @@ import pytest
 
 from rolamento.errors import InputError
 from rolamento.tasks.asked import DEMONSTRATION, LIFE_TEST, SIGNAL, by_name, given
-from rolamento.web import drops, limits
+from rolamento.web import drops, limits, server
 from rolamento.web.server import Settings, create_app
 
 HERE = "http://127.0.0.1:8000"
@@ -34,6 +34,7 @@ def _here(monkeypatch: pytest.MonkeyPatch) -> None:
         return function(*args)
 
     monkeypatch.setattr(drops, "slow", slow)
+    monkeypatch.setattr(server, "_ROUTERS", ("drops",))
 
 
 @pytest.fixture(scope="module")
@@ -78,9 +79,10 @@ def test_a_record_says_what_is_damaged_as_the_command_does(record: bytes, tmp_pa
 
 
 def test_a_record_is_judged_in_the_language_of_the_reader(record: bytes) -> None:
-    answer = drop(record, "x.npz", lang="pt", bearing="6205", unit="m/s^2", power="45 kW").json()
-    assert "pista externa" in answer["verdict"]["text"]
-    assert "ISO 20816-3" in answer["html"]
+    typed = {"bearing": "6205", "unit": "m/s^2", "power": "45 kW", "format": "txt"}
+    answer = drop(record, "x.npz", lang="pt", **typed).text
+    assert "pista externa" in answer
+    assert "ISO 20816-3" in answer
 
 
 def test_the_case_on_the_page_is_the_bearing_where_none_is_named(record: bytes) -> None:
@@ -92,12 +94,7 @@ def test_the_case_on_the_page_is_the_bearing_where_none_is_named(record: bytes) 
 
 @pytest.fixture(scope="module")
 def samples(record: bytes) -> Any:
-    return np.load(io.BytesIO(record))["samples" if False else _largest(record)]
-
-
-def _largest(record: bytes) -> str:
-    arrays = np.load(io.BytesIO(record))
-    return max(arrays.files, key=lambda name: arrays[name].size)
+    return max(np.load(io.BytesIO(record)).values(), key=np.size)
 
 
 def _csv(samples: Any) -> bytes:
@@ -180,7 +177,7 @@ def _damaged(record: bytes, samples: Any) -> Iterator[tuple[str, bytes]]:
     yield "x.h5", _hdf5(samples)[:900]
     yield "x.csv", b"\xff\xfea\0b\0"
     yield "x.csv", b'a,b\n1,2\n"' + b"x" * 10000
-    yield "x.csv", b"=cmd|' /C calc'!A0\n1\n2\n"
+    yield "x.csv", b"a\n=1+1\n2\n"
     yield "x.parquet", b"PAR1" + b"\0" * 40 + b"PAR1"
     yield "x.uff", b"    -1\n    58\n" + b"x\n" * 20
     yield "x.exe", b"MZ" + b"\0" * 400
@@ -239,10 +236,12 @@ def test_what_is_wrong_is_said_at_its_field(
 
 
 def test_a_life_test_with_groups_is_compared() -> None:
-    answer = drop(TABLE, "lives.csv", kind="weibull", calculated="ISO 281=58 h", times="200 h")
+    typed = {"calculated": "ISO 281=58 h", "times": "200 h", "format": "txt"}
+    answer = drop(TABLE, "lives.csv", kind="weibull", **typed)
     assert answer.status_code == 200, answer.text
-    assert "ISO 281" in answer.json()["html"]
-    assert "lives.csv" in answer.json()["html"]
+    assert "ISO 281" in answer.text
+    assert "lives.csv" in answer.text
+    assert "2 groups" in answer.text
 
 
 def test_a_life_test_as_a_file_has_the_numbers_of_the_task() -> None:
@@ -296,9 +295,7 @@ CASE = {
 }
 
 
-@pytest.mark.parametrize(
-    ("form", "begins"), [("html", b"<!DOCTYPE html>"), ("md", b"# "), ("json", b"{")]
-)
+@pytest.mark.parametrize(("form", "begins"), [("txt", b"Calculation"), ("json", b"{")])
 def test_a_report_of_two_cases_is_a_file(form: str, begins: bytes) -> None:
     other = {**CASE, "duty": {**CASE["duty"], "inner_speed": "3000 rpm"}}
     asked = {"cases": [CASE, other], "format": form, "head": {"author": "A. Souza"}}
@@ -340,7 +337,7 @@ def test_a_worker_does_the_same(record: bytes, tmp_path: Path) -> None:
     path.write_bytes(b"no table")
 
     async def refused() -> None:
-        with pytest.raises(InputError, match="x.csv"):
+        with pytest.raises(InputError, match=r"x\.csv"):
             await limits.slow(drops.life_test_page, str(path), "x.csv", {}, "")
 
     anyio.run(refused)

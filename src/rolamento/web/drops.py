@@ -470,7 +470,7 @@ def _file(document: Document, mapping: dict[str, Any], form: str) -> bytes:
     if form == "md":
         from rolamento.document.markdown import markdown
 
-        return markdown(document, picture=_as_data).encode()
+        return markdown(document).encode()  # its pictures would be files beside it
     if form == "txt":
         from rolamento.document.medium import WIDEST, Medium
         from rolamento.document.terminal import terminal

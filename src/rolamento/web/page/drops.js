@@ -1,6 +1,8 @@
 // The pages of files: a vibration record, a life test, a planned test. What is asked for beside a
 // file comes described from the server (tasks/asked.py); what is found is shown as the server set it.
 
+import { download, make, Refused, setHtml, Silent } from "./ask.js";
+
 const METHODS = { signal: ["PUT", "/page/signal"], weibull: ["PUT", "/page/weibull"], plan: ["POST", "/page/weibull/plan"] };
 const LABELS = { html: "HTML", pdf: "PDF", md: "Markdown", txt: "TXT", csv: "CSV", xlsx: "XLSX", json: "JSON" };
 const MOST_SHOWN = 200_000; // bytes of a table that is shown where it can be edited
@@ -14,12 +16,12 @@ export function startDrops(root, kind, described, tools) {
 /** Have a report of cases made, and save it. Rejects with the error object. */
 export async function saveReport(cases, format, { lang, head = {} }) {
   const body = JSON.stringify({ cases, format, head });
-  save(await send("POST", `/page/report?lang=${lang}`, body, { "Content-Type": "application/json" }));
+  keep(await send("POST", `/page/report?lang=${lang}`, body, { "Content-Type": "application/json" }));
 }
 
 class Drop {
-  constructor(kind, described, { lang, setHtml, currentCase }) {
-    Object.assign(this, { kind, described, lang, setHtml, currentCase, file: null, name: "", sending: null });
+  constructor(kind, described, { lang, currentCase }) {
+    Object.assign(this, { kind, described, lang, currentCase, file: null, name: "", sending: null });
     this.words = described.words;
     this.fields = new Map();
     this.element = make("section", { className: `drop panel ${kind}` }, make("h2", {}, this.words[`title_${kind}`]));
@@ -29,8 +31,8 @@ class Drop {
     this.form.addEventListener("input", (event) => {
       if (event.target !== this.input) this.touched();
     });
-    this.result = make("div", { className: "drop-result", hidden: true, tabIndex: -1, ariaLabel: this.words.result });
-    this.result.setAttribute("role", "region");
+    this.result = make("div", { className: "drop-result", hidden: true, tabIndex: -1, role: "region",
+      "aria-label": this.words.result });
     this.element.append(this.form, this.result);
   }
 
@@ -41,12 +43,11 @@ class Drop {
     const id = `drop-file-${kind}`;
     this.input = make("input", { type: "file", id, accept: described.endings[kind].join(",") });
     this.input.addEventListener("change", () => this.input.files[0] && this.take(this.input.files[0]));
-    this.chosen = make("output", { className: "drop-chosen" });
-    this.chosen.setAttribute("for", id);
+    this.chosen = make("output", { className: "drop-chosen", for: id });
     this.remove = button(words.remove, () => { this.forget(); this.input.focus(); });
     this.remove.hidden = true;
     const zone = make("div", { className: "drop-zone" },
-      make("label", { htmlFor: id }, words[`drop_${kind}`]), this.input,
+      make("label", { for: id }, words[`drop_${kind}`]), this.input,
       make("p", { className: "help" }, words[`formats_${kind}`]),
       make("p", {}, this.chosen, " ", this.remove));
     this.fileError = make("p", { className: "error", id: `${id}-error` });
@@ -64,7 +65,7 @@ class Drop {
     if (kind !== "weibull") return parts;
     this.table = make("textarea", { id: "drop-table", rows: 8, spellcheck: false, placeholder: words.paste_example });
     this.table.addEventListener("input", () => { if (this.file) this.forget(true); });
-    parts.push(make("div", { className: "field" }, make("label", { htmlFor: "drop-table" }, words.paste), this.table));
+    parts.push(make("div", { className: "field" }, make("label", { for: "drop-table" }, words.paste), this.table));
     return parts;
   }
 
@@ -87,13 +88,13 @@ class Drop {
     const error = make("p", { className: "error", id: `${id}-error` });
     const help = make("p", { className: "help", id: `${id}-help` },
       one.kind === "list" ? `${one.meaning} ${this.words.several}.` : one.meaning);
-    let control, read, label = make("label", { htmlFor: id }, one.label);
+    let control, read, label = make("label", { for: id }, one.label);
     if (one.kind === "choices") {
       const boxes = one.choices.map(({ value, label: text }) => {
         const box = make("input", { type: "checkbox", value });
         return [box, make("label", { className: "drop-box" }, box, " ", text)];
       });
-      control = make("div", { id, role: "group", ariaLabel: one.label }, ...boxes.map(([, text]) => text));
+      control = make("div", { id, role: "group", "aria-label": one.label }, ...boxes.map(([, text]) => text));
       label = make("span", { className: "label" }, one.label);
       read = () => boxes.filter(([box]) => box.checked).map(([box]) => box.value);
     } else if (one.kind === "choice") {
@@ -119,8 +120,7 @@ class Drop {
     this.stop.hidden = true;
     this.bar = make("progress", { hidden: true, max: 1 });
     this.clock = make("span", { className: "drop-clock" });
-    this.state = make("span", { className: "drop-state" });
-    this.state.setAttribute("role", "status");
+    this.state = make("span", { className: "drop-state", role: "status" });
     return make("div", { className: "tools drop-end" }, this.start, this.stop, this.bar, this.state, this.clock);
   }
 
@@ -178,10 +178,14 @@ class Drop {
 
   async request(format) {
     const body = this.body();
-    if (this.kind !== "plan" && !body) throw { field: "file", rule: this.words[this.table ? "no_table" : "no_file"] };
-    if (body && body.size > this.described.largest[this.kind]) throw { field: "file", rule: this.words.too_large };
+    if (this.kind !== "plan" && !body) throw this.wrong(this.table ? "no_table" : "no_file");
+    if (body && body.size > this.described.largest[this.kind]) throw this.wrong("too_large");
     const headers = this.name ? { "X-File-Name": encodeURIComponent(this.name) } : {};
     return send(METHODS[this.kind][0], this.address(format), body, headers, this.hooks());
+  }
+
+  wrong(word) {
+    return new Refused({ field: "file", message: this.words[word], rule: this.words[word] });
   }
 
   async run() {
@@ -214,8 +218,10 @@ class Drop {
       await action();
       this.state.textContent = "";
     } catch (error) {
-      this.state.textContent = error.aborted ? this.words.cancelled : "";
-      if (!error.aborted) this.complain(error);
+      this.state.textContent = error.name === "AbortError" ? this.words.cancelled : "";
+      if (error instanceof Refused) this.complain(error.error);
+      else if (error instanceof Silent) this.complain({ message: this.words.no_answer });
+      else if (error.name !== "AbortError") throw error;
     } finally {
       clearInterval(ticking);
       this.busy = false;
@@ -232,10 +238,10 @@ class Drop {
   show({ verdict, html, files }) {
     this.state.textContent = verdict.text;
     const page = make("div", { className: "rolamento" });
-    this.setHtml(page, html);
+    setHtml(page, html);
     this.stale = make("p", { className: "banner", hidden: true }, this.words.of_options);
     const saving = files.map((format) => button(LABELS[format], () =>
-      this.during(this.words.working, async () => save(await this.request(format)))));
+      this.during(this.words.working, async () => keep(await this.request(format)))));
     this.result.replaceChildren(this.stale, page, make("div", { className: "tools drop-save" },
       make("span", {}, this.words.save_as), ...saving));
     this.result.hidden = false;
@@ -253,10 +259,9 @@ class Drop {
       control.removeAttribute("aria-invalid");
     }
     if (this.fileError) this.fileError.textContent = "";
-    this.general ??= make("p", { className: "error drop-general" });
-    this.general.setAttribute("role", "alert");
+    this.general ??= make("p", { className: "error drop-general", role: "alert" });
     this.general.textContent = "";
-    if (!error.rule && !error.message) return;
+    if (!error.message) return;
     const field = this.fields.get(error.field);
     if (field) {
       const example = error.example ? ` (${error.example})` : "";
@@ -269,23 +274,13 @@ class Drop {
       this.fileError.textContent = error.rule;
       this.input.focus();
     } else {
-      this.general.textContent = error.message || this.words.no_answer;
+      this.general.textContent = error.message;
       this.form.append(this.general);
     }
   }
 }
 
 // --- helpers -----------------------------------------------------------------------------------
-
-function make(tag, properties, ...children) {
-  const element = document.createElement(tag);
-  for (const [name, value] of Object.entries(properties)) {
-    if (name === "role") element.setAttribute("role", value);
-    else element[name] = value;
-  }
-  element.append(...children.filter((child) => child !== null && child !== ""));
-  return element;
-}
 
 function button(text, action) {
   const element = make("button", { type: "button", className: "button" }, text);
@@ -298,6 +293,8 @@ function size(bytes, lang) {
   return `${(bytes / worth).toLocaleString(lang, { maximumSignificantDigits: 3 })} ${unit}`;
 }
 
+const keep = ({ blob, name }) => download(blob, name, blob.type);
+
 /** Send with progress and abort, which fetch does not tell. Gives {json} or {blob, name}. */
 function send(method, address, body, headers, { begun, sent } = {}) {
   return new Promise((resolve, reject) => {
@@ -307,26 +304,16 @@ function send(method, address, body, headers, { begun, sent } = {}) {
     for (const [name, value] of Object.entries(headers)) request.setRequestHeader(name, value);
     request.upload.onprogress = (event) => event.lengthComputable && sent?.(event.loaded / event.total);
     request.upload.onload = () => sent?.(1);
-    request.onabort = () => reject({ aborted: true });
-    request.onerror = () => reject({ field: "", message: "" , rule: " " });
+    request.onabort = () => reject(new DOMException("", "AbortError"));
+    request.onerror = () => reject(new Silent());
     request.onload = async () => {
       const file = /filename="([^"]+)"/.exec(request.getResponseHeader("Content-Disposition") ?? "");
       if (request.status === 200 && file) return resolve({ blob: request.response, name: file[1] });
-      try {
-        const json = JSON.parse(await request.response.text());
-        if (request.status === 200) resolve({ json });
-        else reject(json.error ?? { message: request.statusText });
-      } catch {
-        reject({ message: `${request.status} ${request.statusText}` });
-      }
+      const json = await request.response.text().then(JSON.parse).catch(() => null);
+      if (request.status === 200 && json) resolve({ json });
+      else reject(new Refused(json?.error ?? { message: `${request.status}` }, request.status));
     };
     begun?.(request);
     request.send(body);
   });
-}
-
-function save({ blob, name }) {
-  const link = make("a", { href: URL.createObjectURL(blob), download: name });
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
 }
