@@ -90,7 +90,9 @@ WORDS: Final[Mapping[str, str]] = {
     "view.case": marked("Case"),
     "view.signal": marked("Vibration"),
     "view.weibull": marked("Life tests"),
-    "warming": marked("Getting ready: {done} of {total} steps done. The first start takes longest."),
+    "warming": marked(
+        "Getting ready: {done} of {total} steps done. The first start takes longest."
+    ),
 }
 """By key, in English; a name in braces is filled in by the page."""
 
