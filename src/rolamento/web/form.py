@@ -54,6 +54,8 @@ _CUSTOMARY: Final[Mapping[Dimension, tuple[str, ...]]] = {
 _ELEMENTS: Final = {"ball": ("ball",), "roller": ("cylindrical", "tapered", "needle")}
 _MICROMETRES: Final = {"um": "µm"}
 """For keyboards without the sign; the form offers the sign alone."""
+_OF_SETS: Final = ("bearing.preload", "bearing.spacing")
+"""What a bearing that stands alone has not."""
 _SIGNS: Final = (("deg", "°"), ("^2", "²"), ("^3", "³"), (" ", "·"))
 
 
@@ -96,6 +98,7 @@ def _described(name: str, field: Field) -> dict[str, Any]:
         "example": field.example.strip('"') if field.kind != "list" else field.example,
         "replaces": list(field.replaces),
         "of": [kind for kind, elements in _ELEMENTS.items() if name in suitable(*elements)],
+        "of_sets": name.startswith(_OF_SETS),
         "first": name in FIRST,
         "entries": [_described(leaf, own) for leaf, own in field.entries.items()],
     }

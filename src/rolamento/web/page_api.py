@@ -65,7 +65,7 @@ def _start(code: str) -> dict[str, Any]:
             "version": __version__,
             "lang": code,
             "languages": list(languages()),
-            "words": page_words() | drops.words(),
+            "words": page_words(),
             "form": {"groups": form()},
             "units": units(),
             "origins": {key: said(text) for key, text in ORIGINS.items()},

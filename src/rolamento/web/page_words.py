@@ -78,6 +78,7 @@ WORDS: Final[Mapping[str, str]] = {
     "stale.silent": marked("Not current: the server does not answer"),
     "stale.waiting": marked("Not current: being calculated"),
     "stale.wrong": marked("Not current: from the last valid input"),
+    "status.converged": marked("Converged"),
     "summary": marked("Main results"),
     "theme": marked("Colours"),
     "theme.auto": marked("As the system"),
@@ -90,9 +91,7 @@ WORDS: Final[Mapping[str, str]] = {
     "view.case": marked("Case"),
     "view.signal": marked("Vibration"),
     "view.weibull": marked("Life tests"),
-    "warming": marked(
-        "Getting ready: {done} of {total} steps done. The first start takes longest."
-    ),
+    "warming": marked("Getting ready: {part} % done. The first start takes longest."),
 }
 """By key, in English; a name in braces is filled in by the page."""
 

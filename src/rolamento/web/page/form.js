@@ -11,7 +11,6 @@ const STEPS = 400;
 const OPEN_AT_FIRST = ["bearing", "duty", "lubricant", "temperature"];
 const FLAT = ["lubricant", "bearing.preload"]; // tables whose fields stand among those of their group
 const FIRST_OF_ENTRY = 4;
-const USED_UP = /^(title|report\.date)$/;
 
 let serial = 0;
 
@@ -116,7 +115,7 @@ class Control {
   /** Show what is wrong with it; null: nothing. */
   fail(error) {
     this.control.setAttribute("aria-invalid", String(Boolean(error)));
-    const example = error ? String(error.example ?? "").replace(/^"|"$/g, "") : "";
+    const example = String(error?.example ?? "").replace(/^[\w.]+ *= */, "").replace(/^"|"$/g, "");
     this.error.replaceChildren(...(error ? [error.rule ?? error.message] : []));
     if (!error) return;
     this.body.hidden = false;
@@ -365,9 +364,8 @@ export function makeForm(root, start, store, changed) {
       return control;
     });
     for (const one of own) one.show();
-    const suits = own.filter((one) => suit(one.field, store.current.elements));
-    const ahead = suits.filter((one) => one.field.first || one.isGiven || USED_UP.test(one.field.name));
-    const rest = suits.filter((one) => !ahead.includes(one));
+    const ahead = own.filter((one) => one.field.first || one.isGiven || one.field.name === "title");
+    const rest = own.filter((one) => !ahead.includes(one));
     const tables = { "": [] };
     for (const one of rest) (tables[tableOf(one.field.name)] ??= []).push(one);
     const { "": loose, ...tabled } = tables;
@@ -396,7 +394,10 @@ export function makeForm(root, start, store, changed) {
   }
 
   function show() {
-    for (const one of controls.values()) if (one.element.isConnected) one.show();
+    for (const one of controls.values()) {
+      one.element.classList.toggle("unsuited", !suits(one.field, store.current));
+      one.show();
+    }
     fail(store.current.error);
   }
 
@@ -405,10 +406,9 @@ export function makeForm(root, start, store, changed) {
     for (const one of controls.values()) one.fail(null);
     if (!error?.field) return false;
     let name = error.field;
-    while (!controls.get(name)?.element.isConnected && name.includes("."))
-      name = name.slice(0, name.lastIndexOf("."));
-    const own = controls.get(name);
-    if (!own?.element.isConnected) return false;
+    while (!controls.has(name) && name.includes(".")) name = name.slice(0, name.lastIndexOf("."));
+    const own = controls.get(name) ?? [...controls.values()].find((one) => one.field.name.startsWith(`${name}.`));
+    if (!own || own.element.matches(".unsuited")) return false;
     own.fail(error);
     for (let at = own.element; at !== root; at = at.parentElement) if (at.tagName === "DETAILS") at.open = true;
     return true;
@@ -470,9 +470,16 @@ const placeOf = (value, { low, high, log }) =>
 
 const folded = (text) => text.normalize("NFD").replace(/\p{M}/gu, "").toLowerCase();
 
-function suit(field, elements) {
-  const kinds = elements.map((one) => (one === "ball" ? "ball" : "roller"));
-  return field.of.some((one) => kinds.includes(one));
+/** Whether several rows stand on one shaft. */
+export function isSet({ case: { bearing }, inputs }) {
+  return Boolean(bearing?.arrangement || inputs["bearing.arrangement"] || bearing?.rows?.length > 1);
+}
+
+/** What rolls in a case: "ball", "roller" or both. */
+export const kindsOf = ({ elements }) => elements.map((one) => (one === "ball" ? "ball" : "roller"));
+
+function suits(field, slot) {
+  return field.of.some((one) => kindsOf(slot).includes(one)) && (!field.of_sets || isSet(slot));
 }
 
 function helpOf({ meaning, limits_text: limits, example }) {

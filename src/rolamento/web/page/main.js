@@ -5,7 +5,7 @@ import {
 } from "./ask.js";
 import { startCurves, curvesStale } from "./curves.js";
 import { saveReport, startDrops } from "./drops.js";
-import { makeForm, useOrigins } from "./form.js";
+import { isSet, kindsOf, makeForm, useOrigins } from "./form.js";
 import { liveLoop } from "./live.js";
 import { makeOpening } from "./opening.js";
 import { offerPictures, retheme, showPictures, stalePictures, startPictures, visibleKeys } from "./pictures.js";
@@ -39,9 +39,9 @@ async function started(lang) {
     try {
       const answer = await ask("start", undefined, { lang });
       speak(answer);
-      const { ready, ...progress } = answer.warmth;
-      banner(ready ? "" : say("warming", progress));
-      if (ready) return answer;
+      const part = Math.round(100 * (answer.progress ?? 0));
+      banner(answer.ready ? "" : say("warming", { part }));
+      if (answer.ready) return answer;
     } catch (error) {
       if (!(error instanceof Silent) && error.status !== 503) throw error;
       if (start) banner(say("server.silent"));
@@ -172,18 +172,17 @@ function showCases() {
     input.checked = n === store.active;
     input.nextElementSibling.textContent = titleOf(slot);
   });
-  const source = `${current.source} ${current.elements}`;
-  if (source !== shownSource) form.rebuild();
+  if (current.source !== shownSource) form.rebuild();
   else form.show();
-  shownSource = source;
+  shownSource = current.source;
   offerPictures(start.pictures.filter(suitable).map((one) => one.key));
+  showStatus();
   buttons();
 }
 
 function suitable({ of }) {
-  const kinds = store.slots.flatMap((one) => one.elements.map((element) => (element === "ball" ? "ball" : "roller")));
-  const isSet = store.slots.some(({ case: { bearing } }) => bearing?.arrangement || bearing?.rows?.length > 1);
-  return of.some((one) => kinds.includes(one) || (one === "set" && isSet));
+  const kinds = store.slots.flatMap((one) => [...kindsOf(one), isSet(one) ? "set" : ""]);
+  return of.some((one) => kinds.includes(one));
 }
 
 function buttons() {
@@ -233,9 +232,10 @@ function showAnswer(answer, quick) {
   clearTimeout(asking);
   asking = 0;
   $("work").classList.remove("asking");
-  showStatus();
-  if (!quick) showCases();
-  else form.show();
+  if (quick) {
+    form.show();
+    showStatus();
+  } else showCases();
   const right = answer.cases.some((one) => !one.error);
   stale(right ? "" : say("stale.wrong"));
   if (!right) {
@@ -243,6 +243,7 @@ function showAnswer(answer, quick) {
     return;
   }
   setHtml($("summary"), answer.summary);
+  $("summary").classList.toggle("one", store.slots.length === 1);
   showPictures(answer.pictures);
   const late = answer.cases.flatMap((one) => one.status?.left_out ?? []).map((one) => LEFT_OUT[one]);
   for (const section of document.querySelectorAll(".section")) {
@@ -277,8 +278,9 @@ function showStatus() {
   const lines = store.slots.map((slot, n) => {
     const { status, error } = slot;
     const good = !error && status?.converged;
-    const sign = error ? "✗" : good ? "✓" : "!";
-    const text = error ? error.message : [status?.text, status?.advice].filter(Boolean).join(". ");
+    const sign = error ? "✗" : good ? "✓" : status ? "!" : "…";
+    const text = error ? error.message : !status ? say("stale.waiting")
+      : good ? say("status.converged") : [status.text, status.advice].filter(Boolean).join(". ");
     const line = make("p", { className: good ? "good" : error ? "bad" : "warning" },
       make("span", { "aria-hidden": "true", textContent: sign }), ` ${many ? `${"AB"[n]}: ` : ""}${text}`);
     return line;

@@ -31,7 +31,8 @@ export function makeOpening({ panel, button, open, mayClose }) {
       wanted.value = file.value = "";
       found.replaceChildren();
       count.textContent = "";
-      document.getElementById("content").focus();
+      document.getElementById("content").focus({ preventScroll: true });
+      scrollTo(0, 0);
     } catch (error) {
       if (!(error instanceof Refused || error instanceof Silent)) throw error;
       wrong.textContent = error instanceof Silent ? say("server.silent") : error.message;
