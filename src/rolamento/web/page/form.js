@@ -393,8 +393,10 @@ export function makeForm(root, start, store, changed) {
     show();
   }
 
-  function show() {
-    for (const one of controls.values()) {
+  /** Show what the case says: of all fields, or of some and those that they replace. */
+  function show(names) {
+    const all = names?.flatMap((name) => [name, ...(byName.get(name)?.replaces ?? [])]) ?? [...controls.keys()];
+    for (const one of all.map((name) => controls.get(name)).filter(Boolean)) {
       one.element.classList.toggle("unsuited", !suits(one.field, store.current));
       one.show();
     }
@@ -432,7 +434,7 @@ export function makeForm(root, start, store, changed) {
   }
 
   root.onsubmit = (event) => event.preventDefault();
-  root.addEventListener("units", show);
+  root.addEventListener("units", () => show());
   return { rebuild, show, filter };
 }
 

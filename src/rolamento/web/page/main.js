@@ -75,6 +75,7 @@ function arrange() {
   startPictures($("pictures"), start.pictures, start.words, { lang: start.lang, onVisible: () => store.current && live.follow() });
   $("curves").replaceChildren();
   startCurves($("curves"), { words: start.words, lang: start.lang, say, ask, cases: () => store.slots.map((one) => one.case) });
+  watcher.disconnect();
   $("sections").replaceChildren(...[{ key: "notes", label: say("notes") }, ...start.sections].map(makeSection));
   for (const kind of ["weibull", "signal"]) {
     $(kind).replaceChildren();
@@ -92,6 +93,7 @@ function makeSection({ key, label }) {
     },
   }, make("summary", {}, make("h2", { textContent: label })), body);
   details.dataset.section = key;
+  watcher.observe(details);
   return details;
 }
 
@@ -201,16 +203,19 @@ function goTo(step) {
 
 const sectionsOpen = () => [...document.querySelectorAll(".section[open]")];
 
-function isSeen(element) {
-  const { top, bottom } = element.getBoundingClientRect();
-  return bottom > 0 && top < innerHeight && bottom > top;
-}
+const seen = new Set(); // sections on the screen
+const watcher = new IntersectionObserver((entries) => {
+  for (const one of entries) {
+    if (one.isIntersecting) seen.add(one.target.dataset.section);
+    else seen.delete(one.target.dataset.section);
+  }
+});
 
 const live = liveLoop(store, {
   wishes: (quick) => ({
     pictures: visibleKeys(),
-    sections: sectionsOpen().filter((one) => !quick || isSeen(one)).map((one) => one.dataset.section)
-      .filter((key) => key !== "notes"),
+    sections: sectionsOpen().map((one) => one.dataset.section)
+      .filter((key) => key !== "notes" && (!quick || seen.has(key))),
   }),
   waiting: () => {
     curvesStale();
@@ -228,12 +233,12 @@ const live = liveLoop(store, {
   },
 });
 
-function showAnswer(answer, quick) {
+function showAnswer(answer, quick, asked) {
   clearTimeout(asking);
   asking = 0;
   $("work").classList.remove("asking");
   if (quick) {
-    form.show();
+    form.show(Object.keys(asked[store.active]?.changes ?? {}));
     showStatus();
   } else showCases();
   const right = answer.cases.some((one) => !one.error);
