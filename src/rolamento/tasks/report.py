@@ -48,7 +48,9 @@ __all__ = [
     "compare_variants",
     "inputs_of",
     "names_in",
+    "number_of_field",
     "report_on",
+    "with_life",
 ]
 
 SCHEMA: Final = 2
@@ -390,7 +392,12 @@ def analysis_of(case: Case, *, quick: bool = False) -> Analysis:
 
     quick: as of `rolamento.analyse`.
     """
-    return analyse(case if has_life(case) else case.replace(life=LifeModel()), quick=quick)
+    return analyse(with_life(case), quick=quick)
+
+
+def with_life(case: Case) -> Case:
+    """Return a case that asks for its life; by the defaults of [life] where it does not."""
+    return case if has_life(case) else case.replace(life=LifeModel())
 
 
 def _case_report(name: str, read: _Read, inputs: tuple[Input, ...]) -> CaseReport:
@@ -539,6 +546,13 @@ def _value(case: Case, name: str) -> float | int | bool | str | None:
         return found
     named = getattr(found, "name", None)  # of a material or a lubricant; others have fields
     return str(named) if named is not None else None
+
+
+def number_of_field(case: Case, name: str) -> float | None:
+    """Return the number that a field of a case has, SI; None where it has none."""
+    found = _value(case, name)
+    known = isinstance(found, int | float) and not isinstance(found, bool)
+    return float(found) if known else None  # type: ignore[arg-type]
 
 
 def _matters(case: Case, name: str, told: Set[str]) -> bool:

@@ -26,13 +26,13 @@ from fastapi import APIRouter
 from starlette.requests import Request
 from starlette.responses import Response
 
-from rolamento.document import Document, Figure, Statement
+from rolamento.document import Document, Figure, Section, Statement
 from rolamento.errors import InputError
 from rolamento.tasks.asked import DEMONSTRATION, LIFE_TEST, SIGNAL, Group, by_name, given
 from rolamento.vibration.reading.formats import ENDINGS
 from rolamento.web.answers import answer, chunks, read_json
 from rolamento.web.limits import slow
-from rolamento.words import language, marked, said
+from rolamento.words import calling, language, marked, said
 
 if TYPE_CHECKING:
     from rolamento.case import Case
@@ -59,6 +59,10 @@ KINDS: Final[Mapping[str, tuple[Group, ...]]] = {
 LARGEST: Final[Mapping[str, int]] = {"signal": 256 * 2**20, "weibull": 5_000_000}
 """Bytes of an upload."""
 _CASE: Final = "case"
+_COMMAND_SAYS: Final = {
+    "tolerance": "slip", "machine_class": "class", "prior": "bayes", "times": "time",
+}  # fmt: skip
+"""What the commands call otherwise than their tasks."""
 _SEVERITY: Final = ("power", "support", "group", "machine_class", "baseline")
 _SEARCH: Final = ("tolerance", "speed_tolerance", "false_alarm")
 _READING: Final = ("channel", "rate", "unit", "scale", "start", "duration", "decimal_mark")
@@ -223,10 +227,9 @@ def signal_page(path: str, label: str, typed: Typed, form: str = "") -> dict[str
         if severity is not None:
             measured = [replace(one, title=label) for one in severity.measured]
             severity = replace(severity, measured=tuple(measured))
-            sections = severity_page(severity).sections
-            document = replace(document, sections=(*document.sections, *sections))
             mapping["severity"] = severity.to_mapping()
-        return _answer(document, mapping, found.verdict, form)
+        more = () if severity is None else (severity_page(severity),)
+        return _answer((document, *more), mapping, found.verdict, form)
 
 
 def life_test_page(path: str, label: str, typed: Typed, form: str = "") -> dict[str, Any]:
@@ -267,7 +270,7 @@ def life_test_page(path: str, label: str, typed: Typed, form: str = "") -> dict[
             sides=told["sides"],
         )
         verdict = "result" if found.has_result else "no_result"
-        return _answer(weibull_page(found), found.to_mapping(), verdict, form)
+        return _answer((weibull_page(found),), found.to_mapping(), verdict, form)
 
 
 def plan_page(typed: Typed, form: str = "") -> dict[str, Any]:
@@ -281,7 +284,7 @@ def plan_page(typed: Typed, form: str = "") -> dict[str, Any]:
             raise InputError(said("is missing"), field="life", example="1000 h")
         found = demonstration_study(told.pop("life"), **told)
         verdict = "result" if found.plan.planned else "no_result"
-        return _answer(demonstration_page(found), found.to_mapping(), verdict, form)
+        return _answer((demonstration_page(found),), found.to_mapping(), verdict, form)
 
 
 def report_file(
@@ -311,7 +314,7 @@ def report_file(
         rule = said("must be one of {known}", known=", ".join(REPORTS))
         raise InputError(rule, field="format", value=form, example="pdf")
     found = report_on([Case.from_mapping(one) for one in cases], head)
-    return _answer(report_page(found), found.to_mapping(), "", form)
+    return _answer((report_page(found),), found.to_mapping(), "", form)
 
 
 def example_file(kind: str, name: str) -> dict[str, Any]:
@@ -400,17 +403,21 @@ def _severity(
 
 @contextmanager
 def _told(groups: Sequence[Group], path: str = "", label: str = "") -> Iterator[None]:
-    """Call what is refused as the page does: options by their labels, the file by its own name."""
+    """Call what is said as the page does: options by their labels, the file by its own name."""
+    labels = {name: said(one.label) for name, one in by_name(groups).items()}
+    names = {
+        f"--{_COMMAND_SAYS.get(name, name.replace('_', '-'))}": said("“{label}”", label=label)
+        for name, label in labels.items()
+    }
     try:
-        yield
+        with calling({**names, "--set ": "", "rolamento diagnose": said("the diagnosis")}):
+            yield
     except InputError as error:
         from rolamento.tasks.parameters import renamed
 
-        known = by_name(groups)
-        field = error.source if error.source in known else error.field
-        labels = {name: said(one.label) for name, one in known.items()}
+        field = error.source if error.source in labels else error.field
         told = renamed(error, labels, "{}: {}".format)
-        source = "" if error.source in known else label if error.source == path else error.source
+        source = "" if error.source in labels else label if error.source == path else error.source
         raise type(error)(
             _named(told.rule, path, label),
             field=field,
@@ -426,8 +433,12 @@ def _named(text: str, path: str, label: str) -> str:
     return text.replace(path, label).replace(os.path.basename(path), label) if path else text
 
 
-def _answer(document: Document, mapping: dict[str, Any], code: str, form: str) -> dict[str, Any]:
-    """Return what the page shows, or a file of it."""
+def _answer(
+    pages: Sequence[Document], mapping: dict[str, Any], code: str, form: str
+) -> dict[str, Any]:
+    """Return what the page shows, one page behind the other, or a file of them."""
+    sections = tuple(part for page in pages for part in page.sections)
+    document = replace(pages[0], sections=sections)
     if form:
         name = f"{_plain(document.title) or 'rolamento'}.{form}"
         return {"content": _file(document, mapping, form), "name": name, "type": _TYPES[form]}
@@ -442,9 +453,23 @@ def _answer(document: Document, mapping: dict[str, Any], code: str, form: str) -
             "tone": "" if first is None else first.tone,
         },
         "title": document.title,
-        "html": body(document, picture=_as_data),
+        "html": "".join(_below(body(_pictures_first(one), picture=_as_data)) for one in pages),
         "files": [one for one in _TYPES if one not in ("csv", "xlsx") or document.tables()],
     }
+
+
+def _pictures_first(document: Document) -> Document:
+    """Return a document whose pictures stand behind its first section: the verdict, or the data."""
+    parts = list(document.sections)
+    first = next(place for place, part in enumerate(parts, 1) if isinstance(part, Section))
+    pictures = [part for part in parts if part.key == "figures"]
+    others = [part for part in parts[first:] if part.key != "figures"]
+    return replace(document, sections=(*parts[:first], *pictures, *others))
+
+
+def _below(html: str) -> str:
+    """Return a page as a part of another: its headings stand two levels lower."""
+    return re.sub(r"(</?h)([1-6])", lambda at: at[1] + str(min(int(at[2]) + 2, 6)), html)
 
 
 def _as_data(figure: Figure) -> str | None:

@@ -106,7 +106,7 @@ class Drop {
       read = () => [String(control.checked)];
     } else {
       control = make("input", { id, type: "text", value: one.default, autocomplete: "off", spellcheck: false,
-        placeholder: one.example, inputMode: one.kind === "count" ? "numeric" : "text" });
+        placeholder: this.kind === "signal" && one.name === "bearing" && this.currentCase()?.title || one.example, inputMode: one.kind === "count" ? "numeric" : "text" });
       read = () => [control.value];
     }
     control.setAttribute("aria-describedby", `${help.id} ${error.id}`);
@@ -165,7 +165,7 @@ class Drop {
       const usual = one.default || (one.kind === "switch" ? "false" : "");
       for (const text of read()) if (text.trim() && text !== usual) query.append(name, text);
     }
-    const current = this.kind === "signal" && !query.has("bearing") ? this.currentCase?.() : null;
+    const current = this.kind === "signal" && !query.has("bearing") ? this.currentCase() : null;
     if (current) query.append("case", JSON.stringify(current.case));
     if (format) query.append("format", format);
     return `${path}?${query}`;
@@ -191,7 +191,7 @@ class Drop {
   async run() {
     await this.during(this.words[this.file ? "sending" : "working"], async () => {
       const { json } = await this.request("");
-      this.show(json);
+      return this.show(json);
     });
   }
 
@@ -215,8 +215,7 @@ class Drop {
     this.start.disabled = true;
     this.state.textContent = text;
     try {
-      await action();
-      this.state.textContent = "";
+      this.state.textContent = (await action()) ?? "";
     } catch (error) {
       this.state.textContent = error.name === "AbortError" ? this.words.cancelled : "";
       if (error instanceof Refused) this.complain(error.error);
@@ -236,17 +235,17 @@ class Drop {
   // --- what comes back -------------------------------------------------------------------------
 
   show({ verdict, html, files }) {
-    this.state.textContent = verdict.text;
     const page = make("div", { className: "rolamento" });
     setHtml(page, html);
     this.stale = make("p", { className: "banner", hidden: true }, this.words.of_options);
     const saving = files.map((format) => button(LABELS[format], () =>
       this.during(this.words.working, async () => keep(await this.request(format)))));
-    this.result.replaceChildren(this.stale, page, make("div", { className: "tools drop-save" },
-      make("span", {}, this.words.save_as), ...saving));
+    this.result.replaceChildren(this.stale, make("div", { className: "tools drop-save" },
+      make("span", {}, this.words.save_as), ...saving), page);
     this.result.hidden = false;
     this.result.focus({ preventScroll: true });
     this.result.scrollIntoView({ block: "start" });
+    return verdict.text;
   }
 
   touched() {
