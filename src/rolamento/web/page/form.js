@@ -49,16 +49,16 @@ class Control {
       `${this.help.id} ${this.origin.id} ${this.error.id}`);
     const row = make("div", { className: "row" }, this.slider, this.control, this.units, this.clear);
     const head = make("div", { className: "line" },
-      make("label", { for: this.id, textContent: label }), this.what);
+      make("label", { for: this.id }, ...indexed(label)), this.what);
     this.instead = make("button", {
       type: "button", className: "instead", hidden: true,
-      textContent: say("form.instead", { label }),
       onclick: () => {
         this.expanded = true;
         this.show();
         this.control.focus();
       },
     });
+    this.instead.append(...indexed(say("form.instead", { label })));
     this.body = make("div", {}, head, row, this.origin, this.help);
     this.element = make("div", { className: `field ${field.kind}` }, this.body, this.instead, this.error);
     this.element.dataset.name = field.name;
@@ -82,6 +82,7 @@ class Control {
   }
 
   typedIn(text) {
+    this.control.dataset.put = this.control.value; // no longer being typed
     if (!text.trim()) {
       this.commit(null);
       return;
@@ -466,6 +467,10 @@ function put(input, text) {
   if (input.value !== text) input.value = text;
   input.dataset.put = text;
 }
+
+/** A text with its symbols' indices set low: e_C. */
+const indexed = (text) => text.split(/(?<=\p{L})_(\w+)/u)
+  .map((part, n) => (n % 2 ? make("sub", { textContent: part }) : part));
 
 const placeOf = (value, { low, high, log }) =>
   Math.round(STEPS * (log ? Math.log(value / low) / Math.log(high / low) : (value - low) / (high - low)));

@@ -165,14 +165,15 @@ const titleOf = (slot) => slot.case.title || slot.case.bearing?.designation || s
 function showCases() {
   const { current, slots } = store;
   $("work").hidden = false;
-  $("title").textContent = slots.map(titleOf).filter((one, n, all) => all.indexOf(one) === n).join(" · ");
+  const titles = [...new Set(slots.map(titleOf))];
+  $("title").textContent = titles.join(" · ");
   document.title = `${titleOf(current)} – Rolamento`;
   $("slots").hidden = slots.length < 2;
   $("compare").setAttribute("aria-pressed", String(slots.length > 1));
   slots.forEach((slot, n) => {
     const input = document.querySelector(`input[name="slot"][value="${n}"]`);
     input.checked = n === store.active;
-    input.nextElementSibling.textContent = titleOf(slot);
+    input.nextElementSibling.textContent = titles.length > 1 ? titleOf(slot) : "";
   });
   if (current.source !== shownSource) form.rebuild();
   else form.show();
@@ -286,7 +287,7 @@ function showStatus() {
     const sign = error ? "✗" : good ? "✓" : status ? "!" : "…";
     const text = error ? error.message : !status ? say("stale.waiting")
       : good ? say("status.converged") : [status.text, status.advice].filter(Boolean).join(". ");
-    const line = make("p", { className: good ? "good" : error ? "bad" : "warning" },
+    const line = make("p", { className: error ? "bad" : good ? "good" : status ? "warning" : "faint" },
       make("span", { "aria-hidden": "true", textContent: sign }), ` ${many ? `${"AB"[n]}: ` : ""}${text}`);
     return line;
   });
