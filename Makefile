@@ -8,7 +8,7 @@ export PYTHON
 export PYTHONDONTWRITEBYTECODE :=
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test verify golden bench runtime dev clean
+.PHONY: help demo test verify golden bench plotly runtime dev clean
 .PHONY: balls rollers types layers rewritten
 
 help:
@@ -17,6 +17,7 @@ help:
 	@echo "make verify  the longer sweeps, the golden runs, the published numbers"
 	@echo "make golden  compare what all commands answer with what they answered before"
 	@echo "make bench   measure the speed"
+	@echo "make plotly  bundle the part of Plotly.js that the app draws with; needs Node.js"
 	@echo "make clean   remove the virtual environment and all caches"
 
 demo: runtime
@@ -43,7 +44,8 @@ rewritten: dev  # the assertions; what is wrong the tests themselves tell
 	@$(BIN)/pytest --collect-only -qq >/dev/null || true
 
 verify: dev
-	$(BIN)/pytest -n auto -m sweep
+	$(BIN)/pytest -n auto --dist worksteal -m sweep
+	HYPOTHESIS_PROFILE=verify $(BIN)/pytest -n auto --dist worksteal tests/properties
 	@$(BIN)/python -m tests.regression.golden --check
 	@$(BIN)/python -m tests.regression.pages --check
 	@$(BIN)/rolamento verify
@@ -54,6 +56,10 @@ golden: dev
 
 bench: dev
 	@$(BIN)/python -m benchmarks
+
+plotly:
+	@cd scripts/plotly && npm install --ignore-scripts --no-audit --no-fund --no-package-lock
+	@node scripts/plotly/build.mjs
 
 runtime:
 	@sh scripts/setup.sh runtime

@@ -220,6 +220,8 @@ _OF_SYSTEM: Final = (
     marked("input/output error"),
     marked("too many open files"),
     marked("too many levels of symbolic links"),
+    marked("address already in use"),
+    marked("cannot assign requested address"),
 )
 """What `cause` has to say most often."""
 

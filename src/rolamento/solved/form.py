@@ -170,11 +170,12 @@ def _line_of_row(rows: Rows, index: int) -> dict[str, Any]:
 
 
 def _preload_mapping(preload: Preloading) -> dict[str, Any]:
-    """The preload; its stages of a mounted set only."""
+    """The preload; its stages of a mounted set only, its loss where it was looked for."""
     mapping: dict[str, Any] = plain(asdict(preload))
-    if not preload.stages:
-        del mapping["stages"]
-    return mapping
+    unknown = [] if preload.stages else ["stages"]
+    if preload.loss_factor is None:
+        unknown += ["lift_factor", "lift_row", "loss_factor", "lost_row"]
+    return {name: value for name, value in mapping.items() if name not in unknown}
 
 
 def control_names(solved: Solved) -> list[str]:
@@ -537,11 +538,19 @@ def _preloading_of(item: Mapping[str, Any], at: str) -> Preloading | None:
     def row(name: str) -> int | None:
         return None if table.get(name) is None else _row(table, f"{at}preload.{name}")
 
-    return Preloading(
+    found = Preloading(
         _text(table, f"{at}preload.kind"), number("at_rest"), number("at_speed"),
-        number("lift_factor"), row("lift_row"), number("loss_factor"), row("lost_row"),
-        _preload_stages(table, f"{at}preload.stages") if "stages" in table else (),
+        stages=_preload_stages(table, f"{at}preload.stages") if "stages" in table else (),
     )  # fmt: skip
+    if "loss_factor" not in table:
+        return found
+    return replace(
+        found,
+        lift_factor=number("lift_factor"),
+        lift_row=row("lift_row"),
+        loss_factor=number("loss_factor"),
+        lost_row=row("lost_row"),
+    )
 
 
 def _preload_stages(table: Mapping[str, Any], at: str) -> tuple[PreloadStage, ...]:

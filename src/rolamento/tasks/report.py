@@ -43,10 +43,14 @@ __all__ = [
     "Input",
     "Origin",
     "Report",
+    "analysis_of",
     "checksum_of",
     "compare_variants",
     "inputs_of",
+    "names_in",
+    "number_of_field",
     "report_on",
+    "with_life",
 ]
 
 SCHEMA: Final = 2
@@ -365,7 +369,7 @@ def compare_variants(
     return report_on(
         list(found.values()),
         names=[setting_name(name) for name in found],
-        changed=[frozenset(_keys(one.changes, "")) for one in with_the_case(variants)],
+        changed=[frozenset(names_in(one.changes)) for one in with_the_case(variants)],
         progress=progress,
     )
 
@@ -383,10 +387,21 @@ def _number_of(found: Input | None) -> float | None:
     return float(value) if isinstance(value, int | float) and not isinstance(value, bool) else None
 
 
+def analysis_of(case: Case, *, quick: bool = False) -> Analysis:
+    """Analyse a case as a report does: with ratings and lives, whether it asks for them or not.
+
+    quick: as of `rolamento.analyse`.
+    """
+    return analyse(with_life(case), quick=quick)
+
+
+def with_life(case: Case) -> Case:
+    """Return a case that asks for its life; by the defaults of [life] where it does not."""
+    return case if has_life(case) else case.replace(life=LifeModel())
+
+
 def _case_report(name: str, read: _Read, inputs: tuple[Input, ...]) -> CaseReport:
-    # a report shows ratings, static safety and lives whether the case asks for them or not
-    case = read.case if has_life(read.case) else read.case.replace(life=LifeModel())
-    return CaseReport(name, read.source, read.case, inputs, analyse(case))
+    return CaseReport(name, read.source, read.case, inputs, analysis_of(read.case))
 
 
 def _head(given: ReportHead | Mapping[str, str] | None, cases: Sequence[Case]) -> ReportHead:
@@ -430,7 +445,7 @@ def _read(bearing: BearingLike, settings: Sequence[str]) -> _Read:
     text, source = read_text(bearing)
     form = format_of_path(bearing) or format_of_text(text)
     case = parse_case(text, format=form, source=source, overrides=settings)
-    return _Read(case, source, frozenset(_keys(parse_mapping(text, form, source), "")))
+    return _Read(case, source, frozenset(names_in(parse_mapping(text, form, source), "")))
 
 
 def _named(settings: Sequence[str]) -> frozenset[str]:
@@ -439,16 +454,16 @@ def _named(settings: Sequence[str]) -> frozenset[str]:
     return frozenset(".".join(part.strip() for part in key) for key in keys)
 
 
-def _keys(mapping: Mapping[str, Any], table: str) -> Iterator[str]:
-    """Dotted names of what a file gives."""
+def names_in(mapping: Mapping[str, Any], table: str = "") -> Iterator[str]:
+    """Give the dotted names of what the tables of a case file say; table: a prefix."""
     for key, value in mapping.items():
         if isinstance(value, Mapping):
-            yield from _keys(value, f"{table}{key}.")
+            yield from names_in(value, f"{table}{key}.")
         elif isinstance(value, list):
             yield f"{table}{key}"
             for index, item in enumerate(value):
                 if isinstance(item, Mapping):
-                    yield from _keys(item, f"{table}{key}.{index}.")
+                    yield from names_in(item, f"{table}{key}.{index}.")
         else:
             yield f"{table}{key}"
 
@@ -531,6 +546,13 @@ def _value(case: Case, name: str) -> float | int | bool | str | None:
         return found
     named = getattr(found, "name", None)  # of a material or a lubricant; others have fields
     return str(named) if named is not None else None
+
+
+def number_of_field(case: Case, name: str) -> float | None:
+    """Return the number that a field of a case has, SI; None where it has none."""
+    found = _value(case, name)
+    known = isinstance(found, int | float) and not isinstance(found, bool)
+    return float(found) if known else None  # type: ignore[arg-type]
 
 
 def _matters(case: Case, name: str, told: Set[str]) -> bool:

@@ -14,7 +14,6 @@ from rolamento.case.bearing import RowPlace
 from rolamento.geometry import Race
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.rows.ball import layout
-from rolamento.rows.ball.batch import solve_cases
 from rolamento.rows.ball.detail import ContactTable, ball_table
 from rolamento.rows.ball.problem import apply_model, bearing_column, bearing_columns, ring_arms
 from rolamento.rows.ball.rolling import Rolling as Motion
@@ -285,11 +284,6 @@ def ball_row(
     )  # fmt: skip
     geometry = RowGeometry(*(np.broadcast_to(np.asarray(n, np.float64), cases) for n in numbers))
     return BallRow(p, place.bearing.element_count, geometry, threads, fast)
-
-
-def compiled_but_not_loaded() -> bool:
-    """Whether the kernels are on disk, and this process has not needed them yet."""
-    return solve_cases.is_cached and not solve_cases.is_loaded
 
 
 @dataclass(frozen=True, slots=True)

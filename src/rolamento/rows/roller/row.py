@@ -14,7 +14,6 @@ from rolamento.contact.line import EXPONENT, half_width, max_pressure
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.rows.ball.problem import directions
 from rolamento.rows.roller import layout
-from rolamento.rows.roller.batch import settle_cases
 from rolamento.rows.roller.columns import Numbers, numbers_of
 from rolamento.rows.roller.run import Solution, hold, settle
 from rolamento.rows.row import Held, Indices, IntArray, RowGeometry, RowSizes
@@ -232,11 +231,6 @@ def roller_row(
         effective_length=p[layout.LENGTH].copy(),
     )
     return RollerRow(numbers, place.bearing.element_count, geometry, threads)
-
-
-def compiled_but_not_loaded() -> bool:
-    """Whether the kernels are on disk, and this process has not needed them yet."""
-    return settle_cases.is_cached and not settle_cases.is_loaded
 
 
 @dataclass(frozen=True, slots=True)
