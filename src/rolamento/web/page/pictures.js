@@ -43,7 +43,7 @@ export function newFigure(key, label, opened, before = []) {
   const save = make("button", { type: "button", className: "button", textContent: say("pictures.save") });
   const element = make("details", { className: "picture", open: remembered(`picture.${key}`, opened) },
     make("summary", {}, make("h3", { textContent: label })), ...before, make("figure", {}, plot, legend, caption),
-    make("div", { className: "tools" }, table, save), numbers);
+    make("div", { className: "tools does" }, table, save), numbers);
   element.dataset.key = key;
   const own = { key, label, element, plot, legend, caption, numbers, table, visible: false };
   figures.set(key, own);
