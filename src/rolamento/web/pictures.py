@@ -301,13 +301,15 @@ def _film_of(one: Analysis) -> Film:
 
 def _no_film(cases: Cases) -> str:
     """Say why cases have no film: as their notes do, or that nothing lubricates."""
-    told = {
-        one.named(note.text)
-        for one in cases
-        for note in one.analysis.notes
-        if note.key == "no_temperature"
-    }
-    return "\n".join(sorted(told)) or said("The film needs an oil or a grease.")
+    return _notes_of(cases, "no_temperature") or said("The film needs an oil or a grease.")
+
+
+def _notes_of(cases: Cases, *keys: str) -> str:
+    """Say what notes of some keys say of the cases, a line each; empty without such."""
+    told = [
+        one.named(note.text) for one in cases for note in one.analysis.notes if note.key in keys
+    ]
+    return "\n".join(told)
 
 
 def _across(
@@ -733,13 +735,8 @@ def _friction(cases: Cases) -> Picture:
     """Draw what each source of friction takes; where nothing turns, its torque."""
     known = [(one, one.analysis.friction) for one in cases if one.analysis.friction is not None]
     if not known:
-        told = [
-            one.named(note.text)
-            for one in cases
-            for note in one.analysis.notes
-            if note.key == "no_coefficient"
-        ]
-        return empty("\n".join(told) or said("Friction needs a lubricant."))
+        told = _notes_of(cases, "no_coefficient")
+        return empty(told or said("Friction needs a lubricant."))
     sources = list(dict.fromkeys(name for _, own in known for name in own.torque_by_source))
     torques = {
         one.place: [_first(own.torque_by_source.get(name)) for name in sources]
@@ -821,9 +818,8 @@ def _life(cases: Cases) -> Picture:
     """Draw the life by every theory, faintly where it does not hold, and what is required."""
     known = [(one, one.analysis.life) for one in cases if one.analysis.life is not None]
     if not known:
-        notes = [one.named(note.text) for one in cases for note in one.analysis.notes]
-        told = [text for text in notes if text.startswith(said("No life"))]
-        return empty("\n".join(told) or said("Life needs a designation or a [life] table."))
+        told = _notes_of(cases, "life_of_thrust_bearing", "life_without_rating")
+        return empty(told or said("Life needs a designation or a [life] table."))
     turns = all(np.isfinite(own.headline.hours).any() or _endless(own) for _, own in known)
     theories = [name for name in BY_RANK if any(name in own.theories for _, own in known)]
     lives = {
