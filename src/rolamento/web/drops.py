@@ -87,7 +87,7 @@ WORDS: Final[Mapping[str, str]] = {
     "examples": marked("Try an example"),
     "more": marked("More options"),
     "several": marked("Several: with semicolons between"),
-    "by_itself": marked("(by itself)"),
+    "automatic": marked("(automatic)"),
     "run_signal": marked("Diagnose the record"),
     "run_weibull": marked("Evaluate the life test"),
     "run_plan": marked("Plan the test"),
@@ -250,7 +250,7 @@ def life_test_page(path: str, label: str, typed: Typed, form: str = "") -> dict[
         told = given(LIFE_TEST, typed)
         bounds, prior = told.get("bounds"), told.get("prior")
         if bounds is not None and "shape" in told:
-            rule = said("cannot be combined with a shape from experience, which has its own")
+            rule = said("cannot be combined with a shape from experience, which has its own bounds")
             raise InputError(rule, field="bounds", value=bounds)
         columns = {name: told.get(name) for name in _COLUMNS}
         found = life_test_study(
