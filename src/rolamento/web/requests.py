@@ -386,5 +386,5 @@ class ReportRequest(Record):
     cases: tuple[CaseRequest, ...] = Field(
         min_length=1, max_length=MOST_CASES, examples=[[{"case": _CASE}]]
     )
-    format: Literal["html", "pdf", "markdown", "text", "json"] = Field("html", examples=["pdf"])
+    format: Literal["html", "pdf", "md", "txt", "json"] = Field("html", examples=["pdf"])
     head: ReportHead = Field(default_factory=ReportHead, examples=[{"project": "Pump P-101"}])

@@ -208,7 +208,7 @@ function isSeen(element) {
 
 const live = liveLoop(store, {
   wishes: (quick) => ({
-    pictures: visibleKeys(),
+    pictures: visibleKeys(quick),
     sections: sectionsOpen().filter((one) => !quick || isSeen(one)).map((one) => one.dataset.section)
       .filter((key) => key !== "notes"),
   }),
