@@ -294,7 +294,7 @@ CASE = {
 }
 
 
-@pytest.mark.parametrize(("form", "begins"), [("txt", b"Calculation"), ("json", b"{")])
+@pytest.mark.parametrize(("form", "begins"), [("txt", b"Bearing calculation"), ("json", b"{")])
 def test_a_report_of_two_cases_is_a_file(form: str, begins: bytes) -> None:
     other = {**CASE, "duty": {**CASE["duty"], "inner_speed": "3000 rpm"}}
     asked = {"cases": [CASE, other], "format": form, "head": {"author": "A. Souza"}}

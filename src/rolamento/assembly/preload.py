@@ -277,7 +277,7 @@ class _Search:
         return np.asarray(self.grips[:, 2].min(axis=1) <= 0.0)
 
     def zero(self, one: int, other: int, power: float = 1.0) -> FloatArray:
-        """Where the line through the least grips at two of the four comes to zero; infinite if none.
+        """Where the line through the least grips at two of the four falls to zero; else infinite.
 
         power: of the grips on that line.
         """

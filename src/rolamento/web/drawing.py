@@ -148,5 +148,4 @@ def decades(*values: ArrayLike) -> list[float] | None:
     if not greatest:
         return None
     low, high = log10(least), log10(greatest)
-    low, high = floor(2.0 * low - 0.1) / 2.0, ceil(2.0 * high + 0.1) / 2.0
-    return [low, high]
+    return [floor(2.0 * low - 0.1) / 2.0, ceil(2.0 * high + 0.1) / 2.0]

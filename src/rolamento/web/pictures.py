@@ -17,7 +17,7 @@ from rolamento.analysis import Analysis
 from rolamento.contact.line import PRESSURE_LIMIT
 from rolamento.geometry import Race
 from rolamento.life import LifeSummary
-from rolamento.life.theories import BY_RANK
+from rolamento.life.theories import BY_RANK, THEORIES
 from rolamento.lubrication import Film
 from rolamento.lubrication.regime import regimes
 from rolamento.notes import STATIC_PRESSURE_LIMIT
@@ -71,7 +71,7 @@ from rolamento.web.drawing import (
     reach,
     rounded_up,
 )
-from rolamento.words import ENDLESS, in_unit, marked, said
+from rolamento.words import ENDLESS, in_unit, manner, marked, said
 
 __all__ = ["PICTURES", "PictureKind", "described", "figures"]
 
@@ -89,6 +89,10 @@ _MARGIN: Final = 8.0
 _NEAR: Final = 0.5
 """Of a limit: from there on it is drawn."""
 _HARMONICS: Final = 5
+_WRAPPED: Final[dict[str, Any]] = {"mode": "lines+markers", "meta": {"from": 1, "to": -1}}
+"""Of a line that goes all round: its ends are there once more."""
+_DRAWING: Final = {"drawing": True}
+"""Of a picture whose lines are outlines: a table of their points says nothing."""
 
 
 class _Shown(NamedTuple):
@@ -342,7 +346,11 @@ def _over_azimuth(
                         *_all_round(azimuth, values),
                         one.named(race_name(race, row, len(by_row))),
                         hover,
-                        **{**look(race, one.place, row), "mode": "lines+markers"},
+                        **{
+                            **look(race, one.place, row),
+                            "mode": "lines+markers",
+                            "meta": {"from": 1, "to": -1},
+                        },
                     )
                 )
     heights = [np.array(one["y"], dtype=np.float64) for one in (*drawn, *beside)]
@@ -444,6 +452,7 @@ def _rosette(cases: Cases) -> Picture:
                         "name": one.named(race_name(race, row, len(by_row))),
                         "hovertemplate": f"%{{theta:{NUMBER}}}°, %{{r:{NUMBER}}} {unit.symbol}"
                         "<extra>%{fullData.name}</extra>",
+                        "meta": {"to": -1},
                         **look(race, one.place, row),
                     }
                 )
@@ -484,7 +493,11 @@ def _rows(cases: Cases) -> Picture:
                         one.named(race_name(race, row, count)),
                         hover,
                         xaxis=f"x{number_of}",
-                        **{**look(race, one.place, row), "mode": "lines+markers"},
+                        **{
+                            **look(race, one.place, row),
+                            "mode": "lines+markers",
+                            "meta": {"from": 1, "to": -1},
+                        },
                     )
                 )
         left = row / count
@@ -559,7 +572,7 @@ def _ellipses(cases: Cases) -> Picture:
         if over
         else said("No ellipse runs over the edge of its groove; {count} are drawn.", count=total)
     )
-    return picture(drawn, told, **frames)
+    return picture(drawn, told, meta=_DRAWING, **frames)
 
 
 def _half(slot: Slot) -> float:
@@ -706,7 +719,7 @@ def _between_races(cases: Cases) -> Picture:
     frames["yaxis"] = axis(
         said("Radial height (µm), many times exaggerated; the roller's body is cut"), (-half, half)
     )
-    return picture(drawn, "; ".join(told), **frames)
+    return picture(drawn, "; ".join(told), meta=_DRAWING, **frames)
 
 
 # --- friction, life, frequencies ------------------------------------------------------------------
@@ -821,7 +834,7 @@ def _life(cases: Cases) -> Picture:
         for one, own in known
         if turns and own.conditions.wanted_life is not None
     ]
-    limits = decades(list(lives.values()), [hours for _, hours in wanted])
+    limits = _limits_of_lives(lives, [hours for _, hours in wanted])
     if limits is None:
         endless = any(np.isposinf(life) for life in lives.values())
         return empty(said("fatigue ends no life here") if endless else no_result())
@@ -834,7 +847,9 @@ def _life(cases: Cases) -> Picture:
         values = [float(lives[one.place, name]) for name in of]
         holds = [bool(own[name].valid[0]) for name in of]
         told = [
-            ENDLESS if np.isposinf(value) else f"{'< ' * bool(own[name].below[0])}{number(value)}"
+            ENDLESS
+            if np.isposinf(value)
+            else f"{'< ' * bool(own[name].below[0])}{manner().significant(value, 4)}"
             for name, value in zip(of, values, strict=True)
         ]
         color = "inner" if one.place == 0 else "inner2"
@@ -873,6 +888,17 @@ def _life(cases: Cases) -> Picture:
         barmode="group",
         shapes=shapes,
     )  # fmt: skip
+
+
+def _limits_of_lives(
+    lives: Mapping[tuple[int, str], Any], wanted: Sequence[float]
+) -> list[float] | None:
+    """Return the logarithms of the ends of an axis of lives; bounds far above do not lead it."""
+    near = [life for (_, theory), life in lives.items() if not THEORIES[theory].bound]
+    limits = decades(near, wanted)
+    if limits is None:
+        return decades(list(lives.values()))
+    return [limits[0] - 0.5, limits[1] + 0.5]
 
 
 def _endless(summary: LifeSummary) -> bool:

@@ -13,7 +13,7 @@ import threading
 from collections.abc import AsyncIterator, Callable, Mapping
 from contextlib import asynccontextmanager
 from dataclasses import dataclass, field
-from functools import lru_cache
+from functools import cache, lru_cache
 from http.cookies import CookieError, SimpleCookie
 from importlib import import_module
 from pathlib import Path
@@ -30,17 +30,17 @@ from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from uvicorn.protocols.http.h11_impl import H11Protocol
 
-import rolamento.document
+from rolamento._json import dumps
 from rolamento.errors import InputError
-from rolamento.web.answers import RequestError, language_for, refused
+from rolamento.web.answers import RequestError, answer, language_for, refused
 from rolamento.web.limits import VISITOR
-from rolamento.words import said, speaking
+from rolamento.web.openapi import DOCS, DOCUMENT, docs_page, openapi_document
+from rolamento.words import language, said, speaking
 
 __all__ = ["PAGE", "Settings", "Warmth", "create_app", "server_options"]
 
 PAGE: Final = Path(__file__).parent / "page"
 """Where the files of the page are; each is served as ``/static/<path>``."""
-_DOCUMENT_STYLE: Final = Path(rolamento.document.__file__).parent / "page.css"
 _log: Final = logging.getLogger("rolamento.web")
 
 _ROUTERS: Final = ("api", "page_api", "drops")
@@ -150,6 +150,9 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     for name in _ROUTERS:
         if importlib.util.find_spec(f"rolamento.web.{name}") is not None:
             app.include_router(import_module(f"rolamento.web.{name}").router)
+    app.add_api_route(DOCUMENT, _openapi, methods=["GET"], include_in_schema=False)
+    app.add_api_route(DOCS, _docs, methods=["GET"], include_in_schema=False)
+    app.openapi = openapi_document  # type: ignore[method-assign]
     app.add_api_route("/", _index, methods=["GET", "HEAD"], include_in_schema=False)
     app.mount("/static", Files(directory=PAGE, check_dir=False))
     app.add_middleware(Gate, settings=settings)
@@ -193,16 +196,7 @@ def server_options() -> dict[str, Any]:
 
 
 class Files(StaticFiles):
-    """The files of the page, and the style of documents, of kinds that do not depend on the system.
-
-    What is text is sent packed, and kept so.
-    """
-
-    def lookup_path(self, path: str) -> tuple[str, os.stat_result | None]:
-        """Find a file; one of them is not the page's own."""
-        if path == "document.css":
-            return os.fspath(_DOCUMENT_STYLE), os.stat(_DOCUMENT_STYLE)
-        return super().lookup_path(path)
+    """The files of the page, of kinds that do not depend on the system; text is sent packed."""
 
     def file_response(
         self, full_path: Any, stat_result: os.stat_result, scope: Scope, status_code: int = 200
@@ -242,6 +236,22 @@ def _kind_of(path: str) -> str:
 
 async def _index(request: Request) -> Response:
     return await Files(directory=PAGE, check_dir=False).get_response("index.html", request.scope)
+
+
+async def _openapi(request: Request) -> Response:
+    return answer(_texts(language())[0])
+
+
+async def _docs(request: Request) -> Response:
+    return Response(_texts(language())[1], media_type="text/html")
+
+
+@cache
+def _texts(code: str) -> tuple[str, str]:
+    """The OpenAPI document and its page in a language."""
+    with speaking(code):
+        document = openapi_document()
+        return dumps(document), docs_page(document)
 
 
 async def _refused(_: Request, error: Exception) -> Response:

@@ -98,7 +98,7 @@ class Drop {
       label = make("span", { className: "label" }, one.label);
       read = () => boxes.filter(([box]) => box.checked).map(([box]) => box.value);
     } else if (one.kind === "choice") {
-      control = make("select", { id }, ...(one.default ? [] : [make("option", { value: "" }, this.words.by_itself)]),
+      control = make("select", { id }, ...(one.default ? [] : [make("option", { value: "" }, this.words.automatic)]),
         ...one.choices.map(({ value, label: text }) => make("option", { value, selected: value === one.default }, text)));
       read = () => [control.value];
     } else if (one.kind === "switch") {

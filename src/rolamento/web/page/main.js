@@ -215,7 +215,7 @@ const watcher = new IntersectionObserver((entries) => {
 
 const live = liveLoop(store, {
   wishes: (quick) => ({
-    pictures: visibleKeys(),
+    pictures: visibleKeys(quick),
     sections: sectionsOpen().map((one) => one.dataset.section)
       .filter((key) => key !== "notes" && (!quick || seen.has(key))),
   }),
