@@ -6,14 +6,15 @@ PYTHON ?=
 export PYTHON
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test verify golden bench runtime dev clean
+.PHONY: help demo test verify golden bench docs runtime dev docs-tools clean
 
 help:
 	@echo "make demo    solve the shipped example: a 218 bearing at 10 000 rpm, combined load"
 	@echo "make test    check everything: style, types, layers, tests"
-	@echo "make verify  the longer sweeps, the golden runs, the published numbers"
+	@echo "make verify  the longer sweeps, the golden runs, the published numbers, the documentation"
 	@echo "make golden  compare what all commands answer with what they answered before"
 	@echo "make bench   measure the speed"
+	@echo "make docs    build the documentation site, docs/_build/html"
 	@echo "make clean   remove the virtual environment and all caches"
 
 demo: runtime
@@ -34,6 +35,7 @@ verify: dev
 	@$(BIN)/python -m tests.regression.golden --check
 	@$(BIN)/python -m tests.regression.pages --check
 	@$(BIN)/rolamento verify
+	@$(MAKE) docs
 
 golden: dev
 	@$(BIN)/python -m tests.regression.golden --check
@@ -42,12 +44,20 @@ golden: dev
 bench: dev
 	@$(BIN)/python -m benchmarks
 
+docs: docs-tools
+	@$(BIN)/python -m sphinx --fail-on-warning --keep-going --quiet --jobs auto \
+	    --doctree-dir docs/_build/doctrees --builder html docs docs/_build/html
+	@echo "The site is docs/_build/html/index.html"
+
 runtime:
 	@sh scripts/setup.sh runtime
 
 dev:
 	@sh scripts/setup.sh dev
 
+docs-tools:
+	@sh scripts/setup.sh docs
+
 clean:
-	rm -rf .venv .mypy_cache .pytest_cache .ruff_cache .hypothesis
-	find src reproductions tests benchmarks -name __pycache__ -type d -prune -exec rm -rf {} +
+	rm -rf .venv .mypy_cache .pytest_cache .ruff_cache .hypothesis docs/_build docs/reference/api
+	find src reproductions tests benchmarks docs -name __pycache__ -type d -prune -exec rm -rf {} +
