@@ -6,7 +6,7 @@ PYTHON ?=
 export PYTHON
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test verify golden bench docs runtime dev docs-tools clean
+.PHONY: help demo test verify golden bench docs plotly runtime dev docs-tools clean
 
 help:
 	@echo "make demo    solve the shipped example: a 218 bearing at 10 000 rpm, combined load"
@@ -15,6 +15,7 @@ help:
 	@echo "make golden  compare what all commands answer with what they answered before"
 	@echo "make bench   measure the speed"
 	@echo "make docs    build the documentation site, docs/_build/html"
+	@echo "make plotly  bundle the part of Plotly.js that the app draws with; needs Node.js"
 	@echo "make clean   remove the virtual environment and all caches"
 
 demo: runtime
@@ -48,6 +49,10 @@ docs: docs-tools
 	@$(BIN)/python -m sphinx --fail-on-warning --keep-going --quiet --jobs auto \
 	    --doctree-dir docs/_build/doctrees --builder html docs docs/_build/html
 	@echo "The site is docs/_build/html/index.html"
+
+plotly:
+	@cd scripts/plotly && npm install --ignore-scripts --no-audit --no-fund --no-package-lock
+	@node scripts/plotly/build.mjs
 
 runtime:
 	@sh scripts/setup.sh runtime

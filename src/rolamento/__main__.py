@@ -2,4 +2,5 @@
 
 from rolamento.cli import main
 
-main()
+if __name__ == "__main__":  # worker processes of the app load this file under another name
+    main()

@@ -422,12 +422,13 @@ def _letters(solved: Solved) -> Iterator[Note]:
 
 
 def _nearly_lost(solved: Solved) -> Iterator[Note]:
-    preload = solved.preload
-    row = None if preload is None else preload.lost_row
-    if preload is None or row is None or not 1.0 <= preload.loss_factor < PRELOAD_MARGIN:
+    if solved.preload is None:
+        return
+    row, factor = solved.preload.lost_row, solved.preload.loss_factor
+    if row is None or factor is None or not 1.0 <= factor < PRELOAD_MARGIN:
         return
     if solved.loaded_elements[0, row]:  # else _lost_rows says so
-        yield Note("preload_nearly_lost", {"row": row, "factor": float(preload.loss_factor)})
+        yield Note("preload_nearly_lost", {"row": row, "factor": float(factor)})
 
 
 def _turns(solved: Solved) -> bool:

@@ -38,6 +38,7 @@ __all__ = [
     "refuse_thousands",
     "rpm_of",
     "to_si",
+    "usual_units",
 ]
 
 MILLIMETRE: Final = 1e-3
@@ -325,7 +326,7 @@ def _split(text: str, dimension: Dimension) -> tuple[str, str]:
         raise UnitError(
             said("needs a unit of {dimension}", dimension=name_of(dimension)),
             value=text,
-            example=f'"{number} {_usual_units(dimension)[0]}"',
+            example=f'"{number} {usual_units(dimension)[0]}"',
         )
     if unit.startswith(","):
         raise UnitError(
@@ -451,7 +452,7 @@ def _pint_name(unit: str) -> str:
 
 
 def _unknown(name: str, dimension: Dimension) -> UnitError:
-    usual = _usual_units(dimension)
+    usual = usual_units(dimension)
     known = {
         "name": shown(name),
         "near": nearest(name, usual),
@@ -475,18 +476,19 @@ def _wrong_dimension(text: str, dimension: Dimension) -> UnitError:
             "{text} is not a unit of {dimension} (units of {dimension}: {known} …)",
             text=shown(text),
             dimension=name_of(dimension),
-            known=", ".join(_usual_units(dimension)),
+            known=", ".join(usual_units(dimension)),
         ),
         example=_example(dimension),
     )
 
 
-def _usual_units(dimension: Dimension) -> list[str]:
+def usual_units(dimension: Dimension) -> list[str]:
+    """Return the units that case files usually have of a dimension, as they are written there."""
     return list(_COMMON[dimension])
 
 
 def _example(dimension: Dimension) -> str:
-    return f'"{_EXAMPLE_NUMBERS.get(dimension, "10")} {_usual_units(dimension)[0]}"'
+    return f'"{_EXAMPLE_NUMBERS.get(dimension, "10")} {usual_units(dimension)[0]}"'
 
 
 def name_of(dimension: Dimension) -> str:

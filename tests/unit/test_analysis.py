@@ -325,3 +325,66 @@ def test_a_setting_opens_a_lubricant_that_is_given_by_name() -> None:
     thicker = parse_case(text, overrides=["lubricant.viscosity_40=80 mm^2/s"])
     assert thicker.lubricant is not None
     assert thicker.lubricant.viscosity_40 == pytest.approx(80e-6)
+
+
+def part_of(mapping: Any, whole: Any) -> Any:
+    """What a mapping lacks of another, by its paths; what both have is alike, to the last bit."""
+    if not isinstance(mapping, dict):
+        assert mapping == whole
+        return set()
+    assert mapping.keys() <= whole.keys()
+    lacks = whole.keys() - mapping.keys()
+    inner = ({f"{name}.{one}" for one in part_of(mapping[name], whole[name])} for name in mapping)
+    return lacks.union(*inner)
+
+
+OTHER_MODELS = {"jones_control", "jones_simplified", "harris_1971", "todd"}
+
+
+def test_a_quick_analysis_is_a_part_of_the_full_one() -> None:
+    case = Case(
+        bearing={"designation": "6305"},
+        duty={"inner_speed": "3000 rpm", "load": {"fz": "4 kN"}},
+        lubricant=Lubricant.named("ISO VG 68").replace(friction_coefficient=0.08),
+        temperature=WARM,
+        surface=SURFACE,
+        life={"cleanliness": "-/17/14", "oil_supply": "bath"},
+    )
+    full = analyse(case)
+    quick = analyse(full.solved, quick=True)
+    assert (full.left_out, quick.left_out) == ((), ("friction_models", "stress_volume"))
+    whole, part = full.to_mapping(), quick.to_mapping()
+    assert {note["key"] for note in part.pop("notes")} - {n["key"] for n in whole.pop("notes")} == {
+        "without_friction_models", "without_stress_volume"
+    }  # fmt: skip
+    assert part_of(part, whole) == {
+        "life.theories.ioannides_harris",
+        *(f"friction.models.{name}" for name in OTHER_MODELS),
+    }
+    compared = analyse(full.solved, quick=True, compare=True)
+    assert compared.left_out == ("stress_volume",)
+    assert analyse(case, quick=True, model="todd").friction.models.keys() >= {"todd"}
+
+
+def test_a_quick_analysis_does_not_look_for_the_loss_of_preload(examples: Path) -> None:
+    case = load_case(examples / "6012_pair.toml")
+    full, quick = analyse(case), analyse(case, quick=True)
+    assert quick.left_out == ("preload_loss",)
+    assert quick.notes[0].key == "without_preload_loss"
+    whole, part = full.to_mapping(), quick.to_mapping()
+    assert part_of(part["preload"], whole["preload"]) == {
+        "lift_factor", "lift_row", "loss_factor", "lost_row"
+    }  # fmt: skip
+    text = quick.solved.to_json()
+    assert rolamento.Solved.from_json(text).to_json() == text
+    assert rolamento.Solved.from_json(text).preload == quick.solved.preload
+    unloaded = case.replace(duty={"inner_speed": case.duty.inner_speed})
+    assert analyse(unloaded, quick=True).left_out == ()  # there is no loss to look for
+
+
+def test_a_model_that_was_left_out_may_be_valid(oiled: Case) -> None:
+    full, quick = analyse(oiled, compare=True), analyse(oiled, quick=True)
+    assert full.friction is not None
+    assert quick.friction is not None
+    assert full.friction.without_model(full.solved)[0].key == "no_valid_torque_model"
+    assert quick.friction.without_model(quick.solved) == ()

@@ -20,13 +20,13 @@ from typer.testing import CliRunner
 from rolamento import Bearing, load_case
 from rolamento.case import is_designation
 from rolamento.cli.app import app
-from rolamento.cli.quantities import fields_of, number_of
 from rolamento.document.terminal import terminal
 from rolamento.errors import InputError
 from rolamento.pages.synthesis import synthesis_page
 from rolamento.plots.vibration_modulation import envelope_depths, modulation_figure
 from rolamento.solution import solve
 from rolamento.tasks.bearing import case_of, has_load
+from rolamento.tasks.quantities import fields_of, number_of
 from rolamento.tasks.synthesis import SynthesisResult
 from rolamento.tasks.synthesis import synthesise as synthesise_task
 from rolamento.vibration import writing

@@ -29,9 +29,10 @@ from rolamento.plots.curves import (
     stiffness_over_speed,
 )
 from rolamento.plots.ellipses import SCALE_BAR, contact_ellipses, ellipses_of_both_races
-from rolamento.plots.frame import PlainNumbers, add_title, figure_of, number
+from rolamento.plots.frame import PlainNumbers, add_title, figure_of
 from rolamento.plots.saving import save_figure
 from rolamento.plots.study import variable_label
+from rolamento.plots.texts import number
 from rolamento.solution import solve
 from rolamento.solved import Solved
 from rolamento.words import speaking

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import pickle
+import signal
 import subprocess
 import sys
 import threading
@@ -28,6 +29,9 @@ _PROGRAM: Final = (
     "import pickle, sys; sys.path[:] = pickle.load(sys.stdin.buffer); "
     "from rolamento._foreign.isolated import serve; serve()"
 )
+_LEFT_ALONE: Final = round(PATIENCE) + 5
+"""Seconds of one answer, after which the process ends itself: who asked may have been ended first,
+and a library that goes round in circles never hears of that."""
 _LONGEST_SECONDS: Final = 3600
 """Of work, should nobody be left to end it."""
 
@@ -142,14 +146,22 @@ def serve() -> None:
         except EOFError:
             return
         answer: Any
+        _end_in(_LEFT_ALONE)
         try:
             with speaking(code), guarded(source, kind):
                 reader = reader or make(source)
                 answer = getattr(reader, method)(*arguments)
         except InputError as error:
             answer = error
+        _end_in(0)
         pickle.dump(answer, answers, protocol=5)
         answers.flush()
+
+
+def _end_in(seconds: int) -> None:
+    """Have the system end this process, whatever it does then; 0 for never."""
+    if hasattr(signal, "alarm"):
+        signal.alarm(seconds)
 
 
 def _limit_this_process() -> None:

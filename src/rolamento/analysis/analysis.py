@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
     from rolamento.lubrication import Film
     from rolamento.vibration.frequencies import FaultFrequencies
 
+_FOLLOWING: Final = ("film", "friction", "life", "frequencies")
 DEFAULT_HYSTERESIS: Final = 0.01
 """Part α_h of the elastic work that the material loses."""
 
@@ -43,6 +45,9 @@ class Analysis:
         [life] table, or no result
     notes
         why a part is missing that the case seems to ask for
+    left_out
+        what a quick analysis left out that the full one has: "friction_models", "stress_volume",
+        "preload_loss"; the notes say so too
     """
 
     solved: Solved
@@ -50,8 +55,9 @@ class Analysis:
     friction: Friction | None = None
     life: LifeSummary | None = None
     notes: tuple[Note, ...] = ()
+    left_out: tuple[str, ...] = ()
 
-    @property
+    @cached_property
     def frequencies(self) -> FaultFrequencies | None:
         """Fault frequencies of a single case under load; None without a result, or at rest."""
         duty = self.solved.case.duty
@@ -61,18 +67,24 @@ class Analysis:
 
         return frequencies_of(self.solved)
 
+    def part(self, name: str) -> Any:
+        """Give one part of the mapping by its key, such as ``"life"``, without the others.
+
+        Of those that need no tables of the elements.
+        """
+        if name not in _FOLLOWING:
+            return self.solved.part(name)
+        found = getattr(self, name)
+        return None if found is None else found.to_mapping()
+
     def to_mapping(self) -> dict[str, Any]:
         """Give the mapping of a single case with "film", "friction", "life", "frequencies"."""
         mapping = self.solved.to_mapping()
-        film = None if self.film is None else self.film.to_mapping()
-        friction = None if self.friction is None else self.friction.to_mapping()
         nowhere = () if self.friction is None else self.friction.without_model(self.solved)
         own = (note.to_mapping() for note in (*self.notes, *nowhere))
         notes = [*mapping.pop("notes"), *own]
         case = mapping.pop("case")
-        life = None if self.life is None else self.life.to_mapping()
-        turns = None if self.frequencies is None else self.frequencies.to_mapping()
-        parts = {"film": film, "friction": friction, "life": life, "frequencies": turns}
+        parts = {name: self.part(name) for name in _FOLLOWING}
         return {**mapping, **parts, "notes": notes, "case": case}
 
     def to_json(self, *, indent: int | None = 2) -> str:
@@ -86,6 +98,7 @@ def analyse(
     model: str | None = None,
     hysteresis: float = DEFAULT_HYSTERESIS,
     compare: bool | None = None,
+    quick: bool = False,
     threads: int | None = None,
 ) -> Analysis:
     """Solve a case, and find what follows: film, friction, life; of solved cases likewise.
@@ -94,7 +107,8 @@ def analyse(
     `case.surface` for its film parameter; friction needs the friction coefficient of the
     lubricant. With a film, the oil's rolling resistance counts as friction, and the film
     parameter decides which friction models are valid; Palmgren's and SKF's need a designation too.
-    Life needs a designation or `case.life`; of many cases it is without Ioannides and Harris.
+    Life needs a designation or `case.life`; of many cases it is without Ioannides and
+    Harris.
 
     Parameters
     ----------
@@ -106,7 +120,13 @@ def analyse(
     hysteresis
         Part α_h of the elastic work that the material loses, 0 to 1.
     compare
-        Whether to evaluate all models of the contacts; by default of a single case only.
+        Whether to evaluate all models of the contacts; by default of a single case only, and not
+        where it is to be quick.
+    quick
+        Whether to leave out of a single case what takes longest, for a page that follows a slider:
+        the other models of the contacts, life by stress volume, and the load at which a set loses
+        its preload. What is left is, number for number, what the full analysis says; of its notes
+        those are missing that rest on what was left out.
     threads
         As many as there are processors by default.
 
@@ -126,18 +146,27 @@ def analyse(
     else:
         from rolamento.solution import solve
 
-        solved = solve(case, threads=threads)
+        solved = solve(case, threads=threads, preload_loss=not quick)
     if len(solved) == 1 and not solved.converged[0]:
         return Analysis(solved)
-    life, why_not = _life(solved)
+    single = len(solved) == 1
+    compare = single and not quick if compare is None else compare
+    life, why_not = _life(solved, stress_volume=single and not quick)
     film, friction = _film_and_friction(solved, life, (model, hysteresis, compare), threads)
-    return Analysis(solved, film, friction, life, (*_missing(solved), *why_not))
+    left_out = {
+        "friction_models": quick and single and not compare and friction is not None,
+        "stress_volume": quick and single and life is not None,
+        "preload_loss": solved.preload is not None and solved.preload.loss_factor is None,
+    }
+    without = tuple(name for name, gone in left_out.items() if gone)
+    notes = (*_missing(solved), *why_not, *(Note(f"without_{name}") for name in without))
+    return Analysis(solved, film, friction, life, notes, without)
 
 
 def _film_and_friction(
     solved: Solved,
     life: LifeSummary | None,
-    choices: tuple[str | None, float, bool | None],
+    choices: tuple[str | None, float, bool],
     threads: int | None,
 ) -> tuple[Film | None, Friction | None]:
     if solved.case.lubricant is None:
@@ -166,7 +195,7 @@ def _film_and_friction(
             hysteresis=hysteresis,
             film_parameter=np.nan if found is None else found.minimum_film_parameter,
             machine=machine,
-            compare=single if compare is None else compare,
+            compare=compare,
             threads=1,
         )
 
@@ -186,7 +215,7 @@ def _missing(solved: Solved) -> tuple[Note, ...]:
     return tuple(Note(key) for key, lacking in lacks.items() if lacking)
 
 
-def _life(solved: Solved) -> tuple[LifeSummary | None, tuple[Note, ...]]:
+def _life(solved: Solved, *, stress_volume: bool) -> tuple[LifeSummary | None, tuple[Note, ...]]:
     """Life of the cases, if they ask for one; or why a single one has none."""
     case = solved.case
     if not has_life(case):
@@ -195,13 +224,13 @@ def _life(solved: Solved) -> tuple[LifeSummary | None, tuple[Note, ...]]:
 
     conditions = conditions_of(solved)
     if len(solved) > 1:
-        return life(solved, conditions), ()
+        return life(solved, conditions, stress_volume=stress_volume), ()
     why_not: tuple[Note, ...] = ()
     if conditions.nsk_cleanliness is not None and not _viscosity_known(conditions):
         conditions = replace(conditions, nsk_cleanliness=None)
         why_not = (Note("l_able_without_viscosity"),)
     try:
-        return life(solved, conditions), why_not
+        return life(solved, conditions, stress_volume=stress_volume), why_not
     except InputError as error:
         if error.field == "bearing.contact_angle":
             return None, (Note("life_of_thrust_bearing"),)

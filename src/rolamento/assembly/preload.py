@@ -22,21 +22,25 @@ from rolamento.assembly.mounted import between_rows, mounted_cases
 from rolamento.assembly.solve import solve_cases
 from rolamento.case import Case
 from rolamento.case.duty import AXES, LOADS, Duty
-from rolamento.case.varied import varied_arrays
 from rolamento.clearance.batch import MOUNTED_FIELDS
 from rolamento.numerics import BoolArray, FloatArray, IntArray
-from rolamento.rows.ball import row as balls
-from rolamento.rows.roller import row as rollers
 from rolamento.solved import Preloading, Solved
 
 __all__ = ["Lost", "first_lift_off", "preload_at", "preload_loss", "preload_of"]
 
-STEPS_OUT: Final = 24
-SECANTS: Final = 6
-"""Of the steps outward; where the grip flattens out as the load grows, they never arrive."""
-STRIDE: Final = 1.5
-STEPS_IN: Final = 40
 PRECISION: Final = 1e-6
+"""Relative width of the two multiples of the load between which contact is lost."""
+NO_CLOSER: Final = 1e-3
+"""The same of those between which the set ceases to have an equilibrium: nothing is lost there."""
+ROUNDS: Final = 40
+ROUNDS_OUT: Final = 8
+"""Of the rounds outward; where the grip flattens out as the load grows, they never arrive."""
+STRIDE: Final = 1.5
+FURTHEST: Final = 1e3
+"""Times the multiple so far: the most that a round goes outward."""
+_AHEAD: Final = np.array([0.5, 0.8, 1.02, 1.5, 2.5])
+"""Of the way to where a straight line loses contact: what a round outward tries."""
+_BETWEEN: Final = np.arange(1.0, 6.0) / 6.0
 
 _SPEEDS: Final = ("duty.inner_speed", "duty.outer_speed")
 _NONE: Final = -1
@@ -55,8 +59,8 @@ class Lost:
     row: IntArray
 
 
-def preload_of(case: Case) -> Preloading | None:
-    """Find the preload of a set at rest and at speed, and its preload-loss point.
+def preload_of(case: Case, *, loss: bool = True) -> Preloading | None:
+    """Find the preload of a set at rest and at speed, and where it is lost, unless not asked for.
 
     None for a bearing without rows that face each other, or not preloaded.
     """
@@ -66,10 +70,12 @@ def preload_of(case: Case) -> Preloading | None:
     given = _Given(case, {}, 1)
     at_rest = float(_at(given, running=False)[0])
     at_speed = float(_at(given, running=True)[0]) if given.moving else at_rest
-    given.load_kernels()
-    first = _lost(given, np.minimum)
-    whole = first if given.axial[0] else _lost(given, np.maximum)
-    return Preloading(preload.kind, at_rest, at_speed, *_of_one(first), *_of_one(whole))
+    if not loss and given.loaded.any():
+        return Preloading(preload.kind, at_rest, at_speed)
+    # all balls of a row are alike under an axial load: the first takes its row along
+    searches = np.array([False]) if given.axial[0] else np.array([False, True])
+    found = _lost(given, np.zeros(len(searches), np.int64), searches)
+    return Preloading(preload.kind, at_rest, at_speed, *_of_one(found, 0), *_of_one(found, -1))
 
 
 def preload_at(solved: Solved, *, running: bool) -> FloatArray:
@@ -95,10 +101,11 @@ def first_lift_off(solved: Solved) -> Lost:
     Parameters
     ----------
     solved
-        Cases of a set. Some 15 to 25 more solutions of each are needed: all cases take a step of
-        the search together.
+        Cases of a set. Some 20 more solutions of each are needed: all cases take a round of the
+        search together.
     """
-    return _lost(_given_by(solved), np.minimum)
+    every = np.arange(len(solved))
+    return _lost(_given_by(solved), every, np.zeros(len(solved), np.bool_))
 
 
 def preload_loss(solved: Solved) -> Lost:
@@ -107,12 +114,7 @@ def preload_loss(solved: Solved) -> Lost:
     As `first_lift_off`, which it is where the load is purely axial: all balls of a row are alike.
     """
     given = _given_by(solved)
-    found = _lost(given, np.maximum, ~given.axial)
-    axial = _lost(given, np.minimum, given.axial)
-    return Lost(
-        np.where(given.axial, axial.factor, found.factor),
-        np.where(given.axial, axial.row, found.row),
-    )
+    return _lost(given, np.arange(len(solved)), ~given.axial)
 
 
 class _Given:
@@ -159,20 +161,7 @@ class _Given:
         own = bool(duty.inner_speed or duty.outer_speed)
         return own or any(np.any(self.values.get(name, np.zeros(1)) != 0.0) for name in _SPEEDS)
 
-    def load_kernels(self) -> None:
-        """Have the compiled kernels loaded if they are on disk: hundreds of rows are solved.
-
-        Of balls at rest plain Python is as fast as loading them. A single case takes them only
-        where they are loaded already, two cases always.
-        """
-        elements = {place.bearing.element for place in self.case.bearing.places}
-        waiting = self.moving and "ball" in elements and balls.compiled_but_not_loaded()
-        waiting = waiting or (elements != {"ball"} and rollers.compiled_but_not_loaded())
-        if waiting and any(self.loads.values()):
-            twice = {"inner_speed": [self.case.duty.inner_speed] * 2}
-            _solved(self.case, varied_arrays(twice))
-
-    def grips(self, factor: FloatArray, some: IntArray, shallowest: np.ufunc) -> FloatArray:
+    def grips(self, factor: FloatArray, some: IntArray, deepest: BoolArray) -> FloatArray:
         """How far the rows' elements are pressed into the inner ring; a gap is negative.
 
         Parameters
@@ -181,8 +170,8 @@ class _Given:
             Multiple of the external load; (some,).
         some
             Which cases.
-        shallowest
-            `np.minimum` for the shallowest element of each row, `np.maximum` for the deepest.
+        deepest
+            Whether the deepest element of each row counts, else the shallowest; (some,).
 
         Returns
         -------
@@ -194,10 +183,16 @@ class _Given:
         solved = _solved(self.case, values)
         grip = solved.inner.approach
         if solved.rollers is not None:  # a tilted roller may hold on by its end alone
-            deepest = solved.inner.deflection
-            of_rollers = np.where(deepest > 0.0, deepest, -np.abs(grip))
+            pressed = solved.inner.deflection
+            of_rollers = np.where(pressed > 0.0, pressed, -np.abs(grip))
             grip = np.where(np.isnan(solved.rollers.tilt), grip, of_rollers)
-        return np.asarray(shallowest.reduceat(grip, solved.rows.starts, axis=1), np.float64)
+        starts = solved.rows.starts
+        deep, shallow = np.maximum, np.minimum
+        return np.where(
+            deepest[:, np.newaxis],
+            deep.reduceat(grip, starts, axis=1),
+            shallow.reduceat(grip, starts, axis=1),
+        )
 
 
 def _given_by(solved: Solved) -> _Given:
@@ -227,103 +222,125 @@ def _at(given: _Given, *, running: bool) -> FloatArray:
     return between_rows(_solved(given.case.replace(duty=duty), values))
 
 
-def _of_one(found: Lost) -> tuple[float, int | None]:
-    factor, row = float(found.factor[0]), int(found.row[0])
+def _of_one(found: Lost, search: int) -> tuple[float, int | None]:
+    factor, row = float(found.factor[search]), int(found.row[search])
     return factor, row if isfinite(factor) else None
 
 
-def _lost(given: _Given, shallowest: np.ufunc, where: BoolArray | None = None) -> Lost:
-    """The multiple of the external load at which a ball of a row first loses contact, and which.
+def _lost(given: _Given, cases: IntArray, deepest: BoolArray) -> Lost:
+    """The multiples of the external load at which a row first loses contact; (searches,).
 
-    shallowest: `np.maximum` for the deepest ball of a row, with which the row loses all contact;
-    `np.minimum` for the shallowest, with which it begins. where: which cases; all if not given.
+    cases: which case a search is of; deepest: whether it is for the deepest element of a row, with
+    which the row loses all contact, or for the shallowest; (searches,) each.
 
-    All cases take each step together: outward from the load itself until it is enclosed, then
-    false position, the Illinois way.
+    All searches take a round together, each with some multiples of its load: outward until contact
+    is lost, then around where straight lines lose it.
     """
-    found = Lost(np.full(given.cases, np.nan), np.full(given.cases, _NONE))
-    search = _Search(given, shallowest, given.loaded if where is None else given.loaded & where)
-    search.enclose()
-    search.close_in()
-    factor = np.where(search.enclosed, 0.5 * (search.low + search.high), np.nan)
-    row = np.where(search.enclosed, np.argmin(search.above, axis=1), _NONE)
-    found.factor[search.cases], found.row[search.cases] = factor, row
+    found = Lost(np.full(len(cases), np.nan), np.full(len(cases), _NONE))
+    which = np.flatnonzero(given.loaded[cases])
+    search = _Search(given, cases[which], deepest[which])
+    search.run()
+    lost = which[search.gripped][search.enclosed]
+    found.factor[lost] = search.zero(1, 2)[search.enclosed]
+    found.row[lost] = np.argmin(search.grips[:, 2], axis=1)[search.enclosed]
     return found
 
 
 class _Search:
-    """Two multiples of the load for each case, and the rows' grips at both.
+    """Two multiples of the load for each search, and one more on either side.
 
-    low, high: (cases,); below, above: the grips at them, (cases, rows); least_below, least_above:
-    of the row that is nearest to losing contact, as false position weights them.
+    factors: the four, rising; (searches, 4). grips: the rows' at them, (searches, 4, rows). At the
+    second all rows hold. The third has no equilibrium, has lost contact, or holds while the search
+    is going outward. What is not known yet repeats its neighbour.
     """
 
-    def __init__(self, given: _Given, shallowest: np.ufunc, wanted: BoolArray) -> None:
-        self._given, self._shallowest = given, shallowest
-        cases = np.flatnonzero(wanted)
-        self.cases = cases
-        self.low, self.below = np.zeros(len(cases)), self._grips(np.zeros(len(cases)), cases)
-        gripped = self.below.min(axis=1) > 0.0
-        self.cases = cases[gripped]
-        self.low, self.below = self.low[gripped], self.below[gripped]
-        self.high = np.ones(len(self.cases))
-        self.above = self._grips(self.high, self.cases)
-        self.enclosed = np.zeros(len(self.cases), np.bool_)
+    def __init__(self, given: _Given, cases: IntArray, deepest: BoolArray) -> None:
+        self._given = given
+        factors = np.tile([0.0, 1.0], (len(cases), 1))
+        grips = self._grips(factors, cases, deepest)
+        self.gripped = grips[:, 0].min(axis=1) > 0.0
+        self._cases, self._deepest = cases[self.gripped], deepest[self.gripped]
+        self.factors = factors[self.gripped].repeat(2, axis=1)
+        self.grips = grips[self.gripped].repeat(2, axis=1)
 
-    def _grips(self, factor: FloatArray, cases: IntArray) -> FloatArray:
+    def _grips(self, factors: FloatArray, cases: IntArray, deepest: BoolArray) -> FloatArray:
+        """Of some multiples for each search; (searches, multiples, rows)."""
         if not len(cases):
-            return np.zeros((0, 1))
-        return self._given.grips(factor, cases, self._shallowest)
+            return np.zeros((*factors.shape, 1))
+        each = factors.shape[1]
+        grips = self._given.grips(factors.ravel(), cases.repeat(each), deepest.repeat(each))
+        return grips.reshape(*factors.shape, -1)
 
-    def enclose(self) -> None:
-        """Go outward until contact is lost; half way back where there is no equilibrium."""
-        for step in range(STEPS_OUT + 1):
-            least = self.above.min(axis=1)
-            self.enclosed |= least <= 0.0
-            open_ = np.flatnonzero(~self.enclosed & (self.high - self.low > PRECISION * self.high))
-            if step == STEPS_OUT:
-                return
-            if not len(open_):
-                return
-            nowhere = ~np.isfinite(least[open_])
-            low, high = self.low[open_], self.high[open_]
-            secant = np.fmin(1.02 * self._zero(open_), 8.0 * high)
-            ahead = secant if step < SECANTS else STRIDE * high
-            further = np.where(nowhere, 0.5 * (low + high), ahead)
-            onward = open_[~nowhere]
-            self.low[onward], self.below[onward] = self.high[onward], self.above[onward]
-            self.high[open_] = further
-            self.above[open_] = self._grips(further, self.cases[open_])
+    @property
+    def enclosed(self) -> BoolArray:
+        """Whether contact is lost between the two in the middle; (searches,)."""
+        return np.asarray(self.grips[:, 2].min(axis=1) <= 0.0)
 
-    def _zero(self, some: IntArray) -> FloatArray:
-        """Where the line through the grips comes to zero; infinite if it does not fall."""
-        least, greatest = self.above[some].min(axis=1), self.below[some].min(axis=1)
+    def zero(self, one: int, other: int, power: float = 1.0) -> FloatArray:
+        """Where the line through the least grips at two of the four falls to zero; else infinite.
+
+        power: of the grips on that line.
+        """
+        near, far = (self.grips[:, i].min(axis=1) for i in (one, other))
         with np.errstate(divide="ignore", invalid="ignore"):
-            fall = greatest - least
-            ahead = least * (self.high[some] - self.low[some]) / fall
-            return np.where(fall > 0.0, self.high[some] + ahead, np.inf)
+            near, far = near**power, far**power
+            way = (self.factors[:, other] - self.factors[:, one]) / (near - far)
+            return np.where(way > 0.0, self.factors[:, one] + near * way, np.inf)
 
-    def close_in(self) -> None:
-        """Bring the two together; where there is no equilibrium between them, nothing is found."""
-        near, far = self.below.min(axis=1), self.above.min(axis=1)
-        for _ in range(STEPS_IN):
-            wide = self.high - self.low > PRECISION * self.high
-            some = np.flatnonzero(self.enclosed & wide)
+    def run(self) -> None:
+        """Enclose the loss of contact, and bring the two together."""
+        for step in range(ROUNDS):
+            _, low, high, _ = self.factors.T
+            least = self.grips[:, 2].min(axis=1)
+            out, lost = least > 0.0, least <= 0.0
+            close = np.where(lost, PRECISION, NO_CLOSER)
+            some = np.flatnonzero((high - low > close * high) & (~out | (step < ROUNDS_OUT)))
             if not len(some):
                 return
-            guess = (self.low[some] * far[some] - self.high[some] * near[some]) / (
-                far[some] - near[some]
-            )
-            grips = self._grips(guess, self.cases[some])
-            least = grips.min(axis=1)
-            self.enclosed[some[~np.isfinite(least)]] = False
-            holds, lost = least > 0.0, least <= 0.0
-            exact = np.abs(least) <= PRECISION * np.abs(grips).max(axis=1)
-            for side, other, value, rest, taken in (
-                (self.low, self.below, near, far, holds), (self.high, self.above, far, near, lost),
-            ):  # fmt: skip
-                side[some[taken]], other[some[taken]] = guess[taken], grips[taken]
-                value[some[taken]] = least[taken]
-                rest[some[taken]] *= 0.5
-            for side, other in ((self.low, self.below), (self.high, self.above)):
-                side[some[exact]], other[some[exact]] = guess[exact], grips[exact]
+            enclosed = np.where(lost[:, np.newaxis], self._around(), self._evenly())
+            probes = np.where(out[:, np.newaxis], self._outward(), enclosed)
+            self._take(some, probes[some])
+
+    def _outward(self) -> FloatArray:
+        """Multiples of the load beyond the third; (searches, multiples)."""
+        high, zero = self.factors[:, 2:3], self.zero(1, 2)[:, np.newaxis]
+        ahead = high + (np.minimum(zero, FURTHEST * high) - high) * _AHEAD
+        return np.where(np.isfinite(zero), ahead, high * STRIDE ** np.arange(1, 1 + len(_AHEAD)))
+
+    def _evenly(self) -> FloatArray:
+        """Multiples of the load between the two, by ratios where they are far apart."""
+        low, high = self.factors[:, 1:2], self.factors[:, 2:3]
+        floor = np.maximum(low, high / FURTHEST)
+        by_ratio = floor * (high / floor) ** _BETWEEN
+        return np.where(high > 4.0 * floor, by_ratio, low + (high - low) * _BETWEEN)
+
+    def _around(self) -> FloatArray:
+        """Where lines through neighbours come to zero, and as far aside as they differ; half way.
+
+        The grip itself is a straight line close to the loss; its power 3/2, as the load has it,
+        where centrifugal force has long taken over.
+        """
+        _, low, high, _ = self.factors.T
+        zeros = np.stack([self.zero(0, 1), self.zero(1, 2), self.zero(2, 3)])
+        alone = ~np.isfinite(zeros[::2]).any(axis=0)
+        zeros = np.where(np.isfinite(zeros), zeros, zeros[1])
+        least, middle, most = np.sort(np.clip(zeros, low, high), axis=0)
+        apart = np.where(alone, 0.25 * (high - low), most - least)
+        aside = np.maximum(apart, 0.2 * PRECISION * high)
+        by_load = self.zero(0, 1, 1.5)
+        by_load = np.where(np.isfinite(by_load), by_load, least)
+        probes = [middle - aside, middle, middle + aside, by_load, 0.5 * (low + high)]
+        return np.clip(probes, low, high).T
+
+    def _take(self, some: IntArray, probes: FloatArray) -> None:
+        """Look at multiples of the load, (some, multiples), and keep the four around the loss."""
+        found = self._grips(probes, self._cases[some], self._deepest[some])
+        factors = np.concatenate([self.factors[some], probes], axis=1)
+        grips = np.concatenate([self.grips[some], found], axis=1)
+        order = np.argsort(factors, axis=1, kind="stable")
+        rows, last = np.arange(len(some))[:, np.newaxis], factors.shape[1] - 1
+        factors, grips = factors[rows, order], grips[rows, order]
+        gone = ~(grips.min(axis=2) > 0.0)
+        first = np.where(gone.any(axis=1), gone.argmax(axis=1), last)[:, np.newaxis]
+        kept = np.minimum(first + np.arange(-2, 2), last)
+        self.factors[some], self.grips[some] = factors[rows, kept], grips[rows, kept]

@@ -41,8 +41,9 @@ from rolamento.status import (
 UNKNOWNS: Final = 6
 SLIDE: Final = 5  # of the spring-loaded outer rings
 PRECISION: Final = 1e-10
-ANSWERED: Final = (CONVERGED, OVERLOADED, UNHELD_BALL, OVER_SHOULDER, NO_EQUILIBRIUM)
-"""Verdicts on a row that come with its forces; no_equilibrium while it touches."""
+ANSWERED: Final = np.zeros(16, np.bool_)
+"""By verdict on a row, whether it comes with its forces; no_equilibrium while it touches."""
+ANSWERED[[CONVERGED, OVERLOADED, UNHELD_BALL, OVER_SHOULDER, NO_EQUILIBRIUM]] = True
 
 
 @dataclass(slots=True)
@@ -218,7 +219,7 @@ class _Problem:
             force += (back @ held.force[..., np.newaxis])[..., 0]
             stiffness += back @ (held.stiffness @ t)
             np.maximum(scale, held.scale, out=scale)
-            sound &= np.isin(held.number, ANSWERED)
+            sound &= ANSWERED[held.number]
         return _View(force, stiffness, scale, sound, answers)
 
     def _solution(

@@ -134,6 +134,12 @@ class Field:
         return tuple(dict.fromkeys(_choices_in(self._info.annotation)))
 
     @property
+    def names(self) -> tuple[str, ...]:
+        """The names that a data file knows, of a material or a lubricant; else empty."""
+        named = (one for one in records_of(self._info.annotation) if hasattr(one, "data_file"))
+        return next((tuple(one.names()) for one in named), ())  # type: ignore[attr-defined]
+
+    @property
     def limits(self) -> str:
         """The bounds in words; empty if there are none."""
         return self.bounds.limits if self.bounds is not None else ""

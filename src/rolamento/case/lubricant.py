@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from math import isnan
 from typing import Annotated, Any, ClassVar, Final, Literal, NamedTuple, Self
 
@@ -178,8 +179,12 @@ class Lubricant(NamedRecord):
     @property
     def oil(self) -> Lubricant:
         """The oil with everything that its base oil supplies; itself without a base oil."""
-        if self.base_oil is None:
-            return self
+        return self if self.base_oil is None else self._with_base
+
+    @cached_property
+    def _with_base(self) -> Lubricant:
+        """Made once: a case asks for it a dozen times."""
+        assert self.base_oil is not None
         base = Lubricant.named(self.base_oil).oil
         own, fields = self._given, base._given
         for name, rival in _SUPERSEDED:

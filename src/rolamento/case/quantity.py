@@ -121,6 +121,11 @@ class Quantity:
         """The bounds in words; empty if there are none."""
         return limits_of(_bounds(self))
 
+    @property
+    def limits_in_si(self) -> dict[Relation, float]:
+        """The bounds as numbers."""
+        return {relation: limit for relation, (limit, _) in _bounds(self).items()}
+
     def allows(self, values: NDArray[np.float64]) -> NDArray[np.bool_]:
         """Tell which of the SI values are finite and within the bounds."""
         return _within(values, _bounds(self))
@@ -175,6 +180,11 @@ class Ratio:
     def limits(self) -> str:
         """The bounds in words; empty if there are none."""
         return limits_of(_bounds(self))
+
+    @property
+    def limits_in_si(self) -> dict[Relation, float]:
+        """The bounds as numbers."""
+        return {relation: limit for relation, (limit, _) in _bounds(self).items()}
 
     def allows(self, values: NDArray[np.float64]) -> NDArray[np.bool_]:
         """Tell which of the values are finite and within the bounds."""

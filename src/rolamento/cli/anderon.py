@@ -126,8 +126,8 @@ def anderon(
         files = {"--json": json, "--record": record, "--plot": plot}
         _check_outputs(signals, outputs, files, hours)
         from rolamento import tasks
-        from rolamento.cli.quantities import number_given
         from rolamento.cli.waiting import progress_of
+        from rolamento.tasks.quantities import number_given
 
         found = tasks.anderons(
             signals,

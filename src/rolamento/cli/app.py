@@ -11,6 +11,7 @@ import typer
 
 import rolamento
 from rolamento.cli.anderon import AnderonCommand, anderon
+from rolamento.cli.browser import browser
 from rolamento.cli.case_options import NOTHING_GIVEN, CaseOptions, with_case
 from rolamento.cli.catalogue import app as catalogue_app
 from rolamento.cli.clearance import clearance
@@ -60,7 +61,7 @@ if TYPE_CHECKING:
 
 _PROGRAM: Final = "rolamento"
 COMMANDS: Final[Groups] = {
-    "To start with": ("demo", "new", "examples"),
+    "To start with": ("demo", "app", "new", "examples"),
     "Inside the bearing": ("solve", "turn", "friction", "report"),
     "Life and life tests": ("life", "weibull", "weibull-plan", "replace", "trend"),
     "Vibration": ("frequencies", "diagnose", "severity", "synthesise", "anderon"),
@@ -218,6 +219,11 @@ def _show(
         complain_of(analysis.solved, lang)
 
 
+app.command(
+    "app",
+    cls=JsonCommand,
+    epilog="Examples: app; app --port 9000 --no-browser; app --host 0.0.0.0 --lang pt.",
+)(browser)
 app.command(
     cls=JsonCommand,
     epilog="Examples: new 6310/C3; new 'S 6012 C' --lang pt -o spindle.toml.",

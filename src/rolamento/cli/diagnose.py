@@ -27,7 +27,7 @@ from rolamento.cli.options import (
 from rolamento.cli.outputs import NOWHERE, OUTPUT_OPTIONS, Outputs, with_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put_json
 from rolamento.cli.table_options import DecimalMarkOption
-from rolamento.errors import InputError
+from rolamento.tasks.asked import SIGNAL, by_name
 from rolamento.words import marked, said
 
 if TYPE_CHECKING:
@@ -35,10 +35,12 @@ if TYPE_CHECKING:
     from rolamento.tasks.diagnosis import DiagnosisResult, TooShort
     from rolamento.tasks.parameters import Stages
 
+_ASKED: Final = by_name(SIGNAL)
 _FALSE_ALARM: Final = 0.01
 _NO_VERDICT: Final = ("no_verdict", "undecided")
 _SLIP: Final = 0.02
 _SPEED_TOLERANCE: Final = "3 %"
+_TOLERANCE_EXAMPLE: Final = 'speed_tolerance="3 %"'
 
 
 class DiagnoseCommand(JsonCommand):
@@ -78,18 +80,14 @@ def diagnose(
     given: CaseOptions = NOTHING_GIVEN,
     nominal: Annotated[
         bool,
-        typer.Option(
-            "--nominal", help="Search the frequencies of the geometry, whatever the load."
-        ),
+        typer.Option("--nominal", help=_ASKED["nominal"].meaning),
     ] = False,
     angle: Annotated[
         str | None,
         typer.Option(
             "--angle",
             metavar="ANGLE",
-            help="Contact angle without a load: zero (radial load, the default) or "
-            "free (axial load) of a bearing given by its clearance; or any "
-            "angle, such as '15 deg'.",
+            help=_ASKED["angle"].meaning,
         ),
     ] = None,
     speed: Annotated[
@@ -97,8 +95,7 @@ def diagnose(
         typer.Option(
             "--speed",
             metavar="SPEED",
-            help="Steady speed of the inner ring, such as '1797 rpm'; by default "
-            "that of the file, or else of the case.",
+            help=_ASKED["speed"].meaning,
         ),
     ] = None,
     outer_speed: OuterSpeedOption = None,
@@ -107,7 +104,7 @@ def diagnose(
         typer.Option(
             "--speed-channel",
             metavar="CHANNEL",
-            help="Channel of the same file with the shaft speed at each sample, by name or number.",
+            help=_ASKED["speed_channel"].meaning,
         ),
     ] = None,
     speed_unit: Annotated[
@@ -115,7 +112,7 @@ def diagnose(
         typer.Option(
             "--speed-unit",
             metavar="UNIT",
-            help="Unit of that channel: rpm, rad/s, deg/s or Hz, if the file gives none.",
+            help=_ASKED["speed_unit"].meaning,
         ),
     ] = None,
     tacho: Annotated[
@@ -123,13 +120,12 @@ def diagnose(
         typer.Option(
             "--tacho",
             metavar="CHANNEL",
-            help="Channel of the same file with tachometer pulses of the shaft; "
-            "held in memory, up to 20 million samples.",
+            help=_ASKED["tacho"].meaning,
         ),
     ] = None,
     pulses: Annotated[
         int | None,
-        typer.Option("--pulses", metavar="N", help="Tachometer pulses per revolution (default 1)."),
+        typer.Option("--pulses", metavar="N", help=_ASKED["pulses"].meaning),
     ] = None,
     track: Annotated[
         bool,
@@ -155,8 +151,7 @@ def diagnose(
         typer.Option(
             "--unit",
             metavar="UNIT",
-            help="Unit of the samples: m/s^2, g, mm/s, um …; V or counts if they "
-            "are not calibrated.",
+            help=_ASKED["unit"].meaning,
         ),
     ] = None,
     scale: ScaleOption = None,
@@ -168,7 +163,7 @@ def diagnose(
         typer.Option(
             "--slip",
             metavar="FRACTION",
-            help="Maximum deviation of the cage from its expected speed, 0 to 0.1.",
+            help=_ASKED["tolerance"].meaning,
         ),
     ] = _SLIP,
     speed_tolerance: Annotated[
@@ -176,8 +171,7 @@ def diagnose(
         typer.Option(
             "--speed-tolerance",
             metavar="FRACTION",
-            help="Uncertainty of a steady speed, such as '3 %', up to 10 %; 0 if it "
-            "is exact. It is corrected by the peaks of the shaft itself.",
+            help=_ASKED["speed_tolerance"].meaning,
         ),
     ] = _SPEED_TOLERANCE,
     false_alarm: Annotated[
@@ -185,8 +179,7 @@ def diagnose(
         typer.Option(
             "--false-alarm",
             metavar="P",
-            help="Probability that noise without peaks of the bearing gives any "
-            "finding, up to 0.5.",
+            help=_ASKED["false_alarm"].meaning,
         ),
     ] = _FALSE_ALARM,
     plot: Annotated[
@@ -213,7 +206,7 @@ def diagnose(
             rule=marked("is one of the input files; choose another name"),
         )
         from rolamento import tasks
-        from rolamento.cli.quantities import number_given
+        from rolamento.tasks.quantities import number_given, part_of_one
         from rolamento.vibration.diagnosis import DiagnosisSettings
 
         found = tasks.diagnose(
@@ -239,7 +232,7 @@ def diagnose(
             search=DiagnosisSettings(
                 false_alarm=false_alarm,
                 tolerance=slip,
-                speed_tolerance=_part_of_one(speed_tolerance),
+                speed_tolerance=part_of_one(speed_tolerance, "speed_tolerance", _TOLERANCE_EXAMPLE),
             ),
             settings=given.settings,
             stages=_stages_shown(lang),
@@ -250,21 +243,6 @@ def diagnose(
         _draw(found, plot, kurtogram)
         _show(found, json, outputs)
     raise typer.Exit(NO_RESULT if found.verdict in _NO_VERDICT else SOLVED)
-
-
-def _part_of_one(text: str) -> float:
-    """Return a part of one, given as a number or in percent."""
-    number = text.strip()
-    try:
-        value = float(number.removesuffix("%"))
-    except ValueError:
-        raise InputError(
-            said("must be a fraction such as 0.03, or a percentage"),
-            field="speed_tolerance",
-            value=text,
-            example=f'speed_tolerance="{_SPEED_TOLERANCE}"',
-        ) from None
-    return value / 100.0 if number.endswith("%") else value
 
 
 def _stages_shown(lang: Language | None) -> Stages:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Annotated, Any, Final
 
 import typer
 
 from rolamento.cli.common import Language
+from rolamento.tasks.asked import SIGNAL, by_name
 
 __all__ = [
     "BearingArgument",
@@ -29,6 +30,9 @@ __all__ = [
     "json_option",
     "plot_option",
 ]
+
+
+_ASKED: Final = by_name(SIGNAL)
 
 
 def json_option(what: str) -> Any:
@@ -99,7 +103,7 @@ SpeedOption = Annotated[
 ]
 OuterSpeedOption = Annotated[
     str | None,
-    typer.Option("--outer-speed", metavar="SPEED", help="Speed of the outer ring, with its sign."),
+    typer.Option("--outer-speed", metavar="SPEED", help=_ASKED["outer_speed"].meaning),
 ]
 LagOption = Annotated[
     float,
@@ -114,27 +118,25 @@ LagOption = Annotated[
 
 ChannelOption = Annotated[
     str | None,
-    typer.Option("--channel", metavar="CHANNEL", help="Channel, by name or by number from 1."),
+    typer.Option("--channel", metavar="CHANNEL", help=_ASKED["channel"].meaning),
 ]
 RateOption = Annotated[
     str | None,
     typer.Option(
         "--rate",
         metavar="RATE",
-        help="Sampling rate, such as '50 kHz', instead of that in the file.",
+        help=_ASKED["rate"].meaning,
     ),
 ]
 ScaleOption = Annotated[
     str | None,
-    typer.Option("--scale", metavar="SCALE", help="Sensitivity of the sensor, such as '100 mV/g'."),
+    typer.Option("--scale", metavar="SCALE", help=_ASKED["scale"].meaning),
 ]
 StartOption = Annotated[
     str | None,
-    typer.Option("--start", metavar="TIME", help="Start of the part to analyse, such as '2 s'."),
+    typer.Option("--start", metavar="TIME", help=_ASKED["start"].meaning),
 ]
 DurationOption = Annotated[
     str | None,
-    typer.Option(
-        "--duration", metavar="TIME", help="Duration of the part to analyse; by default to the end."
-    ),
+    typer.Option("--duration", metavar="TIME", help=_ASKED["duration"].meaning),
 ]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, ClassVar, cast
+from typing import TYPE_CHECKING, Annotated, ClassVar, Final, cast
 
 import typer
 
@@ -25,6 +25,7 @@ from rolamento.cli.outputs import NOWHERE, OUTPUT_OPTIONS, Outputs, with_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, put, put_json
 from rolamento.cli.table_options import DecimalMarkOption
 from rolamento.errors import InputError
+from rolamento.tasks.asked import SIGNAL, by_name
 from rolamento.words import marked, said
 
 if TYPE_CHECKING:
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
 
 __all__ = ["GrowthLawOption", "SeverityCommand", "checked_growth", "severity"]
 
+_ASKED: Final = by_name(SIGNAL)
 _LAWS = ("linear", "exponential")
 
 
@@ -79,22 +81,20 @@ def severity(
         typer.Option(
             "--power",
             metavar="POWER",
-            help="Rated power of the machine, such as '45 kW' or '60 cv': gives its group.",
+            help=_ASKED["power"].meaning,
         ),
     ] = None,
     support: Annotated[
         str | None,
-        typer.Option("--support", metavar="SUPPORT", help="Support: rigid or flexible."),
+        typer.Option("--support", metavar="SUPPORT", help=_ASKED["support"].meaning),
     ] = None,
     group: Annotated[
         int | None,
-        typer.Option("--group", metavar="N", help="Group of ISO 20816-3, 1 or 2, instead."),
+        typer.Option("--group", metavar="N", help=_ASKED["group"].meaning),
     ] = None,
     machine_class: Annotated[
         str | None,
-        typer.Option(
-            "--class", metavar="CLASS", help="Class of ISO 10816-1, I to IV, instead of a group."
-        ),
+        typer.Option("--class", metavar="CLASS", help=_ASKED["machine_class"].meaning),
     ] = None,
     unit: Annotated[
         str | None,
@@ -115,7 +115,7 @@ def severity(
         typer.Option(
             "--baseline",
             metavar="VELOCITY",
-            help="Usual RMS velocity of the machine, such as '1.2 mm/s': sets the alarm.",
+            help=_ASKED["baseline"].meaning,
         ),
     ] = None,
     hours: Annotated[
@@ -181,8 +181,8 @@ def severity(
                     example="--hours 0,500",
                 )
         from rolamento import tasks
-        from rolamento.cli.quantities import number_given
         from rolamento.cli.waiting import progress_of
+        from rolamento.tasks.quantities import number_given
 
         found = tasks.severity_of(
             signals,

@@ -21,13 +21,13 @@ from rolamento.cli.options import (
     SpeedOption,
 )
 from rolamento.cli.outputs import check_outputs
-from rolamento.cli.quantities import fields_of
 from rolamento.cli.streams import STANDARD_STREAM, put_json, show
 from rolamento.errors import InputError
+from rolamento.tasks.quantities import fields_of
 from rolamento.words import said
 
 if TYPE_CHECKING:
-    from rolamento.cli.quantities import Kind
+    from rolamento.tasks.quantities import Kind
     from rolamento.tasks.synthesis import SynthesisResult
     from rolamento.vibration.synthesis import (
         Fault,
@@ -272,8 +272,8 @@ def synthesise(
     with plain_endings(lang), given.in_force(), _named(_OPTIONS), in_options(synthesise):
         check_outputs({"--output": output, "--truth": truth}, bearing)
         from rolamento import tasks
-        from rolamento.cli.quantities import number_of
         from rolamento.cli.waiting import waiting
+        from rolamento.tasks.quantities import number_of
         from rolamento.vibration.writing import check_signal_name
 
         check_signal_name(output, 0, 1.0)
@@ -337,7 +337,7 @@ def _fault(text: str, jitter: float | None) -> Fault:
 def _noise(
     snr: float | None, level: str | None, colour: str, has_faults: bool, has_lines: bool
 ) -> Noise | None:
-    from rolamento.cli.quantities import number_of
+    from rolamento.tasks.quantities import number_of
     from rolamento.vibration.synthesis import Noise
 
     if snr is None and level is None:
@@ -410,7 +410,7 @@ def _transfer(text: str | None) -> TransferPath | None:
 
 
 def _harmonics(text: str | None) -> tuple[float, ...]:
-    from rolamento.cli.quantities import number_of
+    from rolamento.tasks.quantities import number_of
 
     if text is None:
         return ()

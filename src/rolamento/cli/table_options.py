@@ -10,6 +10,7 @@ from typing import Annotated, Final
 import typer
 
 from rolamento.errors import InputError
+from rolamento.tasks.asked import LIFE_TEST, by_name
 
 __all__ = [
     "BearingColumnOption",
@@ -22,6 +23,7 @@ __all__ = [
     "told_in_options",
 ]
 
+_ASKED: Final = by_name(LIFE_TEST)
 _OPTIONS: Final = {
     "decimal_mark": "--decimal-mark",
     "date_order": "--date-order",
@@ -39,21 +41,19 @@ DecimalMarkOption = Annotated[
     typer.Option(
         "--decimal-mark",
         metavar="MARK",
-        help="Decimal mark, point or comma, for a table in which 12.500 may be 12.5 or 12500.",
+        help=_ASKED["decimal_mark"].meaning,
     ),
 ]
 TimeColumnOption = Annotated[
     str | None,
-    typer.Option(
-        "--time-column", metavar="COLUMN", help="Column of the times, if named otherwise."
-    ),
+    typer.Option("--time-column", metavar="COLUMN", help=_ASKED["time"].meaning),
 ]
 StatusColumnOption = Annotated[
     str | None,
     typer.Option(
         "--status-column",
         metavar="COLUMN",
-        help="Column that says what failed, if named otherwise.",
+        help=_ASKED["status"].meaning,
     ),
 ]
 
@@ -63,7 +63,7 @@ CountColumnOption = Annotated[
     typer.Option(
         "--count-column",
         metavar="COLUMN",
-        help="Column of how many bearings a row stands for, if named otherwise.",
+        help=_ASKED["count"].meaning,
     ),
 ]
 BearingColumnOption = Annotated[
@@ -102,6 +102,8 @@ def told_in_options(**options: str) -> Iterator[None]:
     except InputError as error:
         if error.field in options and not error.source:
             raise error.with_details(field="", source=options[error.field]) from None
+        if error.source in options:
+            raise error.with_details(source=options[error.source]) from None
         raise _told(error) from None
 
 

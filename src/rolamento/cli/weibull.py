@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, cast
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final
 
 import typer
 
@@ -27,25 +25,23 @@ from rolamento.cli.table_options import (
     told_in_options,
 )
 from rolamento.errors import InputError
+from rolamento.tasks.asked import LIFE_TEST, by_name
 from rolamento.words import marked, said
 
 if TYPE_CHECKING:
-    from rolamento.weibull import FitMethod, LifeTestSummary, Method, ShapePrior
+    from rolamento.weibull import LifeTestSummary
 
 __all__ = ["WeibullCommand", "weibull"]
 
+_ASKED: Final = by_name(LIFE_TEST)
 EXAMPLES: Final = ("campanha-2008", "lieblein-zelen-1956")
-FITS: Final[dict[str, FitMethod]] = {
-    "ml": "maximum_likelihood",
-    "unbiased": "unbiased",
-    "rrx": "rank_regression_x_on_y",
-    "rry": "rank_regression_y_on_x",
-    "three-parameter": "three_parameter",
-}
 _CONFIDENCE: Final = 0.9
 _MAXIMUM_NUMBERS: Final = 50
-_MAXIMUM_CALCULATED: Final = 8
-_PRIOR: Final = re.compile(r"(?:(lognormal|uniform):)?([^:]{1,30})\.\.([^:]{1,30})")
+_OPTIONS: Final = {
+    "method": "--method", "bounds": "--bounds", "prior": "--bayes", "times": "--time",
+    "calculated": "--calculated-life", "only": "--only",
+}  # fmt: skip
+"""What the task calls otherwise, or does not find in the file."""
 
 
 class WeibullCommand(JsonCommand):
@@ -101,7 +97,7 @@ def weibull(
         typer.Option(
             "--shape",
             metavar="BETA",
-            help="Shape from experience: only the scale is fitted (Weibayes).",
+            help=_ASKED["shape"].meaning,
         ),
     ] = None,
     bayes: Annotated[
@@ -109,7 +105,7 @@ def weibull(
         typer.Option(
             "--bayes",
             metavar="LOW..HIGH",
-            help="90 % range of the shape: gives a posterior as well.",
+            help=_ASKED["prior"].meaning,
         ),
     ] = None,
     bounds: Annotated[
@@ -124,18 +120,18 @@ def weibull(
     ] = None,
     confidence: Annotated[
         float,
-        typer.Option("--confidence", metavar="C", help="Confidence of the bounds, such as 0.9."),
+        typer.Option("--confidence", metavar="C", help=_ASKED["confidence"].meaning),
     ] = _CONFIDENCE,
     sides: Annotated[
         str,
-        typer.Option("--sides", metavar="SIDES", help="Sides of the bounds: two, lower or upper."),
+        typer.Option("--sides", metavar="SIDES", help=_ASKED["sides"].meaning),
     ] = "two",
     reliability: Annotated[
         list[float] | None,
         typer.Option(
             "--reliability",
             metavar="R",
-            help="Reliability to give lives for, 0.9 for L10. Repeatable; by default 0.9 and 0.5.",
+            help=_ASKED["reliabilities"].meaning,
         ),
     ] = None,
     time: Annotated[
@@ -143,7 +139,7 @@ def weibull(
         typer.Option(
             "--time",
             metavar="TIME",
-            help="Time to give the reliability at, such as '100 h'. Repeatable.",
+            help=_ASKED["times"].meaning,
         ),
     ] = None,
     calculated_life: Annotated[
@@ -151,27 +147,24 @@ def weibull(
         typer.Option(
             "--calculated-life",
             metavar="[NAME=]LIFE",
-            help="Calculated life to compare with the data, such as 'ISO 281=58 h', "
-            "for the first reliability. Repeatable.",
+            help=_ASKED["calculated"].meaning,
         ),
     ] = None,
     group: Annotated[
         str | None,
-        typer.Option("--group", metavar="COLUMN", help="Column of the groups, if named otherwise."),
+        typer.Option("--group", metavar="COLUMN", help=_ASKED["group"].meaning),
     ] = None,
     by_group: Annotated[
         bool,
-        typer.Option(
-            "--by-group/--pooled", help="Each group by itself, and compared; or all together."
-        ),
+        typer.Option("--by-group/--pooled", help=_ASKED["by_group"].meaning),
     ] = True,
     only: Annotated[
         list[str] | None,
-        typer.Option("--only", metavar="GROUP", help="Only this group. Repeatable."),
+        typer.Option("--only", metavar="GROUP", help=_ASKED["only"].meaning),
     ] = None,
     unit: Annotated[
         str | None,
-        typer.Option("--unit", metavar="UNIT", help="Unit of the times, if the file says another."),
+        typer.Option("--unit", metavar="UNIT", help=_ASKED["unit"].meaning),
     ] = None,
     time_column: TimeColumnOption = None,
     status_column: StatusColumnOption = None,
@@ -224,14 +217,26 @@ def weibull(
             "group": group, "unit": unit, "time": time_column, "status": status_column,
             "count": count_column, "decimal_mark": decimal_mark,
         }  # fmt: skip
-        wanted: dict[str, Any] = {
-            "methods": _fit_methods(method or (), three_parameter),
-            "bounds": _bounds_method(bounds, shape),
-            "prior": None if bayes is None else _prior_of(bayes),
-            "reliabilities": tuple(dict.fromkeys(reliability or (0.9, 0.5))),
-            "shape": shape, "confidence": confidence, "sides": sides, "seed": seed,
-        }  # fmt: skip
-        calculated = _named_lives(calculated_life or ())
+        from rolamento.tasks.weibull import (
+            bounds_named,
+            fits_named,
+            life_test_study,
+            lives_named,
+            prior_of,
+        )
+
+        with told_in_options(**_OPTIONS):
+            wanted: dict[str, Any] = {
+                "methods": fits_named(method or (), three_parameter=three_parameter),
+                "bounds": None if bounds is None else bounds_named(bounds),
+                "prior": None if bayes is None else prior_of(bayes),
+                "reliabilities": tuple(dict.fromkeys(reliability or (0.9, 0.5))),
+                "shape": shape, "confidence": confidence, "sides": sides, "seed": seed,
+            }  # fmt: skip
+            calculated = lives_named(calculated_life or ())
+        if bounds is not None and shape is not None:
+            rule = said("cannot be combined with --shape, which has its own bounds")
+            raise InputError(rule, source="--bounds", value=bounds)
         for option, many in (("--reliability", reliability), ("--time", time)):
             if len(many or ()) > _MAXIMUM_NUMBERS:
                 raise InputError(
@@ -239,11 +244,10 @@ def weibull(
                     source=option,
                 )
         from rolamento.cli.waiting import progress_of
-        from rolamento.tasks.weibull import life_test_study
         from rolamento.weibull import bands_of, published_life_test, regions_of
 
         with progress_of(said("Simulating tests and fitting them …")) as progress:
-            with told_in_options(times="--time", calculated="--calculated-life", only="--only"):
+            with told_in_options(**_OPTIONS):
                 given: Any = data
                 if example is not None:
                     given = published_life_test(_published_name(example), **columns)
@@ -298,78 +302,3 @@ def _show(found: LifeTestSummary, json: str | None, outputs: Outputs) -> None:
     outputs.show(lambda: weibull_page(found), json)
     if STANDARD_STREAM in (json, outputs.csv) and not found.has_result:
         complain(str(found.groups[0].main.advice))
-
-
-# --- what the options say --------------------------------------------------------------------
-
-
-def _fit_methods(names: Sequence[str], three_parameter: bool) -> tuple[FitMethod, ...]:
-    for name in names:
-        if name not in FITS:
-            raise InputError(
-                said("must be one of {known}", known=", ".join(FITS)),
-                source="--method",
-                value=name,
-                example="ml",
-            )
-    chosen = [*(names or ("ml", "unbiased", "rrx", "rry"))]
-    chosen += ["three-parameter"] if three_parameter else []
-    return tuple(dict.fromkeys(FITS[name] for name in chosen))
-
-
-def _bounds_method(name: str | None, shape: float | None) -> Method | None:
-    if name is None:
-        return None
-    from rolamento.weibull import METHODS
-
-    known = [method.replace("_", "-") for method in METHODS if method != "fixed_shape"]
-    word = name.replace("_", "-")
-    if word not in known:
-        raise InputError(
-            said("must be one of {known}", known=", ".join(known)),
-            source="--bounds",
-            value=name,
-            example=known[0],
-        )
-    if shape is not None:
-        rule = said("cannot be combined with --shape, which has its own bounds")
-        raise InputError(rule, source="--bounds", value=name)
-    return cast("Method", word.replace("-", "_"))
-
-
-def _prior_of(text: str) -> ShapePrior:
-    from rolamento.weibull import ShapePrior
-
-    match = _PRIOR.fullmatch(text.strip())
-    try:
-        low, high = (float(match[2]), float(match[3])) if match else (0.0, 0.0)
-    except ValueError:
-        match = None
-    if match is None:
-        raise InputError(
-            said("must be LOW..HIGH, the 90 % range of the shape, or uniform:LOW..HIGH"),
-            source="--bayes",
-            value=text,
-            example="1..2.5",
-        )
-    try:
-        return ShapePrior(low, high, kind="uniform" if match[1] == "uniform" else "lognormal")
-    except InputError as error:
-        raise error.with_details(source="--bayes") from None
-
-
-def _named_lives(texts: Sequence[str]) -> dict[str, str]:
-    """Calculated lives by their names; those without one are called by what was written."""
-    if len(texts) > _MAXIMUM_CALCULATED:
-        rule = said("may be given at most {most} times", most=_MAXIMUM_CALCULATED)
-        raise InputError(rule, source="--calculated-life")
-    lives: dict[str, str] = {}
-    for text in texts:
-        name, _, life = text.rpartition("=")
-        name = name.strip() or text.strip()
-        if name in lives:
-            raise InputError(
-                said("gives two lives of the same name"), source="--calculated-life", value=text
-            )
-        lives[name] = life
-    return lives

@@ -18,10 +18,12 @@ from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, put_json
 from rolamento.cli.table_options import told_in_options
 from rolamento.errors import InputError
+from rolamento.tasks.asked import DEMONSTRATION, by_name
 from rolamento.words import said
 
 __all__ = ["app"]
 
+_ASKED: Final = by_name(DEMONSTRATION)
 _SHAPE: Final = 1.5
 _MAXIMUM_SIZES: Final = 20
 
@@ -37,13 +39,13 @@ LifeOption = Annotated[
 ]
 ShapeOption = Annotated[
     float,
-    typer.Option("--shape", metavar="BETA", help="Expected shape of the Weibull distribution."),
+    typer.Option("--shape", metavar="BETA", help=_ASKED["shape"].meaning),
 ]
 ReliabilityOption = Annotated[
-    float, typer.Option("--reliability", metavar="R", help="Reliability of the life: 0.9 for L10.")
+    float, typer.Option("--reliability", metavar="R", help=_ASKED["reliability"].meaning)
 ]
 ConfidenceOption = Annotated[
-    float, typer.Option("--confidence", metavar="C", help="Confidence level, such as 0.9.")
+    float, typer.Option("--confidence", metavar="C", help=_ASKED["confidence"].meaning)
 ]
 JsonOption = Annotated[str | None, json_option("Write everything as JSON, in the unit of the life")]
 
@@ -63,26 +65,18 @@ def weibull_plan(lang: LanguageOption = None) -> None:
 )
 @with_outputs
 def demonstration(
-    life: Annotated[
-        str, typer.Option("--life", metavar="LIFE", help="Life to demonstrate, such as '1000 h'.")
-    ],
+    life: Annotated[str, typer.Option("--life", metavar="LIFE", help=_ASKED["life"].meaning)],
     bearings: Annotated[
         int | None,
-        typer.Option(
-            "--bearings", metavar="N", help="Available bearings: the test time is calculated."
-        ),
+        typer.Option("--bearings", metavar="N", help=_ASKED["bearings"].meaning),
     ] = None,
     time: Annotated[
         str | None,
-        typer.Option(
-            "--time", metavar="TIME", help="Test time of each bearing: their number is calculated."
-        ),
+        typer.Option("--time", metavar="TIME", help=_ASKED["time"].meaning),
     ] = None,
     failures_allowed: Annotated[
         int,
-        typer.Option(
-            "--failures-allowed", metavar="K", help="Failures with which the test is still passed."
-        ),
+        typer.Option("--failures-allowed", metavar="K", help=_ASKED["failures_allowed"].meaning),
     ] = 0,
     shape: ShapeOption = _SHAPE,
     reliability: ReliabilityOption = 0.9,

@@ -48,12 +48,12 @@ from rolamento.document.picture import formula, picture_bytes
 from rolamento.errors import printable
 from rolamento.words import ABSENT, language, languages, said, speaking
 
-__all__ = ["PictureName", "fragment", "html"]
+__all__ = ["STYLE", "PictureName", "body", "fragment", "html"]
 
 PictureName = Callable[[Figure], str | None]
 """Returns the name of the file that shows a figure; None where it is to be shown as usual."""
 
-_STYLE: Final = Path(__file__).with_name("page.css")
+STYLE: Final = Path(__file__).with_name("page.css")
 _WIDEST: Final = 110
 """Characters of a table that stands in one piece."""
 _MOST_WITHOUT_CONTENTS: Final = 6
@@ -73,8 +73,7 @@ def html(document: Document, *, picture: PictureName | None = None) -> str:
         For pictures that are files beside the page: the name of each.
     """
     with speaking(document.language):
-        setter = _Setter(document, picture)
-        body = setter.body()
+        content = _Setter(document, picture).body()
         tag = languages()[language()].replace("_", "-")
     made = " ".join(("rolamento", document.kind)).strip()
     about = " · ".join(part for part in (document.program, document.date) if part)
@@ -88,26 +87,33 @@ def html(document: Document, *, picture: PictureName | None = None) -> str:
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
         f'<meta name="generator" content="{escape(made)}">\n'
         f"<title>{title}</title>\n<style>\n{_style()}</style>\n</head>\n"
-        f'<body class="rolamento">\n<main>\n{body}{footer}</main>\n'
+        f'<body class="rolamento">\n<main>\n{content}{footer}</main>\n'
         f"</body>\n</html>\n"
     )
+
+
+def body(document: Document, *, picture: PictureName | None = None) -> str:
+    """Return a document as HTML without a style and without names, for a page that has its own.
+
+    picture: as of `html`.
+    """
+    with speaking(document.language):
+        return _Setter(document, picture, named=False).body()
 
 
 def fragment(document: Document) -> str:
     """Return a document as a piece of HTML with its style, for a notebook."""
     with speaking(document.language):
-        setter = _Setter(document, None, named=False)
-        body = setter.body()
         tag = languages()[language()].replace("_", "-")
     return (
         f'<div class="rolamento notebook" lang="{tag}">\n<style>\n{_style()}</style>\n'
-        f"{body}</div>\n"
+        f"{body(document)}</div>\n"
     )
 
 
 @cache
 def _style() -> str:
-    return _STYLE.read_text(encoding="utf-8")
+    return STYLE.read_text(encoding="utf-8")
 
 
 class _Setter:

@@ -108,7 +108,9 @@ class Friction:
         return tuple(found.model for found in self.validity if found.valid[case])
 
     def without_model(self, solved: Solved, case: int = 0) -> tuple[Note, ...]:
-        """Say that no model is valid for a case, and why; nothing where one is.
+        """Say that no model is valid for a case, and why; nothing where one is, or may be.
+
+        Where models of the contacts were left out, one of them may be.
 
         Parameters
         ----------
@@ -118,6 +120,9 @@ class Friction:
             Which of the cases.
         """
         controlled = solved.rolling is not None and self.regime[case] != "full_film"
+        of_contacts = (m for m in TORQUE_MODELS.values() if m.of_contacts and m.knows(solved))
+        if any(m.name not in self.models for m in of_contacts):
+            return ()
         if controlled or self.valid_models(case) or not solved.converged[case]:
             return ()
         reasons: dict[str, list[str]] = {}

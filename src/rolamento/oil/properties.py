@@ -15,6 +15,7 @@ correlations of mineral oils; neither is meant for other fluids: give the measur
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from math import inf, log10
 from typing import Final
 
@@ -144,9 +145,12 @@ def viscosity_index(viscosity_40: float, viscosity_100: float) -> float:
     """
     u = float(in_reach(viscosity_40, "viscosity_40", "m²/s", 1e-9, 1.0)) * _MM2
     y = float(in_reach(viscosity_100, "viscosity_100", "m²/s", 1e-9, 1.0)) * _MM2
-    if not y >= MINIMUM_VISCOSITY * _MM2:
-        return float("nan")
-    low, high = reference_viscosities(y)
+    return _index(u, y) if y >= MINIMUM_VISCOSITY * _MM2 else float("nan")
+
+
+def _index(u: float, y: float) -> float:
+    """The viscosity index of ν at 40 and at 100 °C; mm²/s."""
+    low, high = _references(y)
     if u >= high:
         return 100.0 * (low - u) / (low - high)
     exponent = log10(high / u) / log10(y)
@@ -158,11 +162,19 @@ def reference_viscosities(viscosity_100: float) -> tuple[float, float]:
 
     ASTM D2270, appendix X2.
     """
-    y = float(in_reach(viscosity_100, "viscosity_100", "mm²/s", MINIMUM_VISCOSITY * _MM2, 1e6))
+    return _references(
+        float(in_reach(viscosity_100, "viscosity_100", "mm²/s", MINIMUM_VISCOSITY * _MM2, 1e6))
+    )
+
+
+def _references(y: float) -> tuple[float, float]:
     a, b, c, d, e, f = next(line[1:] for line in reversed(_INDEX_COEFFICIENTS) if y >= line[0])
     return (a * y + b) * y + c, (d * y + e) * y + f
 
 
+@lru_cache(
+    maxsize=256
+)  # every record of an oil asks for it, and a case makes it anew several times
 def viscosity_100_of_index(viscosity_40: float, index: float) -> float:
     """Kinematic viscosity at 100 °C of an oil given at 40 °C by its viscosity index; m²/s.
 
@@ -174,7 +186,7 @@ def viscosity_100_of_index(viscosity_40: float, index: float) -> float:
         return float("nan")
     for _ in range(_HALVINGS):
         middle = 0.5 * (minimum + maximum)
-        if viscosity_index(viscosity_40, middle) < index:
+        if _index(viscosity_40 * _MM2, middle * _MM2) < index:
             minimum = middle
         else:
             maximum = middle

@@ -30,14 +30,14 @@ from rolamento.document import (
 )
 from rolamento.words import manner, marked, said
 
-__all__ = ["bearing_page", "search_page"]
+__all__ = ["KINDS", "bearing_page", "search_page"]
 
 _SHORT_NAMES: Final = {
     "dynamic_rating": "C", "static_rating": "C0", "f0": "f0",
     "axial_dynamic_rating": "Ca", "axial_static_rating": "C0a",
     "inner_raceway_diameter": "F_w", "outer_raceway_diameter": "E_w", "axial_limit": "e",
 }  # fmt: skip
-_KINDS: Final = {
+KINDS: Final = {
     "deep_groove": marked("deep-groove ball bearing"),
     "angular_contact": marked("angular-contact ball bearing"),
     "double_row": marked("double-row angular-contact ball bearing"),
@@ -191,7 +191,7 @@ def bearing_page(geometry: InternalGeometry) -> Document:
     """
     bearing = geometry.bearing
     named = " ".join(part for part in (bearing.maker, bearing.designation) if part)
-    title = f"{named}  {said(_KINDS[bearing.kind])}"
+    title = f"{named}  {said(KINDS[bearing.kind])}"
     head: list[Block] = [Title(title)]
     meanings = _meanings(geometry)
     entries = [Entry(said("designation"), "; ".join(meanings))] if meanings else []

@@ -31,10 +31,10 @@ from rolamento.words.naming import one_line, part_name
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Picture
 
-    from rolamento.tasks.diagnosis import DiagnosisResult
+    from rolamento.tasks.diagnosis import DiagnosisResult, TooShort
     from rolamento.tasks.shaft_speed import ShaftSpeed
 
-__all__ = ["diagnosis_page"]
+__all__ = ["diagnosis_page", "too_short_page"]
 
 _UNITS: Final = {"m/s^2": "m/s²", "mm/s^2": "mm/s²", "um": "µm", "um/s": "µm/s", "1": ""}
 _HEADLINES: Final[dict[str, Tone]] = {
@@ -63,6 +63,13 @@ def diagnosis_page(found: DiagnosisResult) -> Document:
     sections.append(Section("", (*_figures(found), _spectrum(found.diagnosis)), key="figures"))
     title = f"{found.bearing_name}: {found.title}"
     return Document(title, tuple(sections), kind="diagnose", main="spectrum")
+
+
+def too_short_page(found: TooShort, title: str) -> Document:
+    """Return the page of a record of that name that is too short for a diagnosis."""
+    statements = tuple(Statement(note.text, "warning-strong") for note in found.statement)
+    section = Section("", (*statements, Title(one_line(title))), key="verdict")
+    return Document(title, (section,), kind="diagnose")
 
 
 def _verdict(found: DiagnosisResult) -> Section:

@@ -24,7 +24,7 @@ from rolamento.words import marked, said, said_in
 if TYPE_CHECKING:
     from rolamento.lubrication import Film
 
-__all__ = ["film_sections"]
+__all__ = ["film_sections", "regime_name"]
 
 _ZERO: Final = 273.15
 """K, at 0 °C."""
@@ -44,6 +44,11 @@ _FAILURES: Final = {
     "adhesive_mild": marked("mild adhesive wear"),
     "adhesive_severe": marked("severe adhesive wear"),
 }
+
+
+def regime_name(regime: str) -> str:
+    """Return what a regime of lubrication is called, by its `Regime.name`."""
+    return said(_REGIMES[regime])
 
 
 def film_sections(film: Film) -> list[Section]:
@@ -128,7 +133,7 @@ def _regimes(film: Film) -> KeyValues:
         expected = film.of(race).expected_failures(0, element)
         text = said(
             "{regime}; failures to expect: {failures}",
-            regime=said(_REGIMES[regime]),
+            regime=regime_name(regime),
             failures=[said(_FAILURES[failure]) for failure in expected],
         )
         entries.append(Entry(heads[race], text))

@@ -31,7 +31,7 @@ from rolamento.words.naming import PARTS, part_name
 if TYPE_CHECKING:
     from rolamento.tasks.frequencies import FrequencyResult
 
-__all__ = ["balls_of", "contact_angle", "failure", "frequencies_page"]
+__all__ = ["balls_of", "contact_angle", "failure", "frequencies_page", "line_name"]
 
 _LINES: Final[dict[LineName, str]] = {
     "cage": PARTS["cage"],
@@ -87,6 +87,11 @@ def _every_line(found: FrequencyResult) -> Iterator[tuple[CellContent, ...]]:
                 if (extra.harmonic, extra.sideband) != (1, 0):
                     own = (extra.harmonic, extra.sideband, extra.order, extra.frequency)
                     yield one.source, one.row, *called, *own, *[None] * 4
+
+
+def line_name(name: LineName, element: str) -> str:
+    """Return what a line of the frequencies is called, by what rolls."""
+    return worded((element,), said(_LINES[name]), said(_OF_ROLLERS[name]))
 
 
 def balls_of(bearing: Bearing | RollerBearing, frequencies: FaultFrequencies) -> str:
@@ -156,10 +161,7 @@ def _lines(found: FrequencyResult, one: FaultFrequencies) -> Section:
     columns = [
         Column(
             head="",
-            values=[
-                worded((one.element,), said(_LINES[name]), said(_OF_ROLLERS[name]))
-                for name in one.lines
-            ],
+            values=[line_name(name, one.element) for name in one.lines],
             key="line",
         ),
         Column(head="", values=[ABBREVIATIONS[name] for name in one.lines], key="abbreviation"),

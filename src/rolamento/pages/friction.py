@@ -27,7 +27,14 @@ if TYPE_CHECKING:
     from rolamento.friction import Friction, ModelValidity
     from rolamento.solved import Solved
 
-__all__ = ["friction_page", "friction_sections", "power_unit", "torque_unit", "validity_text"]
+__all__ = [
+    "friction_page",
+    "friction_sections",
+    "power_unit",
+    "source_name",
+    "torque_unit",
+    "validity_text",
+]
 
 _SOURCES: Final = {
     "spin": marked("spin"),
@@ -61,6 +68,11 @@ def friction_page(analysis: Analysis) -> Document:
     return Document(
         solved.title or untitled(solved.case), tuple(sections), kind="friction", main="models"
     )
+
+
+def source_name(source: str) -> str:
+    """Return what a source of friction is called, by its name in `Friction.torque_by_source`."""
+    return said(_SOURCES[source])
 
 
 def torque_unit(values: Sequence[float]) -> str:
@@ -152,9 +164,7 @@ def _sources(friction: Friction) -> list[Section]:
     names = [name for name in _SOURCES if name in friction.torque_by_source]
     torque = [float(friction.torque_by_source[name][0]) for name in names]
     columns = [
-        Column(
-            head="", values=[*(said(_SOURCES[name]) for name in names), said("sum")], key="source"
-        ),
+        Column(head="", values=[*(source_name(name) for name in names), said("sum")], key="source"),
         Column(
             head=said("torque"),
             values=[*torque, sum(torque)],

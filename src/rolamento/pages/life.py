@@ -53,6 +53,7 @@ __all__ = [
     "life_page",
     "life_section",
     "limit_section",
+    "limiting_sentences",
     "percent",
     "ratings_section",
     "reached",
@@ -394,6 +395,12 @@ def _reasons(summary: LifeSummary, rating: float) -> Iterator[str]:
 
 def _alike(factor: float) -> bool:
     return 1.0 / _NOTABLE < factor < _NOTABLE
+
+
+def limiting_sentences(solved: Solved, summary: LifeSummary) -> list[str]:
+    """Say in sentences which race limits a single case's life, and what costs most of it."""
+    cost = _cost(summary)
+    return [*(text for text, _ in _limit(solved, summary)), *([cost] if cost else [])]
 
 
 def _limit(solved: Solved, summary: LifeSummary) -> list[_Sentence]:

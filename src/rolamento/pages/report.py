@@ -6,9 +6,9 @@ its path there, in a column that stands only in files.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from math import nan
+from math import inf, nan
 from typing import TYPE_CHECKING, Final
 
 from rolamento.case import Case
@@ -50,7 +50,17 @@ if TYPE_CHECKING:
     from rolamento.geometry import Race
     from rolamento.tasks.report import CaseReport, Input, Report
 
-__all__ = ["report_page"]
+__all__ = [
+    "ORIGINS",
+    "PARTS",
+    "TABLES",
+    "Part",
+    "comparison_page",
+    "part_of",
+    "report_page",
+    "summary_section",
+    "warning_section",
+]
 
 _ABREAST: Final = 2
 """Cases that stand beside the first in one table: more need more paper than there is."""
@@ -103,28 +113,32 @@ def comparison_page(report: Report, title: str = "") -> Document:
     title
         Of the page.
     """
-    warnings = _warnings(report)
     differing, *_ = _inputs(report)
     sections: list[Section | Beside] = [
         Section("", (Title(title or said("Comparison")),), key="title"),
-        Section(said("Summary"), _summary(report), "summary"),
+        summary_section(report),
         replace(differing, level=2),
+        *(part_of(report, key) for key in _COMPARED),
+        warning_section(report),
     ]
-    for heading, key, blocks in (
-        (said("Loads and ratings"), "loads", _loads(report)),
-        (said("Lives by theory"), "lives", tuple(_lives(report))),
-        (said("Clearance in operation"), "clearance", tuple(_clearance(report))),
-        (said("Inner ring"), "ring", _ring(report)),
-        (said("Rows and preload"), "rows", _rows(report)),
-        (said("Contact stresses"), "contacts", _contacts(report)),
-        (said("Lubricant film"), "film", _film(report)),
-        (said("Friction"), "friction", _friction(report)),
-        (said("Stiffness"), "stiffness", tuple(_stiffness(report))),
-        (said("Warnings"), "warnings", _warning_blocks(report, warnings)),
-    ):
-        if blocks:
-            sections.append(Section(heading, blocks, key))
-    return Document(title or said("Comparison"), tuple(sections), kind="comparison", main="summary")
+    kept = tuple(one for one in sections if isinstance(one, Beside) or one.blocks)
+    return Document(title or said("Comparison"), kept, kind="comparison", main="summary")
+
+
+def summary_section(report: Report) -> Section:
+    """Return what leads: the status of each case, its life, the heaviest contact, the torque."""
+    return Section(said("Summary"), _summary(report), "summary")
+
+
+def warning_section(report: Report) -> Section:
+    """Return what the reader should know, the gravest first."""
+    return Section(said("Warnings"), _warning_blocks(report, _warnings(report)), "warnings")
+
+
+def part_of(report: Report, key: str) -> Section:
+    """Return a part of the results by its key in `PARTS`; without blocks where no case has it."""
+    part = PARTS[key]
+    return Section(said(part.label), tuple(part.blocks(report)), key)
 
 
 # --- the head -------------------------------------------------------------------------------------
@@ -456,8 +470,8 @@ def _is_plain(case: CaseReport) -> bool:
 
 
 def _is_endless(case: CaseReport) -> bool:
-    headline = case.numbers["analysis"]["life"]["headline"]
-    return bool(headline["endless"])
+    life = case.analysis.life
+    return life is not None and float(life.headline.life[0]) == inf
 
 
 def _life_text(case: CaseReport) -> str:
@@ -487,7 +501,7 @@ def _leading(case: CaseReport) -> str:
 
 # --- inputs ---------------------------------------------------------------------------------------
 
-_ORIGINS: Final = {
+ORIGINS: Final = {
     "given": marked("case file"),
     "set": marked("command line (--set)"),
     "published": marked("catalogue"),
@@ -497,7 +511,7 @@ _ORIGINS: Final = {
     "data": marked("data file"),
     "default": marked("default"),
 }
-_TABLES: Final = {
+TABLES: Final = {
     "bearing": marked("Bearing"),
     "duty": marked("Duty"),
     "model": marked("Model"),
@@ -542,7 +556,7 @@ class _Sources:
     def cell(self, found: Input | None) -> str:
         if found is None:
             return ""
-        origin = said(_ORIGINS[found.origin])
+        origin = said(ORIGINS[found.origin])
         if not found.source:
             return origin
         if found.source not in self._found:
@@ -567,7 +581,7 @@ def _all_fields(report: Report) -> list[str]:
             own = next(at for at, field in enumerate(known) if name.startswith(f"{field}."))
         return own, name
 
-    tables = list(_TABLES)
+    tables = list(TABLES)
     return sorted(found, key=lambda name: (tables.index(name.partition(".")[0]), place(name)))
 
 
@@ -588,7 +602,7 @@ def _input_table(
     for at, field in enumerate(fields):
         table = field.partition(".")[0]
         if table != place:
-            groups.append((at, said(_TABLES[table])))
+            groups.append((at, said(TABLES[table])))
             place = table
     many = len(cases) > 1
     columns = [
@@ -673,15 +687,16 @@ def _results(report: Report) -> list[Section | Beside]:
     """All results: a table for all cases, and for each what has a line a ball."""
     sections: list[Section | Beside] = []
 
-    def add(heading: str, key: str, blocks: Sequence[Block]) -> None:
-        if blocks:
-            sections.append(Section(heading, tuple(blocks), key, level=3))
+    def add(key: str, heading: str = "") -> None:
+        part = part_of(report, key)
+        if part.blocks:
+            sections.append(replace(part, heading=heading or part.heading, level=3))
 
-    add(said("Loads and ratings"), "loads", _loads(report))
-    add(said("Lives by theory"), "lives", _lives(report))
-    add(said("Clearance in operation"), "clearance", _clearance(report))
+    add("loads")
+    add("lives")
+    add("clearance")
     sections += _ring_and_rosettes(report)
-    add(said("Rows and preload"), "rows", _rows(report))
+    add("rows")
     for case in report.cases:
         if case.converged:
             sections += [_distribution(report, case), *_pictures(report, case)]
@@ -691,14 +706,13 @@ def _results(report: Report) -> list[Section | Beside]:
         said("Roller loads compared"),
         said("Element loads compared"),
     )
-    add(compared, "ball_loads", _ball_loads(report))
-    add(said("Contact stresses"), "contacts", _contacts(report))
-    add(said("Lubricant film"), "film", _film(report))
-    add(said("Friction"), "friction", _friction(report))
-    add(said("Fault frequencies"), "frequencies", _frequencies(report))
-    add(said("Stiffness"), "stiffness", _stiffness(report))
-    missing = _missing(report)
-    add(said("Not calculated"), "missing", (Notes(missing),) if missing else ())
+    loads = _ball_loads(report)
+    sections += [Section(compared, loads, "ball_loads", level=3)] * bool(loads)
+    for key in ("contacts", "film", "friction", "frequencies", "stiffness"):
+        add(key)
+    missing = Notes(_missing(report))
+    if missing.remarks:
+        sections.append(Section(said("Not calculated"), (missing,), "missing", level=3))
     return sections
 
 
@@ -1550,6 +1564,63 @@ def _stiffness(report: Report) -> list[Table]:
             )
             tables.append(replace(found, key=f"stiffness_{case.name}", caption=caption))
     return tables
+
+
+def _distributions(report: Report) -> list[Block]:
+    """The loads of the elements of every case."""
+    return [
+        block
+        for case in report.cases
+        for block in (
+            *([Title(said("case {name}", name=case.name))] if len(report.cases) > 1 else []),
+            *_distribution(report, case).blocks,
+        )
+    ]
+
+
+def _all_inputs(report: Report) -> list[Block]:
+    return [block for section in _inputs(report) for block in section.blocks]
+
+
+def _all_checks(report: Report) -> list[Block]:
+    return [block for section in _validity(report) for block in section.blocks]
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """A part of the results.
+
+    Attributes
+    ----------
+    label
+        what it is called, marked
+    blocks
+        of the cases of a report, side by side; none where no case has such numbers
+    """
+
+    label: str
+    blocks: Callable[[Report], Sequence[Block]]
+
+
+PARTS: Final[Mapping[str, Part]] = {
+    "loads": Part(marked("Loads and ratings"), _loads),
+    "lives": Part(marked("Lives by theory"), _lives),
+    "clearance": Part(marked("Clearance in operation"), _clearance),
+    "ring": Part(marked("Inner ring"), _ring),
+    "rows": Part(marked("Rows and preload"), _rows),
+    "elements": Part(marked("Load distribution"), _distributions),
+    "contacts": Part(marked("Contact stresses"), _contacts),
+    "film": Part(marked("Lubricant film"), _film),
+    "friction": Part(marked("Friction"), _friction),
+    "frequencies": Part(marked("Fault frequencies"), _frequencies),
+    "stiffness": Part(marked("Stiffness"), _stiffness),
+    "inputs": Part(marked("Inputs"), _all_inputs),
+    "validity": Part(marked("Validity"), _all_checks),
+}
+"""The results by parts, in the order in which an engineer reads them."""
+_COMPARED: Final = (
+    "loads", "lives", "clearance", "ring", "rows", "contacts", "film", "friction", "stiffness",
+)  # fmt: skip
 
 
 # --- validity, references, provenance -------------------------------------------------------------

@@ -457,17 +457,18 @@ def _preload(solved: Solved, preload: Preloading) -> Section:
 
 def _lift(solved: Solved, preload: Preloading) -> list[Entry]:
     """Where the first element lifts off, unless it takes its row along."""
-    if preload.lift_row is None or preload.lift_factor == preload.loss_factor:
+    factor = preload.lift_factor
+    if preload.lift_row is None or factor is None or factor == preload.loss_factor:
         return []
     label = worded(
         solved.rows.element, said("first ball"), said("first roller"), said("first rolling element")
     )
     values = {
         "row": preload.lift_row,
-        "factor": preload.lift_factor,
-        "load": _resulting_load(solved.case.duty, preload.lift_factor),
+        "factor": factor,
+        "load": _resulting_load(solved.case.duty, factor),
     }
-    if preload.lift_factor < 1.0:
+    if factor < 1.0:
         text = said("has lifted off in row {row}, at {factor:.3} × the load: {load}", **values)
         return [Entry(label, text, "warning")]
     text = said("lifts off in row {row} at {factor:.3} × the load: {load}", **values)
@@ -476,9 +477,12 @@ def _lift(solved: Solved, preload: Preloading) -> list[Entry]:
 
 def _loss(solved: Solved, preload: Preloading) -> list[Entry]:
     """Where a row lifts off, as a multiple of the load and as that load."""
-    row, duty, label = preload.lost_row, solved.case.duty, said("loss")
+    row, factor = preload.lost_row, preload.loss_factor
+    if factor is None:  # nobody looked for it
+        return []
+    duty, label = solved.case.duty, said("loss")
     lost = [int(other) for other in np.flatnonzero(solved.loaded_elements[0] == 0)]
-    if row is None or not isfinite(preload.loss_factor):
+    if row is None or not isfinite(factor):
         if lost:
             text = worded(
                 solved.rows.element,
@@ -492,10 +496,10 @@ def _loss(solved: Solved, preload: Preloading) -> list[Entry]:
         return [Entry(label, text)] if loaded else []
     values = {
         "row": row,
-        "factor": preload.loss_factor,
-        "load": _resulting_load(duty, preload.loss_factor),
+        "factor": factor,
+        "load": _resulting_load(duty, factor),
     }
-    if preload.loss_factor < 1.0 or row in lost:
+    if factor < 1.0 or row in lost:
         text = said("row {row} has lifted off, at {factor:.3} × the load: {load}", **values)
         return [Entry(label, text, "warning-strong")]
     return [Entry(label, said("row {row} lifts off at {factor:.3} × the load: {load}", **values))]

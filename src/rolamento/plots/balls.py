@@ -14,17 +14,20 @@ from numpy.typing import NDArray
 
 from rolamento.errors import InputError
 from rolamento.geometry import Race
-from rolamento.plots.axes_units import DEGREE, MEGAPASCAL, ReadableUnit, readable_unit
-from rolamento.plots.frame import (
-    GREY,
-    empty_frame,
-    label_x,
-    label_y,
-    legend_above,
-    no_result,
-    number,
-    require_axes,
+from rolamento.plots.axes_units import DEGREE, readable_unit
+from rolamento.plots.contacts import (
+    AROUND,
+    ContactQuantity,
+    QuantityName,
+    azimuth_name,
+    check_one_case,
+    contact_quantity,
+    free_angle,
+    load_unit,
+    race_name,
+    rows_in_order,
 )
+from rolamento.plots.frame import GREY, empty_frame, label_x, label_y, legend_above, require_axes
 from rolamento.plots.style import (
     INNER,
     OUTER,
@@ -34,15 +37,15 @@ from rolamento.plots.style import (
     new_polar_figure,
     series,
 )
-from rolamento.solved import NO_LOAD, RACES, Solved, refuse_other
-from rolamento.words import said, said_in, worded
+from rolamento.plots.texts import no_result, number
+from rolamento.solved import RACES, Solved
+from rolamento.words import said
 
 Floats = NDArray[np.float64]
 _TURN: Final = 360.0
 _STEP: Final = 45.0
 _MARGIN: Final = 8.0
 _MOST_LINES: Final = len(SERIES)
-_DIRECTIONS: Final = ("0°, +z", "45°", "90°\n+y", "135°", "180°", "225°", "270°", "315°")
 
 
 @in_style
@@ -66,7 +69,7 @@ def ball_loads(solved: Solved, axes: Axes | None = None) -> Axes:
     InputError
         If this is not one solved case, or the axes are none.
     """
-    return _over_azimuth(solved, axes, "load", None, said("Contact load"), from_zero=True)
+    return _over_azimuth(solved, axes, contact_quantity("load"))
 
 
 @in_style
@@ -76,12 +79,12 @@ def contact_angles(solved: Solved, axes: Axes | None = None) -> Axes:
     Parameters, result and errors as of `ball_loads`; where ball and race do not touch, nothing is
     drawn.
     """
-    axes = _over_azimuth(solved, axes, "contact_angle", DEGREE, said("Contact angle"))
-    bearing = solved.case.bearing
-    one = bearing.element == "ball" and bearing.arrangement is None and bearing.rows is None
-    if solved.converged[0] and one and bearing.contact_angle is not None:
-        angle = degrees(bearing.contact_angle)
-        axes.axhline(angle, color=GREY, linewidth=0.9, zorder=1.5, label=said("free (unloaded)"))
+    axes = _over_azimuth(solved, axes, contact_quantity("contact_angle"))
+    free = free_angle(solved)
+    if solved.converged[0] and free is not None:
+        axes.axhline(
+            degrees(free), color=GREY, linewidth=0.9, zorder=1.5, label=said("free (unloaded)")
+        )
         legend_above(axes)
     return axes
 
@@ -93,13 +96,12 @@ def pressures(solved: Solved, axes: Axes | None = None) -> Axes:
     Parameters, result and errors as of `ball_loads`; where ball and race do not touch, nothing is
     drawn.
     """
-    name, unit = said("Maximum contact pressure"), MEGAPASCAL
-    return _over_azimuth(solved, axes, "max_pressure", unit, name, from_zero=True)
+    return _over_azimuth(solved, axes, contact_quantity("max_pressure"))
 
 
 @in_style
 def compared_states(
-    states: Mapping[str, Solved], quantity: str = "load", axes: Axes | None = None
+    states: Mapping[str, Solved], quantity: QuantityName = "load", axes: Axes | None = None
 ) -> Axes:
     """Draw a number of the contacts of several states over azimuth, in one frame.
 
@@ -126,11 +128,7 @@ def compared_states(
     for solved in states.values():
         check_one_case(solved, "compared_states")
     axes = new_figure()[1] if axes is None else require_axes(axes)
-    name, unit, zero = {
-        "load": (said("Contact load"), None, True),
-        "contact_angle": (said("Contact angle"), DEGREE, False),
-        "max_pressure": (said("Maximum contact pressure"), MEGAPASCAL, True),
-    }[quantity]
+    chosen = contact_quantity(quantity)
     shown = {label: solved for label, solved in states.items() if solved.converged[0]}
     if not shown:
         return empty_frame(axes, no_result(str(next(iter(states.values())).status.code[0])))
@@ -147,13 +145,9 @@ def compared_states(
             value=len(states),
         )
     numbers = {
-        (label, race): solved.contacts[race].load[0]
-        if quantity == "load"
-        else touching(solved, race, quantity)
-        for label, solved in shown.items()
-        for race in races
+        (label, race): chosen.of(solved, race) for label, solved in shown.items() for race in races
     }
-    unit = unit or readable_unit("N", np.concatenate(list(numbers.values())))
+    unit = chosen.unit or readable_unit("N", np.concatenate(list(numbers.values())))
     place = 0
     for label, solved in shown.items():
         by_row = rows_in_order(solved)
@@ -167,59 +161,8 @@ def compared_states(
     for label in states.keys() - shown.keys():
         axes.plot([], [], label=f"{label}: {no_result()}", color=GREY, linestyle="")
     elements = [one for solved in shown.values() for one in solved.rows.element]
-    _frame_azimuth(axes, unit.label(name), elements, from_zero=zero)
+    _frame_azimuth(axes, unit.label(chosen.name), elements, from_zero=chosen.from_zero)
     return axes
-
-
-def touching(solved: Solved, race: Race, name: str) -> Floats:
-    """Return a number of the contacts with a race; NaN where they do not touch; (balls,)."""
-    other: Race = "outer" if race == "inner" else "inner"
-    own, beside = solved.contacts[race], solved.contacts[other]
-    touches = own.load[0] > NO_LOAD * np.abs(beside.load[0])
-    return np.where(touches, getattr(own, name)[0], np.nan)
-
-
-def check_one_case(solved: Solved, figure: str) -> None:
-    """Refuse what is not one solved case.
-
-    Raises
-    ------
-    InputError
-        Saying what it must be.
-    """
-    refuse_other(solved, f"plots.{figure}")
-    if len(solved) != 1:
-        raise InputError(
-            said("must be a single case"), field="solved", value=len(solved), example="solved[0]"
-        )
-
-
-def refuse_rollers(solved: Solved) -> None:
-    """Refuse a bearing with rollers, whose contacts are lines.
-
-    Raises
-    ------
-    InputError
-        Naming a figure that suits them.
-    """
-    if set(solved.rows.element) != {"ball"}:
-        raise InputError(
-            said("is for ball bearings: rollers touch along lines"),
-            field="solved",
-            value=", ".join(dict.fromkeys(solved.rows.element)),
-            example="pressures_of_both_races(solved)",
-        )
-
-
-def race_word(race: Race) -> str:
-    """Name the race in a word."""
-    return said_in("race", "inner") if race == "inner" else said_in("race", "outer")
-
-
-def race_name(race: Race, row: int, rows: int) -> str:
-    """Name the race, and the row if there are several."""
-    name = race_word(race)
-    return name if rows == 1 else said("{race}, row {number}", race=name, number=row)
 
 
 def row_keywords(race: Race, row: int) -> dict[str, Any]:
@@ -232,39 +175,23 @@ def row_keywords(race: Race, row: int) -> dict[str, Any]:
     return {**race_series.keywords(), **shape, **hollow}
 
 
-def rows_in_order(solved: Solved) -> list[NDArray[np.intp]]:
-    """Return the elements of each row in order of azimuth, as indices."""
-    order = np.argsort(solved.elements.azimuth[0], kind="stable")
-    return [order[solved.elements.row[order] == row] for row in range(len(solved.rows))]
-
-
-def _over_azimuth(
-    solved: Solved,
-    axes: Axes | None,
-    quantity: str,
-    unit: ReadableUnit | None,
-    name: str,
-    *,
-    from_zero: bool = False,
-) -> Axes:
+def _over_azimuth(solved: Solved, axes: Axes | None, quantity: ContactQuantity) -> Axes:
     """Draw a number of every contact; without a unit, loads in one that fits them."""
     check_one_case(solved, "ball_loads")
     axes = new_figure()[1] if axes is None else require_axes(axes)
     if not solved.converged[0]:
         return empty_frame(axes, no_result(str(solved.status.code[0])))
-    if unit is None:
-        numbers = {race: solved.contacts[race].load[0] for race in RACES}
-        unit = readable_unit("N", np.concatenate(list(numbers.values())))
-    else:
-        numbers = {race: touching(solved, race, quantity) for race in RACES}
+    unit = quantity.unit or load_unit([solved])
     rows = rows_in_order(solved)
     for row, balls in enumerate(rows):
         azimuth = np.mod(DEGREE.of(solved.elements.azimuth[0, balls]), _TURN)
         for race in RACES:
             label = race_name(race, row, len(rows))
-            line = _all_round(azimuth, unit.of(numbers[race][balls]))
+            line = _all_round(azimuth, unit.of(quantity.of(solved, race)[balls]))
             axes.plot(*line, label=label, **row_keywords(race, row))
-    _frame_azimuth(axes, unit.label(name), solved.rows.element, from_zero=from_zero)
+    _frame_azimuth(
+        axes, unit.label(quantity.name), solved.rows.element, from_zero=quantity.from_zero
+    )
     return axes
 
 
@@ -273,13 +200,7 @@ def _frame_azimuth(axes: Axes, label: str, elements: Iterable[str], *, from_zero
     axes.set_xticks(np.arange(0.0, _TURN + 1.0, _STEP))
     if from_zero:
         axes.set_ylim(bottom=0.0)
-    azimuth = worded(
-        elements,
-        said("Azimuth of the ball"),
-        said("Azimuth of the roller"),
-        said("Azimuth of the rolling element"),
-    )
-    label_x(axes, DEGREE.label(azimuth))
+    label_x(axes, DEGREE.label(azimuth_name(elements)))
     label_y(axes, label)
     legend_above(axes)
 
@@ -320,7 +241,7 @@ def load_rosette(solved: Solved, axes: Axes | None = None) -> PolarAxes:
         empty_frame(polar, no_result(str(solved.status.code[0])))
         return polar
     loads = {race: solved.contacts[race].load[0] for race in RACES}
-    unit = readable_unit("N", np.concatenate(list(loads.values())))
+    unit = load_unit([solved])
     rows = rows_in_order(solved)
     for row, balls in enumerate(rows):
         around = np.append(balls, balls[0])
@@ -328,7 +249,7 @@ def load_rosette(solved: Solved, axes: Axes | None = None) -> PolarAxes:
             label = race_name(race, row, len(rows))
             azimuth, load = solved.elements.azimuth[0, around], unit.of(loads[race][around])
             polar.plot(azimuth, load, label=label, **row_keywords(race, row))
-    polar.set_thetagrids(np.arange(0.0, 360.0, 45.0), _DIRECTIONS)
+    polar.set_thetagrids(np.arange(0.0, 360.0, 45.0), AROUND)
     polar.set_rlim(bottom=0.0)
     label = said("Contact load ({unit}), seen from +x", unit=unit.symbol)
     polar.set_xlabel(label, labelpad=6.0)

@@ -10,7 +10,7 @@ from matplotlib.projections.polar import PolarAxes
 from numpy.typing import NDArray
 
 from rolamento.plots.axes_units import PERCENT, ReadableUnit
-from rolamento.plots.balls import race_name
+from rolamento.plots.contacts import race_name
 from rolamento.plots.frame import (
     GREY,
     PlainNumbers,
@@ -19,9 +19,9 @@ from rolamento.plots.frame import (
     label_x,
     label_y,
     legend_above,
-    number,
 )
 from rolamento.plots.style import INNER, MILLIMETRE, OUTER, WIDTH, Series, series, styled
+from rolamento.plots.texts import number
 from rolamento.words import said, worded
 
 if TYPE_CHECKING:

@@ -15,16 +15,10 @@ from numpy.typing import ArrayLike, NDArray
 from rolamento.errors import InputError
 from rolamento.geometry import Race
 from rolamento.plots.axes_units import DEGREE, RPM, readable_unit
-from rolamento.plots.balls import race_word
-from rolamento.plots.frame import (
-    capitalised,
-    empty_frame,
-    label_x,
-    label_y,
-    legend_above,
-    no_result,
-)
+from rolamento.plots.contacts import race_word
+from rolamento.plots.frame import empty_frame, label_x, label_y, legend_above
 from rolamento.plots.style import INNER, OUTER, in_style, new_figure, series
+from rolamento.plots.texts import capitalised, no_result
 from rolamento.solved import RACES
 from rolamento.studies.names import variable_name
 from rolamento.words import said

@@ -8,8 +8,8 @@ times the width of an ellipse.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from math import acos, ceil, floor, isfinite, log10
+from dataclasses import replace
+from math import ceil, floor, log10
 from typing import Any, Final, NamedTuple
 
 import numpy as np
@@ -20,19 +20,13 @@ from matplotlib.patches import Patch
 from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
-from rolamento.geometry import Race, edge_cosine
+from rolamento.geometry import Race
 from rolamento.plots.axes_units import DEGREE, MILLIMETRE
-from rolamento.plots.balls import check_one_case, refuse_rollers, rows_in_order, touching
-from rolamento.plots.frame import (
-    GREY,
-    empty_frame,
-    label_y,
-    legend_above,
-    no_result,
-    number,
-    require_axes,
-)
+from rolamento.plots.contacts import check_one_case, refuse_rollers, rows_in_order
+from rolamento.plots.frame import GREY, empty_frame, label_y, legend_above, require_axes
+from rolamento.plots.groove import Slot, extent, slots_of
 from rolamento.plots.style import INNER, OUTER, in_style, new_figure, new_stacked_figure
+from rolamento.plots.texts import no_result, number
 from rolamento.solved import RACES, Solved
 from rolamento.words import said
 
@@ -42,36 +36,6 @@ _LABEL_CHARACTERS: Final = 80
 SCALE_BAR: Final = "scale bar"
 """What the scale bar is called in an SVG file."""
 _BARS: Final = (1, 2, 5)
-
-
-@dataclass(frozen=True, slots=True)
-class _Slot:
-    """One ball's place in the drawing, and its ellipse; mm."""
-
-    row: int
-    azimuth: float
-    """rad"""
-    across: float
-    semi_major: float
-    semi_minor: float
-    groove_radius: float
-    bottom: float
-    """Contact angle of the groove's deepest point (rad)."""
-    edge: float
-    """Of the ball's groove, from its bottom."""
-    shoulder: bool
-    """Whether the height of the shoulder is given; else the edge is that of a half circle."""
-    along: float = 0.0
-
-    @property
-    def touches(self) -> bool:
-        """Whether there is an ellipse."""
-        return isfinite(self.across) and self.semi_major > 0.0
-
-    @property
-    def over_edge(self) -> bool:
-        """Whether the ellipse runs over the edge of the groove."""
-        return abs(self.across) + self.semi_major > self.edge
 
 
 class _Scale(NamedTuple):
@@ -147,7 +111,7 @@ def ellipses_of_both_races(
     return inner, outer
 
 
-def _draw(axes: Axes, groups: Sequence[list[_Slot]], race: Race, scale: _Scale) -> Axes:
+def _draw(axes: Axes, groups: Sequence[list[Slot]], race: Race, scale: _Scale) -> Axes:
     slots = _side_by_side(groups, scale.step)
     _set_frame(axes, slots, scale)
     handles = _draw_ellipses(axes, slots, race)
@@ -161,18 +125,18 @@ def _draw(axes: Axes, groups: Sequence[list[_Slot]], race: Race, scale: _Scale) 
     return axes
 
 
-def _groups(solved: Solved, race: Race, chosen: Sequence[int] | None) -> list[list[_Slot]]:
+def _groups(solved: Solved, race: Race, chosen: Sequence[int] | None) -> list[list[Slot]]:
     """Return the chosen balls, row by row."""
     picked = set(_picked(len(solved.elements.row), chosen))
-    slots = _slots(solved, race)
+    slots = slots_of(solved, race)
     groups = ([slots[ball] for ball in row if ball in picked] for row in rows_in_order(solved))
     return [group for group in groups if group]
 
 
-def _scale(groups: Sequence[list[_Slot]], races: int = 1) -> _Scale:
+def _scale(groups: Sequence[list[Slot]], races: int = 1) -> _Scale:
     """Find a scale that lets bottom, edges and ellipses in, and keeps the balls apart."""
     slots = [slot for group in groups for slot in group]
-    low, high = _extent(slots)
+    low, high = extent(slots)
     height = high - low
     widest = max((slot.semi_minor for slot in slots if slot.touches), default=0.0)
     count = (len(slots) + len(groups)) / races
@@ -180,9 +144,9 @@ def _scale(groups: Sequence[list[_Slot]], races: int = 1) -> _Scale:
     return _Scale(low - 0.2 * height, high + 0.06 * height, step)
 
 
-def _side_by_side(groups: Sequence[list[_Slot]], step: float) -> list[_Slot]:
+def _side_by_side(groups: Sequence[list[Slot]], step: float) -> list[Slot]:
     """Set the balls side by side, and rows of balls apart."""
-    placed: list[_Slot] = []
+    placed: list[Slot] = []
     for place, group in enumerate(groups):
         first = len(placed) + place
         placed += [replace(slot, along=step * (first + j)) for j, slot in enumerate(group)]
@@ -202,50 +166,13 @@ def _picked(count: int, chosen: Sequence[int] | None) -> Sequence[int]:
     return chosen
 
 
-def _slots(solved: Solved, race: Race) -> list[_Slot]:
-    angle, semi_major, semi_minor = (
-        touching(solved, race, name) for name in ("contact_angle", "semi_major", "semi_minor")
-    )
-    bearings = [place.bearing for place in solved.case.bearing.places]
-    slots = []
-    for ball, row in enumerate(solved.elements.row.tolist()):
-        bearing = bearings[row]
-        radius = 1e3 * getattr(bearing, f"{race}_conformity") * bearing.ball_diameter
-        slots.append(
-            _Slot(
-                row=row,
-                azimuth=float(solved.elements.azimuth[0, ball]),
-                across=float(radius * (angle[ball] - bearing.groove_bottom)),
-                semi_major=float(1e3 * semi_major[ball]),
-                semi_minor=float(1e3 * semi_minor[ball]),
-                groove_radius=radius,
-                bottom=bearing.groove_bottom,
-                edge=radius * acos(float(edge_cosine(bearing, race))),
-                shoulder=getattr(bearing, f"{race}_shoulder_height") is not None,
-            )
-        )
-    return slots
-
-
-def _extent(slots: Sequence[_Slot]) -> tuple[float, float]:
-    """Return how far the drawing reaches across the groove: bottom, edges, ellipses."""
-    reach = [0.0]
-    for slot in slots:
-        if slot.touches:
-            reach += [slot.across - slot.semi_major, slot.across + slot.semi_major]
-        if slot.shoulder:
-            reach += [-slot.edge, slot.edge]
-    low, high = min(reach), max(reach)
-    return (low, high) if high > low else (-1.0, 1.0)
-
-
-def _set_frame(axes: Axes, slots: Sequence[_Slot], scale: _Scale) -> None:
+def _set_frame(axes: Axes, slots: Sequence[Slot], scale: _Scale) -> None:
     axes.set_ylim(scale.low, scale.high)
     axes.set_xlim(-0.8 * scale.step, slots[-1].along + 0.8 * scale.step)
     axes.set_aspect("equal", adjustable="box")
 
 
-def _draw_ellipses(axes: Axes, slots: Sequence[_Slot], race: Race) -> list[Artist]:
+def _draw_ellipses(axes: Axes, slots: Sequence[Slot], race: Race) -> list[Artist]:
     """Draw the ellipses, those over the edge hatched; return what the legend shows."""
     color = (INNER if race == "inner" else OUTER).color
     kinds: tuple[tuple[bool, dict[str, Any]], ...] = (
@@ -274,7 +201,7 @@ def _draw_ellipses(axes: Axes, slots: Sequence[_Slot], race: Race) -> list[Artis
     return handles
 
 
-def _draw_edges(axes: Axes, slots: Sequence[_Slot]) -> list[Artist]:
+def _draw_edges(axes: Axes, slots: Sequence[Slot]) -> list[Artist]:
     """Draw the bottom of the groove, and its edges below and above each row of balls."""
     axes.axhline(0.0, color=GREY, linewidth=0.8, linestyle=(0, (8, 2, 1, 2)), zorder=1.5)
     margin = -axes.get_xlim()[0]
@@ -314,7 +241,7 @@ def _draw_bar(axes: Axes) -> None:
     )
 
 
-def _label(axes: Axes, slots: Sequence[_Slot], race: Race) -> None:
+def _label(axes: Axes, slots: Sequence[Slot], race: Race) -> None:
     rows = sorted({slot.row for slot in slots})
     names = [number(float(DEGREE.of(slot.azimuth)) % 360.0) for slot in slots]
     every = ceil(sum(len(name) + 2 for name in names) / _LABEL_CHARACTERS)

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import re
 import textwrap
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Final
 
 from matplotlib.artist import Artist
@@ -14,21 +13,16 @@ from matplotlib.projections.polar import PolarAxes
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter, ScalarFormatter
 
 from rolamento.errors import InputError
+from rolamento.plots.texts import marked_number, numbers, shown_text
 from rolamento.words import manner, said
-from rolamento.words.naming import one_line
-from rolamento.words.reasons import reason
 
 GREY: Final = "#707070"
-_THIN_SPACE: Final = "\u2009"
-_LONGEST_LABEL: Final = 90
 _UPRIGHT_WIDTH: Final = 45
 _TITLE_CHARACTERS_PER_INCH: Final = 13.0
 _CHARACTERS_PER_INCH: Final = 17.0
 _HANDLE_CHARACTERS: Final = 7
 _HALF_LINE: Final = 42
 """Characters of a label of which two stand side by side."""
-_DIGITS: Final = 4
-_LONG_NUMBER: Final = re.compile(r"\d{5,}")
 
 
 class PlainNumbers(ScalarFormatter):
@@ -41,53 +35,7 @@ class PlainNumbers(ScalarFormatter):
 
     def __call__(self, x: float, pos: int | None = None) -> str:
         """Write the number of one tick."""
-        return _marked(super().__call__(x, pos), self._mark)
-
-
-def number(value: float, digits: int = _DIGITS) -> str:
-    """Write one number in a legend."""
-    return _written(value, digits, manner().mark)
-
-
-def numbers() -> Callable[[float, object], str]:
-    """Return what writes the numbers of ticks, whatever is spoken when they are drawn."""
-    mark = manner().mark
-    return lambda value, _: _written(value, _DIGITS, mark)
-
-
-def _written(value: float, digits: int, mark: str) -> str:
-    text = f"{value:.{digits}g}"
-    if "e" in text and 1e-4 <= abs(value) < 1e7:
-        text = f"{value:.0f}"
-    return _marked(text.replace("-", "−"), mark)
-
-
-def _marked(text: str, mark: str) -> str:
-    whole, point, rest = text.partition(".")
-    grouped = _LONG_NUMBER.sub(lambda found: f"{int(found[0]):,}", whole)
-    return grouped.replace(",", _THIN_SPACE) + (mark if point else "") + rest
-
-
-def capitalised(name: str) -> str:
-    """Return a name as the label of an axis begins."""
-    return name[:1].upper() + name[1:]
-
-
-def no_result(code: str = "") -> str:
-    """Say that there is no result, and why."""
-    if not code:
-        return said("No result")
-    return said("No result: {reason}", reason=reason(code))
-
-
-def no_result_count(count: int, total: int) -> str:
-    """Say how many have no result."""
-    return said("no result: {count} of {total}", count=count, total=total)
-
-
-def shown_text(text: str, longest: int = _LONGEST_LABEL) -> str:
-    """Return a text of others as one line that can be printed, not too long."""
-    return one_line(text, longest)
+        return marked_number(super().__call__(x, pos), self._mark)
 
 
 def in_lines(label: str) -> str:

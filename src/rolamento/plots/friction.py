@@ -10,14 +10,7 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from rolamento.plots.axes_units import NONE, read_values, readable_unit
-from rolamento.plots.frame import (
-    add_title,
-    empty_frame,
-    label_y,
-    legend_above,
-    log_scale,
-    no_result,
-)
+from rolamento.plots.frame import add_title, empty_frame, label_y, legend_above, log_scale
 from rolamento.plots.over_field import (
     across,
     is_geometric,
@@ -31,6 +24,7 @@ from rolamento.plots.style import (
     series,
     styled,
 )
+from rolamento.plots.texts import no_result
 from rolamento.studies.names import setting_name, torque_model_name
 from rolamento.words import said
 

@@ -19,23 +19,19 @@ from rolamento.plots.axes_units import MEGAPASCAL, read_values
 from rolamento.plots.frame import (
     GREY,
     add_title,
-    capitalised,
     empty_frame,
     label_x,
     label_y,
     legend_above,
     legend_in_columns,
     log_scale,
-    no_result,
-    no_result_count,
-    number,
 )
 from rolamento.plots.over_field import across, decades, judged_line
 from rolamento.plots.style import SERIES, new_figure, series, styled
+from rolamento.plots.texts import capitalised, no_result, no_result_count, number, theory_label
 from rolamento.studies.names import setting_name
 from rolamento.units import HOUR
 from rolamento.words import said
-from rolamento.words.theories import theory_name
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -136,12 +132,6 @@ def lives_by_theory(curves: Sequence[LifeCurve], axes: Axes | None = None) -> Ax
     return axes
 
 
-def _name_of(theory: str) -> str:
-    """Name a theory in a legend, and whether it only gives an upper bound."""
-    name = theory_name(theory)
-    return said("{theory} (upper bound)", theory=name) if THEORIES[theory].bound else name
-
-
 def theory_look(theory: str) -> dict[str, Any]:
     """Return the colour and line of a theory, the same on every figure."""
     rank = THEORIES[theory].rank
@@ -176,7 +166,7 @@ def _lines_of_theories(
     """Life, where it is valid, theory, name and look of every line."""
     first = curves[0]
     for theory in _by_rank(first.theories):
-        name, own = _name_of(theory), first[theory]
+        name, own = theory_label(theory), first[theory]
         if np.isnan(first.shown(own)).all():
             continue  # it knows nothing of such a bearing
         yield first.shown(own), own.valid, theory, name, theory_look(theory)
@@ -184,7 +174,7 @@ def _lines_of_theories(
         leading = curve.headline
         names = dict.fromkeys(theory for theory in leading.theory.tolist() if theory)
         look = {"color": "#000000", "linestyle": _VARIANTS[place % len(_VARIANTS)]}
-        theories = " / ".join(map(_name_of, names))
+        theories = " / ".join(map(theory_label, names))
         # in the unit of the first, whether this one turns or not
         led = leading.hours if first.in_hours else leading.life
         label = f"{theories}, {setting_name(curve.label)}"
@@ -268,7 +258,7 @@ def load_over_life(
         for theory in _by_rank(found):
             if np.isnan(found[theory]).all():
                 continue  # it knows nothing of such a bearing
-            record, name = lives.theories[theory], _name_of(theory)
+            record, name = lives.theories[theory], theory_label(theory)
             faint |= _draw_load(
                 axes, found[theory], upright, record.valid, name, theory_look(theory)
             )
@@ -492,7 +482,7 @@ def _factors_of(summary: LifeSummary) -> list[tuple[str, str, str, Floats, Float
         there = known & np.isfinite(strength) & (strength > 0.0)
         if not there.any():
             continue
-        label = _name_of(theory)
+        label = theory_label(theory)
         if there.sum() == 1:
             ratio = float(record.factors["viscosity_ratio"][there][0])
             label += f", κ = {number(ratio, 3)}"

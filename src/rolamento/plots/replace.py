@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from matplotlib.figure import Figure
 
-from rolamento.plots.frame import GREY, label_x, label_y, legend_above, number, shown_text
+from rolamento.plots.frame import GREY, label_x, label_y, legend_above
 from rolamento.plots.style import INNER, OUTER, new_figure, styled
+from rolamento.plots.texts import number, shown_text
 from rolamento.words import said
 
 if TYPE_CHECKING:

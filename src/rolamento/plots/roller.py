@@ -16,18 +16,20 @@ from numpy.typing import NDArray
 
 from rolamento.errors import InputError
 from rolamento.geometry import Race
-from rolamento.plots.axes_units import DEGREE, MEGAPASCAL, MILLIMETRE, ReadableUnit
-from rolamento.plots.balls import check_one_case
-from rolamento.plots.frame import (
-    GREY,
-    empty_frame,
-    label_x,
-    label_y,
-    legend_above,
-    no_result,
-    number,
-    require_axes,
+from rolamento.plots.along_roller import (
+    chosen_roller,
+    lying_roller,
+    most_loaded_rollers,
+    place_name,
+    pressure_along,
+    pressure_name,
+    roller_label,
+    rollers_of,
+    tilted_name,
 )
+from rolamento.plots.axes_units import MEGAPASCAL, MILLIMETRE
+from rolamento.plots.contacts import check_one_case
+from rolamento.plots.frame import GREY, empty_frame, label_x, label_y, legend_above, require_axes
 from rolamento.plots.style import (
     INNER,
     OUTER,
@@ -37,8 +39,8 @@ from rolamento.plots.style import (
     new_stacked_figure,
     series,
 )
+from rolamento.plots.texts import no_result, number
 from rolamento.solved import Solved
-from rolamento.solved.outline import roller_outline
 from rolamento.words import said
 
 if TYPE_CHECKING:
@@ -53,18 +55,12 @@ __all__ = [
 
 Floats = NDArray[np.float64]
 
-_MICROMETRE: Final = ReadableUnit("µm", 1e6)
 _MOST_LINES: Final = len(SERIES)
 _FAINT: Final[dict[str, Any]] = {"color": "#A8A8A8", "linewidth": 0.7}
 _ROOM: Final = 1.08
 _STEPS: Final = (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0)
 _SHAPE: Final = 0.55
 """Height of the drawing of a roller over its length, on paper."""
-_BODY: Final = 0.7
-"""Of what is to be seen of profile and overlap: so much is left of half the roller's body."""
-_MARGIN: Final = 0.12
-_NO_TILT: Final = 1e-7
-"""rad: what is less is rounding."""
 
 
 # --- pressure along the rollers -----------------------------------------------------------------
@@ -100,8 +96,8 @@ def pressure_along_rollers(
     axes = new_figure()[1] if axes is None else require_axes(axes)
     if rollers is None:
         return empty_frame(axes, no_result(str(solved.status.code[0])))
-    place, pressure = rollers.slice_place[0], _pressure(rollers, race)
-    loaded = [one for one in _of_rollers(rollers) if np.nanmax(pressure[one]) > 0.0]
+    place, pressure = rollers.slice_place[0], pressure_along(rollers, race)
+    loaded = [one for one in rollers_of(rollers) if np.nanmax(pressure[one]) > 0.0]
     peaks = most_loaded_rollers(solved, race)
     others = [one for one in loaded if one not in peaks]
     for one in others:
@@ -113,11 +109,11 @@ def pressure_along_rollers(
         handles += axes.plot(
             MILLIMETRE.of(place[one]),
             pressure[one],
-            label=_roller_label(solved, one),
+            label=roller_label(solved, one),
             zorder=3.0,
             **{**look.keywords(), "linestyle": "-" if order == 0 else look.linestyle},
         )
-    _frame_along(axes, solved, MEGAPASCAL.label(_pressure_name(race)))
+    _frame_along(axes, solved, MEGAPASCAL.label(pressure_name(race)))
     legend_above(axes, handles=handles)
     return axes
 
@@ -179,27 +175,13 @@ def compared_rollers(
             continue
         solved = states[label]
         one = most_loaded_rollers(solved, race)[0]
-        x, y = MILLIMETRE.of(rollers.slice_place[0, one]), _pressure(rollers, race)[one]
-        name = said("{name}, {roller}", name=label, roller=_roller_label(solved, one))
+        x, y = MILLIMETRE.of(rollers.slice_place[0, one]), pressure_along(rollers, race)[one]
+        name = said("{name}, {roller}", name=label, roller=roller_label(solved, one))
         axes.plot(x, y, label=name, **series(order).keywords())
     shown = next(solved for label, solved in states.items() if found[label] is not None)
-    _frame_along(axes, shown, MEGAPASCAL.label(_pressure_name(race)))
+    _frame_along(axes, shown, MEGAPASCAL.label(pressure_name(race)))
     legend_above(axes)
     return axes
-
-
-def most_loaded_rollers(solved: Solved, race: Race) -> list[int]:
-    """Return the roller of each row on which the pressure is greatest, the greatest of all first.
-
-    Rows that bear nothing have none.
-    """
-    rollers = solved.rollers
-    assert rollers is not None
-    peak = np.nan_to_num(_pressure(rollers, race)).max(axis=1)
-    rows = solved.elements.row
-    best = [int(np.flatnonzero(rows == row)[peak[rows == row].argmax()]) for row in np.unique(rows)]
-    best = [one for one in best if peak[one] > 0.0]
-    return sorted(best, key=lambda one: -float(peak[one]))
 
 
 def _rollers_of(solved: Solved, figure: str) -> Rollers | None:
@@ -222,39 +204,6 @@ def _rollers_of(solved: Solved, figure: str) -> Rollers | None:
     return solved.rollers
 
 
-def _pressure(rollers: Rollers, race: Race) -> Floats:
-    """MPa, (elements, slices); NaN of balls beside rollers."""
-    line = rollers.inner if race == "inner" else rollers.outer
-    return MEGAPASCAL.of(line.pressure[0])
-
-
-def _of_rollers(rollers: Rollers) -> list[int]:
-    """Which elements are rollers: of a mixed set not the balls."""
-    return np.flatnonzero(np.isfinite(rollers.slice_place[0]).all(axis=1)).tolist()
-
-
-def _roller_label(solved: Solved, roller: int) -> str:
-    azimuth = number(float(DEGREE.of(solved.elements.azimuth[0, roller])) % 360.0)
-    if len(solved.rows) > 1:
-        row = int(solved.elements.row[roller])
-        return said(
-            "roller #{number} of row {row} at {azimuth}°", number=roller, row=row, azimuth=azimuth
-        )
-    return said("roller #{number} at {azimuth}°", number=roller, azimuth=azimuth)
-
-
-def _pressure_name(race: Race) -> str:
-    if race == "inner":
-        return said("Pressure at the inner race")
-    return said("Pressure at the outer race")
-
-
-def _place_name(solved: Solved) -> str:
-    if np.any(solved.rows.sign < 0.0):
-        return said("Place along the roller, from its middle toward +x of its row")
-    return said("Place along the roller, from its middle toward +x")
-
-
 def _frame_along(axes: Axes, solved: Solved, label: str) -> None:
     rollers = solved.rollers
     assert rollers is not None
@@ -263,7 +212,7 @@ def _frame_along(axes: Axes, solved: Solved, label: str) -> None:
     axes.set_ylim(bottom=0.0)
     for end in (-half, half):  # of the effective length
         axes.axvline(end, color=GREY, linewidth=0.7, linestyle=(0, (2, 2)), zorder=1.5)
-    label_x(axes, MILLIMETRE.label(_place_name(solved)))
+    label_x(axes, MILLIMETRE.label(place_name(solved)))
     label_y(axes, label)
 
 
@@ -302,60 +251,29 @@ def roller_between_races(
     axes = new_figure(height=102.0)[1] if axes is None else require_axes(axes)
     if rollers is None:
         return empty_frame(axes, no_result(str(solved.status.code[0])))
-    one = _chosen(solved, rollers, roller)
+    one = chosen_roller(solved, rollers, roller)
     if one is None:
         return empty_frame(axes, said("no roller is loaded"))
-    outline = roller_outline(solved, one)
-    x, axis = MILLIMETRE.of(outline.place), _MICROMETRE.of(outline.tilt * outline.place)
-    drop, inner, outer = map(_MICROMETRE.of, (outline.drop, outline.inner, outline.outer))
-    pressed = max(float(inner.max()), float(outer.max()), 0.0)
-    spans = [float(np.ptp(own)) for own in (axis, drop, inner, outer)]
-    body = pressed + _BODY * max(*spans, pressed, 1e-3)
-    above, below = axis - drop + body, axis + drop - body
-    race_above, race_below = above - outer, below + inner
-    top = max(float(race_above.max()), float(above.max()))
-    bottom = min(float(race_below.min()), float(below.min()))
-    margin = _MARGIN * (top - bottom)
+    lies = lying_roller(solved, one)
+    x = lies.x
     roller_line: dict[str, Any] = {"color": "black", "linewidth": 1.0, "zorder": 3.0}
-    name = _tilted(_roller_label(solved, one), outline.tilt)
-    axes.fill_between(x, below, above, color="#E4E4E4", linewidth=0.0, zorder=1.6)
-    axes.plot(x, above, label=name, **roller_line)
-    axes.plot(x, below, **roller_line)
+    name = tilted_name(roller_label(solved, one), lies.tilt)
+    axes.fill_between(x, lies.below, lies.above, color="#E4E4E4", linewidth=0.0, zorder=1.6)
+    axes.plot(x, lies.above, label=name, **roller_line)
+    axes.plot(x, lies.below, **roller_line)
     for end in (0, -1):
-        axes.plot([x[end]] * 2, [below[end], above[end]], **roller_line)
-    axes.plot(x, axis, color=GREY, linewidth=0.8, linestyle=(0, (8, 2, 1, 2)), zorder=2.5)
-    far = 10.0 * (top - bottom)
-    _draw_race(axes, x, race_above, above, top + far, OUTER.color, said("outer race"))
-    inner_name = _tilted(said("inner race"), outline.ring_tilt)
-    _draw_race(axes, x, race_below, below, bottom - far, INNER.color, inner_name)
-    _set_exaggeration(axes, x, bottom - margin, top + margin)
-    label_x(axes, MILLIMETRE.label(_place_name(solved)))
+        axes.plot([x[end]] * 2, [lies.below[end], lies.above[end]], **roller_line)
+    axes.plot(x, lies.axis, color=GREY, linewidth=0.8, linestyle=(0, (8, 2, 1, 2)), zorder=2.5)
+    far = 10.0 * (lies.top - lies.bottom)
+    outer_name = said("outer race")
+    _draw_race(axes, x, lies.race_above, lies.above, lies.top + far, OUTER.color, outer_name)
+    inner_name = tilted_name(said("inner race"), lies.ring_tilt)
+    _draw_race(axes, x, lies.race_below, lies.below, lies.bottom - far, INNER.color, inner_name)
+    _set_exaggeration(axes, x, lies.bottom, lies.top)
+    label_x(axes, MILLIMETRE.label(place_name(solved)))
     axes.grid(False)
     legend_above(axes)
     return axes
-
-
-def _tilted(name: str, tilt: float) -> str:
-    """Name what is tilted, and how far, if it is."""
-    if abs(tilt) < _NO_TILT:
-        return name
-    return said("{name}, tilt {tilt:.3 mrad}", name=name, tilt=tilt)
-
-
-def _chosen(solved: Solved, rollers: Rollers, roller: int | None) -> int | None:
-    """Return which roller to draw; None if none bears anything."""
-    known = _of_rollers(rollers)
-    if roller is not None:
-        if roller not in known:
-            raise InputError(
-                said("must be the number of a roller, {first} to {last}",
-                     first=known[0], last=known[-1]),
-                field="roller",
-                value=roller,
-            )  # fmt: skip
-        return roller
-    loaded = most_loaded_rollers(solved, "inner") or most_loaded_rollers(solved, "outer")
-    return loaded[0] if loaded else None
 
 
 def _draw_race(

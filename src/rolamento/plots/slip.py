@@ -23,17 +23,10 @@ from rolamento.friction.slip import (
 )
 from rolamento.geometry import Race
 from rolamento.plots.axes_units import MILLIMETRE
-from rolamento.plots.balls import refuse_rollers
-from rolamento.plots.frame import (
-    PlainNumbers,
-    empty_frame,
-    figure_of,
-    label_x,
-    label_y,
-    no_result,
-    number,
-)
+from rolamento.plots.contacts import refuse_rollers
+from rolamento.plots.frame import PlainNumbers, empty_frame, figure_of, label_x, label_y
 from rolamento.plots.style import in_style, new_figure, new_stacked_figure
+from rolamento.plots.texts import no_result, number
 from rolamento.solved import Solved
 from rolamento.words import said
 

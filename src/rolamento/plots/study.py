@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from rolamento.errors import InputError, nearest
 from rolamento.plots.axes_units import NONE, ReadableUnit, readable_unit
-from rolamento.plots.frame import capitalised
+from rolamento.plots.texts import capitalised
 from rolamento.studies.names import setting_name, variable_name
 from rolamento.studies.study import SAMPLE, VARIANT
 from rolamento.words import said

@@ -28,9 +28,6 @@ from rolamento.plots.frame import (
     label_y,
     legend_above,
     log_scale,
-    no_result,
-    no_result_count,
-    number,
 )
 from rolamento.plots.study import (
     PlottedVariable,
@@ -43,6 +40,7 @@ from rolamento.plots.study import (
     output_of,
 )
 from rolamento.plots.style import SERIES, Series, in_style, new_figure, series
+from rolamento.plots.texts import no_result, no_result_count, number
 from rolamento.studies.study import SAMPLE, VARIANT
 from rolamento.words import said
 

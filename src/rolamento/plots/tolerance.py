@@ -10,17 +10,9 @@ from numpy.typing import NDArray
 
 from rolamento.errors import InputError
 from rolamento.plots.axes_units import PERCENT, readable_unit
-from rolamento.plots.frame import (
-    GREY,
-    capitalised,
-    empty_frame,
-    label_x,
-    label_y,
-    number,
-    require,
-    shown_text,
-)
+from rolamento.plots.frame import GREY, empty_frame, label_x, label_y, require
 from rolamento.plots.style import MILLIMETRE, WIDTH, series, styled
+from rolamento.plots.texts import capitalised, number, shown_text
 from rolamento.studies.names import variable_name
 from rolamento.studies.sensitivity import RankCorrelations, ToleranceStudy
 from rolamento.studies.tolerance import FINEST, FLAT, ToleranceBand, ToleranceBands

@@ -22,11 +22,9 @@ from rolamento.plots.frame import (
     label_y,
     legend_above,
     legend_in_columns,
-    number,
-    numbers,
-    shown_text,
 )
 from rolamento.plots.style import INNER, Series, new_figure, new_stacked_figure, series, styled
+from rolamento.plots.texts import number, numbers, shown_text
 from rolamento.vibration.diagnosis import COMPONENTS
 from rolamento.words import manner, marked, said
 from rolamento.words.naming import part_name

@@ -520,13 +520,13 @@ class Preloading:
         the same at the duty's speeds (N)
     lift_factor
         multiple of the external load at which a ball first loses contact with the inner ring; NaN
-        as below
+        and None as below
     lift_row
         whose ball that is; None if none
     loss_factor
         the preload-loss point: multiple of the external load at which a row first loses all
         contact with the inner ring; NaN where there is no external load, or none is lost before
-        the set has no equilibrium
+        the set has no equilibrium; None where nobody looked for it
     lost_row
         which row that is; None if none
     """
@@ -534,10 +534,10 @@ class Preloading:
     kind: str
     at_rest: float
     at_speed: float
-    lift_factor: float
-    lift_row: int | None
-    loss_factor: float
-    lost_row: int | None
+    lift_factor: float | None = None
+    lift_row: int | None = None
+    loss_factor: float | None = None
+    lost_row: int | None = None
     stages: tuple[PreloadStage, ...] = ()
     """Of a mounted set: what becomes of its preload, step by step."""
 

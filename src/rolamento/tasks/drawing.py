@@ -230,8 +230,9 @@ def _of_states(
 def _of_state(path: str, kind: Kind) -> tuple[Axes, str, str | None]:
     """Draw a state; return title and failure too."""
     from rolamento.plots import balls, ellipses, roller
-    from rolamento.plots.frame import empty_frame, no_result
+    from rolamento.plots.frame import empty_frame
     from rolamento.plots.style import new_figure
+    from rolamento.plots.texts import no_result
     from rolamento.solved import Solved
 
     solved = Solved.read(path)

@@ -43,10 +43,14 @@ __all__ = [
     "Input",
     "Origin",
     "Report",
+    "analysis_of",
     "checksum_of",
     "compare_variants",
     "inputs_of",
+    "names_in",
+    "number_of_field",
     "report_on",
+    "with_life",
 ]
 
 SCHEMA: Final = 2
@@ -192,15 +196,25 @@ class CaseReport:
             "inputs": [asdict(one) for one in self.inputs],
             "extremes": _extremes(self.analysis) if self.converged else None,
             "checks": [{**asdict(one), "met": one.met} for one in self.checks],
-            "clearance": None if self.clearance is None else self.clearance.to_mapping(),
+            "clearance": self._chain,
             "analysis": analysis,
             "case": self.case.to_mapping(),
         }
 
     def number(self, path: str) -> float | None:
         """Return a number of `numbers` by its dotted path; None where there is none."""
-        found: Any = self.numbers
-        for part in path.split("."):
+        first, _, rest = path.partition(".")
+        second, _, below = rest.partition(".")
+        found: Any
+        if first == "analysis" and second in _WITHOUT_ELEMENTS:
+            found, rest = self._part(second), below
+        elif first == "extremes" and second in _BRIEF:
+            found = self._brief
+        elif first == "clearance":
+            found = self._chain
+        else:
+            found, rest = self.numbers, path
+        for part in rest.split("."):
             if isinstance(found, list) and part.isdigit() and int(part) < len(found):
                 found = found[int(part)]
             elif isinstance(found, Mapping):
@@ -209,6 +223,24 @@ class CaseReport:
                 return None
         known = isinstance(found, int | float) and not isinstance(found, bool)
         return float(found) if known else None
+
+    def _part(self, name: str) -> Any:
+        """A part of the analysis in `numbers`, which alone takes a fraction of all of it."""
+        if name not in self._parts:
+            self._parts[name] = plain(self.analysis.part(name))
+        return self._parts[name]
+
+    @cached_property
+    def _parts(self) -> dict[str, Any]:
+        return {}
+
+    @cached_property
+    def _chain(self) -> Any:
+        return None if self.clearance is None else self.clearance.to_mapping()
+
+    @cached_property
+    def _brief(self) -> Mapping[str, Any]:
+        return plain(_brief_extremes(self.analysis)) if self.converged else {}
 
     def input(self, field: str) -> Input | None:
         """Return the input of a field; None where the case has none."""
@@ -365,7 +397,7 @@ def compare_variants(
     return report_on(
         list(found.values()),
         names=[setting_name(name) for name in found],
-        changed=[frozenset(_keys(one.changes, "")) for one in with_the_case(variants)],
+        changed=[frozenset(names_in(one.changes)) for one in with_the_case(variants)],
         progress=progress,
     )
 
@@ -383,10 +415,21 @@ def _number_of(found: Input | None) -> float | None:
     return float(value) if isinstance(value, int | float) and not isinstance(value, bool) else None
 
 
+def analysis_of(case: Case, *, quick: bool = False) -> Analysis:
+    """Analyse a case as a report does: with ratings and lives, whether it asks for them or not.
+
+    quick: as of `rolamento.analyse`.
+    """
+    return analyse(with_life(case), quick=quick)
+
+
+def with_life(case: Case) -> Case:
+    """Return a case that asks for its life; by the defaults of [life] where it does not."""
+    return case if has_life(case) else case.replace(life=LifeModel())
+
+
 def _case_report(name: str, read: _Read, inputs: tuple[Input, ...]) -> CaseReport:
-    # a report shows ratings, static safety and lives whether the case asks for them or not
-    case = read.case if has_life(read.case) else read.case.replace(life=LifeModel())
-    return CaseReport(name, read.source, read.case, inputs, analyse(case))
+    return CaseReport(name, read.source, read.case, inputs, analysis_of(read.case))
 
 
 def _head(given: ReportHead | Mapping[str, str] | None, cases: Sequence[Case]) -> ReportHead:
@@ -430,7 +473,7 @@ def _read(bearing: BearingLike, settings: Sequence[str]) -> _Read:
     text, source = read_text(bearing)
     form = format_of_path(bearing) or format_of_text(text)
     case = parse_case(text, format=form, source=source, overrides=settings)
-    return _Read(case, source, frozenset(_keys(parse_mapping(text, form, source), "")))
+    return _Read(case, source, frozenset(names_in(parse_mapping(text, form, source), "")))
 
 
 def _named(settings: Sequence[str]) -> frozenset[str]:
@@ -439,16 +482,16 @@ def _named(settings: Sequence[str]) -> frozenset[str]:
     return frozenset(".".join(part.strip() for part in key) for key in keys)
 
 
-def _keys(mapping: Mapping[str, Any], table: str) -> Iterator[str]:
-    """Dotted names of what a file gives."""
+def names_in(mapping: Mapping[str, Any], table: str = "") -> Iterator[str]:
+    """Give the dotted names of what the tables of a case file say; table: a prefix."""
     for key, value in mapping.items():
         if isinstance(value, Mapping):
-            yield from _keys(value, f"{table}{key}.")
+            yield from names_in(value, f"{table}{key}.")
         elif isinstance(value, list):
             yield f"{table}{key}"
             for index, item in enumerate(value):
                 if isinstance(item, Mapping):
-                    yield from _keys(item, f"{table}{key}.{index}.")
+                    yield from names_in(item, f"{table}{key}.{index}.")
         else:
             yield f"{table}{key}"
 
@@ -531,6 +574,13 @@ def _value(case: Case, name: str) -> float | int | bool | str | None:
         return found
     named = getattr(found, "name", None)  # of a material or a lubricant; others have fields
     return str(named) if named is not None else None
+
+
+def number_of_field(case: Case, name: str) -> float | None:
+    """Return the number that a field of a case has, SI; None where it has none."""
+    found = _value(case, name)
+    known = isinstance(found, int | float) and not isinstance(found, bool)
+    return float(found) if known else None  # type: ignore[arg-type]
 
 
 def _matters(case: Case, name: str, told: Set[str]) -> bool:
@@ -641,6 +691,17 @@ def _checks(analysis: Analysis) -> Iterator[Check]:
                 yield Check(f"film_{symbol}", least, greatest, low, high)
 
 
+def _brief_extremes(analysis: Analysis) -> dict[str, float]:
+    """Those of the extremes that a summary shows, which need no stress below the surface."""
+    found = {"max_pressure": max(float(one.max_pressure[0].max())
+                                 for one in analysis.solved.contacts.values())}  # fmt: skip
+    if analysis.film is not None:
+        found["film_parameter"] = float(analysis.film.minimum_film_parameter[0])
+    if analysis.life is not None and (load := float(analysis.life.loads.dynamic[0])) > 0.0:
+        found["load_ratio"] = float(analysis.life.ratings.dynamic_of_set[0]) / load
+    return found
+
+
 def _extremes(analysis: Analysis) -> dict[str, Any]:
     """The heaviest contacts of a solved case, and what a page shows beside the tables."""
     solved = analysis.solved
@@ -663,14 +724,12 @@ def _extremes(analysis: Analysis) -> dict[str, Any]:
             found[f"{race}_{name}"] = float(getattr(contacts, name)[0, place])
         bearing = solved.loaded[0] if solved.loaded[0].any() else slice(None)
         found[f"{race}_spin_to_roll"] = float(np.abs(contacts.spin_to_roll[0][bearing]).max())
-    found["max_pressure"] = max(found[f"{race}_max_pressure"] for race in RACES)
     found["centrifugal_force"] = float(solved.elements.centrifugal_force[0].max())
     if solved.rollers is not None:
         found["roller_tilt"] = float(np.nanmax(np.abs(solved.rollers.tilt[0])))
         found["rib_force"] = float(np.nanmax(np.abs(solved.rollers.rib_force[0])))
     film = analysis.film
     if film is not None:
-        found["film_parameter"] = float(film.minimum_film_parameter[0])
         for race in RACES:
             element = film.thinnest(race)
             if element is not None:
@@ -683,10 +742,7 @@ def _extremes(analysis: Analysis) -> dict[str, Any]:
     life = analysis.life
     if life is not None:
         found["reference_load"] = float(life.reference_load[0])
-        load = float(life.loads.dynamic[0])
-        if load > 0.0:
-            found["load_ratio"] = float(life.ratings.dynamic_of_set[0]) / load
-    cleaned: dict[str, Any] = plain(found)
+    cleaned: dict[str, Any] = plain({**found, **_brief_extremes(analysis)})
     return cleaned
 
 
@@ -709,6 +765,11 @@ def _compares(path: str) -> bool:
     return not path.startswith(_OF_ELEMENTS) or path.endswith(".load.")
 
 
+_BRIEF: Final = ("max_pressure", "film_parameter", "load_ratio")
+_WITHOUT_ELEMENTS: Final = (
+    "film", "friction", "life", "frequencies", "stiffness", "preload", "rolling", "displacement",
+    "load", "status",
+)  # fmt: skip
 _OF_FILM: Final = (
     "central_thickness", "minimum_thickness", "film_parameter", "entrainment_speed",
     "thermal_factor", "starvation_factor",

@@ -6,7 +6,7 @@ import os
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Any, Final, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -15,11 +15,15 @@ from rolamento.errors import InputError
 from rolamento.numerics.growth import Forecast, Law, forecast
 from rolamento.vibration.reading.units import spelled
 from rolamento.weibull import (
+    METHODS,
     Demonstration,
     Estimand,
+    FitMethod,
     LifeTest,
     LifeTestPlan,
     LifeTestSummary,
+    Method,
+    ShapePrior,
     Trend,
     Wanted,
     alternatives,
@@ -51,6 +55,15 @@ __all__ = [
 
 Progress = Callable[[int, int], None]
 
+FITS: Final[Mapping[str, FitMethod]] = {
+    "ml": "maximum_likelihood",
+    "unbiased": "unbiased",
+    "rrx": "rank_regression_x_on_y",
+    "rry": "rank_regression_y_on_x",
+    "three-parameter": "three_parameter",
+}
+"""Methods of fitting by their short names."""
+
 RATIOS: Final = (0.5, 1.0, 1.5, 2.0, 3.0, 5.0, 10.0)
 """True life over the one to be shown, of which the chances are told."""
 SHAPES: Final = (0.8, 1.0, 1.2, 1.5, 2.0, 2.5, 3.0)
@@ -58,6 +71,8 @@ SHAPES: Final = (0.8, 1.0, 1.2, 1.5, 2.0, 2.5, 3.0)
 _OTHER_FAILURES: Final = (0, 1, 2)
 """Failures allowed in the tests that stand beside the one that is planned."""
 _LIMIT: Final = re.compile(r"([+-]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][+-]?\d{1,3})?)\s*(.{0,20})")
+_PRIOR: Final = re.compile(r"(?:(lognormal|uniform):)?([^:]{1,30})\.\.([^:]{1,30})")
+_MOST_CALCULATED: Final = 8
 _SAMPLES, _FEWEST_SAMPLES = 10_000, 1000
 _MAXIMUM_DRAWN: Final = 5_000_000
 """Bearings in all drawn tests together, if it is left to the program."""
@@ -142,6 +157,92 @@ def only_groups(test: LifeTest, names: Sequence[str]) -> LifeTest:
 def _enough_samples(size: int) -> int:
     """How many tests to draw: those of many bearings take long, and few of them do."""
     return max(min(_SAMPLES, _MAXIMUM_DRAWN // size), _FEWEST_SAMPLES)
+
+
+def fits_named(names: Sequence[str], *, three_parameter: bool = False) -> tuple[FitMethod, ...]:
+    """Return methods of fitting by their short names; the usual four where none is named.
+
+    Raises
+    ------
+    InputError
+        If there is no such method.
+    """
+    for name in names:
+        if name not in FITS:
+            rule = said("must be one of {known}", known=", ".join(FITS))
+            raise InputError(rule, field="method", value=name, example="ml")
+    chosen = [*(names or ("ml", "unbiased", "rrx", "rry"))]
+    chosen += ["three-parameter"] if three_parameter else []
+    return tuple(dict.fromkeys(FITS[name] for name in chosen))
+
+
+def bounds_known() -> list[str]:
+    """Return the names of the methods of bounds that can be chosen."""
+    return [method.replace("_", "-") for method in METHODS if method != "fixed_shape"]
+
+
+def bounds_named(name: str) -> Method:
+    """Return a method of bounds by its name, however its words are joined.
+
+    Raises
+    ------
+    InputError
+        If there is no such method.
+    """
+    known, word = bounds_known(), name.replace("_", "-")
+    if word not in known:
+        rule = said("must be one of {known}", known=", ".join(known))
+        raise InputError(rule, field="bounds", value=name, example=known[0])
+    return cast("Method", word.replace("-", "_"))
+
+
+def prior_of(text: str) -> ShapePrior:
+    """Return what is known of a shape beforehand: "1..2.5", or "uniform:1..2.5".
+
+    Raises
+    ------
+    InputError
+        If the text is no such range.
+    """
+    match = _PRIOR.fullmatch(text.strip())
+    try:
+        low, high = (float(match[2]), float(match[3])) if match else (0.0, 0.0)
+    except ValueError:
+        match = None
+    if match is None:
+        raise InputError(
+            said("must be LOW..HIGH, the 90 % range of the shape, or uniform:LOW..HIGH"),
+            field="prior",
+            value=text,
+            example="1..2.5",
+        )
+    try:
+        return ShapePrior(low, high, kind="uniform" if match[1] == "uniform" else "lognormal")
+    except InputError as error:
+        raise error.with_details(source="prior") from None
+
+
+def lives_named(texts: Sequence[str]) -> dict[str, str]:
+    """Return lives by their names, from "NAME=LIFE"; one without is called by what was written.
+
+    Raises
+    ------
+    InputError
+        If there are too many, or two of one name.
+    """
+    if len(texts) > _MOST_CALCULATED:
+        rule = said("may be given at most {most} times", most=_MOST_CALCULATED)
+        raise InputError(rule, field="calculated")
+    lives: dict[str, str] = {}
+    for text in texts:
+        name, _, life = text.rpartition("=")
+        name = name.strip() or text.strip()
+        if name in lives:
+            raise InputError(
+                said("gives two lives of the same name"), field="calculated", value=text
+            )
+        lives[name] = life
+    return lives
 
 
 # --- planned tests ---------------------------------------------------------------------------

@@ -144,6 +144,7 @@ def set_factor(quantity: str, arrangement: str, pair_preload: float) -> float:
     load = several.replace(duty=Duty(load=Load(fx=toward * pair_preload)))
     found = solve(load if quantity == "lift_off" else several).preload
     assert found is not None
+    assert found.loss_factor is not None
     return found.loss_factor if quantity == "lift_off" else found.at_rest / pair_preload
 
 

@@ -13,6 +13,7 @@ from rolamento.words.manner import (
 )
 from rolamento.words.note import Note
 from rolamento.words.speaking import (
+    calling,
     counted,
     language,
     language_asked,
@@ -32,6 +33,7 @@ __all__ = [
     "Manner",
     "Note",
     "aligned",
+    "calling",
     "counted",
     "decimals_for",
     "in_unit",

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import gettext
 import os
+import re
 import struct
 import sys
 from collections.abc import Iterator, Mapping, Sequence
@@ -23,6 +24,7 @@ from rolamento.words.manner import Manner
 __all__ = [
     "CATALOGUES",
     "DOMAIN",
+    "calling",
     "counted",
     "language",
     "language_asked",
@@ -44,6 +46,7 @@ _MARK: Final = "decimal mark"
 """The context of the entry by which a catalogue gives its decimal mark."""
 
 _spoken: ContextVar[str] = ContextVar("language", default=ENGLISH)
+_called: ContextVar[Mapping[str, str] | None] = ContextVar("names", default=None)
 
 
 @cache
@@ -105,6 +108,22 @@ def speaking(code: str | None) -> Iterator[None]:
         _spoken.reset(token)
 
 
+@contextmanager
+def calling(names: Mapping[str, str]) -> Iterator[None]:
+    """Call things otherwise within a block: options of the commands as a page does.
+
+    Parameters
+    ----------
+    names
+        What stands on the page in place of ``"--shape"``.
+    """
+    token = _called.set(names)
+    try:
+        yield
+    finally:
+        _called.reset(token)
+
+
 def said(message: str, /, **values: Any) -> str:
     """Say a text in the language that is spoken, its places filled in.
 
@@ -140,6 +159,9 @@ def manner() -> Manner:
 
 
 def _filled(text: str, values: Mapping[str, Any]) -> str:
+    if names := _called.get():
+        known = "|".join(sorted(map(re.escape, names), key=len, reverse=True))
+        text = re.sub(rf"(?:{known})(?![\w-])", lambda found: names[found[0]], text)
     return manner().vformat(text, (), values) if values else text
 
 

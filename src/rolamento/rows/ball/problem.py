@@ -75,11 +75,12 @@ def apply_model(p: Floats, model: Model) -> None:
     p[layout.LAMBDA_INNER] = 1.0 if model.raceway_control == "none" else 0.0
 
 
+@lru_cache(maxsize=64)
 def directions(balls: int) -> tuple[Floats, Floats]:
     """Cosine and sine of 2π j/Z for every ball j, symmetrical to the last bit; (balls,) each.
 
-    Balls that mirror each other then have the same place to the last bit too, and a ball at 90°
-    is under no part of a load along z.
+    Not to be written to. Balls that mirror each other then have the same place to the last bit
+    too, and a ball at 90° is under no part of a load along z.
     """
     part = np.arange(balls)
     quarter, rest = np.divmod(4 * part, balls)

@@ -30,6 +30,8 @@ PLAIN_WORK: Final = 1e4
 _hard_cases: Final = Event()
 """Set where a case took the safe path in plain Python: the next may be as slow, so that compiled
 kernels are loaded if they are on disk."""
+_ready: Final = Event()
+"""Set once the compiled kernels have run: to ask for them takes as long as a small case."""
 LEAST_INERTIA: Final = 1e-7
 """Approach under a ball's own centrifugal force, over the groove's offset, that still counts."""
 
@@ -94,10 +96,12 @@ def solve_columns(
         return solution
     finite = np.isfinite(p).all(axis=0)
     moving = has_inertia(p)
-    _solve_some(np.flatnonzero(finite & ~moving), p, control, balls, False, threads, fast, solution)
-    # what is left out of those is part of their residual: some have to be solved with it
-    again = np.isin(solution.code, (accept.NEEDS_INERTIA, status.NOT_CONVERGED))
-    moving |= again & turns(p)
+    still = np.flatnonzero(finite & ~moving)
+    if len(still):
+        _solve_some(still, p, control, balls, False, threads, fast, solution)
+        # what is left out of those is part of their residual: some have to be solved with it
+        again = (solution.code == accept.NEEDS_INERTIA) | (solution.code == status.NOT_CONVERGED)
+        moving |= again & turns(p)
     _solve_some(np.flatnonzero(finite & moving), p, control, balls, True, threads, fast, solution)
     return solution
 
@@ -154,19 +158,23 @@ def _run_threads(
     cases = p.shape[1]
     p, control = np.ascontiguousarray(p), np.ascontiguousarray(control, dtype=np.float64)
     (cosines, sines), out = directions(balls), solution.arrays()
-    plain = not (_hard_cases.is_set() and solve_cases.is_cached)
-    if cases <= FEW and not solve_cases.is_loaded and plain:
-        if _interpret(p, control, cosines, sines, moving, 0, cases, False, PLAIN_WORK, out):
-            if solution.safe.any():
-                _hard_cases.set()
-            return
-        solution.put(np.arange(cases), Solution.empty(cases, balls))
-    if not solve_cases.is_cached:
-        _log.warning("compiling the solver for this machine, once: this takes about half a minute")
+    if not _ready.is_set():
+        plain = not (_hard_cases.is_set() and solve_cases.is_cached)
+        if cases <= FEW and not solve_cases.is_loaded and plain:
+            if _interpret(p, control, cosines, sines, moving, 0, cases, False, PLAIN_WORK, out):
+                if solution.safe.any():
+                    _hard_cases.set()
+                return
+            solution.put(np.arange(cases), Solution.empty(cases, balls))
+        if not solve_cases.is_cached:
+            _log.warning(
+                "compiling the solver for this machine, once: this takes about half a minute"
+            )
 
     def run(first: int) -> None:
         last = min(first + CHUNK, cases)
         solve_cases.compiled(p, control, cosines, sines, moving, first, last, fast, MOST_WORK, out)
+        _ready.set()
 
     workers = min(thread_count(threads), -(-cases // CHUNK))
     if workers == 1:

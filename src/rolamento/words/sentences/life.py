@@ -278,6 +278,16 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "No L_able: the viscosity ratio is not known; it needs a lubricant with its temperature, or"
         " life.viscosity_ratio."
     ),
+    # what a quick analysis leaves out
+    "without_friction_models": marked(
+        "Quick analysis: the friction by the other models is left out."
+    ),
+    "without_stress_volume": marked(
+        "Quick analysis: the life by the stress volume, that of Ioannides and Harris, is left out."
+    ),
+    "without_preload_loss": marked(
+        "Quick analysis: the load at which the set loses its preload is left out."
+    ),
     # changes that help
     "less_load": marked("all forces and moments {change:+.0f %}"),
     "less_clearance": marked("diametral clearance {change:+.0f µm}"),

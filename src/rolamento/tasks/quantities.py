@@ -12,7 +12,7 @@ from typing import Any, Final, Literal
 from rolamento.errors import InputError, guess
 from rolamento.words import said
 
-__all__ = ["Kind", "fields_of", "number_given", "number_of"]
+__all__ = ["Kind", "fields_of", "number_given", "number_of", "part_of_one"]
 
 Kind = Literal["number", "whole", "text", "angle", "length", "frequency", "time", "acceleration"]
 
@@ -55,6 +55,23 @@ def number_of(text: str, option: str, kind: Kind, example: str) -> float:
         If it is none.
     """
     return float(_value_of(text, option, "", kind, example))
+
+
+def part_of_one(text: str, parameter: str, example: str) -> float:
+    """Return a part of one, given as a number or in percent.
+
+    Raises
+    ------
+    InputError
+        If it is none.
+    """
+    number = text.strip()
+    try:
+        value = float(number.removesuffix("%"))
+    except ValueError:
+        rule = said("must be a fraction such as 0.03, or a percentage")
+        raise InputError(rule, field=parameter, value=text, example=example) from None
+    return value / 100.0 if number.endswith("%") else value
 
 
 def _value_of(text: str, option: str, key: str, kind: Kind, example: str) -> Any:

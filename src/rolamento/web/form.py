@@ -1,0 +1,159 @@
+"""The fields of a case as a form: groups, labels, units, bounds, choices; values with their origin.
+
+Made from the records themselves (`Case.fields`); only what stands first, and which pairs of fields
+an engineer moves with a slider, is said here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from functools import cache
+from typing import Any, Final
+
+from rolamento.case import Case
+from rolamento.case.bearing import Bearing
+from rolamento.case.fields import Field, fields_of, of_elements
+from rolamento.case.roller_bearing import RollerBearing
+from rolamento.tasks.report import inputs_of
+from rolamento.units import Dimension, from_si, to_si, usual_units
+from rolamento.words import said
+
+__all__ = ["FIRST", "form", "inputs", "suitable", "units"]
+
+FIRST: Final = (
+    "bearing.designation",
+    "bearing.contact_angle",
+    "bearing.diametral_clearance",
+    "bearing.arrangement",
+    "bearing.preload.force",
+    "bearing.preload.spring",
+    "bearing.preload.level",
+    "duty.inner_speed",
+    "duty.load.fx",
+    "duty.load.fz",
+    "duty.load.fy",
+    "duty.load.my",
+    "duty.load.mz",
+    "lubricant",
+    "temperature.lubricant",
+    "mounting.clearance_class",
+    "mounting.shaft_tolerance",
+    "mounting.housing_tolerance",
+    "life.cleanliness",
+    "life.wanted_life",
+)
+"""The fields that an engineer asks for first; the others of their group stand behind them."""
+
+_CUSTOMARY: Final[Mapping[Dimension, tuple[str, ...]]] = {
+    "force": ("lbf",),
+    "moment": ("lbf in",),
+    "stress": ("ksi",),
+    "temperature": ("degF",),
+}
+"""Units that are read too, beside the usual ones of a dimension."""
+_ELEMENTS: Final = {"ball": ("ball",), "roller": ("cylindrical", "tapered", "needle")}
+_MICROMETRES: Final = {"um": "µm"}
+"""For keyboards without the sign; the form offers the sign alone."""
+_OF_SETS: Final = ("bearing.preload", "bearing.spacing")
+"""What a bearing that stands alone has not."""
+_SIGNS: Final = (("deg", "°"), ("^2", "²"), ("^3", "³"), (" ", "·"))
+
+
+def form() -> list[dict[str, Any]]:
+    """Return the groups of fields, in the language that is spoken."""
+    groups = {
+        "bearing": said("Bearing"),
+        "duty": said("Duty"),
+        "lubricant": said("Lubricant"),
+        "temperature": said("Temperatures"),
+        "surface": said("Surfaces"),
+        "mounting": said("Mounting"),
+        "life": said("Life"),
+        "film": said("Film"),
+        "model": said("Model"),
+        "report": said("Report"),
+    }
+    found: dict[str, list[dict[str, Any]]] = {key: [] for key in groups}
+    for name, field in Case.fields().items():
+        group = name.partition(".")[0]
+        found["report" if group == "title" else group].append(_described(name, field))
+    order = {name: place for place, name in enumerate(FIRST)}
+    for fields in found.values():
+        fields.sort(key=lambda one: order.get(one["name"], len(order)))
+    return [{"key": key, "label": groups[key], "fields": fields} for key, fields in found.items()]
+
+
+def _described(name: str, field: Field) -> dict[str, Any]:
+    return {
+        "name": name,
+        "label": field.label,
+        "meaning": field.meaning,
+        "kind": field.kind,
+        "dimension": field.dimension or "",
+        "unit": _MICROMETRES.get(field.shown_unit, field.shown_unit),
+        "choices": list(field.choices),
+        "suggestions": list(field.names),
+        "limits": {} if field.bounds is None else field.bounds.limits_in_si,
+        "limits_text": field.limits,
+        "example": field.example.strip('"') if field.kind != "list" else field.example,
+        "replaces": list(field.replaces),
+        "of": [kind for kind, elements in _ELEMENTS.items() if name in suitable(*elements)],
+        "of_sets": name.startswith(_OF_SETS),
+        "first": name in FIRST,
+        "entries": [_described(leaf, own) for leaf, own in field.entries.items()],
+    }
+
+
+@cache
+def suitable(*elements: str) -> frozenset[str]:
+    """Return the names of the fields that bearings with one of these elements have."""
+    records = {Bearing if element == "ball" else RollerBearing for element in elements}
+    own = {f"bearing.{name}" for record in records for name in fields_of(record)}
+    return frozenset(
+        name
+        for name in Case.fields()
+        if of_elements(name, elements) and (not name.startswith("bearing.") or name in own)
+    )
+
+
+@cache
+def units() -> dict[str, list[dict[str, Any]]]:
+    """Return the units of each dimension: value in SI = factor × number + offset."""
+    dimensions = sorted({one.dimension for one in Case.fields().values() if one.dimension})
+    return {dimension: list(_units_of(dimension)) for dimension in dimensions}
+
+
+def _units_of(dimension: Dimension) -> Iterator[dict[str, Any]]:
+    for unit in (*usual_units(dimension), *_CUSTOMARY.get(dimension, ())):
+        if unit in _MICROMETRES:
+            continue
+        offset = to_si(f"0 {unit}", dimension) if dimension == "temperature" else 0.0
+        label = unit
+        for written, sign in _SIGNS:
+            label = label.replace(written, sign)
+        yield {
+            "unit": unit,
+            "label": label,
+            "factor": to_si(f"1 {unit}", dimension) - offset,
+            "offset": offset,
+        }
+
+
+def inputs(case: Case, given: frozenset[str]) -> dict[str, dict[str, Any]]:
+    """Return every value that counts, by its field: in SI, as a file holds it, and its origin.
+
+    given: dotted names of what the case's file says.
+    """
+    fields = Case.fields()
+    found = {}
+    for one in inputs_of(case, given):
+        field = fields.get(one.field)
+        dimension = None if field is None else field.dimension
+        known = dimension is not None and not isinstance(one.value, bool | str)
+        found[one.field] = {
+            "value": one.value,
+            "text": from_si(float(one.value), dimension) if known and dimension else str(one.value),
+            "origin": one.origin,
+            "source": one.source,
+        }
+    return found

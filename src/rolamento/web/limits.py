@@ -1,0 +1,181 @@
+"""How much is done at once, and for how long: threads for what is fast, processes for the rest.
+
+What is fast runs in threads of the server, as many as there are processors. What is slow runs in
+worker processes, which a time limit or a visitor's leaving ends, with a lower priority: so it never
+holds up what is fast.
+"""
+
+from __future__ import annotations
+
+import os
+import threading
+from collections.abc import Callable
+from contextvars import ContextVar
+from functools import cache
+from typing import Any, Final, TypeVar, cast
+
+import anyio
+import anyio.to_process
+import anyio.to_thread
+from starlette.types import Receive
+
+from rolamento.errors import InputError
+from rolamento.web.answers import RequestError
+from rolamento.words import language, said, speaking
+
+__all__ = ["VISITOR", "Limits", "fast", "slow"]
+
+R = TypeVar("R")
+
+FAST_AT_ONCE: Final = max(2, os.cpu_count() or 1)
+SLOW_AT_ONCE: Final = max(1, (os.cpu_count() or 2) - 1)
+_MOST_WAITING: Final = {"fast": 100, "slow": 8}
+"""Requests of a kind that may wait for their turn."""
+SECONDS: Final = 60.0
+"""That something slow may take, its turn in the queue not counted."""
+_LONGEST_WAIT: Final = 60.0
+"""Seconds in the queue."""
+_NICENESS: Final = 10
+
+
+VISITOR: Final[ContextVar[Receive | None]] = ContextVar("visitor", default=None)
+"""Tells when whoever made the request that is answered has left; its body has been read then."""
+
+
+class Limits:
+    """The queue of one kind of work."""
+
+    def __init__(self, at_once: int, most_waiting: int) -> None:
+        self.limiter = anyio.CapacityLimiter(at_once)
+        self.most_waiting = most_waiting
+
+    def check(self) -> None:
+        """Refuse a request if too many wait already.
+
+        Raises
+        ------
+        RequestError
+            503, to be tried again later.
+        """
+        if self.limiter.statistics().tasks_waiting >= self.most_waiting:
+            raise _busy()
+
+
+def _busy() -> RequestError:
+    return RequestError(said("too many requests are waiting; try again in a moment"), 503)
+
+
+@cache
+def _queues(_thread: int) -> dict[str, Limits]:
+    """The queues of an event loop, which is one to a thread."""
+    return {
+        "fast": Limits(FAST_AT_ONCE, _MOST_WAITING["fast"]),
+        "slow": Limits(SLOW_AT_ONCE, _MOST_WAITING["slow"]),
+    }
+
+
+async def fast(function: Callable[..., R], *args: Any) -> R:
+    """Run what takes milliseconds, in a thread, in the language that is spoken.
+
+    Raises
+    ------
+    RequestError
+        503, if too many wait.
+    """
+    queue = _queues(threading.get_ident())["fast"]
+    queue.check()
+    return await anyio.to_thread.run_sync(function, *args, limiter=queue.limiter)
+
+
+async def slow(function: Callable[..., R], *args: Any, seconds: float = SECONDS) -> R:
+    """Run what may take seconds, in a process that a time limit or a cancellation ends.
+
+    Parameters
+    ----------
+    function
+        Of a module, not nested; it, the arguments and what it returns are pickled.
+    seconds
+        It may take.
+
+    Raises
+    ------
+    RequestError
+        503 if too many wait, 504 if it takes longer.
+    """
+    queue = _queues(threading.get_ident())["slow"]
+    queue.check()
+    try:
+        with anyio.fail_after(_LONGEST_WAIT):
+            await queue.limiter.acquire()
+    except TimeoutError:
+        raise _busy() from None
+    try:
+        with anyio.fail_after(seconds):
+            found = await _while_there(_in_worker, language(), function, args)
+    except TimeoutError:
+        rule = said("took longer than {seconds} s and was ended", seconds=seconds)
+        raise RequestError(rule, 504) from None
+    finally:
+        queue.limiter.release()
+    if isinstance(found, InputError):
+        raise found
+    return cast(R, found)
+
+
+async def _while_there(function: Callable[..., R], *args: Any) -> R | InputError:
+    """Run something in a process that ends when the visitor leaves.
+
+    Raises
+    ------
+    Exception
+        What it raised.
+    """
+    found: list[R] = []
+    failure: list[Exception] = []
+
+    async def run() -> None:
+        try:
+            found.append(
+                await anyio.to_process.run_sync(
+                    function, *args, cancellable=True, limiter=_unlimited()
+                )
+            )
+        except Exception as error:
+            failure.append(error)
+        group.cancel_scope.cancel()
+
+    async def watch(receive: Receive) -> None:
+        while (await receive())["type"] != "http.disconnect":
+            pass
+        group.cancel_scope.cancel()
+
+    receive = VISITOR.get()
+    async with anyio.create_task_group() as group:
+        group.start_soon(run)
+        if receive is not None:
+            group.start_soon(watch, receive)
+    if failure:
+        raise failure[0]
+    return found[0] if found else RequestError(said("the visitor has left"), 499)
+
+
+@cache
+def _unlimited() -> anyio.CapacityLimiter:
+    return anyio.CapacityLimiter(float("inf"))
+
+
+def _in_worker(code: str, function: Callable[..., R], args: tuple[Any, ...]) -> R | InputError:
+    """Run a function in a worker process; what it refuses is returned, with all that it says."""
+    _be_modest()
+    with speaking(code):
+        try:
+            return function(*args)
+        except InputError as error:
+            return error
+
+
+@cache
+def _be_modest() -> None:
+    """Let requests that are fast go first."""
+    if hasattr(os, "nice"):
+        os.nice(_NICENESS)

@@ -1,0 +1,156 @@
+"""What the page shows of a case, or of two side by side, while they are changed."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from functools import lru_cache
+from time import perf_counter
+from typing import Any, Final, NamedTuple
+
+from rolamento import __version__
+from rolamento.analysis import Analysis
+from rolamento.case import Case
+from rolamento.case.fields import changed
+from rolamento.case.report import ReportHead
+from rolamento.document import Document
+from rolamento.document.html import body
+from rolamento.errors import InputError
+from rolamento.pages.report import PARTS, part_of, summary_section, warning_section
+from rolamento.tasks.report import CaseReport, Input, Report, analysis_of, inputs_of, names_in
+from rolamento.web.answers import error_object
+from rolamento.web.form import inputs
+from rolamento.web.pictures import figures
+from rolamento.words import language, said
+from rolamento.words.reasons import reason
+
+__all__ = ["MOST_CASES", "live"]
+
+MOST_CASES: Final = 2
+_REMEMBERED: Final = 64
+"""Analyses: of two cases side by side one stays as it is while the other is moved."""
+
+
+class _Given(NamedTuple):
+    """A case as the page holds it, read and analysed."""
+
+    case: Case
+    named: frozenset[str]
+    analysis: Analysis
+
+
+def live(request: Mapping[str, Any]) -> dict[str, Any]:
+    """Return what the page shows of the cases of a request.
+
+    Parameters
+    ----------
+    request
+        ``cases``: one or two of ``{"case": tables as a file has them, "changes": {field: value as
+        a file has it, or None}}``; ``pictures``, ``sections``: keys of what is seen; ``quick``:
+        leave out what is slow.
+
+    Raises
+    ------
+    InputError
+        If it is no such request; a case that is wrong is told of in its place.
+    """
+    began = perf_counter()
+    entries = request.get("cases")
+    if not isinstance(entries, list) or not 1 <= len(entries) <= MOST_CASES:
+        raise InputError(
+            said("must be a list of 1 to {most} cases", most=MOST_CASES),
+            field="cases",
+            example='[{"case": {"bearing": {"designation": "6310"}, "duty": {}}, "changes": {}}]',
+        )
+    quick = request.get("quick") is True
+    told: list[dict[str, Any]] = []
+    found: list[_Given | None] = []
+    for entry in entries:
+        answer, given = _one(entry, quick=quick)
+        told.append(answer)
+        found.append(given)
+    keys, parts = (_names(request, name) for name in ("pictures", "sections"))
+    analyses = [None if one is None else one.analysis for one in found]
+    return {
+        "cases": told,
+        "pictures": figures(analyses, keys),
+        **_documents(found, parts, quick=quick),
+        "milliseconds": 1e3 * (perf_counter() - began),
+    }
+
+
+def _names(request: Mapping[str, Any], name: str) -> list[str]:
+    given = request.get(name, [])
+    if not isinstance(given, list) or not all(isinstance(one, str) for one in given):
+        raise InputError(said("must be a list of names"), field=name, example='["rosette"]')
+    return given
+
+
+def _one(entry: object, *, quick: bool) -> tuple[dict[str, Any], _Given | None]:
+    mapping: Any = entry.get("case") if isinstance(entry, Mapping) else None
+    changes: Any = entry.get("changes") or {} if isinstance(entry, Mapping) else None
+    if not isinstance(mapping, Mapping) or not isinstance(changes, Mapping):
+        raise InputError(
+            said("must have the tables of a case, and may have changes"),
+            field="cases",
+            example='{"case": {"bearing": {"designation": "6310"}, "duty": {}}, "changes": {}}',
+        )
+    answer: dict[str, Any] = {"case": mapping, "status": None, "error": None}
+    try:
+        answer["case"] = mapping = changed(mapping, changes, Case, in_file=True)
+        given = _given(json.dumps(mapping, sort_keys=True), quick)
+    except InputError as error:
+        return {**answer, "error": error_object(error)}, None
+    solved = given.analysis.solved
+    code, advice = str(solved.status.code[0]), solved.advice[0]
+    answer["status"] = {
+        "code": code,
+        "converged": bool(solved.converged[0]),
+        "text": reason(code),
+        "advice": None if advice is None else advice.text,
+        "left_out": list(given.analysis.left_out),
+    }
+    answer["title"] = given.case.title
+    answer["elements"] = sorted({place.bearing.element for place in given.case.bearing.places})
+    if not quick:
+        answer["inputs"] = inputs(given.case, given.named)
+    return answer, given
+
+
+@lru_cache(maxsize=_REMEMBERED)
+def _given(text: str, quick: bool) -> _Given:
+    mapping = json.loads(text)
+    case = Case.from_mapping(mapping)
+    return _Given(case, frozenset(names_in(mapping)), analysis_of(case, quick=quick))
+
+
+def _documents(
+    found: Sequence[_Given | None], keys: Sequence[str], *, quick: bool
+) -> dict[str, Any]:
+    """The summary, the parts that are open, and what the reader should know, as HTML."""
+    there = [(name, one) for name, one in zip("AB", found, strict=False) if one is not None]
+    if not there:
+        return {"summary": "", "notes": "", "sections": {}}
+    asks = "inputs" in keys or len(there) > 1
+    cases = tuple(
+        CaseReport(name, "", one.case, _inputs(one) if asks else (), one.analysis)
+        for name, one in there
+    )
+    report = Report(ReportHead(), cases, __version__)
+    wanted = [key for key in dict.fromkeys(keys) if key in PARTS]
+    return {
+        "summary": _html(report, "summary"),
+        "notes": "" if quick else _html(report, "notes"),
+        "sections": {key: _html(report, key) for key in wanted},
+    }
+
+
+def _inputs(one: _Given) -> tuple[Input, ...]:
+    return inputs_of(one.case, one.named)
+
+
+def _html(report: Report, key: str) -> str:
+    makers = {"summary": summary_section, "notes": warning_section}
+    section = makers[key](report) if key in makers else part_of(report, key)
+    return body(Document("", (replace(section, heading=""),), kind="live", language=language()))

@@ -1,0 +1,64 @@
+// The live loop: one request in flight, the latest wins, quick ones while something moves.
+
+import { ask } from "./ask.js";
+
+const PAUSE = 150; // ms without a move, after which everything is asked for
+
+/**
+ * Keep what is shown in step with the cases.
+ * @param {import("./store.js").Store} store
+ * @param {object} hooks  `wishes(quick)`: keys of pictures and sections; `waiting()`;
+ *   `show(answer, quick)`; `failed(error)`
+ * @returns {{follow: (quick?: boolean) => void, restart: () => void}}
+ */
+export function liveLoop(store, { wishes, waiting, show, failed }) {
+  let flying = null; // the request that is under way
+  let again = null; // "quick" or "full": what goes when it lands
+  let timer = 0;
+
+  async function fly(quick) {
+    const mine = { quick, stop: new AbortController() };
+    flying = mine;
+    const cases = store.asked;
+    try {
+      const answer = await ask("live", { cases, quick, ...wishes(quick) }, { signal: mine.stop.signal });
+      if (flying !== mine) return;
+      store.take(answer.cases, cases);
+      if (!quick && !store.slots.some((one) => one.error)) store.settled();
+      show(answer, quick);
+    } catch (error) {
+      if (flying !== mine || error.name === "AbortError") return;
+      again = null;
+      clearTimeout(timer);
+      failed(error);
+    } finally {
+      if (flying === mine) {
+        flying = null;
+        const next = again;
+        again = null;
+        if (next) fly(next === "quick");
+      }
+    }
+  }
+
+  function follow(quick = false) {
+    waiting();
+    clearTimeout(timer);
+    if (quick) timer = setTimeout(follow, PAUSE);
+    if (flying?.quick) {
+      again = quick ? (again ?? "quick") : "full"; // it lands in a moment
+      return;
+    }
+    flying?.stop.abort();
+    fly(quick);
+  }
+
+  /** After cases were put in place of others: what is under way is of no use. */
+  function restart() {
+    flying?.stop.abort();
+    flying = again = null;
+    follow();
+  }
+
+  return { follow, restart };
+}

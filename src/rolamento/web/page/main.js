@@ -1,0 +1,412 @@
+// The page: it starts, shows the cases and their answers, and hands each control its work.
+
+import {
+  Refused, Silent, ask, download, fillIn, make, remember, remembered, say, setHtml, speak,
+} from "./ask.js";
+import { startCurves, curvesStale } from "./curves.js";
+import { saveReport, startDrops } from "./drops.js";
+import { isSet, kindsOf, makeForm, useOrigins } from "./form.js";
+import { liveLoop } from "./live.js";
+import { makeOpening } from "./opening.js";
+import { offerPictures, retheme, showPictures, stalePictures, startPictures, visibleKeys } from "./pictures.js";
+import { packed, unpacked } from "./share.js";
+import { Store } from "./store.js";
+import { useUnits } from "./units.js";
+
+const AGAIN = 1000; // ms until a server that does not answer is asked again
+const LEFT_OUT = { friction_models: "friction", stress_volume: "lives", preload_loss: "rows" };
+const TAGS = { pt: "pt-BR" };
+
+const $ = (id) => document.getElementById(id);
+const store = new Store();
+let start = null; // what GET /page/start hands over
+let form = null;
+let shownSource = 0; // of the case that the form was made for
+let asking = 0; // timer of the sign that an answer is awaited
+
+// --- starting ----------------------------------------------------------------------------------
+
+function applyTheme() {
+  const theme = remembered("theme", "");
+  if (theme) document.documentElement.dataset.theme = theme;
+  else delete document.documentElement.dataset.theme;
+  $("theme").value = theme;
+}
+
+/** The answer of /page/start, waiting for a server that is warming up or away. */
+async function started(lang) {
+  for (;;) {
+    try {
+      const answer = await ask("start", undefined, { lang });
+      speak(answer);
+      const part = Math.round(100 * (answer.progress ?? 0));
+      banner(answer.ready ? "" : say("warming", { part }));
+      if (answer.ready) return answer;
+    } catch (error) {
+      if (!(error instanceof Silent) && error.status !== 503) throw error;
+      if (start) banner(say("server.silent"));
+    }
+    await new Promise((resolve) => setTimeout(resolve, AGAIN));
+  }
+}
+
+/** Put everything that has words in place; again after a change of the language. */
+function arrange() {
+  const root = document.documentElement;
+  root.lang = TAGS[start.lang] ?? start.lang;
+  useUnits(start.units, start.words["decimal.mark"]);
+  useOrigins(start.origins);
+  fillIn(document);
+  document.title = "Rolamento";
+  $("version").textContent = `Rolamento ${start.version}`;
+  const names = new Intl.DisplayNames([root.lang], { type: "language" });
+  $("language").replaceChildren(...start.languages.map((code) => make("option", {
+    value: code, selected: code === start.lang, lang: TAGS[code] ?? code,
+    textContent: new Intl.DisplayNames([TAGS[code] ?? code], { type: "language" }).of(code) ?? names.of(code),
+  })));
+  opening.arrange(start.examples);
+  form = makeForm($("form"), start, store, (name, value, quick) => {
+    store.change(name, value);
+    live.follow(quick);
+    buttons();
+  });
+  shownSource = 0;
+  $("pictures").replaceChildren();
+  startPictures($("pictures"), start.pictures, start.words, { lang: start.lang, onVisible: () => store.current && live.follow() });
+  $("curves").replaceChildren();
+  startCurves($("curves"), { words: start.words, lang: start.lang, say, ask, cases: () => store.slots.map((one) => one.case) });
+  $("sections").replaceChildren(...[{ key: "notes", label: say("notes") }, ...start.sections].map(makeSection));
+  for (const kind of ["weibull", "signal"]) {
+    $(kind).replaceChildren();
+    delete $(kind).dataset.started;
+  }
+}
+
+function makeSection({ key, label }) {
+  const body = make("div", { className: "rolamento" });
+  const details = make("details", {
+    className: "section", open: remembered(`section.${key}`, ["notes", "loads", "lives"].includes(key)),
+    ontoggle: () => {
+      remember(`section.${key}`, details.open);
+      if (details.open && !body.dataset.filled && key !== "notes" && store.current) live.follow();
+    },
+  }, make("summary", {}, make("h2", { textContent: label })), body);
+  details.dataset.section = key;
+  return details;
+}
+
+async function changeLanguage(lang) {
+  remember("lang", lang);
+  start = await started(lang);
+  arrange();
+  if (store.current) {
+    showCases();
+    live.restart();
+  }
+  showView();
+}
+
+// --- views -------------------------------------------------------------------------------------
+
+function showView() {
+  const wanted = location.hash.slice(1);
+  const view = ["weibull", "signal"].includes(wanted) ? wanted : "case";
+  for (const one of document.querySelectorAll(".view")) one.hidden = one.id !== view;
+  for (const link of document.querySelectorAll("[data-view]")) {
+    if (link.dataset.view === view) link.setAttribute("aria-current", "page");
+    else link.removeAttribute("aria-current");
+  }
+  const root = $(view);
+  if (view !== "case" && !root.dataset.started) {
+    root.dataset.started = "yes";
+    startDrops(root, view, start.drops, { lang: start.lang, setHtml, currentCase });
+  }
+}
+
+const currentCase = () => store.current && { case: store.current.case, title: titleOf(store.current) };
+
+async function followAddress() {
+  if (!location.hash.startsWith("#case=")) {
+    showView();
+    return;
+  }
+  const text = location.hash.slice("#case=".length);
+  history.replaceState(null, "", "#case");
+  showView();
+  try {
+    const { cases, active } = await unpacked(text).catch(() => {
+      throw new Refused({ message: say("link.broken") });
+    });
+    await openAll(cases.map((one) => ({ case: one })), active);
+  } catch (error) {
+    complain(error);
+    if (!store.current) opening.show(true);
+  }
+}
+
+// --- cases -------------------------------------------------------------------------------------
+
+async function openAll(requests, active = 0) {
+  const answers = [];
+  for (const one of requests) answers.push(await ask("open", one));
+  if (requests.length > 1) store.slots = [];
+  store.open(answers, active);
+  opening.show(false);
+  banner("");
+  showCases();
+  live.restart();
+}
+
+const titleOf = (slot) => slot.case.title || slot.case.bearing?.designation || say("untitled");
+
+/** Show what does not need an answer: title, the form, which case is edited. */
+function showCases() {
+  const { current, slots } = store;
+  $("work").hidden = false;
+  $("title").textContent = slots.map(titleOf).filter((one, n, all) => all.indexOf(one) === n).join(" · ");
+  document.title = `${titleOf(current)} – Rolamento`;
+  $("slots").hidden = slots.length < 2;
+  $("compare").setAttribute("aria-pressed", String(slots.length > 1));
+  slots.forEach((slot, n) => {
+    const input = document.querySelector(`input[name="slot"][value="${n}"]`);
+    input.checked = n === store.active;
+    input.nextElementSibling.textContent = titleOf(slot);
+  });
+  if (current.source !== shownSource) form.rebuild();
+  else form.show();
+  shownSource = current.source;
+  offerPictures(start.pictures.filter(suitable).map((one) => one.key));
+  showStatus();
+  buttons();
+}
+
+function suitable({ of }) {
+  const kinds = store.slots.flatMap((one) => [...kindsOf(one), isSet(one) ? "set" : ""]);
+  return of.some((one) => kinds.includes(one));
+}
+
+function buttons() {
+  $("undo").disabled = !store.canUndo;
+  $("redo").disabled = !store.canRedo;
+  for (const id of ["save", "share", "report-html", "report-pdf", "reset", "compare"]) $(id).disabled = !store.current;
+}
+
+function goTo(step) {
+  step();
+  showCases();
+  live.restart();
+}
+
+// --- answers -----------------------------------------------------------------------------------
+
+const sectionsOpen = () => [...document.querySelectorAll(".section[open]")];
+
+function isSeen(element) {
+  const { top, bottom } = element.getBoundingClientRect();
+  return bottom > 0 && top < innerHeight && bottom > top;
+}
+
+const live = liveLoop(store, {
+  wishes: (quick) => ({
+    pictures: visibleKeys(quick),
+    sections: sectionsOpen().filter((one) => !quick || isSeen(one)).map((one) => one.dataset.section)
+      .filter((key) => key !== "notes"),
+  }),
+  waiting: () => {
+    curvesStale();
+    asking ||= setTimeout(() => $("work").classList.add("asking"), 300);
+  },
+  show: showAnswer,
+  failed: async (error) => {
+    if (error instanceof Silent || [429, 503, 504].includes(error.status)) {
+      stale(say("stale.silent"));
+      banner(error instanceof Silent ? say("server.silent") : error.message);
+      await new Promise((resolve) => setTimeout(resolve, AGAIN));
+      await started(start.lang);
+      live.follow();
+    } else complain(error);
+  },
+});
+
+function showAnswer(answer, quick) {
+  clearTimeout(asking);
+  asking = 0;
+  $("work").classList.remove("asking");
+  if (quick) {
+    form.show();
+    showStatus();
+  } else showCases();
+  const right = answer.cases.some((one) => !one.error);
+  stale(right ? "" : say("stale.wrong"));
+  if (!right) {
+    stalePictures(visibleKeys());
+    return;
+  }
+  setHtml($("summary"), answer.summary);
+  $("summary").classList.toggle("one", store.slots.length === 1);
+  showPictures(answer.pictures);
+  const late = answer.cases.flatMap((one) => one.status?.left_out ?? []).map((one) => LEFT_OUT[one]);
+  for (const section of document.querySelectorAll(".section")) {
+    const key = section.dataset.section;
+    const body = section.lastElementChild;
+    const html = key === "notes" ? answer.notes : answer.sections[key];
+    if (html || (html === "" && !(key === "notes" && quick))) {
+      setHtml(body, html.trim() ? html : `<p>${say(key === "notes" ? "notes.none" : "section.none")}</p>`);
+      body.dataset.filled = "yes";
+    } else if (!section.open) {
+      body.replaceChildren(); // nothing old comes to light
+      delete body.dataset.filled;
+    }
+    mark(section, quick && !html ? say("stale.waiting") : late.includes(key) ? say("stale.part") : "",
+      Boolean(html));
+  }
+}
+
+/** Say of the results that they are not current; "" that they are. */
+function stale(word) {
+  for (const one of [$("summary"), $("pictures"), ...document.querySelectorAll(".section")]) mark(one, word);
+}
+
+function mark(element, word, isPart = false) {
+  if (word) element.dataset.stale = word;
+  else delete element.dataset.stale;
+  element.classList.toggle("part", isPart);
+}
+
+function showStatus() {
+  const many = store.slots.length > 1;
+  const lines = store.slots.map((slot, n) => {
+    const { status, error } = slot;
+    const good = !error && status?.converged;
+    const sign = error ? "✗" : good ? "✓" : status ? "!" : "…";
+    const text = error ? error.message : !status ? say("stale.waiting")
+      : good ? say("status.converged") : [status.text, status.advice].filter(Boolean).join(". ");
+    const line = make("p", { className: good ? "good" : error ? "bad" : "warning" },
+      make("span", { "aria-hidden": "true", textContent: sign }), ` ${many ? `${"AB"[n]}: ` : ""}${text}`);
+    return line;
+  });
+  const text = lines.map((one) => one.textContent).join();
+  if (text === $("status").textContent) return; // it is read aloud when it changes
+  $("status").replaceChildren(...lines);
+}
+
+function banner(text) {
+  $("banner").textContent = text;
+  $("banner").hidden = !text;
+}
+
+/** Tell of an error that belongs to no field. */
+function complain(error) {
+  if (error instanceof Silent) banner(say("server.silent"));
+  else if (error instanceof Refused || !(error instanceof Error)) banner(error.message);
+  else {
+    banner(say("page.failed"));
+    console.error(error);
+  }
+}
+
+/** Let a control do something that can fail. */
+const doing = (work) => async (event) => {
+  try {
+    banner("");
+    await work(event);
+  } catch (error) {
+    complain(error);
+  }
+};
+
+// --- controls ----------------------------------------------------------------------------------
+
+const opening = makeOpening({
+  panel: $("opening"), button: $("open"),
+  open: (request) => openAll([request]),
+  mayClose: () => Boolean(store.current),
+});
+
+$("save").onclick = doing(async () => {
+  const { text, name } = await ask("save", { case: store.current.case, format: "toml" });
+  download(text, name, "application/toml");
+});
+for (const format of ["html", "pdf"])
+  $(`report-${format}`).onclick = doing(async () => {
+    $(`report-${format}`).disabled = true;
+    try {
+      await saveReport(store.slots.map((one) => one.case), format, { lang: start.lang });
+    } finally {
+      buttons();
+    }
+  });
+$("share").onclick = doing(async () => {
+  const part = await packed(store.slots.map((one) => one.case), store.active);
+  $("link").value = `${location.origin}${location.pathname}#case=${part}`;
+  $("copied").textContent = "";
+  $("sharing").showModal();
+  $("link").select();
+});
+$("copy").onclick = async () => {
+  try {
+    await navigator.clipboard.writeText($("link").value);
+    $("copied").textContent = say("share.copied");
+  } catch {
+    $("link").select();
+    $("copied").textContent = say("share.select");
+  }
+};
+$("undo").onclick = () => goTo(() => store.undo());
+$("redo").onclick = () => goTo(() => store.redo());
+$("reset").onclick = () => goTo(() => store.reset());
+$("compare").onclick = () => goTo(() => (store.slots.length > 1 ? store.single() : store.compare()));
+$("keep").onclick = () => goTo(() => store.single());
+for (const one of document.querySelectorAll('input[name="slot"]'))
+  one.onchange = () => {
+    store.active = Number(one.value);
+    store.keep();
+    showCases();
+  };
+$("filter").oninput = () => form.filter($("filter").value);
+$("language").onchange = doing(() => changeLanguage($("language").value));
+$("theme").onchange = () => {
+  remember("theme", $("theme").value || null);
+  applyTheme();
+  retheme();
+};
+matchMedia("(prefers-color-scheme: dark)").addEventListener("change", retheme);
+for (const one of document.querySelectorAll(".panes button"))
+  one.onclick = () => {
+    document.body.dataset.pane = one.dataset.pane;
+    for (const other of document.querySelectorAll(".panes button"))
+      other.setAttribute("aria-pressed", String(other === one));
+    if (store.current) live.follow();
+  };
+addEventListener("hashchange", followAddress);
+addEventListener("keydown", (event) => {
+  if (!(event.ctrlKey || event.metaKey) || event.altKey || $("case").hidden) return;
+  const { target } = event;
+  const typing = target.matches?.("input:not([type=range], [type=checkbox], [type=radio]), textarea")
+    && target.value !== (target.dataset.put ?? "");
+  const key = event.key.toLowerCase();
+  const id = key === "s" ? "save" : typing ? "" : key === "z" ? (event.shiftKey ? "redo" : "undo") : key === "y" ? "redo" : "";
+  if (!id) return;
+  event.preventDefault();
+  if (!$(id).disabled) $(id).click();
+});
+
+applyTheme();
+try {
+  start = await started(remembered("lang", ""));
+  arrange();
+  const kept = Store.kept();
+  buttons();
+  if (location.hash.startsWith("#case=")) await followAddress();
+  else {
+    showView();
+    try {
+      if (kept) await openAll(kept.cases.map((one) => ({ case: one })), kept.active);
+      else opening.show(true);
+    } catch {
+      opening.show(true); // what was kept is of another version
+    }
+  }
+} catch (error) {
+  complain(error);
+}

@@ -1,0 +1,159 @@
+// The cases that the page holds: what each says, what is not answered yet, what can be undone.
+
+import { remember, remembered } from "./ask.js";
+
+const MOST_STEPS = 200;
+
+/**
+ * @typedef {object} Slot
+ * @property {object} case      tables as a file has them, as last answered
+ * @property {object} opened    the same as opened, for a reset
+ * @property {number} source    which opening it came from: the form is made anew for another
+ * @property {Object<string, any>} changes  by field: asked for, and not yet taken
+ * @property {?object} error    what the server says is wrong with the changes
+ * @property {Object<string, any>} inputs   by field: {value, text, origin, source}
+ * @property {string[]} elements  what rolls
+ * @property {?object} status
+ */
+
+export class Store {
+  /** @type {Slot[]} */ slots = [];
+  active = 0;
+  #past = [];
+  #future = [];
+  #sources = 0;
+
+  /** The slot that is edited. */
+  get current() {
+    return this.slots[this.active] ?? null;
+  }
+
+  /** The cases as the next request takes them. */
+  get asked() {
+    return this.slots.map((one) => ({ case: one.case, changes: { ...one.changes } }));
+  }
+
+  /** Put opened cases in place of all, or one in place of the edited one. */
+  open(answers, active = 0) {
+    const fresh = answers.map((answer) => ({
+      case: answer.case, opened: answer.case, source: ++this.#sources, changes: {}, error: null,
+      inputs: answer.inputs, elements: answer.elements, status: null,
+    }));
+    if (fresh.length === 1 && this.slots.length === 2) this.slots[this.active] = fresh[0];
+    else [this.slots, this.active] = [fresh, active];
+    this.settled();
+  }
+
+  /** Ask for a change of the edited case; null takes the value back to what is unsaid. */
+  change(name, value) {
+    this.current.changes[name] = value;
+  }
+
+  /** Take an answer; `asked` is what was sent. */
+  take(answers, asked) {
+    answers.forEach((answer, place) => {
+      const slot = this.slots[place];
+      slot.error = answer.error;
+      if (answer.error) return;
+      slot.case = answer.case;
+      slot.status = answer.status;
+      slot.elements = answer.elements;
+      slot.title = answer.title;
+      if (answer.inputs) slot.inputs = answer.inputs;
+      for (const [name, value] of Object.entries(asked[place].changes))
+        if (slot.changes[name] === value) delete slot.changes[name];
+    });
+  }
+
+  /** Set a mark to which undo returns. */
+  settled() {
+    const now = this.#snapshot();
+    if (now === this.#past.at(-1)) return;
+    this.#past.push(now);
+    this.#past.splice(0, this.#past.length - MOST_STEPS);
+    this.#future = [];
+    this.keep();
+  }
+
+  get canUndo() {
+    return this.#past.length > 1 || this.slots.some((one) => one.error);
+  }
+
+  get canRedo() {
+    return this.#future.length > 0;
+  }
+
+  /** Go back one mark; what is wrong and was never taken goes first. */
+  undo() {
+    if (!this.slots.some((one) => one.error) && this.#past.length > 1)
+      this.#future.push(this.#past.pop());
+    this.#restore(this.#past.at(-1));
+  }
+
+  redo() {
+    if (!this.#future.length) return;
+    this.#past.push(this.#future.pop());
+    this.#restore(this.#past.at(-1));
+  }
+
+  /** The edited case as it was opened. */
+  reset() {
+    const slot = this.current;
+    [slot.case, slot.changes, slot.error] = [slot.opened, {}, null];
+  }
+
+  /** A beside B: a copy of the case, which is edited from now on. */
+  compare() {
+    const { opened, ...slot } = this.current;
+    this.slots = [this.current, { ...slot, opened: slot.case, changes: {}, source: ++this.#sources }];
+    this.active = 1;
+    this.settled();
+  }
+
+  /** Go on with the edited case alone. */
+  single() {
+    this.slots = [this.current];
+    this.active = 0;
+    this.settled();
+  }
+
+  /** Remember the cases for the next visit. */
+  keep() {
+    remember("cases", { cases: this.slots.map((one) => one.case), active: this.active });
+  }
+
+  static kept() {
+    const kept = remembered("cases");
+    return Array.isArray(kept?.cases) && kept.cases.length ? kept : null;
+  }
+
+  #snapshot() {
+    const slots = this.slots.map(({ case: tables, opened, source }) => ({ case: tables, opened, source }));
+    return JSON.stringify({ slots, active: this.active });
+  }
+
+  #restore(text) {
+    const { slots, active } = JSON.parse(text);
+    const nothing = { inputs: {}, elements: [], status: null };
+    this.slots = slots.map((one, place) => ({
+      ...nothing, ...this.slots[place], ...one, changes: {}, error: null,
+    }));
+    this.active = active;
+    this.keep();
+  }
+}
+
+/** A value by its dotted name in tables; undefined where there is none. */
+export function valueAt(tables, name) {
+  return name.split(".").reduce((found, part) => (typeof found === "object" ? found?.[part] : undefined), tables);
+}
+
+/** Tables with one value put in or, being null, taken out; the given ones stay as they are. */
+export function withValue(tables, name, value) {
+  const [part, ...rest] = name.split(".");
+  const copy = { ...tables };
+  if (rest.length) copy[part] = withValue(typeof copy[part] === "object" ? copy[part] : {}, rest.join("."), value);
+  else if (value === null) delete copy[part];
+  else copy[part] = value;
+  return copy;
+}

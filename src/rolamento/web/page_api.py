@@ -1,0 +1,235 @@
+"""What the page asks of the server: what it needs to start, to open a case, and to follow it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import cache
+from typing import Any, Final
+
+from fastapi import APIRouter
+from starlette.requests import Request
+from starlette.responses import FileResponse, Response
+
+from rolamento import __version__
+from rolamento._reading import format_of_text, parse_mapping
+from rolamento.case import Case, case_to_json, case_to_toml, parse_case
+from rolamento.catalogue.search import built_in_catalogue
+from rolamento.document.html import STYLE as DOCUMENT_STYLE
+from rolamento.errors import InputError
+from rolamento.pages.catalogue import KINDS
+from rolamento.pages.report import ORIGINS, PARTS
+from rolamento.tasks.examples import EXAMPLES
+from rolamento.tasks.report import names_in
+from rolamento.web import drops
+from rolamento.web.answers import answer, read_json
+from rolamento.web.curves import curve
+from rolamento.web.form import form, inputs, units
+from rolamento.web.limits import fast
+from rolamento.web.live import live
+from rolamento.web.page_words import page_words
+from rolamento.web.pictures import described
+from rolamento.words import language, languages, said, speaking
+
+__all__ = ["opened", "router", "saved", "search", "start"]
+
+router: Final = APIRouter(prefix="/page", include_in_schema=False)
+
+
+_FORMATS: Final = ("toml", "json")
+_FOUND: Final = 30
+_LONGEST_SEARCH: Final = 60
+
+
+@router.get("/start")
+async def _start_request(request: Request) -> Response:
+    warmth = request.app.state.warmth
+    progress = warmth.done / warmth.total if warmth.total else None
+    return answer({**await fast(start), "ready": warmth.ready, "progress": progress})
+
+
+@router.get("/document.css")
+async def _style_of_documents() -> Response:
+    """The style of what is shown as a document, the same in reports."""
+    return FileResponse(DOCUMENT_STYLE, media_type="text/css")
+
+
+def start() -> dict[str, Any]:
+    """Return what the page needs before anything else, in the language that is spoken."""
+    return _start(language())
+
+
+@cache
+def _start(code: str) -> dict[str, Any]:
+    with speaking(code):
+        return {
+            "version": __version__,
+            "lang": code,
+            "languages": list(languages()),
+            "words": page_words(),
+            "form": {"groups": form()},
+            "units": units(),
+            "origins": {key: said(text) for key, text in ORIGINS.items()},
+            "examples": [
+                {"name": name, "title": said(shows)} for name, shows in _example_cases().items()
+            ],
+            "pictures": described(),
+            "drops": drops.described(),
+            "sections": [{"key": key, "label": said(part.label)} for key, part in PARTS.items()],
+        }
+
+
+@cache
+def _example_cases() -> dict[str, str]:
+    """The case files among the examples, and what the first example with each of them shows."""
+    found: dict[str, str] = {}
+    for example in EXAMPLES.values():
+        for file in example.files:
+            if file.endswith(".toml") and "/" not in file:
+                found.setdefault(file.removesuffix(".toml"), example.shows)
+    return found
+
+
+def opened(request: Mapping[str, Any]) -> dict[str, Any]:
+    """Return a case as the page holds it: the tables of its file, and every value that counts.
+
+    Parameters
+    ----------
+    request
+        One of ``text`` (of a case file, with its ``format`` if it is known), ``designation``,
+        ``example``, ``case`` (tables).
+
+    Raises
+    ------
+    InputError
+        If it is none of them, or no valid case.
+    """
+    mapping = _mapping_asked(request)
+    case = Case.from_mapping(mapping)
+    return {
+        "case": mapping,
+        "title": case.title,
+        "elements": sorted({place.bearing.element for place in case.bearing.places}),
+        "inputs": inputs(case, frozenset(names_in(mapping))),
+    }
+
+
+def _mapping_asked(request: Mapping[str, Any]) -> dict[str, Any]:
+    given = {name: request[name] for name in ("text", "designation", "example", "case")
+             if request.get(name) is not None}  # fmt: skip
+    if len(given) != 1:
+        raise InputError(
+            said("must have one of text, designation, example and case"),
+            field="open",
+            example='{"designation": "6310/C3"}',
+        )
+    ((kind, value),) = given.items()
+    if kind == "case":
+        if not isinstance(value, dict):
+            raise InputError(said("must be a table"), field="case", example='{"bearing": {}}')
+        return value
+    if not isinstance(value, str):
+        raise InputError(said("must be text"), field=kind, value=value, example='"6310/C3"')
+    if kind == "text":
+        known = request.get("format")
+        form_ = known if known in _FORMATS else format_of_text(value)
+        source = str(request.get("name") or "")
+        parse_case(value, format=form_, source=source)  # its errors name the line
+        return parse_mapping(value, form_, source)
+    if kind == "example":
+        return _example(value)
+    return {"bearing": {"designation": value.strip()}, "duty": {}}
+
+
+def _example(name: str) -> dict[str, Any]:
+    file = f"{name}.toml"
+    own = next((one for one in EXAMPLES.values() if file in one.files), None)
+    if name not in _example_cases() or own is None:
+        known = ", ".join(_example_cases())
+        raise InputError(said("must be one of {known}", known=known), field="example", value=name)
+    return parse_mapping(own.source(file).read_text(encoding="utf-8"), "toml", file)
+
+
+def saved(request: Mapping[str, Any]) -> dict[str, str]:
+    """Return a case as the text of a file.
+
+    Parameters
+    ----------
+    request
+        ``case``: tables; ``format``: ``"toml"`` (default) or ``"json"``.
+
+    Raises
+    ------
+    InputError
+        If it is no valid case.
+    """
+    mapping = request.get("case")
+    if not isinstance(mapping, dict):
+        raise InputError(said("must be a table"), field="case", example='{"bearing": {}}')
+    wanted = request.get("format", "toml")
+    if wanted not in _FORMATS:
+        raise InputError(
+            said("must be one of {known}", known=", ".join(_FORMATS)), field="format", value=wanted
+        )
+    case = Case.from_mapping(mapping)
+    text = case_to_json(case) if wanted == "json" else case_to_toml(case)
+    return {"text": text, "name": f"{_file_name(case)}.{wanted}"}
+
+
+def _file_name(case: Case) -> str:
+    """A name for the file of a case: its title in plain letters."""
+    title = case.title or str(case.bearing.designation or "") or "case"
+    plain = "".join(sign if sign.isascii() and sign.isalnum() else "_" for sign in title)
+    return "_".join(filter(None, plain.lower().split("_")))[:60] or "case"
+
+
+def search(request: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the bearings of the catalogue whose designation or sizes match a text.
+
+    Parameters
+    ----------
+    request
+        ``text``: part of a designation, or sizes such as ``"25x52"``.
+
+    Raises
+    ------
+    InputError
+        If it is no text.
+    """
+    text = request.get("text")
+    if not isinstance(text, str) or len(text) > _LONGEST_SEARCH:
+        raise InputError(
+            said("must be text of at most {most} characters", most=_LONGEST_SEARCH),
+            field="text",
+            example='"6205"',
+        )
+    found = built_in_catalogue().search(text, _FOUND + 1) if text.strip() else []
+    return {
+        "bearings": [
+            {
+                "designation": one.designation,
+                "maker": one.maker,
+                "kind": said(KINDS[one.kind]) if one.kind in KINDS else one.kind,
+                "bore": one.figures.get("bore"),
+                "outside_diameter": one.figures.get("outside_diameter"),
+                "width": one.figures.get("width"),
+                "dynamic_rating": one.figures.get("dynamic_rating"),
+            }
+            for one in found[:_FOUND]
+        ],
+        "more": len(found) > _FOUND,
+    }
+
+
+def _asks(path: str, function: Callable[[Mapping[str, Any]], Mapping[str, Any]]) -> None:
+    """Serve a function of the JSON object that a request brings."""
+
+    async def endpoint(request: Request) -> Response:
+        return answer(await fast(function, await read_json(request)))
+
+    router.add_api_route(path, endpoint, methods=["POST"])
+
+
+for _path, _function in (
+    ("/open", opened), ("/save", saved), ("/search", search), ("/live", live), ("/curve", curve),
+):  # fmt: skip
+    _asks(_path, _function)

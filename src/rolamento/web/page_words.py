@@ -1,0 +1,112 @@
+"""What the page says, by the keys that its scripts and its HTML use."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Final
+
+from rolamento.words import manner, marked, said
+
+__all__ = ["WORDS", "page_words"]
+
+WORDS: Final[Mapping[str, str]] = {
+    "close": marked("Close"),
+    "compare": marked("Compare"),
+    "compare.edit": marked("Edited case"),
+    "compare.end": marked("Continue with this one alone"),
+    "curve": marked("Curve over a field"),
+    "curve.field": marked("over"),
+    "curve.high": marked("to"),
+    "curve.low": marked("from"),
+    "curve.output": marked("Output"),
+    "curve.scale": marked("logarithmic field"),
+    "curve.upright": marked("logarithmic output"),
+    "form.about": marked("About: {label}"),
+    "form.add": marked("Add: {label}"),
+    "form.clear": marked("Clear: {label}"),
+    "form.example": marked("Example: {example}."),
+    "form.filter": marked("Find a field"),
+    "form.instead": marked("Give instead: {label}"),
+    "form.limits": marked("Allowed: {limits}."),
+    "form.more": marked("More fields"),
+    "form.remove": marked("Remove: {label}"),
+    "form.slider": marked("{label}, slider"),
+    "form.unit": marked("{label}, unit"),
+    "form.unsaid": marked("{value} (not given)"),
+    "form.use": marked("Use {example}"),
+    "language": marked("Language"),
+    "link.broken": marked("The link holds no case: it is damaged, incomplete or too long."),
+    "notes": marked("Remarks"),
+    "notes.none": marked("No remarks."),
+    "number.doubt": marked(
+        "may be {decimal} or, with a point between thousands, {whole}; write it without that point"
+    ),
+    "open": marked("Open"),
+    "open.examples": marked("Examples"),
+    "open.file": marked("Case file"),
+    "open.file.help": marked("TOML or JSON, chosen here or dropped on the page."),
+    "open.found": marked("In the catalogue: {n}"),
+    "open.go": marked("Open bearing"),
+    "open.head": marked("Which bearing?"),
+    "open.large": marked("The file is too large for a case: at most 500 kB are read."),
+    "open.many": marked("In the catalogue: more than {n}; type more of the designation"),
+    "open.search": marked("Designation or dimensions"),
+    "open.search.help": marked(
+        "For instance 6310/C3, NU 205, 7208 or 25x52 (bore and outside diameter in mm)."
+    ),
+    "page.failed": marked("Something went wrong in this page. Reload it: the case is kept."),
+    "pages": marked("Pages"),
+    "pane.form": marked("Inputs"),
+    "pane.results": marked("Results"),
+    "panes": marked("What is shown"),
+    "pictures.azimuth": marked("Azimuth (°)"),
+    "pictures.line": marked("line"),
+    "pictures.save": marked("Save picture"),
+    "pictures.table": marked("Numbers"),
+    "redo": marked("Redo"),
+    "report.html": marked("Report (HTML)"),
+    "report.pdf": marked("Report (PDF)"),
+    "reset": marked("Reset to opened"),
+    "save": marked("Save"),
+    "section.none": marked("There is nothing of this for the present case."),
+    "server.failed": marked("The server answered in a form that this page does not understand."),
+    "server.silent": marked(
+        "The server of Rolamento does not answer. If it was closed, start it again with "
+        '"rolamento app"; this page tries again by itself.'
+    ),
+    "share": marked("Share"),
+    "share.copied": marked("Copied."),
+    "share.copy": marked("Copy the link"),
+    "share.head": marked("Share this case"),
+    "share.help": marked(
+        "The whole case is in the link itself; nothing is stored on a server. "
+        "Whoever opens it needs Rolamento running at the same address."
+    ),
+    "share.link": marked("Link"),
+    "share.select": marked("Copying is not allowed here; the link is selected: press Ctrl+C."),
+    "skip": marked("Skip to the content"),
+    "stale.part": marked("Being completed"),
+    "stale.silent": marked("Not current: the server does not answer"),
+    "stale.waiting": marked("Not current: being calculated"),
+    "stale.wrong": marked("Not current: from the last valid input"),
+    "status.converged": marked("Converged"),
+    "summary": marked("Main results"),
+    "theme": marked("Colours"),
+    "theme.auto": marked("As the system"),
+    "theme.dark": marked("Dark"),
+    "theme.light": marked("Light"),
+    "tools": marked("The case"),
+    "undo": marked("Undo"),
+    "untitled": marked("Bearing"),
+    "view.api": marked("API"),
+    "view.case": marked("Case"),
+    "view.signal": marked("Vibration"),
+    "view.weibull": marked("Life tests"),
+    "warming": marked("Getting ready: {part} % done. The first start takes longest."),
+}
+"""By key, in English; a name in braces is filled in by the page."""
+
+
+def page_words() -> dict[str, str]:
+    """Return the words of the page in the language that is spoken, and its decimal mark."""
+    return {key: said(text) for key, text in WORDS.items()} | {"decimal.mark": manner().mark}
