@@ -388,9 +388,10 @@ def http_api() -> str:
 def operations_of(document: Mapping[str, Any]) -> str:
     """Return the operations of an OpenAPI document."""
     pieces = []
+    base = str((document.get("servers") or [{"url": ""}])[0]["url"]).rstrip("/")
     for path, methods in document["paths"].items():
         for method, operation in methods.items():
-            pieces.append(f"## `{method.upper()} {path}`\n")
+            pieces.append(f"## `{method.upper()} {base}{path}`\n")
             pieces.append(_prose(operation.get("description") or operation.get("summary", "")))
             parameters = [
                 (
