@@ -4,9 +4,12 @@
 BIN := .venv/bin
 PYTHON ?=
 export PYTHON
+# Bytecode is kept, whatever the shell says: each worker of the tests would make it anew.
+export PYTHONDONTWRITEBYTECODE :=
 
 .DEFAULT_GOAL := help
 .PHONY: help demo test verify golden bench docs plotly runtime dev docs-tools clean
+.PHONY: balls rollers types layers rewritten
 
 help:
 	@echo "make demo    solve the shipped example: a 218 bearing at 10 000 rpm, combined load"
@@ -25,14 +28,25 @@ test: dev
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/python scripts/words.py --check
-	@# the kernels are compiled once, while mypy has the other core
-	$(BIN)/python -c "from tests.regression.golden import compile_first; compile_first()" & \
-	kernels=$$!; $(BIN)/mypy || exit 1; wait $$kernels
+	@# what each worker of the tests would do for itself: once, beside the slow checks
+	@$(MAKE) --no-print-directory -j2 balls types rollers layers rewritten
+	$(BIN)/pytest -n auto --dist worksteal -m "not sweep"
+
+balls rollers: dev
+	$(BIN)/python -c "from tests.regression.golden import compile_first; compile_first('$@')"
+
+types: dev
+	$(BIN)/mypy
+
+layers: dev
 	$(BIN)/lint-imports --no-cache
-	$(BIN)/pytest -n auto -m "not sweep"
+
+rewritten: dev  # the assertions; what is wrong the tests themselves tell
+	@$(BIN)/pytest --collect-only -qq >/dev/null || true
 
 verify: dev
-	$(BIN)/pytest -n auto -m sweep
+	$(BIN)/pytest -n auto --dist worksteal -m sweep
+	HYPOTHESIS_PROFILE=verify $(BIN)/pytest -n auto --dist worksteal tests/properties
 	@$(BIN)/python -m tests.regression.golden --check
 	@$(BIN)/python -m tests.regression.pages --check
 	@$(BIN)/rolamento verify

@@ -16,8 +16,9 @@ fail() {
 }
 
 case "${1:-}" in
-    runtime) what="." ;;
-    dev | docs) what=".[$1]" ;;
+    runtime) what="." how="" ;;
+    # bytecode is made of what is imported: of all packages it takes a minute
+    dev | docs) what=".[$1]" how="--no-compile" ;;
     *) fail "usage: sh scripts/setup.sh runtime|dev|docs" ;;
 esac
 
@@ -96,7 +97,7 @@ if ! in_place || ! recent_enough "$venv/bin/python"; then
     make_environment "$@"
 fi
 echo "Installing Rolamento and what it needs (a minute or two, once) …"
-"$venv/bin/python" -m pip install --disable-pip-version-check --quiet \
+"$venv/bin/python" -m pip install --disable-pip-version-check --quiet $how \
     --constraint constraints.txt --editable "$what" --editable ./reproductions >"$log" 2>&1 \
     || fail "the installation failed (the whole story is in $log); it needs the network, \
 or a package index that pip is set up for."

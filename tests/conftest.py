@@ -14,9 +14,14 @@ from hypothesis import HealthCheck, settings
 import rolamento
 from rolamento import Bearing, Case, Duty, Load
 
-settings.register_profile(
-    "ci", deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow]
-)
+for name, examples_of_a_property in (("ci", 40), ("verify", 200)):
+    settings.register_profile(
+        name,
+        deadline=None,
+        derandomize=True,
+        max_examples=examples_of_a_property,
+        suppress_health_check=[HealthCheck.too_slow],
+    )
 settings.register_profile("search", deadline=None, max_examples=2000)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "ci"))
 

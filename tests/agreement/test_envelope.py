@@ -215,6 +215,7 @@ def published() -> Any:
 
 
 @pytest.mark.parametrize(("seed", "centre"), [(0, 3000.0), (1, 1300.0), (2, 4200.0), (3, 700.0)])
+@pytest.mark.thirds
 def test_kurtogram_of_the_authors_program(published: Any, seed: int, centre: float) -> None:
     """Of one analytic signal, every band's figure is the same, but for its scatter.
 
@@ -266,6 +267,7 @@ def test_what_the_image_does_to_the_authors_program(published: Any) -> None:
 
 @pytest.mark.parametrize("alpha", [37.2, 87.0, 174.1, 261.0, 390.0])
 @pytest.mark.parametrize(("count", "window"), [(20_000, 128), (30_000, 256)])
+@pytest.mark.thirds
 def test_coherence_by_the_averaged_cyclic_periodogram(
     reference: ModuleType, count: int, window: int, alpha: float
 ) -> None:

@@ -200,6 +200,7 @@ THRUST: dict[str, Any] = {
         ({"diametral_clearance": -4e-6}, 900.0, {"fx": 200.0, "fz": 3e3}),
     ],
 )
+@pytest.mark.thirds
 def test_four_point(play: dict[str, float], speed: float, load: dict[str, float]) -> None:
     bearing = Bearing(**QJ, **play)
     duty = Duty(inner_speed=speed, load=Load(**load), displacement=Displacement(y=0.0))
@@ -223,6 +224,7 @@ def test_four_point(play: dict[str, float], speed: float, load: dict[str, float]
         (60.0, 400.0, {"fx": 3e3, "fz": 500.0, "my": 10.0}),
     ],
 )
+@pytest.mark.thirds
 def test_thrust(angle: float, speed: float, load: dict[str, float]) -> None:
     bearing = Bearing(**THRUST, contact_angle=radians(angle))
     held = Displacement(y=0.0, rz=0.0, **({} if "my" in load else {"ry": 0.0}))

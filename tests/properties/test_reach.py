@@ -105,6 +105,7 @@ FORMULAS: dict[str, tuple[int, Callable[..., Any]]] = {
 
 @pytest.mark.parametrize("name", FORMULAS)
 @given(st.data())
+@pytest.mark.thirds
 def test_every_number_is_taken_or_refused_by_name(name: str, data: st.DataObject) -> None:
     count, formula = FORMULAS[name]
     values = [data.draw(numbers) for _ in range(count)]

@@ -218,6 +218,7 @@ def test_any_bytes(tmp_path: Path, content: bytes, ending: str, number: int) -> 
 @pytest.mark.parametrize("number", range(len(seeds())))
 @within_bounds
 @given(seed=SEEDS)
+@pytest.mark.thirds
 def test_damaged_files(tmp_path: Path, number: int, seed: int) -> None:
     ending, valid = seeds()[number]
     for damage in range(seed, seed + MANY):

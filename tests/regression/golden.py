@@ -81,10 +81,17 @@ def spread(every: int) -> list[str]:
 # --- running ------------------------------------------------------------------------------------
 
 
-def compile_first() -> None:
+_COMPILES: Final = {
+    "balls": ("study_axes", "study_set", "study_friction"),
+    "rollers": ("study_rollers",),
+}
+
+
+def compile_first(*elements: str) -> None:
     """Load the compiled kernels: few cases alone run as plain Python, whose last digits differ."""
-    for study in ("study_axes", "study_set", "study_friction", "study_rollers"):
-        _outputs((f"sweep {study}.toml -o out.nc",))
+    for element in elements or _COMPILES:
+        for study in _COMPILES[element]:
+            _outputs((f"sweep {study}.toml -o out.nc",))
 
 
 def answer(name: str) -> dict[str, Any]:

@@ -34,7 +34,7 @@ def _compiled() -> None:
     golden.compile_first()
 
 
-@pytest.mark.parametrize("name", golden.spread(4))
+@pytest.mark.parametrize("name", golden.spread(6))
 def test_the_numbers_are_as_they_were(name: str) -> None:
     written = json.loads(FILES[name].read_text("utf-8"))
     assert golden.differences(written, golden.answer(name), ELSEWHERE) == []

@@ -308,6 +308,7 @@ def test_a_closed_standard_output_is_wrong_input(
 @pytest.mark.parametrize(
     ("term", "after", "told"), [("xterm", 0, 1), ("dumb", 0, 1), ("xterm", 60, 0)]
 )
+@pytest.mark.thirds
 def test_who_waits_at_a_terminal_is_told(term: str, after: float, told: int, body: str) -> None:
     arguments = f"None, 'Solving …', {after}" if body == "waiting" else f"'Solving …', {after}"
     code = (
@@ -637,6 +638,7 @@ def test_a_reader_that_goes_away_is_no_error() -> None:
     "arguments",
     ['solve "$CASE" --json', "--help", "solve --help", "--version", "sweep --list fields"],
 )
+@pytest.mark.thirds
 def test_a_full_disk_is_told(arguments: str) -> None:
     done = process(f"ROLAMENTO {arguments} >/dev/full")
     assert done.returncode == 2

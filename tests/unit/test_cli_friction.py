@@ -288,6 +288,7 @@ def test_csv_has_a_line_for_every_point_of_every_curve(run: Run) -> None:
     ("kind", "mark"), [("png", b"\x89PNG"), ("svg", b"<?xml"), ("pdf", b"%PDF")]
 )
 @pytest.mark.parametrize("over", [LOADS, SPEEDS])
+@pytest.mark.thirds
 def test_a_figure_is_drawn(run: Run, tmp_path: Path, kind: str, mark: bytes, over: str) -> None:
     code, out, _ = run(
         "ricci_fleury.toml", "--over", over, "--log", "--points=5", "--plot", f"friction.{kind}"

@@ -43,6 +43,7 @@ def flat(text: str) -> str:
 
 
 @pytest.mark.parametrize(("names", "command"), EVERY, ids=[" ".join(n) for n, _ in EVERY])
+@pytest.mark.thirds
 def test_the_help_of_every_command_is_said(names: tuple[str, ...], command: Any) -> None:
     code, portuguese = run(*names, "--help", "--lang", "pt")
     assert code == 0

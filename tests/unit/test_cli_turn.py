@@ -144,6 +144,7 @@ def test_csv_has_a_line_for_every_instant(run: Run, examples: Path) -> None:
 @pytest.mark.parametrize(
     ("kind", "mark"), [("png", b"\x89PNG"), ("svg", b"<?xml"), ("pdf", b"%PDF")]
 )
+@pytest.mark.thirds
 def test_a_figure_is_drawn(run: Run, tmp_path: Path, kind: str, mark: bytes) -> None:
     code, out, _ = run("218_combined.toml", "--points", "16", "--plot", f"turn.{kind}")
     assert code == 0

@@ -86,6 +86,7 @@ def test_every_file_is_of_an_example() -> None:
 
 
 @pytest.mark.parametrize("name", [n for n, ex in EXAMPLES.items() if "python" not in ex.command])
+@pytest.mark.thirds
 def test_what_is_to_be_tried_works(
     name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 
 from rolamento.case import Case
+from rolamento.numerics.compiled import Kernel
 from rolamento.rows.ball import lanes, layout
 from rolamento.rows.ball.blocks import _fill
 from rolamento.rows.ball.problem import case_parameters
@@ -13,6 +16,14 @@ from rolamento.rows.ball.single import direction, groove, linearised, static_bal
 
 BALLS = 16
 N = layout.LANES
+
+Code = Callable[[Kernel[..., None]], Callable[..., None]]
+AS_WRITTEN = pytest.param(lambda kernel: kernel.python, id="as written")
+COMPILED = pytest.param(
+    lambda kernel: kernel.compiled,
+    id="compiled",
+    marks=pytest.mark.sweep,  # for a quarter minute
+)
 
 
 @pytest.fixture
@@ -55,13 +66,14 @@ def ring_sum(
     return reaction, matrix
 
 
-def test_moving_balls(filled: tuple[np.ndarray, ...]) -> None:
+@pytest.mark.parametrize("code", [AS_WRITTEN, COMPILED])
+def test_moving_balls(code: Code, filled: tuple[np.ndarray, ...]) -> None:
     p, cosines, sines, control, u, w, b = filled
     for ball in b:
-        lanes.place_ball.compiled(w, ball)
-    lanes.reset_sums.compiled(w)
+        code(lanes.place_ball)(w, ball)
+    code(lanes.reset_sums)(w)
     for ball in b:
-        lanes.add_moving_ball.compiled(w, ball, 1e-6)
+        code(lanes.add_moving_ball)(w, ball, 1e-6)
     for lane in range(N):
         pieces, drives = [], []
         for j in range(BALLS):
@@ -104,12 +116,13 @@ def test_moving_balls(filled: tuple[np.ndarray, ...]) -> None:
             np.testing.assert_allclose(found, wanted, rtol=1e-7, atol=1e-8 * size)
 
 
-def test_static_balls_and_the_ring_step(filled: tuple[np.ndarray, ...]) -> None:
+@pytest.mark.parametrize("code", [AS_WRITTEN, COMPILED])
+def test_static_balls_and_the_ring_step(code: Code, filled: tuple[np.ndarray, ...]) -> None:
     p, cosines, sines, _, u, w, b = filled
-    lanes.reset_sums.compiled(w)
+    code(lanes.reset_sums)(w)
     for ball in b:
-        lanes.add_static_ball.compiled(w, ball)
-    lanes.step_ring.compiled(w)
+        code(lanes.add_static_ball)(w, ball)
+    code(lanes.step_ring)(w)
     for lane in range(N):
         pieces = []
         for j in range(BALLS):
@@ -127,17 +140,18 @@ def test_static_balls_and_the_ring_step(filled: tuple[np.ndarray, ...]) -> None:
         )
 
 
-def test_balls_follow_the_ring(filled: tuple[np.ndarray, ...]) -> None:
+@pytest.mark.parametrize("code", [AS_WRITTEN, COMPILED])
+def test_balls_follow_the_ring(code: Code, filled: tuple[np.ndarray, ...]) -> None:
     p, cosines, sines, _, _, w, b = filled
     for ball in b:
-        lanes.place_ball.compiled(w, ball)
-    lanes.reset_sums.compiled(w)
+        code(lanes.place_ball)(w, ball)
+    code(lanes.reset_sums)(w)
     for ball in b:
-        lanes.add_moving_ball.compiled(w, ball, 1e-6)
-    lanes.step_ring.compiled(w)
+        code(lanes.add_moving_ball)(w, ball, 1e-6)
+    code(lanes.step_ring)(w)
     before = b.copy()
     for ball in b:
-        lanes.follow_ring.compiled(w, ball)
+        code(lanes.follow_ring)(w, ball)
     for lane in range(N):
         dx, dy, dz, dp, dq = row(w, layout.STEP, lane, 5)
         for j in range(BALLS):

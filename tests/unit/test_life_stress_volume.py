@@ -66,6 +66,7 @@ def test_field_is_the_greatest_along_x() -> None:
 
 @pytest.mark.parametrize("threshold", [0.0, 0.1, 0.17])
 @pytest.mark.thirds
+@pytest.mark.sweep
 def test_mesh_converges(threshold: float) -> None:
     shapes = np.array([1.0, 2.0, 8.0, 20.0, 55.0])
     t = np.full(shapes.shape, threshold)

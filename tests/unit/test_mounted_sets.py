@@ -355,6 +355,7 @@ def test_the_running_set_is_what_is_solved(arrangement: str) -> None:
 
 
 @pytest.mark.parametrize("limit", LIMITS)
+@pytest.mark.thirds
 def test_the_limit_that_the_mounting_names(limit: str) -> None:
     case = pair(**HOT, mounting__limit=limit)
     stages = preload_stages(case)

@@ -541,6 +541,7 @@ def test_names_of_unknown_variables_without_a_long_name() -> None:
     ("ending", "begin"),
     [("png", b"\x89PNG"), ("svg", b"<?xml"), ("pdf", b"%PDF"), ("PNG", b"\x89")],
 )
+@pytest.mark.thirds
 def test_saving_gives_the_same_bytes_again(
     ending: str, begin: bytes, state: Solved, tmp_path: Path
 ) -> None:

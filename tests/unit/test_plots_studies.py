@@ -432,6 +432,7 @@ def test_portuguese_studies(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("name", ["map.png", "map.svg", "map.pdf"])
+@pytest.mark.thirds
 def test_maps_are_saved_alike(name: str, tmp_path: Path) -> None:
     contents = []
     for attempt in ("a", "b"):

@@ -211,6 +211,7 @@ class TestWhole:
         assert axes.get_xlim() == pytest.approx((0.0, signal.duration))
 
     @pytest.mark.parametrize("kind", ["png", "svg", "pdf"])
+    @pytest.mark.thirds
     def test_same_picture_same_bytes(self, tmp_path: Path, kind: str) -> None:
         def drawn() -> Figure:
             with speaking("pt"):

@@ -154,6 +154,7 @@ def test_a_level_is_the_listed_force_of_a_pair() -> None:
 
 
 @pytest.mark.parametrize("factors", listed_factors(), ids=lambda f: f"{f['maker']} {f['bearings']}")
+@pytest.mark.thirds
 def test_sets_clamped_with_the_offset_of_a_pair_have_the_makers_factors(
     factors: dict[str, Any],
 ) -> None:
@@ -226,6 +227,7 @@ def test_at_speed_a_clamped_pair_stays_stiff_and_a_sprung_one_softens() -> None:
     ("angle", "force", "rel"),
     [("75 deg", 1.0, 2e-5), ("40 deg", 1e-3, 1e-5), ("15 deg", 1e-4, 1e-4)],
 )
+@pytest.mark.thirds
 def test_a_contact_angle_that_hardly_changes_gives_two_to_the_three_halves(
     angle: str, force: float, rel: float
 ) -> None:

@@ -59,6 +59,7 @@ def plain(state: Solved, language: str = "en", **medium: object) -> str:
 @BOTH
 @pytest.mark.parametrize("width", [80, 120])
 @pytest.mark.parametrize("name", NAMES)
+@pytest.mark.thirds
 def test_no_line_is_wider_than_the_medium(name: str, width: int, language: str) -> None:
     lines = plain(solved(name), language, width=width).splitlines()
     assert max(map(len, lines)) == width

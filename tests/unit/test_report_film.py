@@ -136,6 +136,7 @@ def test_notes_of_what_is_missing_are_said_in_portuguese(examples: Path) -> None
 
 @pytest.mark.parametrize("language", ["en", "pt"])
 @pytest.mark.parametrize("name", ["6305_film.toml", "ricci_fleury.toml"])
+@pytest.mark.thirds
 def test_the_report_keeps_to_80_columns(examples: Path, language: str, name: str) -> None:
     for settings in ([], ["duty.inner_speed=20000 rpm"], ["duty.inner_speed=0 rpm"]):
         text = report(analyse(load_case(examples / name, settings)), language)

@@ -96,6 +96,7 @@ def test_every_arrangement_is_drawn_by_its_signs(name: str, said: str) -> None:
         ({"spring": "300 N"}, "preload by springs of 300 N"),
     ],
 )
+@pytest.mark.thirds
 def test_every_preload_is_told_as_it_was_given(preload: object, said: str) -> None:
     case = case_of("6012_pair")
     state = solve(case.replace(bearing=case.bearing.replace(preload=preload)))
@@ -176,6 +177,7 @@ def test_the_heaviest_ball_names_its_row() -> None:
     ("arrangement", "width", "abreast"), [("DB", 80, 2), ("DB", 120, 2), ("QBC", 80, 2),
                                           ("QBC", 120, 4), ("TBT", 80, 3)]
 )  # fmt: skip
+@pytest.mark.thirds
 def test_a_rosette_a_row_and_as_many_abreast_as_there_is_room(
     arrangement: str, width: int, abreast: int
 ) -> None:

@@ -698,6 +698,7 @@ def lines_of(figure: Figure) -> tuple[Any, ...]:
 
 @pytest.mark.parametrize("number", FIGURES)
 @pytest.mark.parametrize("language", ["en", "pt"])
+@pytest.mark.thirds
 def test_legends_lie_within_the_picture(
     number: str, language: str, pictures: Callable[[str, str], Picture]
 ) -> None:

@@ -292,6 +292,7 @@ def doubles(size: int, content: bytes = bytes(80)) -> bytes:
         (struct.pack("<II", 15, 80) + bytes(80), "is not a readable MATLAB file"),
     ],
 )
+@pytest.mark.thirds
 def test_matlab_that_is_wrong(tmp_path: Path, content: bytes, message: str) -> None:
     (tmp_path / "a.mat").write_bytes(b"MATLAB".ljust(124) + b"\0\1IM" + content)
     refused(tmp_path / "a.mat", message)

@@ -97,6 +97,7 @@ def test_the_rate_that_is_given_wins(tmp_path: Path) -> None:
         ("load_rpm_max", 25.0, None),
     ],
 )
+@pytest.mark.thirds
 def test_names_that_say_the_shafts_speed(
     tmp_path: Path, name: str, value: float, speed: float | None
 ) -> None:

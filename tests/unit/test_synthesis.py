@@ -487,6 +487,7 @@ def _motion_of_ring(
 @pytest.mark.parametrize("surface", ["outer", "inner", "ball"])
 @pytest.mark.parametrize("axial", [False, True])
 @pytest.mark.parametrize("rings", [(SPEED, 0.0), (SPEED, -0.4 * SPEED)])
+@pytest.mark.thirds
 def test_waves_as_the_balls_feel_them_together(
     bearing: Bearing, surface: Any, axial: bool, rings: tuple[float, float]
 ) -> None:

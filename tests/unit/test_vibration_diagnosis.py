@@ -124,6 +124,7 @@ def test_a_planted_fault_is_found(
 
 
 @pytest.mark.parametrize("component", COMPONENTS)
+@pytest.mark.thirds
 def test_a_weak_fault_is_watched(
     component: Component, frequencies: FaultFrequencies, orders: FaultOrders
 ) -> None:
@@ -371,6 +372,7 @@ def test_a_record_copied_end_to_end_is_named(orders: FaultOrders) -> None:
 
 
 @pytest.mark.parametrize("rpm", [1500, 1650, 1900, 2100])
+@pytest.mark.thirds
 def test_a_wrong_speed_is_seen(rpm: int, frequencies: FaultFrequencies) -> None:
     """No part is blamed; the line that nothing explains tells whose it is at which speed."""
     signal = planted(frequencies, "outer_race", ratio=-8.0)
@@ -386,6 +388,7 @@ def test_a_wrong_speed_is_seen(rpm: int, frequencies: FaultFrequencies) -> None:
 
 
 @pytest.mark.parametrize("rpm", [1740, 1760, 1850])
+@pytest.mark.thirds
 def test_a_speed_somewhat_wrong_is_borne(
     rpm: int, frequencies: FaultFrequencies, orders: FaultOrders
 ) -> None:
@@ -403,6 +406,7 @@ def test_a_speed_somewhat_wrong_is_borne(
 
 
 @pytest.mark.parametrize("off", [-0.065, -0.02, 0.015, 0.07])
+@pytest.mark.thirds
 def test_the_shaft_tells_its_speed(
     off: float, frequencies: FaultFrequencies, orders: FaultOrders
 ) -> None:
@@ -528,6 +532,7 @@ def test_a_race_on_a_multiple_of_the_shaft() -> None:
 
 
 @pytest.mark.parametrize("component", COMPONENTS)
+@pytest.mark.thirds
 def test_strong_damage_leaves_nothing_unexplained(
     component: Component, frequencies: FaultFrequencies, orders: FaultOrders
 ) -> None:
@@ -721,6 +726,7 @@ def test_what_does_not_slip_is_said_to(orders: FaultOrders) -> None:
 
 @pytest.mark.parametrize("part", ["outer_race", "inner_race"])
 @pytest.mark.parametrize("multiple", [2, 3])
+@pytest.mark.thirds
 def test_a_comb_of_a_lower_frequency_is_no_race(
     part: Component, multiple: int, orders: FaultOrders
 ) -> None:

@@ -225,6 +225,7 @@ def test_kurtogram_refuses() -> None:
 
 
 @pytest.mark.parametrize("modulation", [37.0, 312.5, 440.0])
+@pytest.mark.thirds
 def test_coherence_of_modulated_noise(modulation: float) -> None:
     """Noise times 1 + cos αt: |γ| = 1/(1 + ½) at α, and ½·½/(1 + ½) at 2α."""
     random = np.random.default_rng(9)

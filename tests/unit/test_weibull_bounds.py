@@ -360,6 +360,7 @@ def test_draws_answer_any_question() -> None:
 
 
 @pytest.mark.parametrize("quantity", ["shape", "L10"])
+@pytest.mark.sweep
 def test_pivotal_bounds_hold_as_often_as_they_say(quantity: str) -> None:
     """Six bearings, four failures; 400 tests: 90 % within three standard errors."""
     random = np.random.default_rng(12)

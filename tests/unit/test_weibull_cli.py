@@ -332,6 +332,7 @@ def test_titles_cannot_write_on_the_terminal(run: Run) -> None:
         "time,status,group\n5,f,a\n6,s,b\n7,f,c\n",
     ],
 )
+@pytest.mark.thirds
 def test_odd_but_possible_tests_have_a_page(run: Run, data: str, tmp_path: Path) -> None:
     """Whatever the data, the page, the JSON and the pictures come without a traceback."""
     pictures = ("--plot", "p.svg", "--contour", "c.svg")

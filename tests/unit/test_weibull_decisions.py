@@ -80,6 +80,7 @@ class TestRemainingLife:
         assert found.lower == pytest.approx(known.lower, abs=2e-3)
         assert found.upper == pytest.approx(known.upper, abs=2e-3)
 
+    @pytest.mark.sweep
     def test_interval_holds_as_often_as_it_says(self) -> None:
         random, held = np.random.default_rng(7), 0
         true = float(conditional_reliability(2.0, 100.0, 60.0, 30.0))

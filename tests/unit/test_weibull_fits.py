@@ -292,6 +292,7 @@ def test_fixed_shape() -> None:
 
 
 @pytest.mark.parametrize("size", [4, 6, 10, 20, 50])
+@pytest.mark.thirds
 def test_unbiasing_formula_of_ross(size: int) -> None:
     """Ross (1994) against drawn tests."""
     fits = draw_fits(FirstFailures(size, size), 1.0, 0.0, 100_000, np.random.default_rng(size))

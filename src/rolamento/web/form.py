@@ -35,6 +35,8 @@ FIRST: Final = (
     "duty.load.my",
     "duty.load.mz",
     "lubricant",
+    "lubricant.base_oil",
+    "lubricant.viscosity_40",
     "temperature.lubricant",
     "mounting.clearance_class",
     "mounting.shaft_tolerance",
@@ -92,7 +94,7 @@ def _described(name: str, field: Field) -> dict[str, Any]:
         "dimension": field.dimension or "",
         "unit": _MICROMETRES.get(field.shown_unit, field.shown_unit),
         "choices": list(field.choices),
-        "suggestions": list(field.names),
+        "suggestions": list(_named_like(name, field).names),
         "limits": {} if field.bounds is None else field.bounds.limits_in_si,
         "limits_text": field.limits,
         "example": field.example.strip('"') if field.kind != "list" else field.example,
@@ -102,6 +104,11 @@ def _described(name: str, field: Field) -> dict[str, Any]:
         "first": name in FIRST,
         "entries": [_described(leaf, own) for leaf, own in field.entries.items()],
     }
+
+
+def _named_like(name: str, field: Field) -> Field:
+    """The field whose names a field takes: a base oil is a lubricant."""
+    return Case.fields()["lubricant"] if name == "lubricant.base_oil" else field
 
 
 @cache

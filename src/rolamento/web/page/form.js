@@ -49,16 +49,16 @@ class Control {
       `${this.help.id} ${this.origin.id} ${this.error.id}`);
     const row = make("div", { className: "row" }, this.slider, this.control, this.units, this.clear);
     const head = make("div", { className: "line" },
-      make("label", { for: this.id, textContent: label }), this.what);
+      make("label", { for: this.id }, ...indexed(label)), this.what);
     this.instead = make("button", {
       type: "button", className: "instead", hidden: true,
-      textContent: say("form.instead", { label }),
       onclick: () => {
         this.expanded = true;
         this.show();
         this.control.focus();
       },
     });
+    this.instead.append(...indexed(say("form.instead", { label })));
     this.body = make("div", {}, head, row, this.origin, this.help);
     this.element = make("div", { className: `field ${field.kind}` }, this.body, this.instead, this.error);
     this.element.dataset.name = field.name;
@@ -82,6 +82,7 @@ class Control {
   }
 
   typedIn(text) {
+    this.control.dataset.put = this.control.value; // no longer being typed
     if (!text.trim()) {
       this.commit(null);
       return;
@@ -393,8 +394,10 @@ export function makeForm(root, start, store, changed) {
     show();
   }
 
-  function show() {
-    for (const one of controls.values()) {
+  /** Show what the case says: of all fields, or of some and those that they replace. */
+  function show(names) {
+    const all = names?.flatMap((name) => [name, ...(byName.get(name)?.replaces ?? [])]) ?? [...controls.keys()];
+    for (const one of all.map((name) => controls.get(name)).filter(Boolean)) {
       one.element.classList.toggle("unsuited", !suits(one.field, store.current));
       one.show();
     }
@@ -432,7 +435,7 @@ export function makeForm(root, start, store, changed) {
   }
 
   root.onsubmit = (event) => event.preventDefault();
-  root.addEventListener("units", show);
+  root.addEventListener("units", () => show());
   return { rebuild, show, filter };
 }
 
@@ -464,6 +467,10 @@ function put(input, text) {
   if (input.value !== text) input.value = text;
   input.dataset.put = text;
 }
+
+/** A text with its symbols' indices set low: e_C. */
+const indexed = (text) => text.split(/(?<=\p{L})_(\w+)/u)
+  .map((part, n) => (n % 2 ? make("sub", { textContent: part }) : part));
 
 const placeOf = (value, { low, high, log }) =>
   Math.round(STEPS * (log ? Math.log(value / low) / Math.log(high / low) : (value - low) / (high - low)));

@@ -8,7 +8,7 @@ const PAUSE = 150; // ms without a move, after which everything is asked for
  * Keep what is shown in step with the cases.
  * @param {import("./store.js").Store} store
  * @param {object} hooks  `wishes(quick)`: keys of pictures and sections; `waiting()`;
- *   `show(answer, quick)`; `failed(error)`
+ *   `show(answer, quick, asked)`; `failed(error)`
  * @returns {{follow: (quick?: boolean) => void, restart: () => void}}
  */
 export function liveLoop(store, { wishes, waiting, show, failed }) {
@@ -25,7 +25,7 @@ export function liveLoop(store, { wishes, waiting, show, failed }) {
       if (flying !== mine) return;
       store.take(answer.cases, cases);
       if (!quick && !store.slots.some((one) => one.error)) store.settled();
-      show(answer, quick);
+      show(answer, quick, cases);
     } catch (error) {
       if (flying !== mine || error.name === "AbortError") return;
       again = null;

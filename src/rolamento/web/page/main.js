@@ -75,6 +75,7 @@ function arrange() {
   startPictures($("pictures"), start.pictures, start.words, { lang: start.lang, onVisible: () => store.current && live.follow() });
   $("curves").replaceChildren();
   startCurves($("curves"), { words: start.words, lang: start.lang, say, ask, cases: () => store.slots.map((one) => one.case) });
+  watcher.disconnect();
   $("sections").replaceChildren(...[{ key: "notes", label: say("notes") }, ...start.sections].map(makeSection));
   for (const kind of ["weibull", "signal"]) {
     $(kind).replaceChildren();
@@ -92,6 +93,7 @@ function makeSection({ key, label }) {
     },
   }, make("summary", {}, make("h2", { textContent: label })), body);
   details.dataset.section = key;
+  watcher.observe(details);
   return details;
 }
 
@@ -163,14 +165,15 @@ const titleOf = (slot) => slot.case.title || slot.case.bearing?.designation || s
 function showCases() {
   const { current, slots } = store;
   $("work").hidden = false;
-  $("title").textContent = slots.map(titleOf).filter((one, n, all) => all.indexOf(one) === n).join(" · ");
+  const titles = [...new Set(slots.map(titleOf))];
+  $("title").textContent = titles.join(" · ");
   document.title = `${titleOf(current)} – Rolamento`;
   $("slots").hidden = slots.length < 2;
   $("compare").setAttribute("aria-pressed", String(slots.length > 1));
   slots.forEach((slot, n) => {
     const input = document.querySelector(`input[name="slot"][value="${n}"]`);
     input.checked = n === store.active;
-    input.nextElementSibling.textContent = titleOf(slot);
+    input.nextElementSibling.textContent = titles.length > 1 ? titleOf(slot) : "";
   });
   if (current.source !== shownSource) form.rebuild();
   else form.show();
@@ -201,16 +204,19 @@ function goTo(step) {
 
 const sectionsOpen = () => [...document.querySelectorAll(".section[open]")];
 
-function isSeen(element) {
-  const { top, bottom } = element.getBoundingClientRect();
-  return bottom > 0 && top < innerHeight && bottom > top;
-}
+const seen = new Set(); // sections on the screen
+const watcher = new IntersectionObserver((entries) => {
+  for (const one of entries) {
+    if (one.isIntersecting) seen.add(one.target.dataset.section);
+    else seen.delete(one.target.dataset.section);
+  }
+});
 
 const live = liveLoop(store, {
   wishes: (quick) => ({
     pictures: visibleKeys(quick),
-    sections: sectionsOpen().filter((one) => !quick || isSeen(one)).map((one) => one.dataset.section)
-      .filter((key) => key !== "notes"),
+    sections: sectionsOpen().map((one) => one.dataset.section)
+      .filter((key) => key !== "notes" && (!quick || seen.has(key))),
   }),
   waiting: () => {
     curvesStale();
@@ -228,12 +234,12 @@ const live = liveLoop(store, {
   },
 });
 
-function showAnswer(answer, quick) {
+function showAnswer(answer, quick, asked) {
   clearTimeout(asking);
   asking = 0;
   $("work").classList.remove("asking");
   if (quick) {
-    form.show();
+    form.show(Object.keys(asked[store.active]?.changes ?? {}));
     showStatus();
   } else showCases();
   const right = answer.cases.some((one) => !one.error);
@@ -281,7 +287,7 @@ function showStatus() {
     const sign = error ? "✗" : good ? "✓" : status ? "!" : "…";
     const text = error ? error.message : !status ? say("stale.waiting")
       : good ? say("status.converged") : [status.text, status.advice].filter(Boolean).join(". ");
-    const line = make("p", { className: good ? "good" : error ? "bad" : "warning" },
+    const line = make("p", { className: error ? "bad" : good ? "good" : status ? "warning" : "faint" },
       make("span", { "aria-hidden": "true", textContent: sign }), ` ${many ? `${"AB"[n]}: ` : ""}${text}`);
     return line;
   });

@@ -71,9 +71,12 @@ export function reach(field, value) {
   const positive = low > 0 || "above" in field.limits;
   if (positive && value > 0)
     return { low: Math.max(low, value / 8), high: Math.min(high, value * 8), log: true };
-  const both = low < 0 && (field.dimension === "length" || value === 0);
-  const reached = value < 0 || both ? Math.max(low, -3 * size) : Math.max(low, 0);
-  return { low: reached, high: value < 0 && !both ? 0 : Math.min(high, 3 * size), log: false };
+  const both = low < 0 && (field.dimension === "length" || (value === 0 && field.dimension !== "angular_speed"));
+  return {
+    low: value < 0 || both ? Math.max(low, -3 * size) : Math.max(low, 0),
+    high: value < 0 && !both ? Math.min(high, 0) : Math.min(high, 3 * size),
+    log: false,
+  };
 }
 
 /** A number of two or three digits, near one within a range: what a slider gives. */
