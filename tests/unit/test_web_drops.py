@@ -16,7 +16,7 @@ import pytest
 
 from rolamento.errors import InputError
 from rolamento.tasks.asked import DEMONSTRATION, LIFE_TEST, SIGNAL, by_name, given
-from rolamento.web import drops, limits, server
+from rolamento.web import drops, limits
 from rolamento.web.server import Settings, create_app
 
 HERE = "http://127.0.0.1:8000"
@@ -34,7 +34,6 @@ def _here(monkeypatch: pytest.MonkeyPatch) -> None:
         return function(*args)
 
     monkeypatch.setattr(drops, "slow", slow)
-    monkeypatch.setattr(server, "_ROUTERS", ("drops",))
 
 
 @pytest.fixture(scope="module")
