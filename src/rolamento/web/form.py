@@ -85,10 +85,12 @@ def form() -> list[dict[str, Any]]:
     return [{"key": key, "label": groups[key], "fields": fields} for key, fields in found.items()]
 
 
-def _described(name: str, field: Field) -> dict[str, Any]:
+def _described(name: str, field: Field, table: str = "") -> dict[str, Any]:
+    """What the page knows of a field; table: that a list of tables stands in, its entries alike."""
+    alike = Case.fields().get(f"{table}{name}", field)
     return {
         "name": name,
-        "label": field.label,
+        "label": alike.label,
         "meaning": field.meaning,
         "kind": field.kind,
         "dimension": field.dimension or "",
@@ -102,7 +104,9 @@ def _described(name: str, field: Field) -> dict[str, Any]:
         "of": [kind for kind, elements in _ELEMENTS.items() if name in suitable(*elements)],
         "of_sets": name.startswith(_OF_SETS),
         "first": name in FIRST,
-        "entries": [_described(leaf, own) for leaf, own in field.entries.items()],
+        "entries": [
+            _described(leaf, own, f"{name.rpartition('.')[0]}.") for leaf, own in field.entries.items()
+        ],
     }
 
 

@@ -16,7 +16,8 @@ let serial = 0;
 
 /**
  * Where a control reads and writes: `read()` the raw value, `counted()` {value, text, origin,
- * source} or undefined, `write(value, quick)`; null takes the value away.
+ * source} or undefined, `write(value, quick)`, null takes the value away; `pending()` if known:
+ * whether a change is not taken yet.
  * @typedef {{read: Function, counted: Function, write: Function}} Place
  */
 
@@ -183,7 +184,8 @@ class NumberControl extends Control {
     if (this.units.tagName === "SELECT") this.units.value = unit.unit;
     const text = Number.isFinite(this.si)
       ? shown(own && own.unit === unit.unit ? found.number : fromSi(this.si, unit), own ? 12 : 7) : "";
-    put(this.control, raw !== undefined && !own ? String(raw) : this.isGiven ? text : "");
+    const isOdd = raw !== undefined && !own && (!text || this.place.pending?.()); // wrong, or not answered yet
+    put(this.control, isOdd ? String(raw) : this.isGiven ? text : "");
     this.control.placeholder = text;
     this.arrange();
   }
@@ -347,6 +349,7 @@ export function makeForm(root, start, store, changed) {
         const slot = store.current;
         return name in slot.changes ? slot.changes[name] : valueAt(slot.case, name);
       },
+      pending: () => name in store.current.changes,
       counted: (inner = "") => store.current.inputs[`${name}${inner}`],
       write: (value, quick) => changed(name, value, quick),
     };
