@@ -87,6 +87,7 @@ def form() -> list[dict[str, Any]]:
 
 def _described(name: str, field: Field, table: str = "") -> dict[str, Any]:
     """What the page knows of a field; table: that a list of tables stands in, its entries alike."""
+    holder = f"{name.rpartition('.')[0]}."
     alike = Case.fields().get(f"{table}{name}", field)
     return {
         "name": name,
@@ -104,9 +105,7 @@ def _described(name: str, field: Field, table: str = "") -> dict[str, Any]:
         "of": [kind for kind, elements in _ELEMENTS.items() if name in suitable(*elements)],
         "of_sets": name.startswith(_OF_SETS),
         "first": name in FIRST,
-        "entries": [
-            _described(leaf, own, f"{name.rpartition('.')[0]}.") for leaf, own in field.entries.items()
-        ],
+        "entries": [_described(leaf, own, holder) for leaf, own in field.entries.items()],
     }
 
 
