@@ -28,6 +28,7 @@ FIRST: Final = (
     "bearing.preload.force",
     "bearing.preload.spring",
     "bearing.preload.level",
+    "bearing.preload.designation",
     "duty.inner_speed",
     "duty.load.fx",
     "duty.load.fz",

@@ -413,9 +413,10 @@ export function makeForm(root, start, store, changed) {
     if (!error?.field) return false;
     let name = error.field;
     while (!controls.has(name) && name.includes(".")) name = name.slice(0, name.lastIndexOf("."));
-    const own = controls.get(name) ?? [...controls.values()].find((one) => one.field.name.startsWith(`${name}.`));
+    const inside = [...controls.values()].filter((one) => one.field.name.startsWith(`${name}.`));
+    const own = controls.get(name) ?? inside.find((one) => one.field.name in store.current.changes) ?? inside[0];
     if (!own || own.element.matches(".unsuited")) return false;
-    own.fail(error);
+    own.fail(error.field === own.field.name ? error : { ...error, example: "" });
     for (let at = own.element; at !== root; at = at.parentElement) if (at.tagName === "DETAILS") at.open = true;
     return true;
   }
