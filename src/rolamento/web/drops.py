@@ -65,9 +65,17 @@ _COMMAND_SAYS: Final = {
     "tolerance": "slip", "machine_class": "class", "prior": "bayes", "times": "time",
 }  # fmt: skip
 """What the commands call otherwise than their tasks."""
-_SEVERITY: Final = ("power", "support", "group", "machine_class", "baseline")
+_SEVERITY: Final[tuple[str, ...]] = ("power", "support", "group", "machine_class", "baseline")
 _SEARCH: Final = ("tolerance", "speed_tolerance", "false_alarm")
-_READING: Final = ("channel", "rate", "unit", "scale", "start", "duration", "decimal_mark")
+_READING: Final[tuple[str, ...]] = (
+    "channel",
+    "rate",
+    "unit",
+    "scale",
+    "start",
+    "duration",
+    "decimal_mark",
+)
 _COLUMNS: Final = ("unit", "time", "status", "count", "group", "decimal_mark")
 _ENDINGS: Final = tuple(ending for many in ENDINGS.values() for ending in many)
 _LONGEST_NAME: Final = 100
@@ -87,7 +95,7 @@ WORDS: Final[Mapping[str, str]] = {
     "examples": marked("Try an example"),
     "more": marked("More options"),
     "several": marked("Several: with semicolons between"),
-    "automatic": marked("(automatic)"),
+    "none": marked("(not given)"),
     "run_signal": marked("Diagnose the record"),
     "run_weibull": marked("Evaluate the life test"),
     "run_plan": marked("Plan the test"),
@@ -467,8 +475,8 @@ def _pictures_first(document: Document) -> Document:
 
 
 def _below(html: str) -> str:
-    """Return a page as a part of another: its headings stand two levels lower."""
-    return re.sub(r"(</?h)([1-6])", lambda at: at[1] + str(min(int(at[2]) + 2, 6)), html)
+    """Return a page as a part of another: its headings stand a level lower."""
+    return re.sub(r"(</?h)([1-5])", lambda at: at[1] + str(int(at[2]) + 1), html)
 
 
 def _as_data(figure: Figure) -> str | None:
