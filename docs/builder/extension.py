@@ -20,7 +20,8 @@ _log: Final = logging.getLogger(__name__)
 _MADE: Final = re.compile(r"^<!-- made: ([\w-]+) -->$", re.MULTILINE)
 _CITED: Final = re.compile(r"(?<![\w(])\((\d{1,3}[a-z]?)\)(?!\w)")
 _LOWERED: Final = re.compile(
-    r"(?<![\w.\\])([A-Za-zΑ-Ωα-ωϵ]{1,2}[′']?)_([A-Za-z0-9Α-Ωα-ω]+(?:,[A-Za-z0-9]+)*)(?![\w(])"
+    r"(?<![\w.\\])([A-Za-zΑ-Ωα-ωϵ]{1,2}\d?[′']?)_([A-Za-z0-9Α-Ωα-ω]+(?:,[A-Za-z0-9]+)*)"
+    r"(?![A-Za-z0-9_Α-Ωα-ω])"
 )
 _RAISED: Final = re.compile(
     r"\^(?:(±?\([^()<>]{1,30}\))|([−-]?\d+(?:\.\d+)?(?:/\d+)?|[a-zβ]\b|[½¼¾⅓]))"
