@@ -42,6 +42,7 @@ module.exports = {
   restyle: api.restyle,
   update: api.update,
   purge: api.purge,
+  downloadImage: api.downloadImage,
   Plots: { resize: require("plotly.js/src/plots/plots").resize },
   Fx: { hover: require("plotly.js/src/components/fx").hover },
 };

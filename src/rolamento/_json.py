@@ -5,11 +5,14 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from math import isfinite
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 
 __all__ = ["csv_number", "dumps", "plain"]
+
+
+_AS_THEY_ARE: Final = frozenset({str, int, bool, type(None)})
 
 
 def plain(value: Any) -> Any:
@@ -17,10 +20,17 @@ def plain(value: Any) -> Any:
 
     Mappings become dicts, and tuples lists, at any depth.
     """
+    kind = type(value)
+    if kind is float:
+        return value if isfinite(value) else None
+    if kind in _AS_THEY_ARE:
+        return value
+    if isinstance(value, np.ndarray | np.generic):
+        whole = value.dtype.kind == "f" and np.isfinite(value).all()
+        value = value.tolist()
+        return value if whole else plain(value)
     if isinstance(value, Mapping):
         return {key: plain(item) for key, item in value.items()}
-    if isinstance(value, np.ndarray | np.generic):
-        value = value.tolist()
     if isinstance(value, list | tuple):
         return [plain(item) for item in value]
     return None if isinstance(value, float) and not isfinite(value) else value

@@ -55,7 +55,7 @@ def in_reach(
     array = numbers(value, field)
     low = array < least if least_too else array <= least
     outside = low | (array > most)
-    if np.any(outside):
+    if outside.any():
         limits = {"least": least, "most": most, "unit": f" {unit}" if unit else ""}
         raise InputError(
             said("must be from {least:.6g} to {most:.6g}{unit}", **limits)

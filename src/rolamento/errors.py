@@ -136,11 +136,12 @@ class InputError(RolamentoError, ValueError):
         example: str | None = None,
         source: str | None = None,
         line: int | None = None,
+        rule: str | None = None,
     ) -> Self:
         """Return the same error with the given details filled in."""
         # not copy.copy: what Dask registers for exceptions shares their attributes
         return type(self)(
-            self.rule,
+            self.rule if rule is None else rule,
             field=self.field if field is None else field,
             value=self.value if value is ABSENT else value,
             example=self.example if example is None else example,

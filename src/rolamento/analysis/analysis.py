@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
     from rolamento.lubrication import Film
     from rolamento.vibration.frequencies import FaultFrequencies
 
+_FOLLOWING: Final = ("film", "friction", "life", "frequencies")
 DEFAULT_HYSTERESIS: Final = 0.01
 """Part α_h of the elastic work that the material loses."""
 
@@ -55,7 +57,7 @@ class Analysis:
     notes: tuple[Note, ...] = ()
     left_out: tuple[str, ...] = ()
 
-    @property
+    @cached_property
     def frequencies(self) -> FaultFrequencies | None:
         """Fault frequencies of a single case under load; None without a result, or at rest."""
         duty = self.solved.case.duty
@@ -65,18 +67,24 @@ class Analysis:
 
         return frequencies_of(self.solved)
 
+    def part(self, name: str) -> Any:
+        """Give one part of the mapping by its key, such as ``"life"``, without the others.
+
+        Of those that need no tables of the elements.
+        """
+        if name not in _FOLLOWING:
+            return self.solved.part(name)
+        found = getattr(self, name)
+        return None if found is None else found.to_mapping()
+
     def to_mapping(self) -> dict[str, Any]:
         """Give the mapping of a single case with "film", "friction", "life", "frequencies"."""
         mapping = self.solved.to_mapping()
-        film = None if self.film is None else self.film.to_mapping()
-        friction = None if self.friction is None else self.friction.to_mapping()
         nowhere = () if self.friction is None else self.friction.without_model(self.solved)
         own = (note.to_mapping() for note in (*self.notes, *nowhere))
         notes = [*mapping.pop("notes"), *own]
         case = mapping.pop("case")
-        life = None if self.life is None else self.life.to_mapping()
-        turns = None if self.frequencies is None else self.frequencies.to_mapping()
-        parts = {"film": film, "friction": friction, "life": life, "frequencies": turns}
+        parts = {name: self.part(name) for name in _FOLLOWING}
         return {**mapping, **parts, "notes": notes, "case": case}
 
     def to_json(self, *, indent: int | None = 2) -> str:

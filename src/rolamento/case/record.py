@@ -51,6 +51,8 @@ _RULES: Final = {
     "too_short": marked("must have at least {min_length} entries, and has {actual_length}"),
     "too_long": marked("must have at most {max_length} entries"),
     "tuple_type": marked("must be a list"),
+    "dict_type": marked("must be a table"),
+    "float_type": marked("must be a number"),
     "literal_error": marked("must be one of {expected}"),
     "union_tag_invalid": marked("must be one of {expected_tags}"),
     "union_tag_not_found": marked("must be a table"),

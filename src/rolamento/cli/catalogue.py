@@ -138,7 +138,9 @@ def show(
         known = _catalogue(files)
         if dynamic or static:
             known = _with_ratings(known, designation, dynamic, static)
-        geometry = _geometry(known, designation)
+        from rolamento.tasks.catalogue import inside_of
+
+        geometry = inside_of(known, designation)
         has_balls = geometry.has_elements
         if axis and has_balls:
             from rolamento.tasks.catalogue import axis_toml
@@ -180,15 +182,6 @@ def _with_ratings(
     sources = {**bearing.sources, **dict.fromkeys(given, "given")}
     own = dataclasses.replace(bearing, f0=None, **given, sources=sources)
     return Catalogue((*known.bearings, own))
-
-
-def _geometry(known: Catalogue, designation: str) -> InternalGeometry:
-    """What is inside; without balls where neither they nor ratings are published."""
-    from rolamento.catalogue import geometry_of
-
-    bearing = known.find(designation).bearing
-    rated = bearing.rated != (None, None)
-    return geometry_of(designation, catalogue_of=known, with_balls=rated or bearing.knows_elements)
 
 
 def _show_list(

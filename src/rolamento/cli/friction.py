@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Any, Final
+from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 
@@ -41,7 +41,6 @@ if TYPE_CHECKING:
 
     from matplotlib.figure import Figure
 
-    from rolamento.analysis import Analysis
     from rolamento.studies.friction_curves import FrictionCurve
 
 __all__ = ["friction"]
@@ -135,31 +134,23 @@ def _one(
     lang: Language | None,
 ) -> bool:
     """Show the friction of the case itself; tell whether it has a result."""
-    from rolamento.analysis import analyse
+    from rolamento.tasks.friction import COEFFICIENT, friction_mapping, friction_of_case
 
-    if case.lubricant is None or case.lubricant.friction_coefficient is None:
-        raise InputError(
-            said("is missing; the friction calculation needs it"),
-            field=_COEFFICIENT,
-            example="--coefficient 0.1",
-        )
-    analysis = analyse(case, hysteresis=hysteresis)
+    try:
+        analysis = friction_of_case(case, hysteresis=hysteresis)
+    except InputError as error:
+        if error.field != COEFFICIENT:
+            raise
+        raise error.with_details(example="--coefficient 0.1") from None
     converged = bool(analysis.solved.converged[0])
     if json is not None:
-        put_json(_mapping(analysis), json)
+        put_json(friction_mapping(analysis), json)
     from rolamento.pages.friction import friction_page
 
     outputs.show(lambda: friction_page(analysis), json)
     if STANDARD_STREAM in (json, outputs.csv) and not converged:
         complain_of(analysis.solved, lang)
     return converged
-
-
-def _mapping(analysis: Analysis) -> dict[str, Any]:
-    """Return the friction of one case as JSON has it, in SI units."""
-    whole = analysis.to_mapping()
-    kept = ("schema", "title", "status", "friction", "notes", "case")
-    return {"kind": "friction", **{key: whole[key] for key in kept}}
 
 
 def _curves(

@@ -29,7 +29,7 @@ def positive(value: ArrayLike, field: str, *, zero: bool = False) -> FloatArray:
     """
     array = numbers(value, field)
     low = array < 0.0 if zero else array <= 0.0
-    if np.any(low):
+    if low.any():
         raise InputError(
             (said("must not be negative") if zero else said("must be positive")),
             field=field,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Final
 
 import numpy as np
@@ -96,7 +97,7 @@ class EquivalentLoads:
 Notes = dict[str, BoolArray]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Basis:
     """Solved cases, conditions, and what follows from them for every theory.
 
@@ -160,18 +161,18 @@ class Basis:
         value = getattr(self.given, name)
         return over_cases(np.nan if value is None else value, name, len(self))
 
-    @property
+    @cached_property
     def basic_life(self) -> FloatArray:
         """L_10 by the equivalent load; millions of revolutions."""
         exponent = ROLLER_EXPONENT if self.has_rollers else EXPONENT
         return basic_rating_life(self.ratings.dynamic_of_set, self.loads.dynamic, exponent)
 
-    @property
+    @cached_property
     def has_rollers(self) -> bool:
         """Whether there are rows of rollers."""
         return bool(np.any(self.ratings.rollers))
 
-    @property
+    @cached_property
     def reference_load(self) -> FloatArray:
         """P_ref = C/L_10r^(1/3): load of the rating life that the reference life stands for; N.
 
@@ -184,7 +185,7 @@ class Basis:
                 self.ratings.dynamic_of_set * self.reference.life ** (-1.0 / ROLLER_EXPONENT)
             )
 
-    @property
+    @cached_property
     def row_reference_load(self) -> FloatArray:
         """P_ref of each row alone, (cases, rows); N."""
         with np.errstate(divide="ignore"):
@@ -243,7 +244,7 @@ class Basis:
         with np.errstate(invalid="ignore"):
             return system_life(races, slope=reference.race_slopes) / reference.life
 
-    @property
+    @cached_property
     def contamination_factor(self) -> FloatArray | None:
         """e_C of each case; None where it or κ is not known."""
         return None if self.viscosity_ratio is None else self.cleanliness_at(self.viscosity_ratio)

@@ -31,7 +31,7 @@ from rolamento.lubrication.film_thickness import (
 from rolamento.lubrication.line_film import line_film, line_groups
 from rolamento.lubrication.notes import notes_on
 from rolamento.lubrication.oil_state import OilState, oil_state, reference_viscosity
-from rolamento.lubrication.regime import regime_indices, regime_of, regimes
+from rolamento.lubrication.regime import Regime, regime_indices, regime_of, regimes
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.blocks import in_blocks
 from rolamento.solved import NO_LOAD, RACES, Contacts, Solved, refuse_other
@@ -82,14 +82,21 @@ class ContactFilms:
         regime = regime_of(self.film_parameter[case, element])
         return () if regime is None else tuple(mode.name for mode in regime.expects)
 
-    def to_mapping(self, case: int, element: int) -> dict[str, Any]:
-        """Give one contact as a plain mapping, NaN as None."""
-        numbers = {part.name: getattr(self, part.name)[case, element] for part in fields(self)}
-        regime = regime_of(numbers["film_parameter"])
-        failures = self.expected_failures(case, element)
-        name = "" if regime is None else regime.name
-        mapping: dict[str, Any] = plain({**numbers, "regime": name, "expected_failures": failures})
-        return mapping
+    def entries(self, case: int) -> list[dict[str, Any]]:
+        """Give every contact of a case as a plain mapping, NaN as None."""
+        columns = {part.name: plain(getattr(self, part.name)[case]) for part in fields(self)}
+        own = [
+            ("", []) if index < 0 else _named(regimes()[index])
+            for index in regime_indices(self.film_parameter[case]).tolist()
+        ]
+        return [
+            {**dict(zip(columns, row, strict=True)), "regime": name, "expected_failures": [*modes]}
+            for row, (name, modes) in zip(zip(*columns.values(), strict=True), own, strict=True)
+        ]
+
+
+def _named(regime: Regime) -> tuple[str, list[str]]:
+    return regime.name, [mode.name for mode in regime.expects]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -166,15 +173,12 @@ class Film:
         """Give one case as plain mappings and lists in SI units, NaN and infinity as None."""
         names = [part.name for part in fields(self)]
         whole = names[names.index("temperature") : names.index("row")]
-        mapping: dict[str, Any] = plain(
-            {
-                "lubricant": self.lubricant,
-                **{name: getattr(self, name)[case] for name in whole},
-                **self._entries(case),
-                "notes": [note.to_mapping() for note in self.notes_of(case)],
-            }
-        )
-        return mapping
+        return {
+            "lubricant": self.lubricant,
+            **{name: plain(getattr(self, name)[case]) for name in whole},
+            **self._entries(case),
+            "notes": plain([note.to_mapping() for note in self.notes_of(case)]),
+        }
 
     def _entries(self, case: int) -> dict[str, list[dict[str, Any]]]:
         """The elements of one case: balls, and rollers where there are some."""
@@ -182,14 +186,11 @@ class Film:
         found: dict[str, list[dict[str, Any]]] = {"balls": []}
         if set(kinds) != {"ball"}:
             found["rollers"] = []
-        for element, row in enumerate(self.row[case]):
+        rows, azimuths = self.row[case].tolist(), plain(self.azimuth[case])
+        races = (self.inner.entries(case), self.outer.entries(case))
+        for row, azimuth, inner, outer in zip(rows, azimuths, *races, strict=True):
             found["balls" if kinds[row] == "ball" else "rollers"].append(
-                {
-                    "row": row,
-                    "azimuth": self.azimuth[case, element],
-                    "inner": self.inner.to_mapping(case, element),
-                    "outer": self.outer.to_mapping(case, element),
-                }
+                {"row": row, "azimuth": azimuth, "inner": inner, "outer": outer}
             )
         return found
 

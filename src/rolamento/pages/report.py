@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from math import nan
+from math import inf, nan
 from typing import TYPE_CHECKING, Final
 
 from rolamento.case import Case
@@ -470,8 +470,8 @@ def _is_plain(case: CaseReport) -> bool:
 
 
 def _is_endless(case: CaseReport) -> bool:
-    headline = case.numbers["analysis"]["life"]["headline"]
-    return bool(headline["endless"])
+    life = case.analysis.life
+    return life is not None and float(life.headline.life[0]) == inf
 
 
 def _life_text(case: CaseReport) -> str:

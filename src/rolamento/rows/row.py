@@ -52,6 +52,11 @@ class RowGeometry:
     effective_length: FloatArray | None = None
 
 
+def alike_in_all_cases(numbers: FloatArray) -> bool:
+    """Whether several cases, along the last axis, have the same numbers: only the loads vary."""
+    return numbers.shape[-1] > 1 and bool((numbers == numbers[..., :1]).all())
+
+
 class Held(Protocol):
     """A row held in many cases, and what it answers."""
 

@@ -6,7 +6,7 @@ looked at, and the message names the one that is missing or not what it should b
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import asdict, dataclass, fields, replace
 from math import isfinite, nan
 from typing import TYPE_CHECKING, Any, Final
@@ -62,87 +62,114 @@ _MOST_SLICES: Final = 1001
 
 def mapping_of(solved: Solved) -> dict[str, Any]:
     """The only case of a result as plain values."""
-    status, rows, advice = solved.status, solved.rows, solved.advice[0]
+    before = ("schema", "title", "status", "displacement", "load", "stiffness")
+    after = ("preload", "rolling", "notes", "case")
+    return {
+        **{name: part_of(solved, name) for name in before},
+        **_elements_mapping(solved),
+        "rows": _rows_mapping(solved),
+        **{name: part_of(solved, name) for name in after},
+    }
+
+
+def part_of(solved: Solved, name: str) -> Any:
+    """One part of `mapping_of` by its key, of those that need no tables of the elements."""
+    return _PARTS[name](solved)
+
+
+def _status_mapping(solved: Solved) -> dict[str, Any]:
+    status, advice = solved.status, solved.advice[0]
+    return {
+        "code": str(status.code[0]),
+        "converged": bool(status.converged[0]),
+        "residual": plain(float(status.residual[0])),
+        "iterations": int(status.iterations[0]),
+        "advice": None if advice is None else advice.to_mapping(),
+    }
+
+
+def _of_axes(values: Any) -> dict[str, Any]:
+    return {name: plain(float(value[0])) for name, value in values._asdict().items()}
+
+
+_PARTS: Final[Mapping[str, Callable[[Solved], Any]]] = {
+    "schema": lambda solved: SCHEMA,
+    "title": lambda solved: solved.title,
+    "status": _status_mapping,
+    "displacement": lambda solved: _of_axes(solved.displacement),
+    "load": lambda solved: _of_axes(solved.load),
+    "stiffness": lambda solved: plain(solved.stiffness.array[0].tolist()),
+    "preload": lambda solved: None if solved.preload is None else _preload_mapping(solved.preload),
+    "rolling": lambda solved: _rolling_mapping(solved),
+    "notes": lambda solved: [note.to_mapping() for note in solved.notes[0]],
+    "case": lambda solved: solved.case.to_mapping(),
+}
+"""What does not need the tables of the elements."""
+
+
+def _elements_mapping(solved: Solved) -> dict[str, Any]:
+    """The balls, and the rollers where there are any, one by one."""
     control = control_names(solved)
     of_race = {
-        race: _columns(contacts, (*CONTACT_COLUMNS, *MORE_COLUMNS))
+        race: _entries(_columns(contacts, (*CONTACT_COLUMNS, *MORE_COLUMNS)))
         for race, contacts in solved.contacts.items()
     }
     elements = _columns(solved.elements, ELEMENT_COLUMNS)
+    balls = [
+        {
+            "row": int(row),
+            "azimuth": elements["azimuth"][j],
+            **{race: of_race[race][j] for race in RACES},
+            **{name: elements[name][j] for name in ELEMENT_COLUMNS[1:]},
+            "raceway_control": control[j],
+        }
+        for j, row in enumerate(solved.elements.row)
+        if solved.rows.element[row] == "ball"
+    ]
+    return {"balls": balls, **_rollers_mapping(solved, elements, of_race)}
+
+
+def _rows_mapping(solved: Solved) -> list[dict[str, Any]]:
+    rows = solved.rows
     geometry = _columns(rows, GEOMETRY_COLUMNS)
-    return {
-        "schema": SCHEMA,
-        "title": solved.title,
-        "status": {
-            "code": str(status.code[0]),
-            "converged": bool(status.converged[0]),
-            "residual": plain(float(status.residual[0])),
-            "iterations": int(status.iterations[0]),
-            "advice": None if advice is None else advice.to_mapping(),
-        },
-        "displacement": {
-            name: plain(float(v[0])) for name, v in solved.displacement._asdict().items()
-        },
-        "load": {name: plain(float(v[0])) for name, v in solved.load._asdict().items()},
-        "stiffness": plain(solved.stiffness.array[0].tolist()),
-        "balls": [
-            {
-                "row": int(row),
-                "azimuth": elements["azimuth"][j],
-                **{race: {name: v[j] for name, v in of_race[race].items()} for race in RACES},
-                **{name: elements[name][j] for name in ELEMENT_COLUMNS[1:]},
-                "raceway_control": control[j],
-            }
-            for j, row in enumerate(solved.elements.row)
-            if rows.element[row] == "ball"
-        ],
-        **_rollers_mapping(solved, elements, of_race),
-        "rows": [
-            {
-                "row": index,
-                "orientation": "+" if rows.sign[index] > 0.0 else "-",
-                "position": plain(float(rows.position[0, index])),
-                "load": dict(zip(LOADS, plain((rows.load[0, index] + 0.0).tolist()), strict=True)),
-                **_of_kind(
-                    {
-                        "loaded_balls": int(solved.loaded_elements[0, index]),
-                        "ball_count": int(rows.element_count[index]),
-                        **{name: geometry[name][index] for name in GEOMETRY_COLUMNS},
-                    },
-                    rows.element[index],
-                ),
-                **_line_of_row(rows, index),
-            }
-            for index in range(len(rows))
-        ],
-        "preload": None if solved.preload is None else _preload_mapping(solved.preload),
-        "rolling": _rolling_mapping(solved),
-        "notes": [note.to_mapping() for note in solved.notes[0]],
-        "case": solved.case.to_mapping(),
-    }
+    return [
+        {
+            "row": index,
+            "orientation": "+" if rows.sign[index] > 0.0 else "-",
+            "position": plain(float(rows.position[0, index])),
+            "load": dict(zip(LOADS, plain((rows.load[0, index] + 0.0).tolist()), strict=True)),
+            **_of_kind(
+                {
+                    "loaded_balls": int(solved.loaded_elements[0, index]),
+                    "ball_count": int(rows.element_count[index]),
+                    **{name: geometry[name][index] for name in GEOMETRY_COLUMNS},
+                },
+                rows.element[index],
+            ),
+            **_line_of_row(rows, index),
+        }
+        for index in range(len(rows))
+    ]
 
 
 def _rollers_mapping(
     solved: Solved,
     elements: Mapping[str, list[Any]],
-    of_race: Mapping[Race, Mapping[str, list[Any]]],
+    of_race: Mapping[Race, list[dict[str, Any]]],
 ) -> dict[str, Any]:
     """The rollers of the first case, slice by slice; nothing where there are none."""
     rollers, rows = solved.rollers, solved.rows
     if rollers is None:
         return {}
-    own = _columns(rollers, (*ROLLER_COLUMNS, "slice_place"))
-    lines = {race: _columns(getattr(rollers, race), LINE_COLUMNS) for race in RACES}
+    own = _entries(_columns(rollers, (*ROLLER_COLUMNS, "slice_place")))
+    lines = {race: _entries(_columns(getattr(rollers, race), LINE_COLUMNS)) for race in RACES}
     entries = [
         {
             "row": int(row),
             "azimuth": elements["azimuth"][j],
-            **{
-                race: {name: v[j] for name, v in {**of_race[race], **lines[race]}.items()}
-                for race in RACES
-            },
+            **{race: {**of_race[race][j], **lines[race][j]} for race in RACES},
             **_of_kind({name: elements[name][j] for name in ELEMENT_COLUMNS[1:]}, "roller"),
-            **{name: column[j] for name, column in own.items()},
+            **own[j],
         }
         for j, row in enumerate(solved.elements.row)
         if rows.element[row] != "ball"
@@ -189,7 +216,12 @@ def control_names(solved: Solved) -> list[str]:
 
 def _columns(record: object, names: Iterable[str]) -> dict[str, list[Any]]:
     """Numbers of the first case by name, NaN as None."""
-    return {name: plain(getattr(record, name)[0].tolist()) for name in names}
+    return {name: plain(getattr(record, name)[0]) for name in names}
+
+
+def _entries(columns: Mapping[str, list[Any]]) -> list[dict[str, Any]]:
+    """The same element by element."""
+    return [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
 
 
 def _rolling_mapping(solved: Solved) -> dict[str, Any] | None:

@@ -21,7 +21,7 @@ from rolamento.errors import FileError, InputError, UnknownKeyError, nearest
 from rolamento.geometry import Race
 from rolamento.notes import advice_on, notes_on
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.solved.form import EXAMPLE, SCHEMA, ReadAnswer, mapping_of, pieces_of
+from rolamento.solved.form import EXAMPLE, SCHEMA, ReadAnswer, mapping_of, part_of, pieces_of
 from rolamento.solved.rollers import Rollers
 from rolamento.solved.tables import (
     CONTACT_COLUMNS,
@@ -296,6 +296,13 @@ class Solved:
     def to_mapping(self, case: int = 0) -> dict[str, Any]:
         """Give one case as plain mappings and lists in SI units, NaN as None."""
         return mapping_of(self if len(self) == 1 else self[case])
+
+    def part(self, name: str) -> Any:
+        """Give one part of the mapping of a single case by its key, such as ``"stiffness"``.
+
+        Of those that need no tables of the elements.
+        """
+        return part_of(self, name)
 
     def to_json(self, *, indent: int | None = 2) -> str:
         """Give a single case, or all under "states" with what varied, as a JSON object in SI."""

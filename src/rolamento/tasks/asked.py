@@ -380,7 +380,7 @@ LIFE_TEST: Final[tuple[Group, ...]] = (
         (
             Asked(
                 "confidence",
-                marked("Confidence"),
+                marked("Confidence of bounds"),
                 marked("Confidence of the bounds, such as 0.9."),
                 "fraction",
                 example="0.9",
@@ -389,13 +389,13 @@ LIFE_TEST: Final[tuple[Group, ...]] = (
             ),
             Asked(
                 "sides",
-                marked("Sides"),
+                marked("Sides of the bounds"),
                 marked("Sides of the bounds: two, lower or upper."),
                 "choice",
                 choices=lambda: {
-                    "two": marked("two"),
-                    "lower": marked("lower"),
-                    "upper": marked("upper"),
+                    "two": marked("lower and upper"),
+                    "lower": marked("lower only"),
+                    "upper": marked("upper only"),
                 },
                 default="two",
             ),

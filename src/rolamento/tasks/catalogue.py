@@ -7,16 +7,18 @@ from typing import Any
 
 from rolamento.catalogue import (
     Candidate,
+    Catalogue,
     CatalogueBearing,
     InternalGeometry,
     RollerCandidate,
     ambiguity_axis,
+    geometry_of,
 )
 from rolamento.errors import InputError
 from rolamento.units import from_si
 from rolamento.words import said
 
-__all__ = ["axis_toml", "bearing_mapping", "search_mapping"]
+__all__ = ["axis_toml", "bearing_mapping", "inside_of", "search_mapping"]
 
 
 def axis_toml(geometry: InternalGeometry) -> str:
@@ -45,6 +47,19 @@ def axis_toml(geometry: InternalGeometry) -> str:
         texts = [f'"{from_si(value, "length")}"' if is_length else str(value) for value in values]
         lines.append(f'"{name}" = [{", ".join(texts)}]')
     return "\n".join(lines) + "\n"
+
+
+def inside_of(known: Catalogue, designation: str) -> InternalGeometry:
+    """Return what is inside a bearing; without balls where neither they nor ratings are published.
+
+    Raises
+    ------
+    InputError
+        If there is no such bearing.
+    """
+    bearing = known.find(designation).bearing
+    rated = bearing.rated != (None, None)
+    return geometry_of(designation, catalogue_of=known, with_balls=rated or bearing.knows_elements)
 
 
 def search_mapping(found: Sequence[CatalogueBearing]) -> dict[str, Any]:

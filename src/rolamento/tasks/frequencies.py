@@ -7,7 +7,7 @@ from dataclasses import asdict, dataclass
 from math import isfinite
 from typing import Any, Final
 
-from rolamento.case import is_designation
+from rolamento.case import Case, is_designation
 from rolamento.case.bearing import Bearing
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.errors import InputError
@@ -37,6 +37,7 @@ from rolamento.vibration.frequency_band import (
 from rolamento.words import Note, said
 
 SCHEMA: Final = 2
+_SPEEDS: Final = frozenset({"inner_speed", "outer_speed"})
 _MOST_HARMONICS: Final = 100
 _MOST_SIDEBANDS: Final = 10
 
@@ -160,7 +161,11 @@ def fault_frequencies(
     case = case_of(bearing, settings, inner, outer)
     duty = case.duty
     told = inner is not None or outer is not None or duty.inner_speed or duty.outer_speed
-    has_no_duty = isinstance(bearing, Bearing | RollerBearing) or is_designation(bearing)
+    has_no_duty = (
+        isinstance(bearing, Bearing | RollerBearing)
+        or (isinstance(bearing, Case) and not _SPEEDS & bearing.duty.model_fields_set)
+        or is_designation(bearing)
+    )
     speeds = None if has_no_duty and not told else duty.inner_speed, duty.outer_speed
     contact_angle = angle_of(angle, case.bearing)
     own = case.bearing

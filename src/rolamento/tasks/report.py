@@ -196,15 +196,25 @@ class CaseReport:
             "inputs": [asdict(one) for one in self.inputs],
             "extremes": _extremes(self.analysis) if self.converged else None,
             "checks": [{**asdict(one), "met": one.met} for one in self.checks],
-            "clearance": None if self.clearance is None else self.clearance.to_mapping(),
+            "clearance": self._chain,
             "analysis": analysis,
             "case": self.case.to_mapping(),
         }
 
     def number(self, path: str) -> float | None:
         """Return a number of `numbers` by its dotted path; None where there is none."""
-        found: Any = self.numbers
-        for part in path.split("."):
+        first, _, rest = path.partition(".")
+        second, _, below = rest.partition(".")
+        found: Any
+        if first == "analysis" and second in _WITHOUT_ELEMENTS:
+            found, rest = self._part(second), below
+        elif first == "extremes" and second in _BRIEF:
+            found = self._brief
+        elif first == "clearance":
+            found = self._chain
+        else:
+            found, rest = self.numbers, path
+        for part in rest.split("."):
             if isinstance(found, list) and part.isdigit() and int(part) < len(found):
                 found = found[int(part)]
             elif isinstance(found, Mapping):
@@ -213,6 +223,24 @@ class CaseReport:
                 return None
         known = isinstance(found, int | float) and not isinstance(found, bool)
         return float(found) if known else None
+
+    def _part(self, name: str) -> Any:
+        """A part of the analysis in `numbers`, which alone takes a fraction of all of it."""
+        if name not in self._parts:
+            self._parts[name] = plain(self.analysis.part(name))
+        return self._parts[name]
+
+    @cached_property
+    def _parts(self) -> dict[str, Any]:
+        return {}
+
+    @cached_property
+    def _chain(self) -> Any:
+        return None if self.clearance is None else self.clearance.to_mapping()
+
+    @cached_property
+    def _brief(self) -> Mapping[str, Any]:
+        return plain(_brief_extremes(self.analysis)) if self.converged else {}
 
     def input(self, field: str) -> Input | None:
         """Return the input of a field; None where the case has none."""
@@ -663,6 +691,17 @@ def _checks(analysis: Analysis) -> Iterator[Check]:
                 yield Check(f"film_{symbol}", least, greatest, low, high)
 
 
+def _brief_extremes(analysis: Analysis) -> dict[str, float]:
+    """Those of the extremes that a summary shows, which need no stress below the surface."""
+    found = {"max_pressure": max(float(one.max_pressure[0].max())
+                                 for one in analysis.solved.contacts.values())}  # fmt: skip
+    if analysis.film is not None:
+        found["film_parameter"] = float(analysis.film.minimum_film_parameter[0])
+    if analysis.life is not None and (load := float(analysis.life.loads.dynamic[0])) > 0.0:
+        found["load_ratio"] = float(analysis.life.ratings.dynamic_of_set[0]) / load
+    return found
+
+
 def _extremes(analysis: Analysis) -> dict[str, Any]:
     """The heaviest contacts of a solved case, and what a page shows beside the tables."""
     solved = analysis.solved
@@ -685,14 +724,12 @@ def _extremes(analysis: Analysis) -> dict[str, Any]:
             found[f"{race}_{name}"] = float(getattr(contacts, name)[0, place])
         bearing = solved.loaded[0] if solved.loaded[0].any() else slice(None)
         found[f"{race}_spin_to_roll"] = float(np.abs(contacts.spin_to_roll[0][bearing]).max())
-    found["max_pressure"] = max(found[f"{race}_max_pressure"] for race in RACES)
     found["centrifugal_force"] = float(solved.elements.centrifugal_force[0].max())
     if solved.rollers is not None:
         found["roller_tilt"] = float(np.nanmax(np.abs(solved.rollers.tilt[0])))
         found["rib_force"] = float(np.nanmax(np.abs(solved.rollers.rib_force[0])))
     film = analysis.film
     if film is not None:
-        found["film_parameter"] = float(film.minimum_film_parameter[0])
         for race in RACES:
             element = film.thinnest(race)
             if element is not None:
@@ -705,10 +742,7 @@ def _extremes(analysis: Analysis) -> dict[str, Any]:
     life = analysis.life
     if life is not None:
         found["reference_load"] = float(life.reference_load[0])
-        load = float(life.loads.dynamic[0])
-        if load > 0.0:
-            found["load_ratio"] = float(life.ratings.dynamic_of_set[0]) / load
-    cleaned: dict[str, Any] = plain(found)
+    cleaned: dict[str, Any] = plain({**found, **_brief_extremes(analysis)})
     return cleaned
 
 
@@ -731,6 +765,11 @@ def _compares(path: str) -> bool:
     return not path.startswith(_OF_ELEMENTS) or path.endswith(".load.")
 
 
+_BRIEF: Final = ("max_pressure", "film_parameter", "load_ratio")
+_WITHOUT_ELEMENTS: Final = (
+    "film", "friction", "life", "frequencies", "stiffness", "preload", "rolling", "displacement",
+    "load", "status",
+)  # fmt: skip
 _OF_FILM: Final = (
     "central_thickness", "minimum_thickness", "film_parameter", "entrainment_speed",
     "thermal_factor", "starvation_factor",

@@ -11,9 +11,8 @@ from __future__ import annotations
 import base64
 import os
 import re
-import secrets
 import unicodedata
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -21,7 +20,6 @@ from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any, Final, Literal
 from urllib.parse import unquote
 
-import anyio
 from fastapi import APIRouter
 from starlette.requests import Request
 from starlette.responses import Response
@@ -30,7 +28,7 @@ from rolamento.document import Document, Figure, Section, Statement
 from rolamento.errors import InputError
 from rolamento.tasks.asked import DEMONSTRATION, LIFE_TEST, SIGNAL, Group, by_name, given
 from rolamento.vibration.reading.formats import ENDINGS
-from rolamento.web.answers import answer, chunks, read_json
+from rolamento.web.answers import answer, read_json, received
 from rolamento.web.limits import slow
 from rolamento.words import calling, language, marked, said
 
@@ -42,10 +40,14 @@ __all__ = [
     "KINDS",
     "WORDS",
     "described",
+    "ending_of",
     "example_file",
+    "file_of",
+    "label_of",
     "life_test_page",
     "plan_page",
     "report_file",
+    "response_of",
     "router",
     "signal_page",
 ]
@@ -63,16 +65,22 @@ _COMMAND_SAYS: Final = {
     "tolerance": "slip", "machine_class": "class", "prior": "bayes", "times": "time",
 }  # fmt: skip
 """What the commands call otherwise than their tasks."""
-_SEVERITY: Final = ("power", "support", "group", "machine_class", "baseline")
+_SEVERITY: Final[tuple[str, ...]] = ("power", "support", "group", "machine_class", "baseline")
 _SEARCH: Final = ("tolerance", "speed_tolerance", "false_alarm")
-_READING: Final = ("channel", "rate", "unit", "scale", "start", "duration", "decimal_mark")
+_READING: Final[tuple[str, ...]] = (
+    "channel",
+    "rate",
+    "unit",
+    "scale",
+    "start",
+    "duration",
+    "decimal_mark",
+)
 _COLUMNS: Final = ("unit", "time", "status", "count", "group", "decimal_mark")
 _ENDINGS: Final = tuple(ending for many in ENDINGS.values() for ending in many)
 _LONGEST_NAME: Final = 100
 _SECONDS: Final = 120.0
 """That a file may take: those that read damaged ones give up after a quarter of it."""
-_GLANCE: Final = 0.5
-"""Seconds between two looks at whether anybody waits for an answer."""
 
 WORDS: Final[Mapping[str, str]] = {
     "title_signal": marked("Diagnose a vibration record"),
@@ -87,7 +95,7 @@ WORDS: Final[Mapping[str, str]] = {
     "examples": marked("Try an example"),
     "more": marked("More options"),
     "several": marked("Several: with semicolons between"),
-    "by_itself": marked("(by itself)"),
+    "none": marked("(not given)"),
     "run_signal": marked("Diagnose the record"),
     "run_weibull": marked("Evaluate the life test"),
     "run_plan": marked("Plan the test"),
@@ -250,7 +258,7 @@ def life_test_page(path: str, label: str, typed: Typed, form: str = "") -> dict[
         told = given(LIFE_TEST, typed)
         bounds, prior = told.get("bounds"), told.get("prior")
         if bounds is not None and "shape" in told:
-            rule = said("cannot be combined with a shape from experience, which has its own")
+            rule = said("cannot be combined with a shape from experience, which has its own bounds")
             raise InputError(rule, field="bounds", value=bounds)
         columns = {name: told.get(name) for name in _COLUMNS}
         found = life_test_study(
@@ -440,8 +448,7 @@ def _answer(
     sections = tuple(part for page in pages for part in page.sections)
     document = replace(pages[0], sections=sections)
     if form:
-        name = f"{_plain(document.title) or 'rolamento'}.{form}"
-        return {"content": _file(document, mapping, form), "name": name, "type": _TYPES[form]}
+        return file_of(document, mapping, form)
     from rolamento.document.html import body
 
     statements = [block for block in document.blocks() if isinstance(block, Statement)]
@@ -468,8 +475,8 @@ def _pictures_first(document: Document) -> Document:
 
 
 def _below(html: str) -> str:
-    """Return a page as a part of another: its headings stand two levels lower."""
-    return re.sub(r"(</?h)([1-6])", lambda at: at[1] + str(min(int(at[2]) + 2, 6)), html)
+    """Return a page as a part of another: its headings stand a level lower."""
+    return re.sub(r"(</?h)([1-5])", lambda at: at[1] + str(int(at[2]) + 1), html)
 
 
 def _as_data(figure: Figure) -> str | None:
@@ -480,6 +487,12 @@ def _as_data(figure: Figure) -> str | None:
 
     drawn = picture_bytes(figure.draw(), "svg", transparent=True)
     return "data:image/svg+xml;base64," + base64.b64encode(drawn).decode()
+
+
+def file_of(document: Document, mapping: dict[str, Any], form: str) -> dict[str, Any]:
+    """Return a document, its tables or its numbers as a file: its content, name and type."""
+    name = f"{_plain(document.title) or 'rolamento'}.{form}"
+    return {"content": _file(document, mapping, form), "name": name, "type": _TYPES[form]}
 
 
 def _file(document: Document, mapping: dict[str, Any], form: str) -> bytes:
@@ -537,20 +550,16 @@ async def _dropped(request: Request) -> Response:
     """Answer with what a file says: its body is the file, the address has the options."""
     kind = request.url.path.rpartition("/")[2]
     typed, form = _typed(request)
-    label = _label(unquote(request.headers.get("x-file-name", "")))
-    with TemporaryDirectory(prefix="rolamento-") as folder:
-        path = os.path.join(folder, secrets.token_hex(12) + _ending(label, kind))
-        with open(path, "xb") as file:
-            async for chunk in chunks(request, LARGEST[kind]):
-                file.write(chunk)
-        found = await _while_there(request, _PAGES[kind], path, label, typed, form)
-    return _response(found)
+    label = label_of(unquote(request.headers.get("x-file-name", "")))
+    async with received(request, LARGEST[kind], ending_of(label, kind)) as path:
+        found = await slow(_PAGES[kind], str(path), label, typed, form, seconds=_SECONDS)
+    return response_of(found)
 
 
 @router.post("/weibull/plan")
 async def _planned(request: Request) -> Response:
     """Answer with a planned test; the address has the options."""
-    return _response(await _while_there(request, plan_page, *_typed(request)))
+    return response_of(await slow(plan_page, *_typed(request), seconds=_SECONDS))
 
 
 @router.post("/report")
@@ -563,13 +572,13 @@ async def _reported(request: Request) -> Response:
     if not isinstance(head, dict):
         raise InputError(said("must be a table"), field="head")
     form = str(asked.get("format", "html"))
-    return _response(await _while_there(request, report_file, cases, head, form))
+    return response_of(await slow(report_file, cases, head, form, seconds=_SECONDS))
 
 
 @router.get("/example/{kind}/{name}")
 async def _example(kind: Literal["signal", "weibull"], name: str) -> Response:
     """Answer with a file to try."""
-    return _response(await slow(example_file, kind, name))
+    return response_of(await slow(example_file, kind, name))
 
 
 def _typed(request: Request) -> tuple[dict[str, list[str]], str]:
@@ -585,29 +594,7 @@ def _typed(request: Request) -> tuple[dict[str, list[str]], str]:
     return typed, form
 
 
-async def _while_there(request: Request, function: Callable[..., Any], *args: Any) -> Any:
-    """Run something slow, and end it when nobody waits for it any more."""
-    found: Any = None
-
-    async def leaving() -> None:
-        while not await request.is_disconnected():
-            await anyio.sleep(_GLANCE)
-        group.cancel_scope.cancel()
-
-    refused: InputError | None = None
-    async with anyio.create_task_group() as group:
-        group.start_soon(leaving)
-        try:
-            found = await slow(function, *args, seconds=_SECONDS)
-        except InputError as error:  # not as one of a group of errors
-            refused = error
-        group.cancel_scope.cancel()
-    if refused is not None:
-        raise refused
-    return found if found is not None else {}
-
-
-def _response(found: dict[str, Any]) -> Response:
+def response_of(found: dict[str, Any]) -> Response:
     """Return JSON, or a file to be saved under its name."""
     if "content" not in found:
         return answer(found)
@@ -615,13 +602,13 @@ def _response(found: dict[str, Any]) -> Response:
     return Response(found["content"], headers=headers, media_type=found["type"])
 
 
-def _label(name: str) -> str:
+def label_of(name: str) -> str:
     """Return what to call a file that a client calls so: its last part, in one line."""
     last = re.split(r"[/\\]", name)[-1]
     return "".join(sign for sign in last if sign.isprintable()).strip()[-_LONGEST_NAME:] or "file"
 
 
-def _ending(label: str, kind: str) -> str:
+def ending_of(label: str, kind: str) -> str:
     """Return the ending of a file's name, if it is one that is read."""
     ending = os.path.splitext(label)[1].lower()
     return ending if kind == "signal" and ending in _ENDINGS else ""

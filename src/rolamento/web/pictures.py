@@ -17,7 +17,7 @@ from rolamento.analysis import Analysis
 from rolamento.contact.line import PRESSURE_LIMIT
 from rolamento.geometry import Race
 from rolamento.life import LifeSummary
-from rolamento.life.theories import BY_RANK
+from rolamento.life.theories import BY_RANK, THEORIES
 from rolamento.lubrication import Film
 from rolamento.lubrication.regime import regimes
 from rolamento.notes import STATIC_PRESSURE_LIMIT
@@ -71,7 +71,7 @@ from rolamento.web.drawing import (
     reach,
     rounded_up,
 )
-from rolamento.words import ENDLESS, in_unit, marked, said
+from rolamento.words import ENDLESS, in_unit, manner, marked, said
 
 __all__ = ["PICTURES", "PictureKind", "described", "figures"]
 
@@ -89,6 +89,10 @@ _MARGIN: Final = 8.0
 _NEAR: Final = 0.5
 """Of a limit: from there on it is drawn."""
 _HARMONICS: Final = 5
+_WRAPPED: Final[dict[str, Any]] = {"mode": "lines+markers", "meta": {"from": 1, "to": -1}}
+"""Of a line that goes all round: its ends are there once more."""
+_DRAWING: Final = {"drawing": True}
+"""Of a picture whose lines are outlines: a table of their points says nothing."""
 
 
 class _Shown(NamedTuple):
@@ -297,13 +301,15 @@ def _film_of(one: Analysis) -> Film:
 
 def _no_film(cases: Cases) -> str:
     """Say why cases have no film: as their notes do, or that nothing lubricates."""
-    told = {
-        one.named(note.text)
-        for one in cases
-        for note in one.analysis.notes
-        if note.key == "no_temperature"
-    }
-    return "\n".join(sorted(told)) or said("The film needs an oil or a grease.")
+    return _notes_of(cases, "no_temperature") or said("The film needs an oil or a grease.")
+
+
+def _notes_of(cases: Cases, *keys: str) -> str:
+    """Say what notes of some keys say of the cases, a line each; empty without such."""
+    told = [
+        one.named(note.text) for one in cases for note in one.analysis.notes if note.key in keys
+    ]
+    return "\n".join(told)
 
 
 def _across(
@@ -342,7 +348,11 @@ def _over_azimuth(
                         *_all_round(azimuth, values),
                         one.named(race_name(race, row, len(by_row))),
                         hover,
-                        **{**look(race, one.place, row), "mode": "lines+markers"},
+                        **{
+                            **look(race, one.place, row),
+                            "mode": "lines+markers",
+                            "meta": {"from": 1, "to": -1},
+                        },
                     )
                 )
     heights = [np.array(one["y"], dtype=np.float64) for one in (*drawn, *beside)]
@@ -354,7 +364,7 @@ def _over_azimuth(
         xaxis=axis(
             DEGREE.label(azimuth_name(elements)), (-_MARGIN, _TURN + _MARGIN), tick0=0, dtick=45
         ),
-        yaxis=axis(title, reach(*heights, zero=zero)),
+        yaxis=axis(title, reach(*heights, zero=zero, least=1.0 if unit is DEGREE else 0.0)),
     )
 
 
@@ -444,6 +454,7 @@ def _rosette(cases: Cases) -> Picture:
                         "name": one.named(race_name(race, row, len(by_row))),
                         "hovertemplate": f"%{{theta:{NUMBER}}}°, %{{r:{NUMBER}}} {unit.symbol}"
                         "<extra>%{fullData.name}</extra>",
+                        "meta": {"to": -1},
                         **look(race, one.place, row),
                     }
                 )
@@ -484,7 +495,11 @@ def _rows(cases: Cases) -> Picture:
                         one.named(race_name(race, row, count)),
                         hover,
                         xaxis=f"x{number_of}",
-                        **{**look(race, one.place, row), "mode": "lines+markers"},
+                        **{
+                            **look(race, one.place, row),
+                            "mode": "lines+markers",
+                            "meta": {"from": 1, "to": -1},
+                        },
                     )
                 )
         left = row / count
@@ -521,7 +536,6 @@ def _ellipses(cases: Cases) -> Picture:
     if not every:
         return empty(said("no ball is loaded"))
     widest = max(slot.semi_minor for slot in every)
-    total = max(len(own) for own in found.values())
     rows = max(len(one.solved.rows) for one in cases)
     tall = 2.0 * max(map(_half, every))
     per_row = max(ceil(len(one.solved.elements.row) / len(one.solved.rows)) for one in cases)
@@ -538,15 +552,14 @@ def _ellipses(cases: Cases) -> Picture:
         bottom = line([-step, wide * rows], [0.0, 0.0], said("bottom of the groove"), "0 mm")
         drawn.append({**bottom, "yaxis": upright, "line": {"color": "grey", "dash": "dashdot",
                                                            "width": 1}})  # fmt: skip
-        label = said("Across inner groove") if race == "inner" else said("Across outer groove")
         half = rounded_up(max(map(_half, every)))
         frames["yaxis" if place == 0 else "yaxis2"] = axis(
-            MILLIMETRE.label(label), (-half, half), scaleanchor="x", constrain="domain",
-            domain=[0.54, 1.0] if place == 0 else [0.0, 0.46],
+            MILLIMETRE.label(capitalised(race_word(race))), (-half, half),
+            scaleanchor="x", constrain="domain", domain=[0.54, 1.0] if place == 0 else [0.0, 0.46],
         )  # fmt: skip
     ticks = np.arange(0.0, 1.0, 0.125 if rows == 1 else 0.25)
     frames["xaxis"] = axis(
-        said("Azimuth of the ball (°); ellipses to scale, balls side by side"),
+        DEGREE.label(azimuth_name(["ball"])),
         (-step, wide * rows),
         tickmode="array",
         tickvals=[wide * (row + tick) for row in range(rows) for tick in ticks],
@@ -554,12 +567,18 @@ def _ellipses(cases: Cases) -> Picture:
         anchor="y2",
         constrain="domain",
     )
-    told = (
-        said("Ellipses that run over the edge of the groove: {balls}.", balls="; ".join(over))
-        if over
-        else said("No ellipse runs over the edge of its groove; {count} are drawn.", count=total)
-    )
-    return picture(drawn, told, **frames)
+    scale = said("To scale across the groove and along it; the balls stand side by side.")
+    return picture(drawn, f"{_over_text(over, every)} {scale}", meta=_DRAWING, **frames)
+
+
+def _over_text(over: Sequence[str], slots: Sequence[Slot]) -> str:
+    if over:
+        return said(
+            "Ellipses that run over the edge of the groove: {balls}.", balls="; ".join(over)
+        )
+    if all(slot.shoulder for slot in slots):
+        return said("No ellipse runs over the edge of its groove.")
+    return said("Without shoulder heights the edges of the grooves are not known.")
 
 
 def _half(slot: Slot) -> float:
@@ -706,7 +725,7 @@ def _between_races(cases: Cases) -> Picture:
     frames["yaxis"] = axis(
         said("Radial height (µm), many times exaggerated; the roller's body is cut"), (-half, half)
     )
-    return picture(drawn, "; ".join(told), **frames)
+    return picture(drawn, "; ".join(told), meta=_DRAWING, **frames)
 
 
 # --- friction, life, frequencies ------------------------------------------------------------------
@@ -716,13 +735,8 @@ def _friction(cases: Cases) -> Picture:
     """Draw what each source of friction takes; where nothing turns, its torque."""
     known = [(one, one.analysis.friction) for one in cases if one.analysis.friction is not None]
     if not known:
-        told = [
-            one.named(note.text)
-            for one in cases
-            for note in one.analysis.notes
-            if note.key == "no_coefficient"
-        ]
-        return empty("\n".join(told) or said("Friction needs a lubricant."))
+        told = _notes_of(cases, "no_coefficient")
+        return empty(told or said("Friction needs a lubricant."))
     sources = list(dict.fromkeys(name for _, own in known for name in own.torque_by_source))
     torques = {
         one.place: [_first(own.torque_by_source.get(name)) for name in sources]
@@ -804,9 +818,8 @@ def _life(cases: Cases) -> Picture:
     """Draw the life by every theory, faintly where it does not hold, and what is required."""
     known = [(one, one.analysis.life) for one in cases if one.analysis.life is not None]
     if not known:
-        notes = [one.named(note.text) for one in cases for note in one.analysis.notes]
-        told = [text for text in notes if text.startswith(said("No life"))]
-        return empty("\n".join(told) or said("Life needs a designation or a [life] table."))
+        told = _notes_of(cases, "life_of_thrust_bearing", "life_without_rating")
+        return empty(told or said("Life needs a designation or a [life] table."))
     turns = all(np.isfinite(own.headline.hours).any() or _endless(own) for _, own in known)
     theories = [name for name in BY_RANK if any(name in own.theories for _, own in known)]
     lives = {
@@ -821,7 +834,7 @@ def _life(cases: Cases) -> Picture:
         for one, own in known
         if turns and own.conditions.wanted_life is not None
     ]
-    limits = decades(list(lives.values()), [hours for _, hours in wanted])
+    limits = _limits_of_lives(lives, [hours for _, hours in wanted])
     if limits is None:
         endless = any(np.isposinf(life) for life in lives.values())
         return empty(said("fatigue ends no life here") if endless else no_result())
@@ -834,7 +847,7 @@ def _life(cases: Cases) -> Picture:
         values = [float(lives[one.place, name]) for name in of]
         holds = [bool(own[name].valid[0]) for name in of]
         told = [
-            ENDLESS if np.isposinf(value) else f"{'< ' * bool(own[name].below[0])}{number(value)}"
+            _life_text(value, below=bool(own[name].below[0]))
             for name, value in zip(of, values, strict=True)
         ]
         color = "inner" if one.place == 0 else "inner2"
@@ -847,6 +860,7 @@ def _life(cases: Cases) -> Picture:
                 "y": [names[name] for name in of],
                 "text": told,
                 "textposition": "auto",
+                "insidetextanchor": "start",
                 "name": one.name or said("life"),
                 "hovertemplate": f"%{{y}}: %{{text}} {symbol}<extra>%{{fullData.name}}</extra>",
                 "marker": {
@@ -855,15 +869,12 @@ def _life(cases: Cases) -> Picture:
                 },
             }
         )
-    shapes = [
-        {"type": "line", "yref": "paper", "y0": 0, "y1": 1, "x0": hours, "x1": hours,
-         "line": {"color": "ink", "width": 1.5, "dash": "dot" if one.place else "dash"},
-         "label": {"text": one.named(said("required life")), "textposition": "end"}}
-        for one, hours in wanted
-    ]  # fmt: skip
+    for one, hours in wanted:
+        name = one.named(said("required life"))
+        drawn.append(_upright(hours, list(names.values()), name, "h", one.place))
     told = [one.named(text) for one, own in known for text in limiting_sentences(one.solved, own)]
-    if any(FAINT in own["marker"]["opacity"] for own in drawn):
-        told.append(said("faint: the theory is not valid there"))
+    if any(FAINT in own["marker"]["opacity"] for own in drawn if "marker" in own):
+        told.append(said("Faint: the theory is not valid for this case."))
     return picture(
         drawn,
         " ".join(told),
@@ -871,12 +882,38 @@ def _life(cases: Cases) -> Picture:
                    dtick=1),
         yaxis=_categories(),
         barmode="group",
-        shapes=shapes,
     )  # fmt: skip
+
+
+def _life_text(value: float, *, below: bool) -> str:
+    if np.isposinf(value):
+        return ENDLESS
+    text = manner().significant(value, 4)
+    return said("< {life}", life=text) if below else text
+
+
+def _limits_of_lives(
+    lives: Mapping[tuple[int, str], Any], wanted: Sequence[float]
+) -> list[float] | None:
+    """Return the logarithms of the ends of an axis of lives; bounds far above do not lead it."""
+    near = [life for (_, theory), life in lives.items() if not THEORIES[theory].bound]
+    limits = decades(near, wanted)
+    if limits is None:
+        return decades(list(lives.values()))
+    return [limits[0] - 0.5, limits[1] + 0.5]
 
 
 def _endless(summary: LifeSummary) -> bool:
     return bool(np.isposinf(summary.headline.life).any())
+
+
+def _upright(
+    at: float, categories: Sequence[str], name: str, unit: str, place: int
+) -> dict[str, Any]:
+    """Return a line across the bars, or the rows of marks."""
+    drawn = {"color": "ink", "width": 1.5, "dash": "dot" if place else "dash"}
+    ends = [categories[0], categories[-1]]
+    return {**line([at, at], [], name, f"%{{x:{NUMBER}}} {unit}", line=drawn), "y": ends}
 
 
 def _frequencies(cases: Cases) -> Picture:
@@ -919,20 +956,15 @@ def _frequencies(cases: Cases) -> Picture:
             }
         )
     shafts = {round(own.shaft_frequency, 9): one for one, own in known}
-    shapes = [
-        {"type": "line", "yref": "paper", "y0": 0, "y1": 1, "x0": own, "x1": own,
-         "line": {"color": "grey", "width": 1.5, "dash": "dot" if one.place else "dash"},
-         "label": {"text": one.named(said("shaft")), "textposition": "end"}}
-        for own, one in shafts.items()
-    ]  # fmt: skip
     greatest = max(value for own in drawn for value in own["x"])
+    for frequency, one in shafts.items():
+        drawn.append(_upright(frequency, list(rows), one.named(said("shaft")), "Hz", one.place))
     return picture(
         drawn,
-        said("Under load: {values}.", values="; ".join(told)),
-        xaxis=axis(said("Frequency (Hz), with harmonics to the {count}th", count=_HARMONICS),
-                   (0.0, rounded_up(1.03 * greatest))),
+        said("Under load: {values}. Marks: the first {count} harmonics.",
+             values="; ".join(told), count=_HARMONICS),
+        xaxis=axis(said("Frequency (Hz)"), (0.0, rounded_up(1.03 * greatest))),
         yaxis={**_categories(), "categoryorder": "array", "categoryarray": list(rows)},
-        shapes=shapes,
     )  # fmt: skip
 
 

@@ -79,8 +79,8 @@ def apply_model(p: Floats, model: Model) -> None:
 def directions(balls: int) -> tuple[Floats, Floats]:
     """Cosine and sine of 2π j/Z for every ball j, symmetrical to the last bit; (balls,) each.
 
-    Not to be written to. Balls that mirror each other then have the same place to the last bit too, and a ball at 90°
-    is under no part of a load along z.
+    Not to be written to. Balls that mirror each other then have the same place to the last bit
+    too, and a ball at 90° is under no part of a load along z.
     """
     part = np.arange(balls)
     quarter, rest = np.divmod(4 * part, balls)

@@ -18,7 +18,7 @@ from rolamento.rows.ball.detail import ContactTable, ball_table
 from rolamento.rows.ball.problem import apply_model, bearing_column, bearing_columns, ring_arms
 from rolamento.rows.ball.rolling import Rolling as Motion
 from rolamento.rows.ball.run import Solution, ball_azimuths, row_verdict, solve_columns
-from rolamento.rows.row import Held, Indices, RowGeometry, RowSizes
+from rolamento.rows.row import Held, Indices, RowGeometry, RowSizes, alike_in_all_cases
 from rolamento.solved import (
     Elements,
     Index,
@@ -207,13 +207,16 @@ class BallRow:
         """Place along x under an axial force at rest; (cases,), m, NaN where there is none."""
         p = self.p.copy()
         p[layout.INNER_SPEED] = p[layout.OUTER_SPEED] = 0.0
-        free = np.zeros((self.cases, 5), np.bool_)
+        alike = alike_in_all_cases(p) and alike_in_all_cases(force)
+        which = np.arange(1 if alike else self.cases)
+        free = np.zeros((len(which), 5), np.bool_)
         free[:, 0] = True
-        load = np.zeros((self.cases, 5))
-        load[:, 0] = force
-        still = replace(self, p=p, fast=True).asked(free, load, np.zeros_like(load))
+        load = np.zeros((len(which), 5))
+        load[:, 0] = force[which]
+        still = replace(self, p=p[:, which], fast=True).asked(free, load, np.zeros_like(load))
         held = still.alone(np.ones((1, self.element_count)))
-        return np.where(held.number == status.CONVERGED, held.place[:, 0], np.nan)
+        found = np.where(held.number == status.CONVERGED, held.place[:, 0], np.nan)
+        return np.repeat(found, self.cases) if alike else found
 
     def verdict(self, held: Held, control: FloatArray) -> IntArray:
         """Jones's criterion for every ball; (cases, balls)."""

@@ -60,6 +60,11 @@ class Cut:
         """How many."""
         return int(self.place.shape[-1])
 
+    @property
+    def alike(self) -> bool:
+        """Whether they are the same in all cases."""
+        return len(self.place) == len(self.drops) == len(self.curvature) == len(self.body) == 1
+
     def lines(self) -> Line:
         """For the kernels, with scratch of its own."""
         return (

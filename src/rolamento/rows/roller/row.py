@@ -16,7 +16,14 @@ from rolamento.rows.ball.problem import directions
 from rolamento.rows.roller import layout
 from rolamento.rows.roller.columns import Numbers, numbers_of
 from rolamento.rows.roller.run import Solution, hold, settle
-from rolamento.rows.row import Held, Indices, IntArray, RowGeometry, RowSizes
+from rolamento.rows.row import (
+    Held,
+    Indices,
+    IntArray,
+    RowGeometry,
+    RowSizes,
+    alike_in_all_cases,
+)
 from rolamento.solved import Elements, Index, Pressed, Tables
 from rolamento.solved.rollers import Line, Rollers
 
@@ -174,14 +181,16 @@ class RollerRow:
         p[[layout.CENTRIFUGAL, layout.MOMENT]] = 0.0
         still = replace(self, numbers=replace(self.numbers, p=p))
         found = np.full(self.cases, np.nan)
+        alike = alike_in_all_cases(p) and alike_in_all_cases(force) and self.numbers.cut.alike
         which = np.flatnonzero(self.valid & np.isfinite(force))
+        which = which[:1] if alike else which
         free, load = np.zeros((len(which), 5), np.bool_), np.zeros((len(which), 5))
         free[:, 0], load[:, 0] = True, force[which]
         place, _, _ = still.near(free, load, np.zeros_like(load), which)
         force_there = still.held(place, which, np.ones((1, 1))).force[:, 0]
         near = np.abs(force_there - force[which]) <= 1e-9 * np.abs(force[which])
         found[which] = np.where(near, place[:, 0], np.nan)
-        return found
+        return np.full(self.cases, found[0]) if alike else found
 
     def verdict(self, held: Held, control: FloatArray) -> IntArray:
         """Return the control as it is: rollers roll on both races; (cases, elements)."""

@@ -24,7 +24,7 @@ class Drop {
     Object.assign(this, { kind, described, lang, currentCase, file: null, name: "", sending: null });
     this.words = described.words;
     this.fields = new Map();
-    this.element = make("section", { className: `drop panel ${kind}` }, make("h2", {}, this.words[`title_${kind}`]));
+    this.element = make("section", { className: `drop panel ${kind}` }, make(kind === "plan" ? "h2" : "h1", {}, this.words[`title_${kind}`]));
     this.form = make("form", { noValidate: true });
     this.form.append(...(kind === "plan" ? [] : this.fileParts()), ...this.optionParts(), this.endParts());
     this.form.addEventListener("submit", (event) => { event.preventDefault(); this.run(); });
@@ -98,7 +98,7 @@ class Drop {
       label = make("span", { className: "label" }, one.label);
       read = () => boxes.filter(([box]) => box.checked).map(([box]) => box.value);
     } else if (one.kind === "choice") {
-      control = make("select", { id }, ...(one.default ? [] : [make("option", { value: "" }, this.words.by_itself)]),
+      control = make("select", { id }, ...(one.default ? [] : [make("option", { value: "" }, this.words.none)]),
         ...one.choices.map(({ value, label: text }) => make("option", { value, selected: value === one.default }, text)));
       read = () => [control.value];
     } else if (one.kind === "switch") {

@@ -22,6 +22,7 @@ export class Store {
   #past = [];
   #future = [];
   #sources = 0;
+  #moved = "";
 
   /** The slot that is edited. */
   get current() {
@@ -46,6 +47,8 @@ export class Store {
 
   /** Ask for a change of the edited case; null takes the value back to what is unsaid. */
   change(name, value) {
+    if (name !== this.#moved) this.settled(); // what was taken of another field is a step of its own
+    this.#moved = name;
     this.current.changes[name] = value;
   }
 

@@ -1,0 +1,390 @@
+"""What the bodies of requests to the HTTP API may hold: records as those of a case are.
+
+Their docstrings are the descriptions of its OpenAPI document.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Annotated, Any, Final, Literal
+
+from pydantic import (
+    AfterValidator,
+    Field,
+    GetCoreSchemaHandler,
+    GetJsonSchemaHandler,
+    WithJsonSchema,
+)
+from pydantic_core import CoreSchema
+
+from rolamento.case import Case
+from rolamento.case.fields import changed
+from rolamento.case.quantity import Quantity, Ratio
+from rolamento.case.record import Record
+from rolamento.case.report import ReportHead
+from rolamento.errors import InputError
+from rolamento.studies.outputs import DEFAULT_OUTPUTS
+from rolamento.tasks.bearing import has_load
+from rolamento.tasks.life import MOST_BEARINGS
+from rolamento.tasks.report import MOST_CASES
+from rolamento.weibull.life_test import MAXIMUM_ROWS
+from rolamento.words import said
+
+__all__ = [
+    "BatchRequest",
+    "CaseRequest",
+    "FrequenciesRequest",
+    "FrictionRequest",
+    "LifeRequest",
+    "ReportRequest",
+    "WeibullRequest",
+]
+
+_MOST_SETTINGS: Final = 200
+_LONGEST: Final = 300
+_MOST_NUMBERS: Final = 50
+_CASE: Final = {
+    "bearing": {"designation": "6310/C3"},
+    "duty": {"inner_speed": "1480 rpm", "load": {"fz": "5 kN"}},
+}
+_SETTINGS: Final = {"duty.load.fz": "5 kN", "duty.inner_speed": "1480 rpm"}
+_LIVES: Final = [17.88, 28.92, 33.0, 41.52, 42.12, 45.6]
+
+
+class TablesOf:
+    """Annotation of a mapping that holds the tables of a record as its file has them."""
+
+    def __init__(self, record: type[Record]) -> None:
+        self.record = record
+
+    def __get_pydantic_core_schema__(
+        self, source: object, handler: GetCoreSchemaHandler
+    ) -> CoreSchema:
+        """Take any mapping: whoever reads it tells what is wrong, by the names of its fields."""
+        return handler(source)
+
+    def __get_pydantic_json_schema__(
+        self, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        """Describe the record."""
+        return handler(self.record.__pydantic_core_schema__)
+
+
+Text = Annotated[str, Field(strict=True, max_length=_LONGEST)]
+Number = Annotated[float, Ratio()]
+Share = Annotated[float, Ratio(above=0.0, at_most=1.0)]
+Flag = Annotated[bool, Field(strict=True)]
+
+
+def _checked_time(given: object) -> object:
+    is_number = isinstance(given, int | float) and not isinstance(given, bool)
+    if not is_number and not (isinstance(given, str) and len(given) <= _LONGEST):
+        raise InputError(said("must be a number, or text with a unit"), example='"100 h"')
+    return given
+
+
+Time = Annotated[
+    Any,
+    AfterValidator(_checked_time),
+    WithJsonSchema({"anyOf": [{"type": "string", "maxLength": _LONGEST}, {"type": "number"}]}),
+]
+"""A number in the unit of the data, or text with another."""
+
+
+class CaseRequest(Record):
+    """A case: its tables, or the designation of a bearing; with settings over it.
+
+    Parameters
+    ----------
+    case
+        The tables of a case file; quantities are text with a unit, such as "10 kN".
+    designation
+        Of a bearing in the catalogue, such as "6310/C3", instead of a case.
+    settings
+        Values over the case, by the dotted names of its fields; null takes one away.
+    """
+
+    case: Annotated[dict[str, Any], TablesOf(Case)] | None = Field(None, examples=[_CASE])
+    designation: Text | None = Field(None, min_length=1, examples=["6310/C3"])
+    settings: dict[Text, Any] = Field(
+        default_factory=dict, max_length=_MOST_SETTINGS, examples=[_SETTINGS]
+    )
+
+    def to_case(self, *, needs_load: bool = True) -> Case:
+        """Return the case.
+
+        needs_load: refuse a designation that no setting gives a load.
+
+        Raises
+        ------
+        InputError
+            If it is neither tables nor a designation, or not valid.
+        """
+        if (self.case is None) == (self.designation is None):
+            raise InputError(
+                said("must have one of case and designation"),
+                field="case",
+                example='{"designation": "6310/C3", "settings": {"duty.load.fz": "5 kN"}}',
+            )
+        tables: Mapping[str, Any] = self.case or {}
+        if self.designation is not None:
+            tables = {"bearing": {"designation": self.designation.strip()}, "duty": {}}
+        case = Case.from_mapping(changed(tables, self.settings, Case, in_file=True))
+        if self.designation is None:
+            return case
+        if needs_load and not has_load(case):
+            rule = said("is missing: nothing loads the bearing")
+            raise InputError(rule, field="duty.load", example='{"duty.load.fz": "5 kN"}')
+        return case if case.title else case.replace(title=self.designation.strip())
+
+
+class BatchRequest(CaseRequest):
+    """Many cases of one bearing: values of fields in, columns of results out.
+
+    Parameters
+    ----------
+    case
+        The tables of a case file, for what does not vary.
+    designation
+        Of a bearing in the catalogue, instead of a case.
+    settings
+        Values over the case, by the dotted names of its fields; null takes one away.
+    fields
+        Values by the dotted names of the fields that vary: lists of one length, of text with a unit
+        or of numbers in SI units; or one value for all cases.
+    outputs
+        Names of results, as `rolamento sweep --list outputs` lists them.
+    """
+
+    fields: dict[Text, Any] = Field(
+        min_length=1, max_length=_MOST_NUMBERS, examples=[{"duty.load.fz": ["2 kN", "5 kN"]}]
+    )
+    outputs: tuple[Text, ...] = Field(
+        DEFAULT_OUTPUTS, min_length=1, max_length=100, examples=[["max_inner_load", "stiffness_zz"]]
+    )
+
+
+class FrictionRequest(CaseRequest):
+    """A case of which the friction torque is to be found.
+
+    Parameters
+    ----------
+    case
+        The tables of a case file, with a coefficient of friction in [lubricant].
+    designation
+        Of a bearing in the catalogue, instead of a case.
+    settings
+        Values over the case, by the dotted names of its fields; null takes one away.
+    hysteresis
+        Part of the elastic work that the material loses.
+    """
+
+    hysteresis: Annotated[float, Ratio(at_least=0.0, at_most=1.0)] = Field(0.01, examples=[0.01])
+
+
+class LifeRequest(CaseRequest):
+    """A case, or the cases of the bearings on one shaft, whose life is to be found.
+
+    Parameters
+    ----------
+    case
+        The tables of a case file.
+    designation
+        Of a bearing in the catalogue, instead of a case.
+    settings
+        Values over the case, by the dotted names of its fields; null takes one away.
+    bearings
+        Of one shaft, two or more, instead of a case.
+    """
+
+    bearings: tuple[CaseRequest, ...] = Field((), max_length=MOST_BEARINGS)
+
+
+class FrequencyTolerances(Record):
+    """By how much the figures behind fault frequencies may be off, up and down.
+
+    Parameters
+    ----------
+    ball_diameter, pitch_diameter
+        Text with a unit.
+    contact_angle
+        Text with a unit.
+    speed
+        Of both rings, as a part of each.
+    slip
+        In addition to the slip given: the cage may lag by as much more.
+    """
+
+    ball_diameter: Annotated[float, Quantity("length", at_least="0 mm")] = Field(
+        0.0, examples=["0.01 mm"]
+    )
+    pitch_diameter: Annotated[float, Quantity("length", at_least="0 mm")] = Field(
+        0.0, examples=["0.1 mm"]
+    )
+    contact_angle: Annotated[float, Quantity("angle", at_least="0 deg")] | None = Field(
+        None, examples=["1 deg"]
+    )
+    speed: Annotated[float, Ratio(at_least=0.0, at_most=1.0)] = Field(0.0, examples=[0.01])
+    slip: Annotated[float, Ratio(at_least=0.0, at_most=1.0)] = Field(0.0, examples=[0.02])
+
+
+class FrequenciesRequest(CaseRequest):
+    """A bearing whose fault frequencies are to be found, also under the load of its case.
+
+    Parameters
+    ----------
+    case
+        The tables of a case file.
+    designation
+        Of a bearing in the catalogue, instead of a case; a load is not needed.
+    settings
+        Values over the case, by the dotted names of its fields; null takes one away.
+    speed, outer_speed
+        Of the rings, such as "1797 rpm"; by default those of the case.
+    slip
+        Part of the cage's speed against the outer ring that it lags behind.
+    angle
+        Contact angle of a bearing given by its clearance: "zero" (radial load), "free" (axial
+        load), or any angle such as "15 deg".
+    tolerances
+        By how much the figures may be off.
+    harmonics
+        How many multiples are listed.
+    sidebands
+        How many on either side of each.
+    """
+
+    speed: Text | None = Field(None, examples=["1797 rpm"])
+    outer_speed: Text | None = Field(None, examples=["0 rpm"])
+    slip: Annotated[float, Ratio(at_least=-1.0, at_most=1.0)] = Field(0.0, examples=[0.01])
+    angle: Text = Field("zero", examples=["15 deg"])
+    tolerances: FrequencyTolerances = Field(default_factory=FrequencyTolerances)
+    harmonics: int = Field(3, strict=True, ge=1, le=100, examples=[3])
+    sidebands: int = Field(1, strict=True, ge=0, le=10, examples=[1])
+
+
+class LifeTestTable(Record):
+    """Lives of a test, one row a bearing or so many alike.
+
+    Parameters
+    ----------
+    times
+        At which a bearing failed, was found to have failed, or was suspended.
+    failed
+        Whether it failed; all did if not given.
+    lower
+        Time of the last inspection that a failed bearing passed; null where the time of failure
+        itself is known.
+    counts
+        How many bearings a row stands for.
+    group
+        Label of the group, such as a lot.
+    rig
+        Label of bearings whose test ended together, at the first failure.
+    unit
+        Of the times: "h", "Mrev" (millions of revolutions), "rev" …
+    title
+        What the data are.
+    """
+
+    times: tuple[Number, ...] = Field(min_length=1, max_length=MAXIMUM_ROWS, examples=[_LIVES])
+    failed: tuple[Flag, ...] | None = Field(None, max_length=MAXIMUM_ROWS)
+    lower: tuple[Number | None, ...] | None = Field(None, max_length=MAXIMUM_ROWS)
+    counts: tuple[Annotated[int, Field(strict=True, ge=1)], ...] | None = Field(
+        None, max_length=MAXIMUM_ROWS
+    )
+    group: tuple[Text, ...] | None = Field(None, max_length=MAXIMUM_ROWS)
+    rig: tuple[Text, ...] | None = Field(None, max_length=MAXIMUM_ROWS)
+    unit: Text = Field("h", examples=["h"])
+    title: Text = Field("", examples=["Lot A"])
+
+
+class PriorShape(Record):
+    """What was known of the shape before the test.
+
+    Parameters
+    ----------
+    low, high
+        The shape lies between them, with a probability of 0.9 if it is "lognormal".
+    kind
+        "lognormal", or "uniform": nothing outside.
+    """
+
+    low: Annotated[float, Ratio(above=0.0)] = Field(examples=[1.0])
+    high: Annotated[float, Ratio(above=0.0)] = Field(examples=[2.5])
+    kind: Literal["lognormal", "uniform"] = "lognormal"
+
+
+class WeibullRequest(Record):
+    """A life test, and what is to be found of it.
+
+    Parameters
+    ----------
+    test
+        The lives.
+    methods
+        Of fitting: ml, unbiased, rrx, rry, three-parameter; by default the first four.
+    bounds
+        Method of the bounds, such as "pivotal"; by default one that is exact with few failures.
+    confidence
+        Of the bounds.
+    sides
+        Of the bounds.
+    reliabilities
+        To give lives for, 0.9 for L10; a calculated life is for the first.
+    times
+        To give the reliability at: numbers in the unit of the test, or text with another.
+    calculated
+        Calculated lives to compare with the data, by their names, likewise.
+    shape
+        From experience: then only the scale is fitted.
+    prior
+        What was known of the shape: gives a posterior as well.
+    by_group
+        Each group by itself, and compared; or all together.
+    only
+        Groups to keep; all if none is named.
+    samples
+        Tests to simulate; by default 10 000, fewer of large tests.
+    seed
+        That they are drawn with.
+    """
+
+    test: LifeTestTable = Field(examples=[{"times": _LIVES, "unit": "h"}])
+    methods: tuple[Text, ...] = Field((), max_length=10, examples=[["ml", "unbiased"]])
+    bounds: Text | None = Field(None, examples=["pivotal"])
+    confidence: Share = Field(0.9, examples=[0.9])
+    sides: Literal["two", "lower", "upper"] = "two"
+    reliabilities: tuple[Share, ...] = Field(
+        (0.9, 0.5), min_length=1, max_length=_MOST_NUMBERS, examples=[[0.9, 0.5]]
+    )
+    times: tuple[Time, ...] = Field((), max_length=_MOST_NUMBERS, examples=[["100 h"]])
+    calculated: dict[Text, Time] = Field(
+        default_factory=dict, max_length=8, examples=[{"ISO 281": "58 h"}]
+    )
+    shape: Annotated[float, Ratio(above=0.0)] | None = Field(None, examples=[1.5])
+    prior: PriorShape | None = Field(None, examples=[{"low": 1.0, "high": 2.5}])
+    by_group: Flag = True
+    only: tuple[Text, ...] = Field((), max_length=_MOST_NUMBERS)
+    samples: int | None = Field(None, strict=True, ge=100, le=100_000, examples=[10_000])
+    seed: int = Field(0, strict=True, ge=0, le=2**63 - 1, examples=[0])
+
+
+class ReportRequest(Record):
+    """Cases of which a calculation report is to be written, side by side if there are several.
+
+    Parameters
+    ----------
+    cases
+        One to twenty.
+    format
+        Of the file.
+    head
+        Of the title block: project, author, revision, date, checked_by.
+    """
+
+    cases: tuple[CaseRequest, ...] = Field(
+        min_length=1, max_length=MOST_CASES, examples=[[{"case": _CASE}]]
+    )
+    format: Literal["html", "pdf", "md", "txt", "json"] = Field("html", examples=["pdf"])
+    head: ReportHead = Field(default_factory=ReportHead, examples=[{"project": "Pump P-101"}])
