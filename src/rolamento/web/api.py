@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from functools import cache
 from types import MappingProxyType
 from typing import Any, Final
 from urllib.parse import unquote
@@ -217,8 +218,13 @@ def _catalogue(given: Mapping[str, str]) -> str:
     return dumps(search_mapping(built_in_catalogue().search(given["text"], int(most))))
 
 
-def _schema(_: Mapping[str, str]) -> str:
+@cache
+def _case_schema() -> str:
     return dumps(rolamento.Case.model_json_schema())
+
+
+def _schema(_: Mapping[str, str]) -> str:
+    return _case_schema()
 
 
 def _version(_: Mapping[str, str]) -> str:
@@ -353,8 +359,8 @@ OPERATIONS: Final[tuple[Operation, ...]] = (
             "designation": "6310/C3",
             "settings": {
                 **_LOAD,
-                "lubricant": {"name": "ISO VG 68", "friction_coefficient": 0.1},
-                "temperature.lubricant": "70 degC",
+                **_OIL,
+                "lubricant.friction_coefficient": 0.1,
             },
         },
         has=(*_STATE, "kind", "friction"),

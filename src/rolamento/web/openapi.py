@@ -135,7 +135,7 @@ def _refused(one: Operation) -> dict[str, Any]:
 def _schemas() -> dict[str, Any]:
     records: list[type[Record]] = [one.asks for one in OPERATIONS if one.asks is not None]
     _, found = models_json_schema(
-        [(record, "validation") for record in dict.fromkeys([Case, *records])],
+        [(record, "validation") for record in (Case, *records)],
         ref_template=_REFERENCE + "{model}",
     )
     error = {

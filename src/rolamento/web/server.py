@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
+import asyncio
 import gzip
 import hmac
-import importlib.util
 import ipaddress
 import logging
 import mimetypes
 import os
 import threading
-from collections.abc import AsyncIterator, Callable, Mapping
-from contextlib import asynccontextmanager
-from dataclasses import dataclass, field
+from collections.abc import AsyncIterator, Mapping
+from contextlib import asynccontextmanager, suppress
+from dataclasses import dataclass
 from functools import cache, lru_cache
 from http.cookies import CookieError, SimpleCookie
-from importlib import import_module
 from pathlib import Path
 from secrets import token_hex
 from typing import Any, Final
@@ -32,19 +31,19 @@ from uvicorn.protocols.http.h11_impl import H11Protocol
 
 from rolamento._json import dumps
 from rolamento.errors import InputError
+from rolamento.web import api, drops, page_api
 from rolamento.web.answers import RequestError, answer, language_for, refused
-from rolamento.web.limits import VISITOR
+from rolamento.web.limits import VISITOR, slow
 from rolamento.web.openapi import DOCS, DOCUMENT, docs_page, openapi_document
+from rolamento.web.warming import Warmth, make_ready, make_worker_ready
 from rolamento.words import language, said, speaking
 
-__all__ = ["PAGE", "Settings", "Warmth", "create_app", "server_options"]
+__all__ = ["PAGE", "Settings", "create_app", "server_options"]
 
 PAGE: Final = Path(__file__).parent / "page"
 """Where the files of the page are; each is served as ``/static/<path>``."""
 _log: Final = logging.getLogger("rolamento.web")
 
-_ROUTERS: Final = ("api", "page_api", "drops")
-"""Modules of this package, each with its `router`."""
 _HERE: Final = ("127.0.0.1", "localhost", "[::1]")
 """Names of this machine, as a browser on it says them."""
 _COOKIE: Final = "rolamento_token"
@@ -104,20 +103,6 @@ class Settings:
     warm: bool = True
 
 
-@dataclass
-class Warmth:
-    """How far the server is with making ready: the page says so, and requests wait."""
-
-    ready: bool = False
-    done: int = 0
-    total: int = 0
-    lock: threading.Lock = field(default_factory=threading.Lock)
-
-    def to_mapping(self) -> dict[str, Any]:
-        """Give it as plain data."""
-        return {"ready": self.ready, "done": self.done, "total": self.total}
-
-
 def create_app(settings: Settings | None = None) -> FastAPI:
     """Make the server of the app.
 
@@ -131,11 +116,12 @@ def create_app(settings: Settings | None = None) -> FastAPI:
 
     @asynccontextmanager
     async def lifespan(_: FastAPI) -> AsyncIterator[None]:
-        if settings.warm:
-            threading.Thread(target=_warmed, args=(warmth,), daemon=True).start()
-        else:
-            warmth.ready = True
+        warmth.ready = not settings.warm
+        tasks = [asyncio.create_task(_make_all_ready(warmth))] if settings.warm else []
         yield
+        for task in tasks:
+            task.cancel()
+        await asyncio.gather(*tasks, return_exceptions=True)
 
     app = FastAPI(
         title="Rolamento",
@@ -147,9 +133,8 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         exception_handlers={InputError: _refused, HTTPException: _not_found},
     )
     app.state.settings, app.state.warmth = settings, warmth
-    for name in _ROUTERS:
-        if importlib.util.find_spec(f"rolamento.web.{name}") is not None:
-            app.include_router(import_module(f"rolamento.web.{name}").router)
+    for router in (api.router, page_api.router, drops.router):
+        app.include_router(router)
     app.add_api_route(DOCUMENT, _openapi, methods=["GET"], include_in_schema=False)
     app.add_api_route(DOCS, _docs, methods=["GET"], include_in_schema=False)
     app.openapi = openapi_document  # type: ignore[method-assign]
@@ -157,6 +142,21 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.mount("/static", Files(directory=PAGE, check_dir=False))
     app.add_middleware(Gate, settings=settings)
     return app
+
+
+async def _make_all_ready(warmth: Warmth) -> None:
+    """Make this process ready in a thread that the program does not wait for, then a worker."""
+    loop = asyncio.get_running_loop()
+    done = asyncio.Event()
+
+    def work() -> None:
+        make_ready(warmth)
+        with suppress(RuntimeError):  # the server has ended
+            loop.call_soon_threadsafe(done.set)
+
+    threading.Thread(target=work, daemon=True).start()
+    await done.wait()
+    await slow(make_worker_ready)
 
 
 class PatientProtocol(H11Protocol):
@@ -420,23 +420,3 @@ def _broken(number: str) -> Response:
     """Say that something is wrong here; what, the log tells under the number."""
     rule = said("an error in the program; its log tells more under {number}", number=number)
     return refused(RequestError(rule, 500))
-
-
-def _warmed(warmth: Warmth) -> None:
-    """Load and compile what the first request would wait for."""
-    steps: list[Callable[[], object]] = [_example_analysed]
-    warmth.total = len(steps)
-    for step in steps:
-        try:
-            step()
-        except Exception:
-            _log.exception("making ready")
-        warmth.done += 1
-    warmth.ready = True
-
-
-def _example_analysed() -> None:
-    from rolamento.analysis import analyse
-    from rolamento.tasks.demonstration import example_case
-
-    analyse(example_case()).to_mapping()

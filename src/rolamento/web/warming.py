@@ -1,0 +1,100 @@
+"""Making ready: what the first request would wait for is loaded and compiled before it comes.
+
+A request that comes earlier waits no longer than it would have to anyway; the page says how far
+the server is.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Final
+
+from rolamento.words import languages, speaking
+
+__all__ = ["Warmth", "make_ready", "make_worker_ready"]
+
+_log: Final = logging.getLogger("rolamento.web")
+_SPEED: Final = {"inner_speed": "1480 rpm"}
+_BALLS: Final = {"bearing": {"designation": "6310"},
+                 "duty": {**_SPEED, "load": {"fx": "1 kN", "fz": "5 kN"}}}  # fmt: skip
+_SET: Final = {
+    "bearing": {
+        "designation": "7210 C",
+        "arrangement": "DB",
+        "spacing": "30 mm",
+        "preload": {"force": "300 N"},
+    },
+    "duty": {**_SPEED, "load": {"fz": "2 kN"}},
+}
+_ROLLERS: Final = {"bearing": {"designation": "NU 208"}, "duty": {**_SPEED, "load": {"fz": "5 kN"}}}
+_REST: Final = {
+    "lubricant": {"name": "ISO VG 68", "friction_coefficient": 0.1},
+    "temperature": {"lubricant": "70 degC"},
+}
+
+
+@dataclass
+class Warmth:
+    """How far a server is with making ready."""
+
+    ready: bool = False
+    done: int = 0
+    total: int = 0
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give it as plain data."""
+        return {"ready": self.ready, "done": self.done, "total": self.total}
+
+
+def make_ready(warmth: Warmth) -> None:
+    """Do what the first requests ask for, step by step; what fails there fails for them too."""
+    steps: tuple[Callable[[], None], ...] = (
+        *(lambda code=code: _start(code) for code in languages()),
+        *(lambda case=case: _follow(case) for case in (_BALLS, _SET, _ROLLERS)),
+    )
+    warmth.total = len(steps)
+    for step in steps:
+        try:
+            step()
+        except Exception:
+            _log.exception("a step of making ready failed")
+        warmth.done += 1
+    warmth.ready = True
+
+
+def make_worker_ready() -> None:
+    """Load and compile what slow requests need, in the process that answers them."""
+    from rolamento.tasks.batch import batch
+    from rolamento.tasks.report import report_on  # noqa: F401  # what it imports is the point
+
+    batch(_case(_BALLS), {"duty.load.fz": ["1 kN", "2 kN"]})
+
+
+def _start(code: str) -> None:
+    """Make what the page starts with, in a language."""
+    from rolamento.web.page_api import start
+
+    with speaking(code):
+        start()
+
+
+def _follow(tables: dict[str, Any]) -> None:
+    """Follow a case as the page does, alone and as one of several, which other code solves."""
+    from rolamento.pages.report import PARTS
+    from rolamento.solution import solve
+    from rolamento.web.live import live
+    from rolamento.web.pictures import PICTURES
+
+    solve(_case(tables), fz=[1000.0, 2000.0])
+    for quick in (False, True):
+        request = {"case": {**tables, **_REST}, "changes": {}}
+        seen = {"pictures": list(PICTURES), "sections": [] if quick else list(PARTS)}
+        live({"cases": [request], **seen, "quick": quick})
+
+
+def _case(tables: dict[str, Any]) -> Any:
+    from rolamento.case import Case
+
+    return Case.from_mapping(tables)
