@@ -89,6 +89,9 @@ _MARGIN: Final = 8.0
 _NEAR: Final = 0.5
 """Of a limit: from there on it is drawn."""
 _HARMONICS: Final = 5
+_DIRECTIONS: Final = (112.5, 247.5, 157.5, 202.5, 67.5, 292.5, 22.5, 337.5)
+_LITTLE: Final = 0.3
+"""Of the greatest circle."""
 _WRAPPED: Final[dict[str, Any]] = {"mode": "lines+markers", "meta": {"from": 1, "to": -1}}
 """Of a line that goes all round: its ends are there once more."""
 _DRAWING: Final = {"drawing": True}
@@ -460,6 +463,7 @@ def _rosette(cases: Cases) -> Picture:
                 )
     ring = said("Contact load ({unit}), seen from +x", unit=unit.symbol)
     names = [text.replace("\n", "<br>") for text in AROUND]
+    rim = rounded_up(greatest)
     return picture(
         drawn,
         _tell_extreme(cases, load, quantity.name, unit),
@@ -468,9 +472,25 @@ def _rosette(cases: Cases) -> Picture:
                 "rotation": 90, "direction": "clockwise", "tickmode": "array",
                 "tickvals": [45 * place for place in range(len(names))], "ticktext": names,
             },
-            "radialaxis": axis(ring, (0.0, rounded_up(greatest)), angle=67.5, nticks=5),
+            "radialaxis": axis(ring, (0.0, rim), angle=90.0 - _emptiest(drawn, rim), tickangle=0, nticks=5),
         },
     )  # fmt: skip
+
+
+def _emptiest(drawn: Sequence[dict[str, Any]], rim: float) -> float:
+    """Return the azimuth (°) for the numbers of the circles: where little is borne."""
+    borne = {}
+    for direction in _DIRECTIONS:
+        loads = [
+            load
+            for one in drawn
+            for angle, load in zip(one["theta"], one["r"], strict=True)
+            if abs((angle - direction + 180.0) % _TURN - 180.0) < 45.0
+        ]
+        borne[direction] = max(loads, default=0.0)
+        if borne[direction] < _LITTLE * rim:
+            break  # as before, while a slider moves
+    return min(borne, key=lambda direction: borne[direction])
 
 
 def _rows(cases: Cases) -> Picture:

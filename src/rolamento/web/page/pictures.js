@@ -173,8 +173,10 @@ function drawn(own) {
   Plotly.react(own.plot, data, layout, { ...CONFIG, locale: language });
 }
 
+const isLine = ({ type, mode }) => type.startsWith("scatter") && mode !== "markers";
+
 /** What stands around the numbers of a picture: where two are alike, tracing is enough. */
-const frameOf = ({ data, layout }) => JSON.stringify([layout, data.map((one) => one.type.startsWith("scatter") && !one.fill && one.mode !== "markers"
+const frameOf = ({ data, layout }) => JSON.stringify([layout, data.map((one) => isLine(one)
   ? { ...one, x: one.x?.length, y: one.y?.length, r: one.r?.length, theta: one.theta?.length } : one)]);
 
 function told(own, picture) {
@@ -198,16 +200,18 @@ function trace(plot, data) {
     const full = plot._fullData?.[n];
     const group = full && plot.querySelector(`.trace${full.uid}`);
     if (!group || full.type !== one.type) return false;
-    if (!one.type.startsWith("scatter") || one.fill || one.mode === "markers") continue; // as it was: `frameOf` says so
+    if (!isLine(one)) continue; // as it was: `frameOf` says so
     const at = one.type === "scatterpolar" ? polar(plot._fullLayout.polar?._subplot, one) : cartesian(plot._fullLayout, full, one);
     const places = at && one[one.r ? "r" : "x"].map((_, place) => at(place));
     const lines = group.querySelectorAll("path.js-line");
     const points = group.querySelectorAll("path.point");
+    const fill = one.fill ? group.querySelector("path.js-fill") : null;
     const runs = places && runsOf(places);
     const there = runs?.flat() ?? [];
-    if (!runs || lines.length !== runs.length || (points.length && points.length !== there.length)) return false;
+    if (!runs || lines.length !== runs.length || (points.length && points.length !== there.length) || (one.fill && !fill)) return false;
     paths.push(() => {
       runs.forEach((run, line) => lines[line].setAttribute("d", `M${run.join("L")}`));
+      fill?.setAttribute("d", runs.map((run) => `M${run.join("L")}Z`).join(""));
       there.forEach((place, point) => points[point]?.setAttribute("transform", `translate(${place})`));
     });
   }
