@@ -472,7 +472,9 @@ def _rosette(cases: Cases) -> Picture:
                 "rotation": 90, "direction": "clockwise", "tickmode": "array",
                 "tickvals": [45 * place for place in range(len(names))], "ticktext": names,
             },
-            "radialaxis": axis(ring, (0.0, rim), angle=90.0 - _emptiest(drawn, rim), tickangle=0, nticks=5),
+            "radialaxis": axis(
+                ring, (0.0, rim), angle=90.0 - _emptiest(drawn, rim), tickangle=0, nticks=5
+            ),
         },
     )  # fmt: skip
 
