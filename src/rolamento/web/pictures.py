@@ -194,12 +194,8 @@ def _kinds_of(solved: Solved) -> frozenset[str]:
 
 
 def _why_not(cases: Cases) -> str:
-    """Say why cases have no result, and what to do."""
-    texts = []
-    for one in cases:
-        advice = one.solved.advice[0]
-        why = no_result(str(one.solved.status.code[0]))
-        texts.append(one.named(why if advice is None else f"{why}. {capitalised(advice.text)}"))
+    """Say why cases have no result; what to do stands with their status."""
+    texts = [one.named(no_result(str(one.solved.status.code[0]))) for one in cases]
     return "\n".join(texts) or no_result()
 
 
@@ -466,7 +462,7 @@ def _rosette(cases: Cases) -> Picture:
     rim = rounded_up(greatest)
     return picture(
         drawn,
-        _tell_extreme(cases, load, quantity.name, unit),
+        _tell_extreme(cases, load, ring, unit),
         polar={
             "angularaxis": {
                 "rotation": 90, "direction": "clockwise", "tickmode": "array",

@@ -56,7 +56,13 @@ export function newFigure(key, label, opened, before = []) {
     table.setAttribute("aria-expanded", String(!numbers.hidden));
     fillTable(own);
   };
-  save.onclick = () => Plotly.downloadImage(plot, { format: "svg", filename: key, width: 900, height: 600 });
+  save.onclick = () => { // with what the page tells beside it
+    const title = { text: label, font: { size: 15 }, y: 0.98, yanchor: "top", yref: "container" };
+    const beside = { showlegend: true, legend: { orientation: "h", yref: "container", y: 0 }, autosize: false, title };
+    const { margin } = plot.layout;
+    const layout = { ...plot.layout, ...beside, margin: { ...margin, t: margin.t + 30, b: margin.b + 50 } };
+    Plotly.downloadImage({ data: plot.data, layout, config: { locale: language } }, { format: "svg", filename: key, width: 900, height: 620 });
+  };
   observer.observe(plot);
   sizes.observe(plot);
   return element;
@@ -291,7 +297,7 @@ function layoutOf(given, { offsetWidth: width, offsetHeight: height }, data) {
       radialaxis: { ...round, ...layout.polar.radialaxis, title: { text: "" } } };
   }
   return {
-    autosize: true, showlegend: false, dragmode: false, hovermode: "closest", paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)",
+    autosize: true, showlegend: false, dragmode: false, hovermode: "closest", paper_bgcolor: colour("paper"), plot_bgcolor: "rgba(0,0,0,0)",
     margin: layout.polar ? { l: 44, r: 44, t: 32, b: 36 } : { l: layout.yaxis.title.text.includes("<br>") ? 78 : 64, r: 14, t: 12, b: layout.xaxis.title.text.includes("<br>") ? 62 : 48 },
     font: { family: getComputedStyle(document.body).fontFamily, size: 12, color: colour("ink") },
     hoverlabel: { bgcolor: colour("paper"), bordercolor: colour("grey"), font: { color: colour("ink") } },
@@ -326,7 +332,7 @@ function fillTable(own) {
   const heads = layout.polar ? [say("pictures.azimuth"), plain(layout.polar.radialaxis)] : [plain(layout.xaxis), plain(layout.yaxis)];
   const rows = data.flatMap((one) => {
     const { from = 0, to } = one.meta ?? {};
-    const [first, second] = (one.r ? [one.theta, one.r] : one.type === "bar" ? [one.y, one.text ?? one.x] : [one.x, one.y]).map((all) => all.slice(from, to));
+    const [first, second] = (one.r ? [one.theta, one.r] : one.type === "bar" ? [one.y, one.text ?? one.x] : [one.x, one.meta?.told ? one.text : one.y]).map((all) => all.slice(from, to));
     return first.map((value, n) => [one.name, text(value), text(second[n])]);
   });
   if (data[0]?.type === "bar") heads.reverse();
