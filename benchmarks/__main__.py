@@ -21,8 +21,10 @@ from rich.table import Table
 
 from benchmarks import (
     against_scipy,
+    app,
     duty_sets,
     friction_control,
+    interactive,
     laws,
     life,
     line_contact,
@@ -63,6 +65,8 @@ class Effort:
     line_contacts: int
     roller_cases: int
     recordings: tuple[float, float]
+    app_moves: int
+    app_requests: int
 
 
 FULL = Effort(
@@ -87,6 +91,8 @@ FULL = Effort(
     line_contacts=2000,
     roller_cases=10_000,
     recordings=(5.0, 60.0),
+    app_moves=50,
+    app_requests=10_000,
 )
 QUICK = Effort(
     cases=8_000,
@@ -110,6 +116,8 @@ QUICK = Effort(
     line_contacts=100,
     roller_cases=500,
     recordings=(0.5, 2.0),
+    app_moves=5,
+    app_requests=400,
 )
 
 
@@ -130,6 +138,7 @@ def steps(effort: Effort) -> list[tuple[str, Callable[[], Findings]]]:
         ("line contact", partial(line_contact.measure, e.line_contacts, 5, e.repeats)),
         ("rollers", partial(rollers.measure, e.roller_cases, 5, e.repeats)),
         ("start", partial(start.measure, e.runs)),
+        ("one case", partial(interactive.measure, e.runs)),
         ("sweep", partial(sweep.measure, e.sweep_cases)),
         ("film and friction", partial(lubrication.measure, e.analysed_cases)),
         ("life", partial(life.measure, e.analysed_cases, e.life_sample, e.repeats)),
@@ -142,6 +151,7 @@ def steps(effort: Effort) -> list[tuple[str, Callable[[], Findings]]]:
         *vibration_steps(e),
         *((n, partial(robustness.measure, n, e.robust_cases)) for n in robustness.KINDS),
         ("laws", partial(laws.measure, e.law_cases)),
+        ("app", partial(app.measure, e.app_moves, e.app_requests)),
     ]
 
 

@@ -65,9 +65,17 @@ _COMMAND_SAYS: Final = {
     "tolerance": "slip", "machine_class": "class", "prior": "bayes", "times": "time",
 }  # fmt: skip
 """What the commands call otherwise than their tasks."""
-_SEVERITY: Final = ("power", "support", "group", "machine_class", "baseline")
+_SEVERITY: Final[tuple[str, ...]] = ("power", "support", "group", "machine_class", "baseline")
 _SEARCH: Final = ("tolerance", "speed_tolerance", "false_alarm")
-_READING: Final = ("channel", "rate", "unit", "scale", "start", "duration", "decimal_mark")
+_READING: Final[tuple[str, ...]] = (
+    "channel",
+    "rate",
+    "unit",
+    "scale",
+    "start",
+    "duration",
+    "decimal_mark",
+)
 _COLUMNS: Final = ("unit", "time", "status", "count", "group", "decimal_mark")
 _ENDINGS: Final = tuple(ending for many in ENDINGS.values() for ending in many)
 _LONGEST_NAME: Final = 100
@@ -87,7 +95,7 @@ WORDS: Final[Mapping[str, str]] = {
     "examples": marked("Try an example"),
     "more": marked("More options"),
     "several": marked("Several: with semicolons between"),
-    "automatic": marked("(automatic)"),
+    "none": marked("(not given)"),
     "run_signal": marked("Diagnose the record"),
     "run_weibull": marked("Evaluate the life test"),
     "run_plan": marked("Plan the test"),
@@ -404,7 +412,8 @@ def _severity(
 @contextmanager
 def _told(groups: Sequence[Group], path: str = "", label: str = "") -> Iterator[None]:
     """Call what is said as the page does: options by their labels, the file by its own name."""
-    labels = {name: said(one.label) for name, one in by_name(groups).items()}
+    known = by_name(groups)
+    labels = {name: said(one.label) for name, one in known.items()}
     names = {
         f"--{_COMMAND_SAYS.get(name, name.replace('_', '-'))}": said("“{label}”", label=label)
         for name, label in labels.items()
@@ -418,11 +427,13 @@ def _told(groups: Sequence[Group], path: str = "", label: str = "") -> Iterator[
         field = error.source if error.source in labels else error.field
         told = renamed(error, labels, "{}: {}".format)
         source = "" if error.source in labels else label if error.source == path else error.source
+        # an example that is written as in Python is of no use on a page
+        as_typed = field not in known or told.example == error.example
         raise type(error)(
             _named(told.rule, path, label),
             field=field,
             value=error.value,
-            example=told.example,
+            example=told.example if as_typed else known[field].example,
             source=source,
             line=error.line,
         ) from None
@@ -467,8 +478,8 @@ def _pictures_first(document: Document) -> Document:
 
 
 def _below(html: str) -> str:
-    """Return a page as a part of another: its headings stand two levels lower."""
-    return re.sub(r"(</?h)([1-6])", lambda at: at[1] + str(min(int(at[2]) + 2, 6)), html)
+    """Return a page as a part of another: its headings stand a level lower."""
+    return re.sub(r"(</?h)([1-5])", lambda at: at[1] + str(int(at[2]) + 1), html)
 
 
 def _as_data(figure: Figure) -> str | None:
@@ -542,7 +553,7 @@ async def _dropped(request: Request) -> Response:
     """Answer with what a file says: its body is the file, the address has the options."""
     kind = request.url.path.rpartition("/")[2]
     typed, form = _typed(request)
-    label = label_of(unquote(request.headers.get("x-file-name", "")))
+    label = label_of(unquote(request.headers.get("x-file-name", "")), kind)
     async with received(request, LARGEST[kind], ending_of(label, kind)) as path:
         found = await slow(_PAGES[kind], str(path), label, typed, form, seconds=_SECONDS)
     return response_of(found)
@@ -594,10 +605,11 @@ def response_of(found: dict[str, Any]) -> Response:
     return Response(found["content"], headers=headers, media_type=found["type"])
 
 
-def label_of(name: str) -> str:
+def label_of(name: str, kind: str = "") -> str:
     """Return what to call a file that a client calls so: its last part, in one line."""
     last = re.split(r"[/\\]", name)[-1]
-    return "".join(sign for sign in last if sign.isprintable()).strip()[-_LONGEST_NAME:] or "file"
+    shown = "".join(sign for sign in last if sign.isprintable()).strip()[-_LONGEST_NAME:]
+    return shown or (said("typed table") if kind == "weibull" else said("file"))
 
 
 def ending_of(label: str, kind: str) -> str:

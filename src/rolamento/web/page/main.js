@@ -64,6 +64,7 @@ function arrange() {
     value: code, selected: code === start.lang, lang: TAGS[code] ?? code,
     textContent: new Intl.DisplayNames([TAGS[code] ?? code], { type: "language" }).of(code) ?? names.of(code),
   })));
+  if (!store.current) $("title").textContent = say("untitled");
   opening.arrange(start.examples);
   form = makeForm($("form"), start, store, (name, value, quick) => {
     store.change(name, value);
@@ -78,7 +79,7 @@ function arrange() {
   watcher.disconnect();
   $("sections").replaceChildren(...[{ key: "notes", label: say("notes") }, ...start.sections].map(makeSection));
   for (const kind of ["weibull", "signal"]) {
-    $(kind).replaceChildren();
+    $(kind).replaceChildren(make("h1", { textContent: say(`view.${kind}`) }));
     delete $(kind).dataset.started;
   }
 }
@@ -225,6 +226,8 @@ const live = liveLoop(store, {
   show: showAnswer,
   failed: async (error) => {
     if (error instanceof Silent || [429, 503, 504].includes(error.status)) {
+      for (const slot of store.slots) slot.status = null;
+      showStatus();
       stale(say("stale.silent"));
       banner(error instanceof Silent ? say("server.silent") : error.message);
       await new Promise((resolve) => setTimeout(resolve, AGAIN));
