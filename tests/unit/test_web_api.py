@@ -99,9 +99,12 @@ def same(found: Any, wanted: Any, path: str = "") -> None:
         assert len(found) == len(wanted), path
         for place, one in enumerate(wanted):
             same(found[place], one, f"{path}.{place}")
-    elif isinstance(wanted, float) and "residual" not in path:
-        assert found == pytest.approx(wanted, rel=1e-6, abs=1e-9), path
-    elif "residual" not in path:
+    elif path.endswith((".residual", ".iterations")):
+        assert found is not None
+    elif isinstance(wanted, float):
+        nothing = 1e-3 if ".stiffness" in path else 1e-9  # N/m, beside 1e8
+        assert found == pytest.approx(wanted, rel=1e-6, abs=nothing), path
+    else:
         assert found == wanted, path
 
 
@@ -181,6 +184,7 @@ def test_the_catalogue_is_that_of_the_command_line() -> None:
     assert "most" in ask("GET", "/catalogue?text=62&moist=1").json()["error"]["message"]
 
 
+@pytest.mark.sweep
 def test_diagnose_is_that_of_the_command_line(tmp_path: Path) -> None:
     content: bytes = drops.example_file("signal", "outer_race")["content"]
     file = tmp_path / "record.npz"
@@ -391,8 +395,8 @@ def _strategy(path: str, mode: str) -> Any:
     return operation.as_strategy(generation_mode=schemathesis.GenerationMode(mode))
 
 
-def _checked(path: str, body: Any, *, wrong: bool) -> None:
-    """Whatever comes: an answer of the document, soon; what its schema refuses is refused."""
+def _checked(path: str, body: Any) -> None:
+    """Whatever comes: an answer of the document."""
     content = json.dumps(body).encode("utf-8", "replace")
     headers = {"content-type": "application/json"}
     response = ask("POST", path, content=content, headers=headers)
@@ -401,8 +405,6 @@ def _checked(path: str, body: Any, *, wrong: bool) -> None:
     assert response.headers["content-type"].startswith("application/json")
     if response.status_code != 200:
         assert response.json()["error"]["message"]
-    if wrong:
-        assert response.status_code != 200, body
 
 
 @pytest.mark.sweep
@@ -413,29 +415,34 @@ def test_bodies_made_from_the_document_are_answered_or_refused(path: str, mode: 
     @given(_strategy(path, mode))
     def run(case: Any) -> None:
         body = case.body if isinstance(case.body, dict | list | str | int | float | None) else {}
-        _checked(path, body, wrong=False)
+        _checked(path, body)
 
     run()
 
 
+_EXAMPLES = pytest.mark.parametrize("examples", [6, pytest.param(200, marks=pytest.mark.sweep)])
 _NAMES = st.sampled_from(sorted(Case.fields()))
 _VALUES = st.one_of(
     st.none(), st.booleans(), st.integers(), st.floats(allow_nan=False, allow_infinity=False),
     st.text(max_size=20), st.sampled_from([one.example for one in Case.fields().values()]),
-    st.tuples(st.floats(-1e6, 1e6).map(str), st.sampled_from(["N", "mm", "rpm", "degC"])).map(" ".join),
-    st.lists(st.integers(), max_size=3), st.dictionaries(st.text(max_size=5), st.integers(), max_size=2),
+    st.tuples(st.floats(-1e6, 1e6).map(str), st.sampled_from(["N", "mm", "rpm"])).map(" ".join),
+    st.lists(st.integers(), max_size=3),
+    st.dictionaries(st.text(max_size=5), st.integers(), max_size=2),
 )  # fmt: skip
 
 
-@settings(max_examples=25, suppress_health_check=list(HealthCheck))
-@given(
-    st.sampled_from(["6310", "7210 C", "NU 208", "x", ""]),
-    st.dictionaries(st.one_of(_NAMES, st.text(max_size=30)), _VALUES, max_size=4),
-)
-def test_any_settings_are_answered_or_refused(designation: str, changes: dict[str, Any]) -> None:
-    given_load = {**LOAD, **changes}
-    _checked("/solve", {"designation": designation, "settings": given_load}, wrong=False)
-    _checked("/frequencies", {"designation": designation, "settings": changes}, wrong=False)
+@_EXAMPLES
+def test_any_settings_are_answered_or_refused(examples: int) -> None:
+    @settings(max_examples=examples, suppress_health_check=list(HealthCheck))
+    @given(
+        st.sampled_from(["6310", "7210 C", "NU 208", "x", ""]),
+        st.dictionaries(st.one_of(_NAMES, st.text(max_size=30)), _VALUES, max_size=4),
+    )
+    def run(designation: str, changes: dict[str, Any]) -> None:
+        _checked("/solve", {"designation": designation, "settings": {**LOAD, **changes}})
+        _checked("/frequencies", {"designation": designation, "settings": changes})
+
+    run()
 
 
 _JSON = st.recursive(
@@ -447,14 +454,20 @@ _JSON = st.recursive(
 )
 
 
-@settings(max_examples=25, suppress_health_check=list(HealthCheck))
-@given(
-    st.sampled_from(_SMALL),
-    st.dictionaries(
-        st.sampled_from(["case", "designation", "settings", "test", "fields", "bearings", "speed",
-                         "times", "outputs", "methods", "tolerances", "hysteresis"]) | st.text(),
-        _JSON, min_size=1, max_size=4,
-    ),
+_KEYS = st.sampled_from(
+    ["case", "designation", "settings", "test", "fields", "bearings", "speed", "times", "outputs",
+     "methods", "tolerances", "hysteresis"]
 )  # fmt: skip
-def test_any_json_is_answered_or_refused(path: str, body: dict[str, Any]) -> None:
-    _checked(path, body, wrong=False)
+
+
+@_EXAMPLES
+def test_any_json_is_answered_or_refused(examples: int) -> None:
+    @settings(max_examples=examples, suppress_health_check=list(HealthCheck))
+    @given(
+        st.sampled_from(_SMALL),
+        st.dictionaries(_KEYS | st.text(), _JSON, min_size=1, max_size=4),
+    )
+    def run(path: str, body: dict[str, Any]) -> None:
+        _checked(path, body)
+
+    run()

@@ -367,7 +367,7 @@ class Gate:
         if "token" in query and scope["method"] in _SAFE and _same(query["token"], token):
             kept = {name: value for name, value in query.items() if name != "token"}
             response = RedirectResponse(
-                scope["path"] + (f"?{urlencode(kept)}" if kept else ""), 303
+                "/" + scope["path"].lstrip("/") + (f"?{urlencode(kept)}" if kept else ""), 303
             )
             response.set_cookie(_COOKIE, token, httponly=True, samesite="strict")
             return response
