@@ -8,15 +8,16 @@ export PYTHON
 export PYTHONDONTWRITEBYTECODE :=
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test verify golden bench plotly runtime dev clean
+.PHONY: help demo test verify golden bench docs plotly runtime dev docs-tools clean
 .PHONY: balls rollers types layers rewritten
 
 help:
 	@echo "make demo    solve the shipped example: a 218 bearing at 10 000 rpm, combined load"
 	@echo "make test    check everything: style, types, layers, tests"
-	@echo "make verify  the longer sweeps, the golden runs, the published numbers"
+	@echo "make verify  the longer sweeps, the golden runs, the published numbers, the documentation"
 	@echo "make golden  compare what all commands answer with what they answered before"
 	@echo "make bench   measure the speed"
+	@echo "make docs    build the documentation site, docs/_build/html"
 	@echo "make plotly  bundle the part of Plotly.js that the app draws with; needs Node.js"
 	@echo "make clean   remove the virtual environment and all caches"
 
@@ -49,6 +50,7 @@ verify: dev
 	@$(BIN)/python -m tests.regression.golden --check
 	@$(BIN)/python -m tests.regression.pages --check
 	@$(BIN)/rolamento verify
+	@$(MAKE) docs
 
 golden: dev
 	@$(BIN)/python -m tests.regression.golden --check
@@ -56,6 +58,11 @@ golden: dev
 
 bench: dev
 	@$(BIN)/python -m benchmarks
+
+docs: docs-tools
+	@$(BIN)/python -m sphinx --fail-on-warning --keep-going --quiet --jobs auto \
+	    --doctree-dir docs/_build/doctrees --builder html docs docs/_build/html
+	@echo "The site is docs/_build/html/index.html"
 
 plotly:
 	@cd scripts/plotly && npm install --ignore-scripts --no-audit --no-fund --no-package-lock
@@ -67,6 +74,9 @@ runtime:
 dev:
 	@sh scripts/setup.sh dev
 
+docs-tools:
+	@sh scripts/setup.sh docs
+
 clean:
-	rm -rf .venv .mypy_cache .pytest_cache .ruff_cache .hypothesis
-	find src reproductions tests benchmarks -name __pycache__ -type d -prune -exec rm -rf {} +
+	rm -rf .venv .mypy_cache .pytest_cache .ruff_cache .hypothesis docs/_build docs/reference/api
+	find src reproductions tests benchmarks docs -name __pycache__ -type d -prune -exec rm -rf {} +

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Set up .venv with what running (runtime) or developing (dev) Rolamento needs.
+# Set up .venv with what running (runtime) or developing (dev) Rolamento, or building its
+# documentation (docs), needs.
 #
 # In plain sh, because the first thing to find out is whether there is a usable Python.
 # Does nothing if what it would install is already there. PYTHON chooses an interpreter.
@@ -17,8 +18,8 @@ fail() {
 case "${1:-}" in
     runtime) what="." how="" ;;
     # bytecode is made of what is imported: of all packages it takes a minute
-    dev) what=".[dev]" how="--no-compile" ;;
-    *) fail "usage: sh scripts/setup.sh runtime|dev" ;;
+    dev | docs) what=".[$1]" how="--no-compile" ;;
+    *) fail "usage: sh scripts/setup.sh runtime|dev|docs" ;;
 esac
 
 # From which description the environment was made.
@@ -101,5 +102,5 @@ echo "Installing Rolamento and what it needs (a minute or two, once) …"
     || fail "the installation failed (the whole story is in $log); it needs the network, \
 or a package index that pip is set up for."
 echo "$stamp" >"$venv/$target.stamp"
-# Developing includes running.
+# Each includes running.
 [ "$target" = runtime ] || echo "$stamp" >"$venv/runtime.stamp"

@@ -147,8 +147,9 @@ def _solve_one(case: Case, loss: bool) -> Solved:
     if case.mounting is not None:
         from rolamento.clearance import clearance_notes, clearance_of_case, operating_case
 
-        notes = clearance_notes(clearance_of_case(case))
-        case = operating_case(case)
+        found = clearance_of_case(case)
+        notes = clearance_notes(found)
+        case = operating_case(case, found)
     solved = _solve_many(case, {}, threads=1)
     if case.bearing.preload is not None and solved.converged[0]:
         solved = replace(solved, preload=preload_of(case, loss=loss))

@@ -56,6 +56,14 @@ def test_throughput(module: Any, name: str) -> None:
     assert values["converged"] == 100.0
 
 
+def test_one_case(module: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    interactive = module("interactive")
+    monkeypatch.setattr(interactive, "EXAMPLES", ("6305_film",))
+    findings = interactive.measure(1)
+    assert findings.failures == []
+    assert [figure.name for figure in findings.figures] == ["read", "quick", "full", "write"]
+
+
 @pytest.mark.parametrize("name", ["tilts held", "moments given"])
 def test_scipy_finds_the_same(module: Any, name: str) -> None:
     against = module("against_scipy")

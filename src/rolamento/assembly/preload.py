@@ -305,14 +305,16 @@ class _Search:
         """Multiples of the load beyond the third; (searches, multiples)."""
         high, zero = self.factors[:, 2:3], self.zero(1, 2)[:, np.newaxis]
         ahead = high + (np.minimum(zero, FURTHEST * high) - high) * _AHEAD
-        return np.where(np.isfinite(zero), ahead, high * STRIDE ** np.arange(1, 1 + len(_AHEAD)))
+        blind = high * STRIDE ** np.arange(1, 1 + len(_AHEAD))
+        return np.asarray(np.where(np.isfinite(zero), ahead, blind))
 
     def _evenly(self) -> FloatArray:
         """Multiples of the load between the two, by ratios where they are far apart."""
         low, high = self.factors[:, 1:2], self.factors[:, 2:3]
         floor = np.maximum(low, high / FURTHEST)
         by_ratio = floor * (high / floor) ** _BETWEEN
-        return np.where(high > 4.0 * floor, by_ratio, low + (high - low) * _BETWEEN)
+        evenly = low + (high - low) * _BETWEEN
+        return np.asarray(np.where(high > 4.0 * floor, by_ratio, evenly))
 
     def _around(self) -> FloatArray:
         """Where lines through neighbours come to zero, and as far aside as they differ; half way.
@@ -330,7 +332,7 @@ class _Search:
         by_load = self.zero(0, 1, 1.5)
         by_load = np.where(np.isfinite(by_load), by_load, least)
         probes = [middle - aside, middle, middle + aside, by_load, 0.5 * (low + high)]
-        return np.clip(probes, low, high).T
+        return np.asarray(np.clip(probes, low, high).T)
 
     def _take(self, some: IntArray, probes: FloatArray) -> None:
         """Look at multiples of the load, (some, multiples), and keep the four around the loss."""

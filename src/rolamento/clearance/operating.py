@@ -231,10 +231,10 @@ def clearance_of_case(case: Case) -> OperatingClearance:
     )
 
 
-def operating_case(case: Case) -> Case:
+def operating_case(case: Case, found: OperatingClearance | None = None) -> Case:
     """The case with its bearing as it runs, and no mounting; what `solve` solves.
 
-    A case without a mounting is returned as it is.
+    A case without a mounting is returned as it is. found: its `clearance_of_case`, if it is known.
 
     Raises
     ------
@@ -243,7 +243,7 @@ def operating_case(case: Case) -> Case:
     """
     if case.mounting is None:
         return case
-    running = clearance_of_case(case).operating_bearing(case.mounting.limit)
+    running = (found or clearance_of_case(case)).operating_bearing(case.mounting.limit)
     warm = case.temperature
     of_bearing = None if warm is None else warm.of_bearing
     return case.replace(bearing=running, mounting=None, temperature=of_bearing)

@@ -132,6 +132,7 @@ def _chosen(names: tuple[str, ...]) -> tuple[Source, ...]:
     """Return the sources of these names, in the order of all."""
     everything = sources()
     known = [source.name for source in everything]
+    names = tuple(name.replace("-", "_") for name in names)  # as `reproduce` writes them
     for name in names:
         if name not in known:
             raise InputError(

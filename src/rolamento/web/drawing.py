@@ -118,8 +118,8 @@ def rounded_up(value: float) -> float:
     return next(step * power for step in _STEPS if step * power >= value * (1.0 - 1e-12))
 
 
-def reach(*values: ArrayLike, zero: bool = False) -> list[float]:
-    """Return round limits with room for all values; zero: from there on.
+def reach(*values: ArrayLike, zero: bool = False, least: float = 0.0) -> list[float]:
+    """Return round limits with room for all values; zero: from there on; least: so far apart.
 
     They stay where they are while a slider moves a little.
     """
@@ -132,7 +132,7 @@ def reach(*values: ArrayLike, zero: bool = False) -> list[float]:
         return [0.0, rounded_up(_ROOM * high)]
     if zero:
         return [-rounded_up(-_ROOM * low), rounded_up(_ROOM * high) if high > 0.0 else 0.0]
-    step = rounded_up(max(high - low, 1e-2 * max(abs(low), abs(high)), 1e-9) / _PARTS)
+    step = rounded_up(max(high - low, 1e-2 * max(abs(low), abs(high)), least, 1e-9) / _PARTS)
     room = 0.1 * step
     return [step * floor((low - room) / step), step * ceil((high + room) / step)]
 

@@ -301,13 +301,15 @@ def _film_of(one: Analysis) -> Film:
 
 def _no_film(cases: Cases) -> str:
     """Say why cases have no film: as their notes do, or that nothing lubricates."""
-    told = {
-        one.named(note.text)
-        for one in cases
-        for note in one.analysis.notes
-        if note.key == "no_temperature"
-    }
-    return "\n".join(sorted(told)) or said("The film needs an oil or a grease.")
+    return _notes_of(cases, "no_temperature") or said("The film needs an oil or a grease.")
+
+
+def _notes_of(cases: Cases, *keys: str) -> str:
+    """Say what notes of some keys say of the cases, a line each; empty without such."""
+    told = [
+        one.named(note.text) for one in cases for note in one.analysis.notes if note.key in keys
+    ]
+    return "\n".join(told)
 
 
 def _across(
@@ -362,7 +364,7 @@ def _over_azimuth(
         xaxis=axis(
             DEGREE.label(azimuth_name(elements)), (-_MARGIN, _TURN + _MARGIN), tick0=0, dtick=45
         ),
-        yaxis=axis(title, reach(*heights, zero=zero)),
+        yaxis=axis(title, reach(*heights, zero=zero, least=1.0 if unit is DEGREE else 0.0)),
     )
 
 
@@ -534,7 +536,6 @@ def _ellipses(cases: Cases) -> Picture:
     if not every:
         return empty(said("no ball is loaded"))
     widest = max(slot.semi_minor for slot in every)
-    total = max(len(own) for own in found.values())
     rows = max(len(one.solved.rows) for one in cases)
     tall = 2.0 * max(map(_half, every))
     per_row = max(ceil(len(one.solved.elements.row) / len(one.solved.rows)) for one in cases)
@@ -551,15 +552,14 @@ def _ellipses(cases: Cases) -> Picture:
         bottom = line([-step, wide * rows], [0.0, 0.0], said("bottom of the groove"), "0 mm")
         drawn.append({**bottom, "yaxis": upright, "line": {"color": "grey", "dash": "dashdot",
                                                            "width": 1}})  # fmt: skip
-        label = said("Across inner groove") if race == "inner" else said("Across outer groove")
         half = rounded_up(max(map(_half, every)))
         frames["yaxis" if place == 0 else "yaxis2"] = axis(
-            MILLIMETRE.label(label), (-half, half), scaleanchor="x", constrain="domain",
-            domain=[0.54, 1.0] if place == 0 else [0.0, 0.46],
+            MILLIMETRE.label(capitalised(race_word(race))), (-half, half),
+            scaleanchor="x", constrain="domain", domain=[0.54, 1.0] if place == 0 else [0.0, 0.46],
         )  # fmt: skip
     ticks = np.arange(0.0, 1.0, 0.125 if rows == 1 else 0.25)
     frames["xaxis"] = axis(
-        said("Azimuth of the ball (°); ellipses to scale, balls side by side"),
+        DEGREE.label(azimuth_name(["ball"])),
         (-step, wide * rows),
         tickmode="array",
         tickvals=[wide * (row + tick) for row in range(rows) for tick in ticks],
@@ -567,12 +567,18 @@ def _ellipses(cases: Cases) -> Picture:
         anchor="y2",
         constrain="domain",
     )
-    told = (
-        said("Ellipses that run over the edge of the groove: {balls}.", balls="; ".join(over))
-        if over
-        else said("No ellipse runs over the edge of its groove; {count} are drawn.", count=total)
-    )
-    return picture(drawn, told, meta=_DRAWING, **frames)
+    scale = said("To scale across the groove and along it; the balls stand side by side.")
+    return picture(drawn, f"{_over_text(over, every)} {scale}", meta=_DRAWING, **frames)
+
+
+def _over_text(over: Sequence[str], slots: Sequence[Slot]) -> str:
+    if over:
+        return said(
+            "Ellipses that run over the edge of the groove: {balls}.", balls="; ".join(over)
+        )
+    if all(slot.shoulder for slot in slots):
+        return said("No ellipse runs over the edge of its groove.")
+    return said("Without shoulder heights the edges of the grooves are not known.")
 
 
 def _half(slot: Slot) -> float:
@@ -729,13 +735,8 @@ def _friction(cases: Cases) -> Picture:
     """Draw what each source of friction takes; where nothing turns, its torque."""
     known = [(one, one.analysis.friction) for one in cases if one.analysis.friction is not None]
     if not known:
-        told = [
-            one.named(note.text)
-            for one in cases
-            for note in one.analysis.notes
-            if note.key == "no_coefficient"
-        ]
-        return empty("\n".join(told) or said("Friction needs a lubricant."))
+        told = _notes_of(cases, "no_coefficient")
+        return empty(told or said("Friction needs a lubricant."))
     sources = list(dict.fromkeys(name for _, own in known for name in own.torque_by_source))
     torques = {
         one.place: [_first(own.torque_by_source.get(name)) for name in sources]
@@ -817,9 +818,8 @@ def _life(cases: Cases) -> Picture:
     """Draw the life by every theory, faintly where it does not hold, and what is required."""
     known = [(one, one.analysis.life) for one in cases if one.analysis.life is not None]
     if not known:
-        notes = [one.named(note.text) for one in cases for note in one.analysis.notes]
-        told = [text for text in notes if text.startswith(said("No life"))]
-        return empty("\n".join(told) or said("Life needs a designation or a [life] table."))
+        told = _notes_of(cases, "life_of_thrust_bearing", "life_without_rating")
+        return empty(told or said("Life needs a designation or a [life] table."))
     turns = all(np.isfinite(own.headline.hours).any() or _endless(own) for _, own in known)
     theories = [name for name in BY_RANK if any(name in own.theories for _, own in known)]
     lives = {
@@ -847,9 +847,7 @@ def _life(cases: Cases) -> Picture:
         values = [float(lives[one.place, name]) for name in of]
         holds = [bool(own[name].valid[0]) for name in of]
         told = [
-            ENDLESS
-            if np.isposinf(value)
-            else f"{'< ' * bool(own[name].below[0])}{manner().significant(value, 4)}"
+            _life_text(value, below=bool(own[name].below[0]))
             for name, value in zip(of, values, strict=True)
         ]
         color = "inner" if one.place == 0 else "inner2"
@@ -862,6 +860,7 @@ def _life(cases: Cases) -> Picture:
                 "y": [names[name] for name in of],
                 "text": told,
                 "textposition": "auto",
+                "insidetextanchor": "start",
                 "name": one.name or said("life"),
                 "hovertemplate": f"%{{y}}: %{{text}} {symbol}<extra>%{{fullData.name}}</extra>",
                 "marker": {
@@ -870,15 +869,12 @@ def _life(cases: Cases) -> Picture:
                 },
             }
         )
-    shapes = [
-        {"type": "line", "yref": "paper", "y0": 0, "y1": 1, "x0": hours, "x1": hours,
-         "line": {"color": "ink", "width": 1.5, "dash": "dot" if one.place else "dash"},
-         "label": {"text": one.named(said("required life")), "textposition": "end"}}
-        for one, hours in wanted
-    ]  # fmt: skip
+    for one, hours in wanted:
+        name = one.named(said("required life"))
+        drawn.append(_upright(hours, list(names.values()), name, "h", one.place))
     told = [one.named(text) for one, own in known for text in limiting_sentences(one.solved, own)]
-    if any(FAINT in own["marker"]["opacity"] for own in drawn):
-        told.append(said("faint: the theory is not valid there"))
+    if any(FAINT in own["marker"]["opacity"] for own in drawn if "marker" in own):
+        told.append(said("Faint: the theory is not valid for this case."))
     return picture(
         drawn,
         " ".join(told),
@@ -886,8 +882,14 @@ def _life(cases: Cases) -> Picture:
                    dtick=1),
         yaxis=_categories(),
         barmode="group",
-        shapes=shapes,
     )  # fmt: skip
+
+
+def _life_text(value: float, *, below: bool) -> str:
+    if np.isposinf(value):
+        return ENDLESS
+    text = manner().significant(value, 4)
+    return said("< {life}", life=text) if below else text
 
 
 def _limits_of_lives(
@@ -903,6 +905,15 @@ def _limits_of_lives(
 
 def _endless(summary: LifeSummary) -> bool:
     return bool(np.isposinf(summary.headline.life).any())
+
+
+def _upright(
+    at: float, categories: Sequence[str], name: str, unit: str, place: int
+) -> dict[str, Any]:
+    """Return a line across the bars, or the rows of marks."""
+    drawn = {"color": "ink", "width": 1.5, "dash": "dot" if place else "dash"}
+    ends = [categories[0], categories[-1]]
+    return {**line([at, at], [], name, f"%{{x:{NUMBER}}} {unit}", line=drawn), "y": ends}
 
 
 def _frequencies(cases: Cases) -> Picture:
@@ -945,20 +956,15 @@ def _frequencies(cases: Cases) -> Picture:
             }
         )
     shafts = {round(own.shaft_frequency, 9): one for one, own in known}
-    shapes = [
-        {"type": "line", "yref": "paper", "y0": 0, "y1": 1, "x0": own, "x1": own,
-         "line": {"color": "grey", "width": 1.5, "dash": "dot" if one.place else "dash"},
-         "label": {"text": one.named(said("shaft")), "textposition": "end"}}
-        for own, one in shafts.items()
-    ]  # fmt: skip
     greatest = max(value for own in drawn for value in own["x"])
+    for frequency, one in shafts.items():
+        drawn.append(_upright(frequency, list(rows), one.named(said("shaft")), "Hz", one.place))
     return picture(
         drawn,
-        said("Under load: {values}.", values="; ".join(told)),
-        xaxis=axis(said("Frequency (Hz), with harmonics to the {count}th", count=_HARMONICS),
-                   (0.0, rounded_up(1.03 * greatest))),
+        said("Under load: {values}. Marks: the first {count} harmonics.",
+             values="; ".join(told), count=_HARMONICS),
+        xaxis=axis(said("Frequency (Hz)"), (0.0, rounded_up(1.03 * greatest))),
         yaxis={**_categories(), "categoryorder": "array", "categoryarray": list(rows)},
-        shapes=shapes,
     )  # fmt: skip
 
 

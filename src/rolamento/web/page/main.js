@@ -64,6 +64,7 @@ function arrange() {
     value: code, selected: code === start.lang, lang: TAGS[code] ?? code,
     textContent: new Intl.DisplayNames([TAGS[code] ?? code], { type: "language" }).of(code) ?? names.of(code),
   })));
+  if (!store.current) $("title").textContent = say("untitled");
   opening.arrange(start.examples);
   form = makeForm($("form"), start, store, (name, value, quick) => {
     store.change(name, value);
@@ -78,7 +79,7 @@ function arrange() {
   watcher.disconnect();
   $("sections").replaceChildren(...[{ key: "notes", label: say("notes") }, ...start.sections].map(makeSection));
   for (const kind of ["weibull", "signal"]) {
-    $(kind).replaceChildren();
+    $(kind).replaceChildren(make("h1", { textContent: say(`view.${kind}`) }));
     delete $(kind).dataset.started;
   }
 }

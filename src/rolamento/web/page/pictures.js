@@ -43,7 +43,7 @@ export function newFigure(key, label, opened, before = []) {
   const save = make("button", { type: "button", className: "button", textContent: say("pictures.save") });
   const element = make("details", { className: "picture", open: remembered(`picture.${key}`, opened) },
     make("summary", {}, make("h3", { textContent: label })), ...before, make("figure", {}, plot, legend, caption),
-    make("div", { className: "tools" }, table, save), numbers);
+    make("div", { className: "tools does" }, table, save), numbers);
   element.dataset.key = key;
   const own = { key, label, element, plot, legend, caption, numbers, table, visible: false };
   figures.set(key, own);
@@ -68,7 +68,7 @@ function looked(entries) {
     if (own.visible) {
       if (own.next) later();
       if (own.apart) own.apart();
-      else more ||= !own.current;
+      else more ||= !own.current && !own.asked;
     }
   }
   if (more) seen();
@@ -80,8 +80,11 @@ export function separate(key, ask) {
 }
 
 /** What an answer has to bring: the pictures to be seen now, or all that are unfolded. */
-export const visibleKeys = (quick = true) => [...figures.values()].filter((own) => !own.apart && !own.element.hidden
-  && (quick ? own.visible : own.element.open)).map((own) => own.key);
+export function visibleKeys(quick = true) {
+  for (const own of figures.values())
+    own.asked = !own.apart && !own.element.hidden && (quick ? own.visible : own.element.open);
+  return [...figures.values()].filter((own) => own.asked).map((own) => own.key);
+}
 
 /** Show only those that suit the cases. */
 export function offerPictures(keys) {
@@ -101,7 +104,7 @@ export function stalePictures(keys) {
 export function showPictures(answer) {
   const late = [];
   for (const [key, own] of figures) {
-    if (answer[key]) Object.assign(own, { next: answer[key], current: true });
+    if (answer[key]) Object.assign(own, { next: answer[key], current: true, asked: false });
     else if (!own.apart && !answer.curve) late.push(key); // of an earlier case
   }
   stalePictures(late);
