@@ -1,8 +1,8 @@
 """Photograph the app for its guide, docs/app.md; after a change of the page.
 
-    python scripts/screenshots.py
+    python scripts/screenshots.py [NAME…]
 
-starts the app on this machine, does in Chromium what the guide says, and writes docs/app/*.png.
+starts the app on this machine, does in Chromium what the guide says, and writes docs/app/NAME.png.
 Chromium is that of the system; ROLAMENTO_CHROMIUM names another.
 """
 
@@ -18,7 +18,7 @@ import time
 import urllib.request
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Final
+from typing import Final, Literal
 
 from playwright.sync_api import Browser, Page, sync_playwright
 
@@ -64,66 +64,89 @@ def app() -> Iterator[None]:
             process.terminate()
 
 
-def photograph(browser: Browser, folder: Path) -> None:
-    """Do what the guide says, and write a picture of each step."""
-    page = browser.new_page(viewport={"width": 1200, "height": 820}, color_scheme="light")
-    page.goto(ADDRESS, wait_until="networkidle")
+def opening(page: Page) -> None:
+    """A designation is being typed."""
     page.get_by_label("Designation or dimensions").fill("6310")
-    _keep(page, folder / "open.png")
-    page.goto(ADDRESS, wait_until="networkidle")
-    page.locator("#examples").get_by_text("6310_motor").click()
-    _calculated(page)
-    _keep(page, folder / "case.png")
+
+
+def case(page: Page) -> None:
+    """An example is open."""
+    _example(page, "6310_motor")
+
+
+def compare(page: Page) -> None:
+    """Two cases of it, one with more load."""
+    _example(page, "6310_motor")
     page.locator("#compare").click()
     load = page.locator("#form .field", has_text="Radial load Fz").locator("input[type=text]").first
     load.fill("7")
     load.press("Enter")
-    _keep(page, folder / "compare.png")
-    page.close()
-    for view, word, file in (
-        ("signal", "Vibration", "record.npz"),
-        ("weibull", "Life tests", "lives.csv"),
-    ):
-        page = browser.new_page(viewport={"width": 1200, "height": 980}, color_scheme="light")
-        page.goto(f"{ADDRESS}#{view}", wait_until="networkidle")
-        page.get_by_role("link", name=word).click()
-        if view == "signal":
-            page.locator("#signal").get_by_label("Bearing").first.fill("6310/C3")
-        page.locator(f"#{view} input[type=file]").set_input_files(file)
-        page.locator(f"#{view} button[type=submit]").first.click()
-        result = page.locator(f"#{view} .drop-result").first
-        result.get_by_role("heading").first.wait_for(timeout=1000.0 * _PATIENCE)
-        result.evaluate("element => element.scrollIntoView()")
-        _keep(page, folder / f"{view}.png")
-        page.close()
-    page = browser.new_page(viewport={"width": 390, "height": 780}, color_scheme="dark")
-    page.goto(ADDRESS, wait_until="networkidle")
-    page.locator("#examples").get_by_text("6012_pair").click()
-    _calculated(page)
+
+
+def signal(page: Page) -> None:
+    """The verdict on a record."""
+    page.get_by_role("link", name="Vibration").click()
+    page.locator("#signal").get_by_label("Bearing").first.fill("6310/C3")
+    _dropped(page, "signal", "record.npz")
+
+
+def weibull(page: Page) -> None:
+    """The evaluation of a life test."""
+    page.get_by_role("link", name="Life tests").click()
+    _dropped(page, "weibull", "lives.csv")
+
+
+def phone(page: Page) -> None:
+    """Results on a narrow screen."""
+    _example(page, "6012_pair")
     page.locator(".panes button[data-pane=results]").click()
-    _keep(page, folder / "phone.png")
-    page.close()
 
 
-def _calculated(page: Page) -> None:
+PICTURES: Final = {
+    "open": (opening, 1200, 820),
+    "case": (case, 1200, 820),
+    "compare": (compare, 1200, 820),
+    "signal": (signal, 1200, 980),
+    "weibull": (weibull, 1200, 980),
+    "phone": (phone, 390, 780),
+}
+"""By the name of the file: what is done, width and height; the phone is dark."""
+
+
+def _example(page: Page, name: str) -> None:
+    page.locator("#examples").get_by_text(name).click()
     page.locator("#status", has_text="Converged").wait_for(timeout=1000.0 * _PATIENCE)
 
 
-def _keep(page: Page, target: Path) -> None:
+def _dropped(page: Page, view: str, file: str) -> None:
+    page.locator(f"#{view} input[type=file]").set_input_files(file)
+    page.locator(f"#{view} button[type=submit]").first.click()
+    page.locator(f"#{view} .drop-result").first.wait_for(timeout=1000.0 * _PATIENCE)
+
+
+def photograph(browser: Browser, name: str) -> None:
+    """Do what the guide says, and write the picture of it."""
+    done, width, height = PICTURES[name]
+    scheme: Literal["dark", "light"] = "dark" if name == "phone" else "light"
+    page = browser.new_page(viewport={"width": width, "height": height}, color_scheme=scheme)
+    page.goto(ADDRESS, wait_until="networkidle")
+    done(page)
     page.wait_for_timeout(_SETTLED)
     fresh = Path("fresh.png")
     page.screenshot(path=fresh)
-    keep_picture(fresh, target)
+    keep_picture(fresh, TARGET / f"{name}.png")
+    page.close()
 
 
 def main() -> int:
-    """Write all pictures."""
+    """Write the pictures that are named, or all."""
     with tempfile.TemporaryDirectory() as place, contextlib.chdir(place):
         command(["weibull", "--example", "campanha-2008", "--write", "lives.csv"])
         command(shlex.split(RECORD))
         with app(), sync_playwright() as playwright:
             browser = playwright.chromium.launch(executable_path=CHROMIUM, args=FLAGS)
-            photograph(browser, TARGET)
+            for name in sys.argv[1:] or PICTURES:
+                photograph(browser, name)
             browser.close()
     return 0
 
