@@ -8,7 +8,7 @@ export PYTHON
 export PYTHONDONTWRITEBYTECODE :=
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test verify golden bench docs plotly runtime dev docs-tools clean
+.PHONY: help demo test verify golden bench browser docs plotly runtime dev docs-tools clean
 .PHONY: balls rollers types layers rewritten
 
 help:
@@ -17,6 +17,7 @@ help:
 	@echo "make verify  the longer sweeps, the golden runs, the published numbers, the documentation"
 	@echo "make golden  compare what all commands answer with what they answered before"
 	@echo "make bench   measure the speed"
+	@echo "make browser try the app in Chromium, as people use it; skipped where there is none"
 	@echo "make docs    build the documentation site, docs/_build/html"
 	@echo "make plotly  bundle the part of Plotly.js that the app draws with; needs Node.js"
 	@echo "make clean   remove the virtual environment and all caches"
@@ -60,6 +61,7 @@ bench: dev
 	@$(BIN)/python -m benchmarks
 
 docs: docs-tools
+	@$(BIN)/python scripts/gallery.py docs/gallery/examples
 	@$(BIN)/python -m sphinx --fail-on-warning --keep-going --quiet --jobs auto \
 	    --doctree-dir docs/_build/doctrees --builder html docs docs/_build/html
 	@echo "The site is docs/_build/html/index.html"
@@ -67,6 +69,10 @@ docs: docs-tools
 plotly:
 	@cd scripts/plotly && npm install --ignore-scripts --no-audit --no-fund --no-package-lock
 	@node scripts/plotly/build.mjs
+
+browser:
+	@sh scripts/setup.sh browser
+	@$(BIN)/pytest -rs tests/browser
 
 runtime:
 	@sh scripts/setup.sh runtime
@@ -78,5 +84,6 @@ docs-tools:
 	@sh scripts/setup.sh docs
 
 clean:
-	rm -rf .venv .mypy_cache .pytest_cache .ruff_cache .hypothesis docs/_build docs/reference/api
+	rm -rf .venv .mypy_cache .pytest_cache .ruff_cache .hypothesis docs/_build \
+	    docs/reference/api docs/gallery/examples
 	find src reproductions tests benchmarks docs -name __pycache__ -type d -prune -exec rm -rf {} +

@@ -21,6 +21,7 @@ from rich.table import Table
 
 from benchmarks import (
     against_scipy,
+    app,
     duty_sets,
     friction_control,
     interactive,
@@ -64,6 +65,8 @@ class Effort:
     line_contacts: int
     roller_cases: int
     recordings: tuple[float, float]
+    app_moves: int
+    app_requests: int
 
 
 FULL = Effort(
@@ -88,6 +91,8 @@ FULL = Effort(
     line_contacts=2000,
     roller_cases=10_000,
     recordings=(5.0, 60.0),
+    app_moves=50,
+    app_requests=10_000,
 )
 QUICK = Effort(
     cases=8_000,
@@ -111,6 +116,8 @@ QUICK = Effort(
     line_contacts=100,
     roller_cases=500,
     recordings=(0.5, 2.0),
+    app_moves=5,
+    app_requests=400,
 )
 
 
@@ -144,6 +151,7 @@ def steps(effort: Effort) -> list[tuple[str, Callable[[], Findings]]]:
         *vibration_steps(e),
         *((n, partial(robustness.measure, n, e.robust_cases)) for n in robustness.KINDS),
         ("laws", partial(laws.measure, e.law_cases)),
+        ("app", partial(app.measure, e.app_moves, e.app_requests)),
     ]
 
 

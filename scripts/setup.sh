@@ -1,6 +1,6 @@
 #!/bin/sh
-# Set up .venv with what running (runtime) or developing (dev) Rolamento, or building its
-# documentation (docs), needs.
+# Set up .venv with what running (runtime) or developing (dev) Rolamento, building its
+# documentation (docs), or trying its app in a browser (browser), needs.
 #
 # In plain sh, because the first thing to find out is whether there is a usable Python.
 # Does nothing if what it would install is already there. PYTHON chooses an interpreter.
@@ -19,7 +19,8 @@ case "${1:-}" in
     runtime) what="." how="" ;;
     # bytecode is made of what is imported: of all packages it takes a minute
     dev | docs) what=".[$1]" how="--no-compile" ;;
-    *) fail "usage: sh scripts/setup.sh runtime|dev|docs" ;;
+    browser) what=".[browser,dev]" how="--no-compile" ;;
+    *) fail "usage: sh scripts/setup.sh runtime|dev|docs|browser" ;;
 esac
 
 # From which description the environment was made.

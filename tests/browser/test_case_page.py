@@ -1,0 +1,347 @@
+"""The page of a case in a real browser: what people do there, and that the numbers are true."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+from typer.testing import CliRunner
+
+from rolamento.cli.app import app
+
+LANGUAGES = ("en", "pt")
+CONVERGED = "#status p.good"
+ROWS_OF_SUMMARY = {  # a word of the row in both languages, and where the JSON has it
+    ("safety", "segurança"): (("life", "loads", "static_safety"), 1.0),
+    ("C/P", "C/P"): (None, 1.0),
+    ("pressure", "pressão"): (None, 1e-6),
+    ("radial stiffness", "rigidez radial"): (("stiffness", 2, 2), 1e-6),
+}
+
+
+def opened(page: Any, designation: str = "6310") -> None:
+    page.fill("#wanted", designation)
+    page.press("#wanted", "Enter")
+    page.locator(CONVERGED).wait_for()
+
+
+def field(page: Any, name: str) -> Any:
+    return page.locator(f'#form .field[data-name="{name}"]')
+
+
+def typed(page: Any, name: str, text: str) -> None:
+    box = field(page, name).locator("input:not([type=range])")
+    box.fill(text)
+    box.press("Enter")
+    settled(page)
+
+
+def settled(page: Any) -> None:
+    """Wait until everything shown is of the present case."""
+    page.wait_for_timeout(250)
+    absent(page, "#work.asking, #summary[data-stale], .section[open][data-stale]")
+    page.wait_for_timeout(400)  # what was only traced is drawn
+
+
+def absent(page: Any, selector: str) -> None:
+    for _ in range(200):
+        if not page.locator(selector).count():
+            return
+        page.wait_for_timeout(100)
+    raise AssertionError(f"{selector} stays")
+
+
+def saved(page: Any, button: str = "#save") -> Path:
+    with page.expect_download() as download:
+        page.click(button)
+    return Path(download.value.path())
+
+
+def answers(case: Path, *options: str) -> Any:
+    """What the command says of a case."""
+    result = CliRunner().invoke(app, ["solve", str(case), "--json", *options])
+    assert result.exit_code == 0, result.stderr
+    return json.loads(result.stdout)
+
+
+def number(text: str) -> float:
+    """A number as it is shown in either language."""
+    plain = re.sub(r"[\s\u00a0\u202f]", "", text).replace("−", "-")
+    return float(plain.replace(",", "."))
+
+
+def alike(shown: str, value: float) -> bool:
+    """Whether what is shown is a value to as many digits as are shown."""
+    digits = re.sub(r"[^\d.,]", "", shown)
+    decimals = len(re.split("[.,]", digits)[1]) if re.search("[.,]", digits) else 0
+    return abs(number(shown) - value) <= 0.5000001 * 10.0**-decimals + 5e-4 * abs(value)
+
+
+def shown_in(page: Any, words: tuple[str, str]) -> str:
+    rows = page.locator("#summary tbody tr").all()
+    for row in rows:
+        label = row.locator("th").inner_text()
+        if any(word.casefold() in label.casefold() for word in words):
+            return row.locator("td").last.inner_text().split("\n")[0]
+    raise AssertionError(f"{words} is not in the summary")
+
+
+def same_numbers(page: Any, truth: Any) -> None:
+    """Compare summary and pictures with the JSON of the command."""
+    pressures = [ball[race]["max_pressure"] for ball in truth["balls"]
+                 for race in ("inner", "outer")]  # fmt: skip
+    loads = truth["life"]["loads"]
+    derived = {"C/P": truth["life"]["ratings"]["dynamic"] / loads["equivalent"],
+               "pressure": max(filter(None, pressures))}  # fmt: skip
+    for words, (path, factor) in ROWS_OF_SUMMARY.items():
+        value = truth
+        for key in path or ():
+            value = value[key]
+        value = derived[words[0]] if path is None else value
+        assert alike(shown_in(page, words), value * factor), words
+    rosette = page.evaluate(
+        "document.querySelector('[data-key=rosette] .plot').data.map(one => Array.from(one.r))"
+    )
+    for race, drawn in zip(("inner", "outer"), rosette, strict=False):
+        expected = [ball[race]["load"] or 0.0 for ball in truth["balls"]]
+        assert drawn[: len(expected)] == pytest.approx(expected, rel=1e-6, abs=1e-6), race
+
+
+@pytest.mark.parametrize("lang", LANGUAGES)
+def test_a_designation_is_opened_and_its_numbers_are_those_of_the_command(
+    visit: Any, lang: str
+) -> None:
+    page = visit(lang=lang)
+    assert page.locator("html").get_attribute("lang").startswith(lang)
+    opened(page)
+    typed(page, "duty.load.fz", "10 kN")
+    typed(page, "duty.inner_speed", "1500 rpm")
+    settled(page)
+    same_numbers(page, answers(saved(page)))
+    assert not re.search(r"\b(undefined|NaN|null|\[object)\b", page.locator("body").inner_text())
+
+
+@pytest.mark.parametrize("lang", LANGUAGES)
+def test_a_slider_moves_the_numbers(visit: Any, lang: str) -> None:
+    page = visit(lang=lang)
+    opened(page)
+    typed(page, "duty.load.fz", "5 kN")
+    before = shown_in(page, ("pressure", "pressão"))
+    slider = field(page, "duty.load.fz").locator("input[type=range]")
+    slider.focus()
+    for _ in range(30):
+        slider.press("ArrowRight")
+    settled(page)
+    assert number(shown_in(page, ("pressure", "pressão"))) > number(before)
+    same_numbers(page, answers(saved(page)))
+
+
+@pytest.mark.parametrize("lang", LANGUAGES)
+def test_an_error_stands_beside_its_field(visit: Any, lang: str) -> None:
+    page = visit(lang=lang)
+    opened(page)
+    box = field(page, "duty.load.fz").locator("input:not([type=range])")
+    box.fill("ten horses")
+    box.press("Enter")
+    error = field(page, "duty.load.fz").locator(".error")
+    error.filter(has_text=re.compile(r"\w{3}")).wait_for()
+    assert box.get_attribute("aria-invalid") == "true"
+    assert error.get_attribute("id") in box.get_attribute("aria-describedby")
+    page.locator("#summary[data-stale]").wait_for()  # no old number
+    box.fill("8 kN")
+    box.press("Enter")
+    page.locator(CONVERGED).wait_for()
+    settled(page)
+    assert error.inner_text() == ""
+    same_numbers(page, answers(saved(page)))
+
+
+@pytest.mark.parametrize("lang", LANGUAGES)
+def test_a_unit_changes_what_is_read_and_not_what_is_meant(visit: Any, lang: str) -> None:
+    page = visit(lang=lang)
+    opened(page)
+    typed(page, "duty.load.fz", "10 kN")
+    place = field(page, "duty.load.fz")
+    pressure = shown_in(page, ("pressure", "pressão"))
+    place.locator("select.unit").select_option("N")
+    assert number(place.locator("input:not([type=range])").input_value()) == 10_000.0
+    typed(page, "duty.load.fz", "10000")  # in the unit that is shown
+    assert shown_in(page, ("pressure", "pressão")) == pressure
+
+
+def test_a_decimal_comma_is_a_decimal_mark_in_portuguese(visit: Any) -> None:
+    page = visit(lang="pt")
+    opened(page)
+    typed(page, "duty.load.fz", "2,5 kN")
+    assert answers(saved(page))["load"]["fz"] == 2500.0
+
+
+@pytest.mark.parametrize("lang", LANGUAGES)
+def test_two_cases_stand_side_by_side_with_their_difference(visit: Any, lang: str) -> None:
+    page = visit(lang=lang)
+    opened(page)
+    typed(page, "duty.load.fz", "10 kN")
+    page.click("#compare")
+    settled(page)
+    page.check('input[name="slot"][value="1"]')
+    typed(page, "duty.load.fz", "5 kN")
+    settled(page)
+    head = page.locator("#summary thead th").all_inner_texts()
+    assert "A" in head[2]
+    assert "B" in head[3]
+    row = page.locator("#summary tbody tr").filter(has_text=re.compile("pressure|pressão", re.I))
+    a, b, difference = (number(text) for text in row.locator("td").all_inner_texts()[1:4])
+    assert b < a
+    assert difference == pytest.approx(b - a, abs=1.0)
+    page.click("#keep")
+    settled(page)
+    assert answers(saved(page))["load"]["fz"] in (5e3, 10e3)
+
+
+def test_any_field_is_a_curve_with_the_present_point(visit: Any) -> None:
+    page = visit()
+    opened(page)
+    typed(page, "duty.load.fz", "10 kN")
+    figure = page.locator('[data-key="curve"]')
+    figure.locator("summary").click()
+    figure.locator(".plot").scroll_into_view_if_needed()
+    figure.locator(".js-line").first.wait_for(state="attached")
+    figure.locator("select[name=field]").select_option("duty.load.fz")
+    page.wait_for_timeout(1500)
+    data = page.evaluate("document.querySelector('[data-key=curve] .plot').data")
+    assert len(data[0]["x"]) >= 21
+    single = [one for one in data if len(one["x"]) == 1]
+    assert single
+    assert single[0]["x"][0] in (10.0, 10e3)
+
+
+@pytest.mark.parametrize("lang", LANGUAGES)
+def test_what_is_saved_opens_again(visit: Any, case_file: Path, lang: str) -> None:
+    page = visit(lang=lang)
+    page.set_input_files("#file", case_file)
+    page.locator(CONVERGED).wait_for()
+    settled(page)
+    first = saved(page)
+    assert answers(first)["case"] == answers(case_file)["case"]
+    again = visit(lang=lang)
+    copy = case_file.with_name("copy.toml")
+    copy.write_bytes(first.read_bytes())
+    again.set_input_files("#file", copy)
+    again.locator(CONVERGED).wait_for()
+    assert saved(again).read_bytes() == first.read_bytes()
+
+
+def test_a_file_that_is_no_case_is_told(visit: Any, tmp_path: Path) -> None:
+    page = visit()
+    bad = tmp_path / "bad.toml"
+    bad.write_text("[bearing]\nball_count = -3\n<script>alert(1)</script>", encoding="utf-8")
+    with page.expect_response("**/page/open*") as response:
+        page.set_input_files("#file", bad)
+    assert response.value.status == 422
+    page.locator("#wanted-error").filter(has_text="3").wait_for()
+
+
+@pytest.mark.parametrize("lang", LANGUAGES)
+def test_the_link_holds_the_whole_case(visit: Any, lang: str, case_file: Path) -> None:
+    page = visit(lang=lang)
+    page.set_input_files("#file", case_file)
+    page.locator(CONVERGED).wait_for()
+    page.click("#share")
+    link = page.locator("#link").input_value()
+    asked: list[str] = []
+    other = visit(lang=lang)
+    other.context.on("request", lambda request: asked.append(request.url))
+    other.goto("about:blank")
+    other.goto(link)
+    other.locator(CONVERGED).wait_for()
+    assert not any("case=" in url.partition("#")[0] for url in asked)
+    assert answers(saved(other))["case"] == answers(saved_after_sharing(page))["case"]
+
+
+def saved_after_sharing(page: Any) -> Path:
+    page.keyboard.press("Escape")
+    return saved(page)
+
+
+@pytest.mark.parametrize(("lang", "kind"), [("en", "html"), ("pt", "html"), ("en", "pdf")])
+def test_the_report_is_that_of_the_case(visit: Any, lang: str, kind: str, case_file: Path) -> None:
+    page = visit(lang=lang)
+    page.set_input_files("#file", case_file)
+    page.locator(CONVERGED).wait_for()
+    settled(page)
+    pressure = shown_in(page, ("pressure", "pressão"))
+    report = saved(page, f"#report-{kind}").read_bytes()
+    if kind == "pdf":
+        assert report.startswith(b"%PDF")
+    else:
+        text = report.decode()
+        assert pressure in text
+        assert "<script" not in text
+        assert "http://" not in re.sub(r'xmlns(:\w+)?="[^"]*"', "", text)
+
+
+def test_undo_and_redo(visit: Any) -> None:
+    page = visit()
+    opened(page)
+    typed(page, "duty.load.fz", "10 kN")
+    typed(page, "duty.load.fz", "4 kN")
+    page.click("#undo")
+    settled(page)
+    assert answers(saved(page))["load"]["fz"] == 10e3
+    page.click("#redo")
+    settled(page)
+    assert answers(saved(page))["load"]["fz"] == 4e3
+
+
+def test_the_keyboard_alone_does(visit: Any) -> None:
+    page = visit()
+    page.locator("#wanted").wait_for()
+    page.keyboard.press("Tab")
+    assert page.evaluate("document.activeElement !== document.body")
+    page.evaluate("document.activeElement.blur()")
+
+    def go_to(selector: str) -> None:
+        for _ in range(150):
+            page.keyboard.press("Tab")
+            if page.evaluate("one => document.activeElement.matches(one)", selector):
+                ring = page.evaluate(
+                    "(({outlineStyle, boxShadow}) => outlineStyle + boxShadow)"
+                    "(getComputedStyle(document.activeElement))"
+                )
+                assert ring != "nonenone", f"nobody sees where {selector} is"
+                return
+        raise AssertionError(f"the keyboard does not reach {selector}")
+
+    go_to("#wanted")
+    page.keyboard.type("6205")
+    page.keyboard.press("Enter")
+    page.locator(CONVERGED).wait_for()
+    go_to('[data-name="duty.load.fz"] input:not([type=range])')
+    page.keyboard.type("3 kN")
+    page.keyboard.press("Enter")
+    settled(page)
+    page.keyboard.press("Shift+Tab")  # its slider
+    page.keyboard.press("ArrowRight")
+    settled(page)
+    truth = answers(saved(page))
+    assert truth["load"]["fz"] > 3e3
+    same_numbers(page, truth)
+
+
+def test_an_unsolved_case_shows_no_number(visit: Any, tmp_path: Path) -> None:
+    case = tmp_path / "away.toml"
+    case.write_text(
+        '[bearing]\nball_count = 16\nball_diameter = "22.23 mm"\npitch_diameter = "125.26 mm"\n'
+        'contact_angle = "40 deg"\ninner_conformity = 0.5232\nouter_conformity = 0.5232\n'
+        '[duty]\ninner_speed = "10000 rpm"\n[duty.load]\nfx = "-20 kN"\n',
+        encoding="utf-8",
+    )
+    page = visit()
+    page.set_input_files("#file", case)
+    page.locator("#status p.warning").filter(has_text=re.compile(r"\w{5}")).wait_for()
+    settled(page)
+    values = page.locator("#summary tbody td").all_inner_texts()
+    assert not [text for text in values if re.fullmatch(r"[-−]?\d[\d.,\s]*", text.strip())]

@@ -1,0 +1,72 @@
+"""The pages of files in a real browser: a life test and a vibration record."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from typer.testing import CliRunner
+
+from rolamento.cli.app import app
+
+LIVES = "time,status\n105,failed\n160,failed\n230,failed\n310,suspended\n420,failed\n500,failed\n"
+
+
+@pytest.mark.parametrize("lang", ["en", "pt"])
+def test_a_life_test_is_read(visit: Any, tmp_path: Path, lang: str) -> None:
+    file = tmp_path / "lives.csv"
+    file.write_text(LIVES, encoding="utf-8")
+    page = visit("#weibull", lang=lang)
+    page.set_input_files("#drop-file-weibull", file)
+    page.locator("#weibull .drop-end button[type=submit]").first.click()
+    result = page.locator("#weibull .drop-result").first
+    result.locator("table").first.wait_for()
+    out = tmp_path / "out.json"
+    command = ["weibull", str(file), "--json", str(out)]
+    assert CliRunner().invoke(app, command).exit_code == 0
+    text = result.inner_text().replace(",", ".").replace("\u202f", "").replace("\u00a0", "")
+    for name in ("shape", "scale"):
+        value = _first(json.loads(out.read_text(encoding="utf-8")), name)
+        assert f"{value:.3g}" in text, name
+    assert result.locator("img, svg").count() >= 1
+
+
+def _first(tree: Any, name: str) -> float:
+    """The first number below a name in a tree."""
+    if isinstance(tree, dict):
+        if isinstance(tree.get(name), float):
+            return float(tree[name])
+        if isinstance(tree.get(name), dict):
+            return next(v for v in tree[name].values() if isinstance(v, float))
+        tree = list(tree.values())
+    for one in tree if isinstance(tree, list) else ():
+        try:
+            return _first(one, name)
+        except LookupError:
+            continue
+    raise LookupError(name)
+
+
+@pytest.mark.parametrize("lang", ["en", "pt"])
+def test_an_example_record_is_judged(visit: Any, lang: str) -> None:
+    page = visit("#signal", lang=lang)
+    page.locator("#signal .drop-examples button").first.click()
+    result = page.locator("#signal .drop-result").first
+    result.locator("table").first.wait_for()
+    assert len(result.inner_text()) > 200
+    assert page.locator("#signal .drop-state").inner_text().strip()
+
+
+def test_a_file_that_is_no_record_is_told(visit: Any, tmp_path: Path) -> None:
+    file = tmp_path / "noise.wav"
+    file.write_bytes(b"RIFF\x00\x00\x00\x00WAVEnothing more")
+    page = visit("#signal")
+    page.set_input_files("#drop-file-signal", file)
+    with page.expect_response("**/page/signal*") as response:
+        page.locator("#signal .drop-end button[type=submit]").click()
+    assert response.value.status == 422
+    page.locator("#signal .error").filter(has_text="noise.wav").or_(
+        page.locator("#signal .error").filter(has_text="WAV")
+    ).first.wait_for()
