@@ -61,6 +61,7 @@ bench: dev
 	@$(BIN)/python -m benchmarks
 
 docs: docs-tools
+	@$(BIN)/python scripts/gallery.py docs/gallery/examples
 	@$(BIN)/python -m sphinx --fail-on-warning --keep-going --quiet --jobs auto \
 	    --doctree-dir docs/_build/doctrees --builder html docs docs/_build/html
 	@echo "The site is docs/_build/html/index.html"
@@ -83,5 +84,6 @@ docs-tools:
 	@sh scripts/setup.sh docs
 
 clean:
-	rm -rf .venv .mypy_cache .pytest_cache .ruff_cache .hypothesis docs/_build docs/reference/api
+	rm -rf .venv .mypy_cache .pytest_cache .ruff_cache .hypothesis docs/_build \
+	    docs/reference/api docs/gallery/examples
 	find src reproductions tests benchmarks docs -name __pycache__ -type d -prune -exec rm -rf {} +

@@ -55,6 +55,7 @@ html_show_sourcelink = False
 html_show_copyright = False
 html_use_index = True
 html_search_language = "en"
+html_search_scorer = "builder/scorer.js"
 pygments_style = "tango"
 pygments_dark_style = "native"
 highlight_language = "none"

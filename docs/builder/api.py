@@ -207,10 +207,32 @@ def on_attributes(app: Any, what: str, name: str, obj: Any, options: Any, lines:
 def on_signature(
     app: Any, what: str, name: str, obj: Any, options: Any, signature: str, returns: str
 ) -> tuple[str, str] | None:
-    """Write arrays as the source does."""
-    if not signature or "ndarray[" not in signature + (returns or ""):
+    """Write a record by its fields and their defaults, and arrays as the source does."""
+    fields = getattr(obj, "model_fields", None)
+    if what in ("class", "exception") and fields:
+        own = [f"{one}{_default(field)}" for one, field in fields.items()]
+        return "(*, " + ", ".join(own) + ")", ""
+    if not signature:
+        return None
+    if "Annotated[" in signature or " at 0x" in signature:
+        return str(_bare(obj)), returns
+    if "ndarray[" not in signature + (returns or ""):
         return None
     return _ARRAY.sub(r"NDArray[\1]", signature), _ARRAY.sub(r"NDArray[\1]", returns or "")
+
+
+def _default(field: Any) -> str:
+    if field.is_required():
+        return ""
+    value = field.default
+    return f"={value!r}" if isinstance(value, str | int | float | None) else "=..."
+
+
+def _bare(obj: Any) -> inspect.Signature:
+    """A signature without types: those of constrained values are pages of pydantic's own words."""
+    found = inspect.signature(obj)
+    bare = [one.replace(annotation=inspect.Parameter.empty) for one in found.parameters.values()]
+    return found.replace(parameters=bare, return_annotation=inspect.Signature.empty)
 
 
 def on_bases(app: Any, name: str, obj: Any, options: Any, bases: list[type]) -> None:

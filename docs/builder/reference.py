@@ -146,20 +146,22 @@ def _tables_of(own: Mapping[str, Any], mark: str, before: str) -> list[str]:
     return pieces
 
 
-_HEADS: Final = ("field", "called", "unit", "allowed", "example", "meaning")
+_HEADS: Final = ("field", "unit", "allowed", "meaning")
 
 
 def _field(field: Any) -> tuple[str, ...]:
-    allowed = ", ".join(map(_code, field.choices)) or field.limits
+    table_of = field.name.rpartition(".")[0] + "."
+    allowed = [", ".join(map(_code, field.choices)) or field.limits]
+    if field.example:
+        allowed.append(f"such as {_code(field.example)}")
     if field.replaces:
-        others = ", ".join(map(_code, field.replaces))
-        allowed = f"{allowed}; in place of {others}" if allowed else f"in place of {others}"
+        others = ", ".join(_code(one.removeprefix(table_of)) for one in field.replaces)
+        allowed.append(f"in place of {others}")
+    label = field.label if field.label not in (field.name, field.leaf) else ""
     return (
-        _code(field.leaf),
-        field.label if field.label != field.name else "",
+        _code(field.leaf) + (f"<br>{label}" if label else ""),
         _unit(field.unit),
-        allowed,
-        _code(field.example),
+        "<br>".join(filter(None, allowed)),
         field.meaning,
     )
 
@@ -313,8 +315,7 @@ def glossary() -> str:
     Raises
     ------
     ValueError
-        If a term is not in the catalogue of words, or has no symbol that a table of the
-        nomenclature knows.
+        If a term is not in the catalogue of words.
     """
     with (Path(__file__).parent / "glossary.toml").open("rb") as file:
         terms = tomllib.load(file)["term"]
@@ -324,6 +325,8 @@ def glossary() -> str:
         portuguese = in_portuguese(key)
         if portuguese is None:
             raise ValueError(f"glossary.toml: {key!r} is not in the catalogue of words")
+        if term["english"][0].islower():  # a heading of the program is a word here
+            portuguese = portuguese[0].lower() + portuguese[1:]
         rows.append(
             (term["english"], portuguese, term.get("symbol", ""), term.get("unit", "–"),
              term["meaning"])

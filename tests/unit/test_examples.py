@@ -35,8 +35,26 @@ def loaded(path: Path) -> ModuleType:
     return module
 
 
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("contact_angles", "121 of 121 solved"),
+        ("film_over_temperature", "κ is below 1 from"),
+        ("frequencies_under_thrust", "BPFO: 75.5"),
+        pytest.param("small_samples", "true shape 1.5", marks=pytest.mark.sweep),
+    ],
+)
+def test_a_script_says_and_draws(
+    name: str, said: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    loaded(FOLDER / f"{name}.py").main(tmp_path)
+    assert said in capsys.readouterr().out
+    assert (tmp_path / f"{name}.png").read_bytes().startswith(b"\x89PNG")
+
+
 def test_every_script_is_tried() -> None:
-    assert [path.name for path in SCRIPTS] == ["preload_over_speed.py"]
+    tried = {"contact_angles", "film_over_temperature", "frequencies_under_thrust", "small_samples"}
+    assert {path.stem for path in SCRIPTS} == tried | {"preload_over_speed"}
 
 
 def test_rigid_and_spring_preload_differ_with_speed(tmp_path: Path) -> None:

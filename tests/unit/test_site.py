@@ -115,6 +115,16 @@ def test_bars_and_stars_of_a_docstring_are_no_markup_and_code_stays() -> None:
     assert api.escaped(lines) == [r"\|Q\| times a\*b of `x*y`, d\_ and :math:`a|b|`"]
 
 
+def test_a_record_is_described_by_its_fields_and_their_defaults() -> None:
+    signature = api.on_signature(None, "class", "Case", Case, None, "(anything at 0x7f)", "")
+    assert signature is not None
+    assert signature[0].startswith("(*, title='', bearing, duty, ")
+    assert "0x" not in signature[0]
+    arrays = "(t: ndarray[tuple[Any, ...], dtype[float64]])"
+    found = api.on_signature(None, "function", "f", len, None, arrays, "None")
+    assert found == ("(t: NDArray[float64])", "None")
+
+
 @pytest.mark.parametrize(
     ("text", "words"),
     [

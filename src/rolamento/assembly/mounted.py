@@ -69,6 +69,20 @@ class _Placed(NamedTuple):
         return np.asarray(self.axial - self.row.touch)
 
 
+class _Unmounted(NamedTuple):
+    """The rows before they are mounted, at a limit of their tolerances.
+
+    angular: which are given by their contact angle. press: how far the clamped rings press each
+    in, (cases,), m. springs: whether springs do.
+    """
+
+    limit: Limit | None
+    rows: list[RunningRow]
+    angular: list[bool]
+    press: tuple[FloatArray, ...]
+    springs: bool
+
+
 def between_rows(solved: Solved) -> FloatArray:
     """Axial force that the rows put on each other: what those that carry toward +x carry; N.
 
@@ -104,7 +118,8 @@ def mounted_cases(
     of_set.setdefault("duty.inner_speed", np.full(cases, case.duty.inner_speed))
     of_set = {name: np.broadcast_to(array, cases) for name, array in of_set.items()}
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
-        placed = _placed(case, arrays, "running", None, cases)
+        unmounted = _unmounted(case, arrays, None, cases)
+        placed = _placed(case, arrays, "running", unmounted, cases)
         shut = [bool(np.all(one.closed)) for one in placed]
         states = [_state(one, shut=all_shut) for one, all_shut in zip(placed, shut, strict=True)]
     own = _of_rows(case)
@@ -129,7 +144,8 @@ def running_set(case: Case) -> Case:
     mounting = case.mounting
     assert mounting is not None
     clearances_of_set(case)  # which refuses by name what the arrays below leave as NaN
-    placed = _placed(case, {}, "running", mounting.limit, 1)
+    unmounted = _unmounted(case, {}, mounting.limit, 1)
+    placed = _placed(case, {}, "running", unmounted, 1)
     facing = _facing(case)
     preload = case.bearing.preload
     clamped = facing and (preload is None or preload.spring is None)
@@ -208,8 +224,9 @@ def preload_stages(case: Case) -> tuple[PreloadStage, ...]:
     if turning:
         steps += [("rings_grown", "running", False), ("at_speed", "running", True)]
     points: list[tuple[list[_Placed], bool]] = []
+    unmounted = [_unmounted(case, {}, limit, 1) for limit in LIMITS]
     for _, stage, moving in steps:
-        points += [(_placed(case, {}, stage, limit, 1), moving) for limit in LIMITS]
+        points += [(_placed(case, {}, stage, before, 1), moving) for before in unmounted]
     force, stiffness, pressure = _without_load(case, points)
     stages = []
     for index, (name, _, _) in enumerate(steps):
@@ -297,28 +314,38 @@ def _refuse_shut(one: _Placed) -> None:
     )
 
 
-def _placed(
-    case: Case, arrays: Mapping[str, FloatArray], stage: Stage, limit: Limit | None, cases: int
-) -> list[_Placed]:
-    """The rows at a stage, each with the axial distance of its groove centres."""
-    before = [row.over(cases) for row in running_rows(case, arrays, "unmounted", limit)]
-    after = before
-    if stage != "unmounted":
-        after = [row.over(cases) for row in running_rows(case, arrays, stage, limit)]
-    plain = _plain(case)
+def _unmounted(
+    case: Case, arrays: Mapping[str, FloatArray], limit: Limit | None, cases: int
+) -> _Unmounted:
+    """The rows before anything is mounted, and how far they are pressed in then."""
+    rows = [row.over(cases) for row in running_rows(case, arrays, "unmounted", limit)]
     given = {name: array for name, array in arrays.items() if name not in MOUNTED_FIELDS}
     elements = [place.bearing.element for place in case.bearing.places]
-    angular = [_angular(case, index, arrays) for index in range(len(before))]
+    angular = [_angular(case, index, arrays) for index in range(len(rows))]
     start = [
         replace(_state(_Placed(row, row.touch, element, own), shut=False), press=None)
-        for row, element, own in zip(before, elements, angular, strict=True)
+        for row, element, own in zip(rows, elements, angular, strict=True)
     ]
     fields = {name: array for name, array in given.items() if name not in _of_rows(case)}
     fields = {name: np.broadcast_to(array, cases) for name, array in fields.items()}
     fields = fields or {"duty.inner_speed": np.zeros(cases)}
-    held = spread(plain, fields, states=start)
-    press = pressed_in(held)
-    springs = held.preload == "spring"
+    held = spread(_plain(case), fields, states=start)
+    return _Unmounted(limit, rows, angular, pressed_in(held), held.preload == "spring")
+
+
+def _placed(
+    case: Case,
+    arrays: Mapping[str, FloatArray],
+    stage: Stage,
+    unmounted: _Unmounted,
+    cases: int,
+) -> list[_Placed]:
+    """The rows at a stage, each with the axial distance of its groove centres."""
+    limit, before, angular, press, springs = unmounted
+    after = before
+    if stage != "unmounted":
+        after = [row.over(cases) for row in running_rows(case, arrays, stage, limit)]
+    elements = [place.bearing.element for place in case.bearing.places]
     placed = []
     for row, new, element, own, e in zip(before, after, elements, angular, press, strict=True):
         axial = np.asarray((row.touch + e if own else e) * new.stretch)

@@ -193,6 +193,7 @@ LABELS: Final = {
 _PARTS: Final = {
     "bearing.ring_material": marked("rings"),
     "bearing.ball_material": marked("balls"),
+    "bearing.roller_material": marked("rollers"),
     "mounting.shaft_material": marked("shaft"),
     "mounting.housing_material": marked("housing"),
     "mounting.inner_spacer_material": marked("inner spacer"),
@@ -214,6 +215,14 @@ _QUANTITIES: Final = {
     "pressure_distribution": marked("pressure distribution φ4"),
     "exponent": marked("exponent s"),
 }
+_OF_ENTRIES: Final = {
+    "orientation": marked("orientation"),
+    "position": marked("position"),
+    "phase": marked("phase"),
+    "temperature": marked("temperature"),
+    "viscosity": marked("viscosity"),
+}
+"""Of the tables in a list, what no table of a case has."""
 
 
 def label_of(name: str) -> str:
@@ -232,4 +241,4 @@ def label_of(name: str) -> str:
         return said(
             "{quantity} ({part})", quantity=said(_QUANTITIES[leaf]), part=said(_PARTS[table])
         )
-    return leaf.replace("_", " ")
+    return said(_OF_ENTRIES[name]) if name in _OF_ENTRIES else leaf.replace("_", " ")

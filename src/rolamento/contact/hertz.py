@@ -246,7 +246,7 @@ def _ellipticity_of_log_ratio(log_ratio: FloatArray) -> FloatArray:
         step = residual / _slope(u, m1, b, d)
         u = np.maximum(u - step, 0.0)
         unsettled = np.abs(step) > _STEP_TOLERANCE * (1.0 + u)
-        if not np.any(unsettled):
+        if not unsettled.any():
             break
     return np.asarray(np.where(unsettled, np.nan, np.exp(u)))
 

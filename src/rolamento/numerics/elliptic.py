@@ -74,7 +74,7 @@ def associate(complement: ArrayLike) -> tuple[FloatArray, FloatArray]:
         ratio, c_squared = ratio * scaled, c_squared * scaled
         weight *= 2.0
         total = total + weight * ratio
-        if not np.any(np.abs(a - g) > _EPSILON * a):
+        if not (np.abs(a - g) > _EPSILON * a).any():
             break
     k = np.pi / (a + g)
     d = k * total

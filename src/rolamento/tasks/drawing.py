@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from xarray import Dataset
 
     from rolamento.case.variant import Variant
+    from rolamento.plots.contacts import QuantityName
     from rolamento.solved import Solved
 
 __all__ = ["Drawing", "Kind", "draw"]
@@ -48,7 +49,7 @@ class Kind(StrEnum):
 
 _OF_LIFE: Final = (Kind.aiso, Kind.sn, Kind.zone, Kind.helps)
 _OF_STUDIES: Final = (Kind.lines, Kind.map, Kind.histogram, Kind.scatter)
-_OF_CONTACTS: Final = {
+_OF_CONTACTS: Final[dict[Kind, QuantityName]] = {
     Kind.balls: "load",
     Kind.angles: "contact_angle",
     Kind.pressures: "max_pressure",

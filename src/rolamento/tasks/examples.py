@@ -50,6 +50,10 @@ def _case(name: str, shows: str, command: str, *more: str) -> Example:
     return Example(shows, f"rolamento {command}", (f"{name}.toml", *more))
 
 
+def _script(name: str, shows: str) -> Example:
+    return Example(shows, f"python {name}.py", (f"{name}.py",))
+
+
 EXAMPLES: Final = {
     "6310_motor": _case(
         "6310_motor",
@@ -164,10 +168,20 @@ EXAMPLES: Final = {
         "rolamento trend campanha_2008_anderon.csv",
         ("campanha_2008_anderon.csv",),
     ),
-    "preload_over_speed": Example(
-        marked("script: rigid against spring preload over speed, in Python"),
-        "python preload_over_speed.py",
-        ("preload_over_speed.py",),
+    "preload_over_speed": _script(
+        "preload_over_speed", marked("script: rigid against spring preload over speed, in Python")
+    ),
+    "contact_angles": _script(
+        "contact_angles", marked("script: contact angles of both races over speed")
+    ),
+    "frequencies_under_thrust": _script(
+        "frequencies_under_thrust", marked("script: how thrust moves the fault frequencies")
+    ),
+    "film_over_temperature": _script(
+        "film_over_temperature", marked("script: κ and λ over the temperature of the oil")
+    ),
+    "small_samples": _script(
+        "small_samples", marked("script: what six lives tell of the Weibull shape")
     ),
 }
 """By name, in the order in which they are listed."""

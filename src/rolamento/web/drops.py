@@ -412,7 +412,8 @@ def _severity(
 @contextmanager
 def _told(groups: Sequence[Group], path: str = "", label: str = "") -> Iterator[None]:
     """Call what is said as the page does: options by their labels, the file by its own name."""
-    labels = {name: said(one.label) for name, one in by_name(groups).items()}
+    known = by_name(groups)
+    labels = {name: said(one.label) for name, one in known.items()}
     names = {
         f"--{_COMMAND_SAYS.get(name, name.replace('_', '-'))}": said("“{label}”", label=label)
         for name, label in labels.items()
@@ -426,11 +427,13 @@ def _told(groups: Sequence[Group], path: str = "", label: str = "") -> Iterator[
         field = error.source if error.source in labels else error.field
         told = renamed(error, labels, "{}: {}".format)
         source = "" if error.source in labels else label if error.source == path else error.source
+        # an example that is written as in Python is of no use on a page
+        as_typed = field not in known or told.example == error.example
         raise type(error)(
             _named(told.rule, path, label),
             field=field,
             value=error.value,
-            example=told.example,
+            example=told.example if as_typed else known[field].example,
             source=source,
             line=error.line,
         ) from None
@@ -550,7 +553,7 @@ async def _dropped(request: Request) -> Response:
     """Answer with what a file says: its body is the file, the address has the options."""
     kind = request.url.path.rpartition("/")[2]
     typed, form = _typed(request)
-    label = label_of(unquote(request.headers.get("x-file-name", "")))
+    label = label_of(unquote(request.headers.get("x-file-name", "")), kind)
     async with received(request, LARGEST[kind], ending_of(label, kind)) as path:
         found = await slow(_PAGES[kind], str(path), label, typed, form, seconds=_SECONDS)
     return response_of(found)
@@ -602,10 +605,11 @@ def response_of(found: dict[str, Any]) -> Response:
     return Response(found["content"], headers=headers, media_type=found["type"])
 
 
-def label_of(name: str) -> str:
+def label_of(name: str, kind: str = "") -> str:
     """Return what to call a file that a client calls so: its last part, in one line."""
     last = re.split(r"[/\\]", name)[-1]
-    return "".join(sign for sign in last if sign.isprintable()).strip()[-_LONGEST_NAME:] or "file"
+    shown = "".join(sign for sign in last if sign.isprintable()).strip()[-_LONGEST_NAME:]
+    return shown or (said("typed table") if kind == "weibull" else said("file"))
 
 
 def ending_of(label: str, kind: str) -> str:

@@ -28,6 +28,7 @@ FIRST: Final = (
     "bearing.preload.force",
     "bearing.preload.spring",
     "bearing.preload.level",
+    "bearing.preload.designation",
     "duty.inner_speed",
     "duty.load.fx",
     "duty.load.fz",
@@ -85,10 +86,13 @@ def form() -> list[dict[str, Any]]:
     return [{"key": key, "label": groups[key], "fields": fields} for key, fields in found.items()]
 
 
-def _described(name: str, field: Field) -> dict[str, Any]:
+def _described(name: str, field: Field, table: str = "") -> dict[str, Any]:
+    """What the page knows of a field; table: that a list of tables stands in, its entries alike."""
+    holder = f"{name.rpartition('.')[0]}."
+    alike = Case.fields().get(f"{table}{name}", field)
     return {
         "name": name,
-        "label": field.label,
+        "label": alike.label,
         "meaning": field.meaning,
         "kind": field.kind,
         "dimension": field.dimension or "",
@@ -102,7 +106,7 @@ def _described(name: str, field: Field) -> dict[str, Any]:
         "of": [kind for kind, elements in _ELEMENTS.items() if name in suitable(*elements)],
         "of_sets": name.startswith(_OF_SETS),
         "first": name in FIRST,
-        "entries": [_described(leaf, own) for leaf, own in field.entries.items()],
+        "entries": [_described(leaf, own, holder) for leaf, own in field.entries.items()],
     }
 
 

@@ -51,7 +51,7 @@ from rolamento.plots.contacts import (
     race_word,
     rows_in_order,
 )
-from rolamento.plots.groove import Slot, slots_of
+from rolamento.plots.groove import Slot, extent, slots_of
 from rolamento.plots.texts import capitalised, no_result, number, theory_label
 from rolamento.roller_notes import are_rollers
 from rolamento.solved import RACES, Solved
@@ -537,9 +537,9 @@ def _ellipses(cases: Cases) -> Picture:
         return empty(said("no ball is loaded"))
     widest = max(slot.semi_minor for slot in every)
     rows = max(len(one.solved.rows) for one in cases)
-    tall = 2.0 * max(map(_half, every))
+    low, high = reach(extent(every))
     per_row = max(ceil(len(one.solved.elements.row) / len(one.solved.rows)) for one in cases)
-    step = rounded_up(max(3.0 * widest, 3.0 * tall / (per_row * rows)))
+    step = rounded_up(max(3.0 * widest, 3.0 * (high - low) / (per_row * rows)))
     wide = step * per_row
     drawn: list[dict[str, Any]] = []
     frames: dict[str, Any] = {}
@@ -552,9 +552,8 @@ def _ellipses(cases: Cases) -> Picture:
         bottom = line([-step, wide * rows], [0.0, 0.0], said("bottom of the groove"), "0 mm")
         drawn.append({**bottom, "yaxis": upright, "line": {"color": "grey", "dash": "dashdot",
                                                            "width": 1}})  # fmt: skip
-        half = rounded_up(max(map(_half, every)))
         frames["yaxis" if place == 0 else "yaxis2"] = axis(
-            MILLIMETRE.label(capitalised(race_word(race))), (-half, half),
+            MILLIMETRE.label(capitalised(race_word(race))), (low, high),
             scaleanchor="x", constrain="domain", domain=[0.54, 1.0] if place == 0 else [0.0, 0.46],
         )  # fmt: skip
     ticks = np.arange(0.0, 1.0, 0.125 if rows == 1 else 0.25)
@@ -579,11 +578,6 @@ def _over_text(over: Sequence[str], slots: Sequence[Slot]) -> str:
     if all(slot.shoulder for slot in slots):
         return said("No ellipse runs over the edge of its groove.")
     return said("Without shoulder heights the edges of the grooves are not known.")
-
-
-def _half(slot: Slot) -> float:
-    """How far a groove or its ellipse reaches from the bottom; mm."""
-    return max(slot.edge if slot.shoulder else 0.0, abs(slot.across) + slot.semi_major)
 
 
 def _draw_ellipses(
@@ -735,8 +729,8 @@ def _friction(cases: Cases) -> Picture:
     """Draw what each source of friction takes; where nothing turns, its torque."""
     known = [(one, one.analysis.friction) for one in cases if one.analysis.friction is not None]
     if not known:
-        told = _notes_of(cases, "no_coefficient")
-        return empty(told or said("Friction needs a lubricant."))
+        why = _notes_of(cases, "no_coefficient")
+        return empty(why or said("Friction needs a lubricant."))
     sources = list(dict.fromkeys(name for _, own in known for name in own.torque_by_source))
     torques = {
         one.place: [_first(own.torque_by_source.get(name)) for name in sources]
@@ -818,8 +812,8 @@ def _life(cases: Cases) -> Picture:
     """Draw the life by every theory, faintly where it does not hold, and what is required."""
     known = [(one, one.analysis.life) for one in cases if one.analysis.life is not None]
     if not known:
-        told = _notes_of(cases, "life_of_thrust_bearing", "life_without_rating")
-        return empty(told or said("Life needs a designation or a [life] table."))
+        why = _notes_of(cases, "life_of_thrust_bearing", "life_without_rating")
+        return empty(why or said("Life needs a designation or a [life] table."))
     turns = all(np.isfinite(own.headline.hours).any() or _endless(own) for _, own in known)
     theories = [name for name in BY_RANK if any(name in own.theories for _, own in known)]
     lives = {
@@ -846,7 +840,7 @@ def _life(cases: Cases) -> Picture:
               or np.isposinf(lives.get((one.place, name), np.nan))]  # fmt: skip
         values = [float(lives[one.place, name]) for name in of]
         holds = [bool(own[name].valid[0]) for name in of]
-        told = [
+        texts = [
             _life_text(value, below=bool(own[name].below[0]))
             for name, value in zip(of, values, strict=True)
         ]
@@ -858,7 +852,7 @@ def _life(cases: Cases) -> Picture:
                 # what never ends fills the frame; its text says so
                 "x": [10.0 ** limits[1] if np.isposinf(value) else value for value in values],
                 "y": [names[name] for name in of],
-                "text": told,
+                "text": texts,
                 "textposition": "auto",
                 "insidetextanchor": "start",
                 "name": one.name or said("life"),
@@ -955,10 +949,11 @@ def _frequencies(cases: Cases) -> Picture:
                 },
             }
         )
-    shafts = {round(own.shaft_frequency, 9): one for one, own in known}
     greatest = max(value for own in drawn for value in own["x"])
-    for frequency, one in shafts.items():
-        drawn.append(_upright(frequency, list(rows), one.named(said("shaft")), "Hz", one.place))
+    shafts = {round(own.shaft_frequency, 9) for _, own in known}
+    for one, own in known[: len(shafts)]:  # one line where both turn alike
+        shaft = one.named(said("shaft")) if len(shafts) > 1 else said("shaft")
+        drawn.append(_upright(own.shaft_frequency, list(rows), shaft, "Hz", one.place))
     return picture(
         drawn,
         said("Under load: {values}. Marks: the first {count} harmonics.",

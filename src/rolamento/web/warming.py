@@ -82,6 +82,7 @@ def _start(code: str) -> None:
 
 def _follow(tables: dict[str, Any]) -> None:
     """Follow a case as the page does, alone and as one of several, which other code solves."""
+    from rolamento.pages.report import PARTS
     from rolamento.solution import solve
     from rolamento.web.live import live
     from rolamento.web.pictures import PICTURES
@@ -89,7 +90,8 @@ def _follow(tables: dict[str, Any]) -> None:
     solve(_case(tables), fz=[1000.0, 2000.0])
     for quick in (False, True):
         request = {"case": {**tables, **_REST}, "changes": {}}
-        live({"cases": [request], "pictures": list(PICTURES), "sections": [], "quick": quick})
+        seen = {"pictures": list(PICTURES), "sections": [] if quick else list(PARTS)}
+        live({"cases": [request], **seen, "quick": quick})
 
 
 def _case(tables: dict[str, Any]) -> Any:

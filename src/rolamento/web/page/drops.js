@@ -31,9 +31,18 @@ class Drop {
     this.form.addEventListener("input", (event) => {
       if (event.target !== this.input) this.touched();
     });
+    this.form.addEventListener("focusin", () => this.nameCase());
+    this.nameCase();
     this.result = make("div", { className: "drop-result", hidden: true, tabIndex: -1, role: "region",
       "aria-label": this.words.result });
     this.element.append(this.form, this.result);
+  }
+
+  /** Show which case on the page is taken where no bearing is named. */
+  nameCase() {
+    if (this.kind !== "signal") return;
+    const { one, control } = this.fields.get("bearing");
+    control.placeholder = this.currentCase()?.title || one.example;
   }
 
   // --- what is asked ---------------------------------------------------------------------------
@@ -99,14 +108,14 @@ class Drop {
       read = () => boxes.filter(([box]) => box.checked).map(([box]) => box.value);
     } else if (one.kind === "choice") {
       control = make("select", { id }, ...(one.default ? [] : [make("option", { value: "" }, this.words.none)]),
-        ...one.choices.map(({ value, label: text }) => make("option", { value, selected: value === one.default }, text)));
+        ...one.choices.map(({ value, label: text }) => make("option", { value, defaultSelected: value === one.default }, text)));
       read = () => [control.value];
     } else if (one.kind === "switch") {
-      control = make("input", { id, type: "checkbox", checked: one.default === "true" });
+      control = make("input", { id, type: "checkbox", defaultChecked: one.default === "true" });
       read = () => [String(control.checked)];
     } else {
-      control = make("input", { id, type: "text", value: one.default, autocomplete: "off", spellcheck: false,
-        placeholder: this.kind === "signal" && one.name === "bearing" && this.currentCase()?.title || one.example, inputMode: one.kind === "count" ? "numeric" : "text" });
+      control = make("input", { id, type: "text", defaultValue: one.default, autocomplete: "off", spellcheck: false,
+        placeholder: one.example, inputMode: one.kind === "count" ? "numeric" : "text" });
       read = () => [control.value];
     }
     control.setAttribute("aria-describedby", `${help.id} ${error.id}`);
@@ -150,6 +159,7 @@ class Drop {
   async tryOut(example) {
     await this.during(this.words.working, async () => {
       const { blob, name } = await send("GET", `/page/example/${this.kind}/${example.name}?lang=${this.lang}`, null, {}, this.hooks());
+      this.form.reset(); // what was typed for another file
       await this.take(new File([blob], name));
       for (const [key, value] of Object.entries(example.typed)) this.fields.get(key).control.value = value;
     });

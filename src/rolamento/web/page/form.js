@@ -16,7 +16,8 @@ let serial = 0;
 
 /**
  * Where a control reads and writes: `read()` the raw value, `counted()` {value, text, origin,
- * source} or undefined, `write(value, quick)`; null takes the value away.
+ * source} or undefined, `write(value, quick)`, null takes the value away; `pending()` if known:
+ * whether a change is not taken yet.
  * @typedef {{read: Function, counted: Function, write: Function}} Place
  */
 
@@ -183,7 +184,8 @@ class NumberControl extends Control {
     if (this.units.tagName === "SELECT") this.units.value = unit.unit;
     const text = Number.isFinite(this.si)
       ? shown(own && own.unit === unit.unit ? found.number : fromSi(this.si, unit), own ? 12 : 7) : "";
-    put(this.control, raw !== undefined && !own ? String(raw) : this.isGiven ? text : "");
+    const isOdd = raw !== undefined && !own && (!text || this.place.pending?.()); // wrong, or not answered yet
+    put(this.control, isOdd ? String(raw) : this.isGiven ? text : "");
     this.control.placeholder = text;
     this.arrange();
   }
@@ -347,6 +349,7 @@ export function makeForm(root, start, store, changed) {
         const slot = store.current;
         return name in slot.changes ? slot.changes[name] : valueAt(slot.case, name);
       },
+      pending: () => name in store.current.changes,
       counted: (inner = "") => store.current.inputs[`${name}${inner}`],
       write: (value, quick) => changed(name, value, quick),
     };
@@ -410,9 +413,10 @@ export function makeForm(root, start, store, changed) {
     if (!error?.field) return false;
     let name = error.field;
     while (!controls.has(name) && name.includes(".")) name = name.slice(0, name.lastIndexOf("."));
-    const own = controls.get(name) ?? [...controls.values()].find((one) => one.field.name.startsWith(`${name}.`));
+    const inside = [...controls.values()].filter((one) => one.field.name.startsWith(`${name}.`));
+    const own = controls.get(name) ?? inside.find((one) => one.field.name in store.current.changes) ?? inside[0];
     if (!own || own.element.matches(".unsuited")) return false;
-    own.fail(error);
+    own.fail(error.field === own.field.name ? error : { ...error, example: "" });
     for (let at = own.element; at !== root; at = at.parentElement) if (at.tagName === "DETAILS") at.open = true;
     return true;
   }

@@ -226,6 +226,8 @@ const live = liveLoop(store, {
   show: showAnswer,
   failed: async (error) => {
     if (error instanceof Silent || [429, 503, 504].includes(error.status)) {
+      for (const slot of store.slots) slot.status = null;
+      showStatus();
       stale(say("stale.silent"));
       banner(error instanceof Silent ? say("server.silent") : error.message);
       await new Promise((resolve) => setTimeout(resolve, AGAIN));

@@ -108,7 +108,7 @@ export class Store {
   /** A beside B: a copy of the case, which is edited from now on. */
   compare() {
     const { opened, ...slot } = this.current;
-    this.slots = [this.current, { ...slot, opened: slot.case, changes: {}, source: ++this.#sources }];
+    this.slots = [this.current, { ...slot, opened: slot.case, changes: {}, error: null, source: ++this.#sources }];
     this.active = 1;
     this.settled();
   }

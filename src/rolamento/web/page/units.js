@@ -65,7 +65,8 @@ export function reach(field, value) {
   const low = field.limits.at_least ?? field.limits.above ?? -Infinity;
   const high = field.limits.at_most ?? field.limits.below ?? Infinity;
   const size = Math.abs(value) || Math.abs(exampleOf(field)) || 1;
-  if (!field.dimension && low > 0 && high <= 1) return { low, high, log: false };
+  if (!field.dimension && low > 0 && high <= 1)
+    return { low, high: Math.min(high, low + 4 * (value - low) || high), log: false };
   if (field.dimension === "temperature")
     return { low: Math.max(low, value - 60), high: Math.min(high, value + 60), log: false };
   const positive = low > 0 || "above" in field.limits;
