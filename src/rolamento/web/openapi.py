@@ -6,9 +6,10 @@ import json
 import tomllib
 from collections.abc import Iterable, Mapping
 from html import escape
-from typing import Any, Final
+from typing import Any, Final, Literal
 from urllib.parse import urlencode
 
+from pydantic import BaseModel
 from pydantic.json_schema import models_json_schema
 
 import rolamento
@@ -134,8 +135,10 @@ def _refused(one: Operation) -> dict[str, Any]:
 
 def _schemas() -> dict[str, Any]:
     records: list[type[Record]] = [one.asks for one in OPERATIONS if one.asks is not None]
+    modes: list[tuple[type[BaseModel], Literal["validation", "serialization"]]]
+    modes = [(record, "validation") for record in (Case, *records)]
     _, found = models_json_schema(
-        [(record, "validation") for record in (Case, *records)],
+        modes,
         ref_template=_REFERENCE + "{model}",
     )
     error = {
