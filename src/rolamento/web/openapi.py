@@ -9,11 +9,11 @@ from html import escape
 from typing import Any, Final
 from urllib.parse import urlencode
 
+from pydantic import BaseModel
 from pydantic.json_schema import models_json_schema
 
 import rolamento
 from rolamento.case import Case
-from rolamento.case.record import Record
 from rolamento.web.api import DIAGNOSE, OPERATIONS, PREFIX, READY, Operation, Parameter
 from rolamento.words import language, languages, marked, said
 
@@ -133,9 +133,10 @@ def _refused(one: Operation) -> dict[str, Any]:
 
 
 def _schemas() -> dict[str, Any]:
-    records: list[type[Record]] = [one.asks for one in OPERATIONS if one.asks is not None]
+    records: list[type[BaseModel]] = [Case]
+    records += [one.asks for one in OPERATIONS if one.asks is not None]
     _, found = models_json_schema(
-        [(record, "validation") for record in (Case, *records)],
+        [(record, "validation") for record in dict.fromkeys(records)],
         ref_template=_REFERENCE + "{model}",
     )
     error = {
