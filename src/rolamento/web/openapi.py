@@ -69,7 +69,7 @@ def _described(one: Operation) -> dict[str, Any]:
         "operationId": one.path.strip("/"),
         "summary": said(one.summary),
         "description": said(one.description),
-        "parameters": [*map(_parameter, one.parameters), _LANGUAGE],
+        "parameters": [*map(_parameter, one.parameters), _language()],
         "responses": {"200": _success(one), **_refused(one)},
     }
     if one.asks is not None:
@@ -93,13 +93,9 @@ def _described(one: Operation) -> dict[str, Any]:
     return found
 
 
-_LANGUAGE: Final[Mapping[str, Any]] = {
-    "name": "lang",
-    "in": "query",
-    "required": False,
-    "schema": {"type": "string", "enum": list(languages())},
-    "description": "Language of texts.",
-}
+def _language() -> dict[str, Any]:
+    codes = {"type": "string", "enum": list(languages())}
+    return _parameter(Parameter("lang", marked("Language of texts."), codes))
 
 
 def _parameter(one: Parameter) -> dict[str, Any]:

@@ -9,6 +9,7 @@ import ipaddress
 import logging
 import mimetypes
 import os
+import socket
 import threading
 from collections.abc import AsyncIterator, Mapping
 from contextlib import asynccontextmanager, suppress
@@ -165,6 +166,10 @@ class PatientProtocol(H11Protocol):
     def connection_made(self, transport: Any) -> None:
         """Begin to wait for the first request; uvicorn waits only between two."""
         super().connection_made(transport)
+        held = transport.get_extra_info("socket")
+        if held is not None and held.family != getattr(socket, "AF_UNIX", None):
+            # asyncio does so for its own sockets alone; else each answer waits 40 ms for an echo
+            held.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         self._first = self.loop.call_later(_FIRST_REQUEST, self._end_if_silent)
 
     def connection_lost(self, exc: Exception | None) -> None:
