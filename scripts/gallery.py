@@ -178,8 +178,9 @@ def done(line: str) -> str:
 
 def card(name: str, example: Example, pictures: Sequence[str]) -> str:
     """Return the cell of an example in the table of the index: a thumbnail and a link."""
-    shown = f"[![]({thumbnail_of(pictures[0])})]({name}.md) " if pictures else ""
-    return f"{shown}[{_capital(example.shows)}]({name}.md)"
+    title = _capital(example.shows)
+    shown = f"[![{title}]({thumbnail_of(pictures[0])})]({name}.md) " if pictures else ""
+    return f"{shown}[{title}]({name}.md)"
 
 
 def rows(cards: Sequence[str]) -> list[str]:

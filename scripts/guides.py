@@ -322,7 +322,7 @@ def other_picture(committed: Path, fresh: Path) -> bool:
 def keep_picture(fresh: Path, committed: Path) -> None:
     """Write a picture in few colours, which makes a third of the file."""
     committed.parent.mkdir(exist_ok=True)
-    few = Image.open(fresh).convert("RGB").quantize(64, dither=Image.Dither.NONE)
+    few = Image.open(fresh).convert("RGB").quantize(96, dither=Image.Dither.NONE)
     few.save(committed, optimize=True)
 
 

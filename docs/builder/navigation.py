@@ -50,6 +50,5 @@ def with_pages(docname: str, text: str, docs: Path) -> str:
 def _is_below(link: str, folder: str, docs: Path) -> bool:
     """Whether a link leads to a page of this folder, or to the index of a folder in it."""
     path = Path(os.path.normpath(link))
-    if not folder:
-        return (docs / path).exists() and ".." not in path.parts
-    return ".." not in path.parts and (docs / folder / path).exists()
+    near = len(path.parts) == 1 or (len(path.parts) == 2 and path.name == "index.md")
+    return near and ".." not in path.parts and (docs / folder / path).exists()

@@ -205,6 +205,7 @@ def test_any_field_is_a_curve_with_the_present_point(visit: Any) -> None:
     page = visit()
     opened(page)
     typed(page, "duty.load.fz", "10 kN")
+    typed(page, "duty.inner_speed", "1500 rpm")
     figure = page.locator('[data-key="curve"]')
     figure.locator("summary").click()
     figure.locator(".plot").scroll_into_view_if_needed()

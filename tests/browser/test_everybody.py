@@ -49,17 +49,18 @@ def test_axe_finds_nothing(
     axe = pytest.importorskip("axe_playwright_python.sync_playwright").Axe()
     page = at(visit, view, lang=lang, scheme=scheme, size=size)
     shot(page, f"{view}-{scheme}-{size[0]}-{lang}")
-    # its script is text of its own: the page's policy lets no other in
     found = axe.run(page)
     told = [
         f"{one['id']}: {one['help']}: {[node['target'] for node in one['nodes']][:4]}"
         for one in found.response["violations"]
     ]
     assert told == []
+    assert len(found.response["passes"]) > 10  # it did look
 
 
-@pytest.mark.parametrize("view", VIEWS)
-@pytest.mark.parametrize("lang", ["en", "pt"])
+@pytest.mark.parametrize(
+    ("view", "lang"), [("open", "en"), ("case", "pt"), ("weibull", "pt"), ("signal", "en")]
+)
 def test_a_phone_never_scrolls_sideways(visit: Any, view: str, lang: str) -> None:
     page = at(visit, view, lang=lang, size=PHONE)
     for width in (390, 360, 320):

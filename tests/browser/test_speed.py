@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from statistics import quantiles
 from typing import Any
 
@@ -41,5 +42,8 @@ def test_the_picture_follows_the_slider(visit: Any, record_property: Any) -> Non
     p50, p95 = cuts[9], cuts[18]
     record_property("p50", p50)
     record_property("p95", p95)
-    print(f"slider to picture: p50 {1e3 * p50:.1f} ms, p95 {1e3 * p95:.1f} ms (goal {1e3 * GOAL})")
-    assert p95 < 10 * GOAL  # far off even on a machine that is busy
+    print(
+        f"slider to picture: p50 {1e3 * p50:.1f} ms, p95 {1e3 * p95:.1f} ms (goal {1e3 * GOAL:.0f})"
+    )
+    if os.getloadavg()[0] < (os.cpu_count() or 1):  # nobody else keeps the processors busy
+        assert p95 < 5 * GOAL

@@ -40,7 +40,7 @@ def loaded(path: Path) -> ModuleType:
     [
         ("contact_angles", "121 of 121 solved"),
         ("film_over_temperature", "κ is below 1 from"),
-        ("frequencies_under_thrust", "BPFO: 75.5"),
+        pytest.param("frequencies_under_thrust", "BPFO: 75.5", marks=pytest.mark.sweep),
         pytest.param("small_samples", "true shape 1.5", marks=pytest.mark.sweep),
     ],
 )

@@ -29,7 +29,9 @@ def test_every_example_is_drawn(gallery: ModuleType) -> None:
     assert set(gallery.FIGURES) == set(EXAMPLES) - scripts
 
 
-@pytest.mark.parametrize("name", ["contact_angles", "51210_turntable"])
+@pytest.mark.parametrize(
+    "name", ["51210_turntable", pytest.param("contact_angles", marks=pytest.mark.sweep)]
+)
 def test_a_page_has_source_output_and_figures(
     name: str, gallery: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -181,7 +181,7 @@ def test_sources_are_found_by_name() -> None:
     assert {source.name for source in sources()} >= NAMES
     one = run(["iso_16281"])
     assert [result.name for result in one.results] == ["iso_16281"]
-    both = run(["radaelli_2013", "harris_1991", "radaelli_2013"])
+    both = run(["radaelli-2013", "harris_1991", "radaelli_2013"])
     assert [result.name for result in both.results] == ["harris_1991", "radaelli_2013"]
 
 

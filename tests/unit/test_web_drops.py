@@ -320,6 +320,14 @@ def test_a_report_of_what_is_no_case_is_refused(field: str, asked: dict[str, Any
     assert answer.json()["error"]["field"] == field, answer.text
 
 
+def test_a_page_calls_options_as_it_labels_them() -> None:
+    """Not as the commands do, whose notes it shows."""
+    one_failure = b"time,status\n100,failed\n200,suspended\n"
+    answer = drop(one_failure, "x.csv", kind="weibull", format="txt").text
+    assert "“Shape from experience” 1.5" in " ".join(answer.split())
+    assert " --" not in answer
+
+
 @pytest.mark.parametrize("groups", [SIGNAL, LIFE_TEST, DEMONSTRATION])
 def test_every_example_of_what_is_asked_for_can_be_read(groups: Any) -> None:
     known = by_name(groups)

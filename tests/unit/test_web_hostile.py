@@ -160,7 +160,7 @@ def bomb() -> bytes:
 @pytest.mark.parametrize(
     ("address", "name", "content"),
     [
-        ("/page/signal?rate=20kHz&speed=1500rpm", "record.npz", bomb),
+        ("/page/signal?rate=20kHz&speed=1500rpm&bearing=6205", "record.npz", bomb),
         ("/page/weibull", "lives.xlsx", bomb),
     ],
     ids=["npz", "xlsx"],

@@ -68,14 +68,14 @@ def preload_of(case: Case, *, loss: bool = True) -> Preloading | None:
     if preload is None:
         return None
     given = _Given(case, {}, 1)
-    at_rest = float(_at(given, running=False)[0])
-    at_speed = float(_at(given, running=True)[0]) if given.moving else at_rest
+    at_rest, at_speed = _without_load(case) if given.moving else _at(given, running=False).repeat(2)
     if not loss and given.loaded.any():
-        return Preloading(preload.kind, at_rest, at_speed)
+        return Preloading(preload.kind, float(at_rest), float(at_speed))
     # all balls of a row are alike under an axial load: the first takes its row along
     searches = np.array([False]) if given.axial[0] else np.array([False, True])
     found = _lost(given, np.zeros(len(searches), np.int64), searches)
-    return Preloading(preload.kind, at_rest, at_speed, *_of_one(found, 0), *_of_one(found, -1))
+    lost = (*_of_one(found, 0), *_of_one(found, -1))
+    return Preloading(preload.kind, float(at_rest), float(at_speed), *lost)
 
 
 def preload_at(solved: Solved, *, running: bool) -> FloatArray:
@@ -220,6 +220,14 @@ def _at(given: _Given, *, running: bool) -> FloatArray:
     if not values and given.cases > 1:  # the length has to come from somewhere
         values = {"duty.inner_speed": np.full(given.cases, duty.inner_speed)}
     return between_rows(_solved(given.case.replace(duty=duty), values))
+
+
+def _without_load(case: Case) -> FloatArray:
+    """The force between the rows without external load, at rest and at the duty's speeds; N."""
+    still = case.replace(duty=Duty(first_ball_azimuth=case.duty.first_ball_azimuth))
+    speeds = {"inner_speed": case.duty.inner_speed, "outer_speed": case.duty.outer_speed}
+    turning = {f"duty.{name}": np.array([0.0, speed]) for name, speed in speeds.items()}
+    return between_rows(_solved(still, turning))
 
 
 def _of_one(found: Lost, search: int) -> tuple[float, int | None]:

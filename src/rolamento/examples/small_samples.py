@@ -33,7 +33,7 @@ def main(folder: Path) -> None:
         f"true shape {SHAPE}: fitted {low:.2f} to {high:.2f} in 90 % of tests, median {middle:.2f}"
     )
     figure, axes = new_figure(height=75.0)
-    axes.hist(shapes, bins=np.linspace(0.0, 6.0, 61))
+    axes.hist(shapes, bins=[0.1 * step for step in range(61)])
     axes.axvline(SHAPE, color="black")
     axes.set_xlabel("fitted shape β of six lives [–]")
     axes.set_ylabel("tests")

@@ -187,6 +187,7 @@ def _one_curve(
                 "x": numbers(x[missing]),
                 "y": [foot] * int(missing.sum()),
                 "text": why,
+                "meta": {"told": True},
                 "name": no_result_count(int(missing.sum()), len(missing)),
                 "hovertemplate": f"%{{x:{NUMBER}}}: %{{text}}<extra></extra>",
                 "marker": {"color": "bad", "symbol": "x-thin-open", "size": 8},

@@ -36,6 +36,7 @@ NUMBER: Final = ",.4~r"
 FAINT: Final = 0.45
 """Opacity of what is shown though it does not hold."""
 _STEPS: Final = (1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
+_MANY: Final = 20
 _ROOM: Final = 1.03
 _PARTS: Final = 5
 """Into which an axis that does not begin at zero is divided, at least."""
@@ -80,14 +81,15 @@ def numbers(values: ArrayLike) -> list[float | None]:
     return [value if isfinite(value) else None for value in found.tolist()]
 
 
-def look(race: Race, case: int = 0, row: int = 0) -> dict[str, Any]:
+def look(race: Race, case: int = 0, row: int = 0, count: int = 0) -> dict[str, Any]:
     """Return how the line of a race is drawn: colour and dashes tell race and case, marks the row.
 
-    case: 0 or 1, of two that are compared.
+    case: 0 or 1, of two that are compared. count: of marks; many are smaller.
     """
     color = race if case == 0 else f"{race}2"
     symbol = _SYMBOLS[row % len(_SYMBOLS)]
-    marker = {"symbol": f"{symbol}-open" if case else symbol, "size": 7, "color": color}
+    marker = {"symbol": f"{symbol}-open" if case else symbol, "size": 7 if count <= _MANY else 4,
+              "color": color}  # fmt: skip
     return {"line": {"color": color, "dash": _DASHES[race, case], "width": 2}, "marker": marker}
 
 

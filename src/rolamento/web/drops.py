@@ -79,7 +79,7 @@ _READING: Final[tuple[str, ...]] = (
 _COLUMNS: Final = ("unit", "time", "status", "count", "group", "decimal_mark")
 _ENDINGS: Final = tuple(ending for many in ENDINGS.values() for ending in many)
 _LONGEST_NAME: Final = 100
-_SECONDS: Final = 120.0
+_SECONDS: Final[Mapping[str, float]] = {"signal": 120.0, "weibull": 60.0}
 """That a file may take: those that read damaged ones give up after a quarter of it."""
 
 WORDS: Final[Mapping[str, str]] = {
@@ -555,14 +555,14 @@ async def _dropped(request: Request) -> Response:
     typed, form = _typed(request)
     label = label_of(unquote(request.headers.get("x-file-name", "")), kind)
     async with received(request, LARGEST[kind], ending_of(label, kind)) as path:
-        found = await slow(_PAGES[kind], str(path), label, typed, form, seconds=_SECONDS)
+        found = await slow(_PAGES[kind], str(path), label, typed, form, seconds=_SECONDS[kind])
     return response_of(found)
 
 
 @router.post("/weibull/plan")
 async def _planned(request: Request) -> Response:
     """Answer with a planned test; the address has the options."""
-    return response_of(await slow(plan_page, *_typed(request), seconds=_SECONDS))
+    return response_of(await slow(plan_page, *_typed(request), seconds=_SECONDS["weibull"]))
 
 
 @router.post("/report")
@@ -575,7 +575,7 @@ async def _reported(request: Request) -> Response:
     if not isinstance(head, dict):
         raise InputError(said("must be a table"), field="head")
     form = str(asked.get("format", "html"))
-    return response_of(await slow(report_file, cases, head, form, seconds=_SECONDS))
+    return response_of(await slow(report_file, cases, head, form, seconds=_SECONDS["weibull"]))
 
 
 @router.get("/example/{kind}/{name}")

@@ -89,6 +89,9 @@ _MARGIN: Final = 8.0
 _NEAR: Final = 0.5
 """Of a limit: from there on it is drawn."""
 _HARMONICS: Final = 5
+_DIRECTIONS: Final = (112.5, 247.5, 157.5, 202.5, 67.5, 292.5, 22.5, 337.5)
+_LITTLE: Final = 0.3
+"""Of the greatest circle."""
 _WRAPPED: Final[dict[str, Any]] = {"mode": "lines+markers", "meta": {"from": 1, "to": -1}}
 """Of a line that goes all round: its ends are there once more."""
 _DRAWING: Final = {"drawing": True}
@@ -191,12 +194,8 @@ def _kinds_of(solved: Solved) -> frozenset[str]:
 
 
 def _why_not(cases: Cases) -> str:
-    """Say why cases have no result, and what to do."""
-    texts = []
-    for one in cases:
-        advice = one.solved.advice[0]
-        why = no_result(str(one.solved.status.code[0]))
-        texts.append(one.named(why if advice is None else f"{why}. {capitalised(advice.text)}"))
+    """Say why cases have no result; what to do stands with their status."""
+    texts = [one.named(no_result(str(one.solved.status.code[0]))) for one in cases]
     return "\n".join(texts) or no_result()
 
 
@@ -349,7 +348,7 @@ def _over_azimuth(
                         one.named(race_name(race, row, len(by_row))),
                         hover,
                         **{
-                            **look(race, one.place, row),
+                            **look(race, one.place, row, len(values)),
                             "mode": "lines+markers",
                             "meta": {"from": 1, "to": -1},
                         },
@@ -455,22 +454,41 @@ def _rosette(cases: Cases) -> Picture:
                         "hovertemplate": f"%{{theta:{NUMBER}}}°, %{{r:{NUMBER}}} {unit.symbol}"
                         "<extra>%{fullData.name}</extra>",
                         "meta": {"to": -1},
-                        **look(race, one.place, row),
+                        **look(race, one.place, row, len(values)),
                     }
                 )
     ring = said("Contact load ({unit}), seen from +x", unit=unit.symbol)
     names = [text.replace("\n", "<br>") for text in AROUND]
+    rim = rounded_up(greatest)
     return picture(
         drawn,
-        _tell_extreme(cases, load, quantity.name, unit),
+        _tell_extreme(cases, load, ring, unit),
         polar={
             "angularaxis": {
                 "rotation": 90, "direction": "clockwise", "tickmode": "array",
                 "tickvals": [45 * place for place in range(len(names))], "ticktext": names,
             },
-            "radialaxis": axis(ring, (0.0, rounded_up(greatest)), angle=67.5, nticks=5),
+            "radialaxis": axis(
+                ring, (0.0, rim), angle=90.0 - _emptiest(drawn, rim), tickangle=0, nticks=5
+            ),
         },
     )  # fmt: skip
+
+
+def _emptiest(drawn: Sequence[dict[str, Any]], rim: float) -> float:
+    """Return the azimuth (°) for the numbers of the circles: where little is borne."""
+    borne = {}
+    for direction in _DIRECTIONS:
+        loads = [
+            load
+            for one in drawn
+            for angle, load in zip(one["theta"], one["r"], strict=True)
+            if abs((angle - direction + 180.0) % _TURN - 180.0) < 45.0
+        ]
+        borne[direction] = max(loads, default=0.0)
+        if borne[direction] < _LITTLE * rim:
+            break  # as before, while a slider moves
+    return min(borne, key=lambda direction: borne[direction])
 
 
 def _rows(cases: Cases) -> Picture:
@@ -496,7 +514,7 @@ def _rows(cases: Cases) -> Picture:
                         hover,
                         xaxis=f"x{number_of}",
                         **{
-                            **look(race, one.place, row),
+                            **look(race, one.place, row, len(values)),
                             "mode": "lines+markers",
                             "meta": {"from": 1, "to": -1},
                         },
@@ -504,7 +522,8 @@ def _rows(cases: Cases) -> Picture:
                 )
         left = row / count
         frames[f"xaxis{number_of}"] = axis(
-            said("row {number}", number=row), (0.0, _TURN), dtick=90 if count <= 3 else 180,
+            said("row {number}", number=row), (0.0, _TURN),
+            tickmode="array", tickvals=[0, 90, 180, 270] if count <= 3 else [0, 180],
             domain=[left, left + 0.94 / count],
         )  # fmt: skip
     heights = [np.array(one["y"], dtype=np.float64) for one in drawn]
@@ -562,12 +581,18 @@ def _ellipses(cases: Cases) -> Picture:
         (-step, wide * rows),
         tickmode="array",
         tickvals=[wide * (row + tick) for row in range(rows) for tick in ticks],
-        ticktext=[number(_TURN * tick) for _ in range(rows) for tick in ticks],
+        ticktext=[_tick(tick, row, rows) for row in range(rows) for tick in ticks],
         anchor="y2",
         constrain="domain",
     )
     scale = said("To scale across the groove and along it; the balls stand side by side.")
     return picture(drawn, f"{_over_text(over, every)} {scale}", meta=_DRAWING, **frames)
+
+
+def _tick(turn: float, row: int, rows: int) -> str:
+    """Write an azimuth below the ellipses; at the first of each row its number."""
+    angle = number(_TURN * turn)
+    return f"{angle}<br>{said('row {number}', number=row)}" if rows > 1 and not turn else angle
 
 
 def _over_text(over: Sequence[str], slots: Sequence[Slot]) -> str:
@@ -716,10 +741,9 @@ def _between_races(cases: Cases) -> Picture:
             MILLIMETRE.label(place_name(one.solved)), (-reaches, reaches),
             domain=[place * share, (place + 0.94 if len(found) > 1 else 1.0) * share],
         )  # fmt: skip
-    frames["yaxis"] = axis(
-        said("Radial height (µm), many times exaggerated; the roller's body is cut"), (-half, half)
-    )
-    return picture(drawn, "; ".join(told), meta=_DRAWING, **frames)
+    frames["yaxis"] = axis(said("Radial height (µm)"), (-half, half))
+    exaggerated = said("Heights are many times exaggerated; the roller's body is cut.")
+    return picture(drawn, f"{'; '.join(told)}. {exaggerated}", meta=_DRAWING, **frames)
 
 
 # --- friction, life, frequencies ------------------------------------------------------------------
@@ -855,6 +879,7 @@ def _life(cases: Cases) -> Picture:
                 "text": texts,
                 "textposition": "auto",
                 "insidetextanchor": "start",
+                "textangle": 0,
                 "name": one.name or said("life"),
                 "hovertemplate": f"%{{y}}: %{{text}} {symbol}<extra>%{{fullData.name}}</extra>",
                 "marker": {
@@ -863,9 +888,10 @@ def _life(cases: Cases) -> Picture:
                 },
             }
         )
+    told_of = list(dict.fromkeys(name for own in drawn for name in own["y"]))
     for one, hours in wanted:
         name = one.named(said("required life"))
-        drawn.append(_upright(hours, list(names.values()), name, "h", one.place))
+        drawn.append(_upright(hours, told_of, name, "h", one.place))
     told = [one.named(text) for one, own in known for text in limiting_sentences(one.solved, own)]
     if any(FAINT in own["marker"]["opacity"] for own in drawn if "marker" in own):
         told.append(said("Faint: the theory is not valid for this case."))

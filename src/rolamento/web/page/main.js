@@ -225,7 +225,7 @@ const live = liveLoop(store, {
   },
   show: showAnswer,
   failed: async (error) => {
-    if (error instanceof Silent || [429, 503, 504].includes(error.status)) {
+    if (error instanceof Silent || [429, 503].includes(error.status)) {
       for (const slot of store.slots) slot.status = null;
       showStatus();
       stale(say("stale.silent"));
@@ -233,14 +233,22 @@ const live = liveLoop(store, {
       await new Promise((resolve) => setTimeout(resolve, AGAIN));
       await started(start.lang);
       live.follow();
-    } else complain(error);
+      return;
+    }
+    answered();
+    stale(say("stale.wrong"));
+    complain(error);
   },
 });
 
-function showAnswer(answer, quick, asked) {
+function answered() {
   clearTimeout(asking);
   asking = 0;
   $("work").classList.remove("asking");
+}
+
+function showAnswer(answer, quick, asked) {
+  answered();
   if (quick) {
     form.show(Object.keys(asked[store.active]?.changes ?? {}));
     showStatus();

@@ -8,6 +8,9 @@ import { make, remember, remembered, say } from "./ask.js";
 const REST = 200; // ms without a new picture, after which Plotly draws what was only traced
 const BUDGET = 9; // ms of a frame for full drawings; what is left over waits for the next
 const DASHES = { dash: "6 4", dot: "2 3", dashdot: "7 3 2 3", longdash: "10 4" };
+const MARKS = { circle: "M12.5 6a3.5 3.5 0 1 0 7 0a3.5 3.5 0 1 0-7 0", square: "M13 3h6v6h-6z", diamond: "M16 2l4 4-4 4-4-4z",
+  "triangle-up": "M16 2l4 7h-8z", cross: "M15 2h2v3h3v2h-3v3h-2v-3h-3v-2h3z", star: "M16 1l1.5 3.5 3.7.3-2.8 2.4.9 3.6-3.3-1.9-3.3 1.9.9-3.6-2.8-2.4 3.7-.3z",
+  "line-ns": "M16 0v12", "x-thin": "M12 2l8 8M20 2l-8 8" };
 const CONFIG = { displayModeBar: false, scrollZoom: false, doubleClick: false, showTips: false, responsive: false };
 
 const figures = new Map(); // key → what is known of a figure of the page
@@ -53,7 +56,13 @@ export function newFigure(key, label, opened, before = []) {
     table.setAttribute("aria-expanded", String(!numbers.hidden));
     fillTable(own);
   };
-  save.onclick = () => Plotly.downloadImage(plot, { format: "svg", filename: key, width: 900, height: 600 });
+  save.onclick = () => { // with what the page tells beside it
+    const title = { text: label, font: { size: 15 }, y: 0.98, yanchor: "top", yref: "container" };
+    const beside = { showlegend: true, legend: { orientation: "h", yref: "container", y: 0 }, autosize: false, title };
+    const { margin } = plot.layout;
+    const layout = { ...plot.layout, ...beside, margin: { ...margin, t: margin.t + 30, b: margin.b + 50 } };
+    Plotly.downloadImage({ data: plot.data, layout, config: { locale: language } }, { format: "svg", filename: key, width: 900, height: 620 });
+  };
   observer.observe(plot);
   sizes.observe(plot);
   return element;
@@ -165,12 +174,15 @@ function drawn(own) {
   }
   own.plot.classList.toggle("tall", Boolean(picture.layout.polar || picture.layout.yaxis2));
   const data = coloured(picture.data);
+  const layout = layoutOf(picture.layout, own.plot, data);
   legendOf(own, data);
-  Plotly.react(own.plot, data, layoutOf(picture.layout), { ...CONFIG, locale: language });
+  Plotly.react(own.plot, data, layout, { ...CONFIG, locale: language });
 }
 
+const isLine = ({ type, mode }) => type.startsWith("scatter") && mode !== "markers";
+
 /** What stands around the numbers of a picture: where two are alike, tracing is enough. */
-const frameOf = ({ data, layout }) => JSON.stringify([layout, data.map((one) => one.type.startsWith("scatter") && !one.fill && one.mode !== "markers"
+const frameOf = ({ data, layout }) => JSON.stringify([layout, data.map((one) => isLine(one)
   ? { ...one, x: one.x?.length, y: one.y?.length, r: one.r?.length, theta: one.theta?.length } : one)]);
 
 function told(own, picture) {
@@ -194,16 +206,18 @@ function trace(plot, data) {
     const full = plot._fullData?.[n];
     const group = full && plot.querySelector(`.trace${full.uid}`);
     if (!group || full.type !== one.type) return false;
-    if (!one.type.startsWith("scatter") || one.fill || one.mode === "markers") continue; // as it was: `frameOf` says so
+    if (!isLine(one)) continue; // as it was: `frameOf` says so
     const at = one.type === "scatterpolar" ? polar(plot._fullLayout.polar?._subplot, one) : cartesian(plot._fullLayout, full, one);
     const places = at && one[one.r ? "r" : "x"].map((_, place) => at(place));
     const lines = group.querySelectorAll("path.js-line");
     const points = group.querySelectorAll("path.point");
+    const fill = one.fill ? group.querySelector("path.js-fill") : null;
     const runs = places && runsOf(places);
     const there = runs?.flat() ?? [];
-    if (!runs || lines.length !== runs.length || (points.length && points.length !== there.length)) return false;
+    if (!runs || lines.length !== runs.length || (points.length && points.length !== there.length) || (one.fill && !fill)) return false;
     paths.push(() => {
       runs.forEach((run, line) => lines[line].setAttribute("d", `M${run.join("L")}`));
+      fill?.setAttribute("d", runs.map((run) => `M${run.join("L")}Z`).join(""));
       there.forEach((place, point) => points[point]?.setAttribute("transform", `translate(${place})`));
     });
   }
@@ -257,13 +271,25 @@ function coloured(value, key = "") {
   return value;
 }
 
-function layoutOf(given) {
+/** Break a text into lines of so many letters. */
+const wrapped = (text, letters) => text.split(" ").reduce((lines, word) => {
+  if (lines.length && `${lines.at(-1)} ${word}`.length <= Math.max(letters, 8)) lines.push(`${lines.pop()} ${word}`);
+  else lines.push(word);
+  return lines;
+}, []).join("<br>");
+
+function layoutOf(given, { offsetWidth: width, offsetHeight: height }, data) {
   const line = { gridcolor: colour("line"), zerolinecolor: colour("line"), linecolor: colour("grey"), automargin: false,
     fixedrange: true, exponentformat: "none", separatethousands: true, ticks: "outside", tickcolor: colour("grey"), ticklen: 4 };
   const layout = coloured(given);
   for (const name of Object.keys(layout).filter((one) => /^[xy]axis/.test(one))) {
     const axis = layout[name];
-    layout[name] = { ...line, ...axis, title: { standoff: 6, ...axis.title } };
+    const room = (name[0] === "x" ? width - 80 : height - 70) * (axis.domain ? axis.domain[1] - axis.domain[0] : 1);
+    layout[name] = { ...line, ...axis, title: { standoff: 6, ...axis.title, text: wrapped(axis.title?.text ?? "", room / 6.4) } };
+    if (name === "yaxis" && data[0].type === "bar") {
+      const names = [...new Set(data.flatMap((one) => one.y))];
+      Object.assign(layout.yaxis, { tickmode: "array", tickvals: names, ticktext: names.map((one) => wrapped(one, width / 22)) });
+    }
   }
   if (layout.polar) {
     const round = { gridcolor: colour("line"), linecolor: colour("grey"), exponentformat: "none", separatethousands: true };
@@ -271,8 +297,8 @@ function layoutOf(given) {
       radialaxis: { ...round, ...layout.polar.radialaxis, title: { text: "" } } };
   }
   return {
-    autosize: true, showlegend: false, dragmode: false, hovermode: "closest", paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)",
-    margin: layout.polar ? { l: 44, r: 44, t: 32, b: 36 } : { l: 64, r: 14, t: 12, b: 46 },
+    autosize: true, showlegend: false, dragmode: false, hovermode: "closest", paper_bgcolor: colour("paper"), plot_bgcolor: "rgba(0,0,0,0)",
+    margin: layout.polar ? { l: 44, r: 44, t: 32, b: 36 } : { l: layout.yaxis.title.text.includes("<br>") ? 78 : 64, r: 14, t: 12, b: layout.xaxis.title.text.includes("<br>") ? 62 : 48 },
     font: { family: getComputedStyle(document.body).fontFamily, size: 12, color: colour("ink") },
     hoverlabel: { bgcolor: colour("paper"), bordercolor: colour("grey"), font: { color: colour("ink") } },
     ...layout,
@@ -281,12 +307,14 @@ function layoutOf(given) {
 
 function legendOf(own, data) {
   const names = new Map(data.filter((one) => one.name).map((one) => [one.name, one]));
-  const text = JSON.stringify([...names].map(([name, one]) => [name, one.line, one.marker?.color]));
+  const text = JSON.stringify([...names].map(([name, one]) => [name, one.line, one.marker?.color, one.marker?.symbol]));
   if (own.legendText === text) return;
   own.legendText = text;
   own.legend.replaceChildren(...[...names].map(([name, one]) => {
     const stroke = one.line?.color ?? one.marker?.color ?? colour("ink");
-    const marks = !one.line || one.mode?.includes("markers") ? `<circle cx="16" cy="6" r="3.6" fill="${stroke}"/>` : "";
+    const [shape, open] = (one.marker?.symbol ?? "circle").split("-open");
+    const marks = !one.line || one.mode?.includes("markers")
+      ? `<path d="${MARKS[shape] ?? MARKS.circle}" fill="${open === undefined ? stroke : "none"}" stroke="${stroke}"/>` : "";
     const dash = one.line ? `<path d="M1 6H31" stroke="${stroke}" stroke-width="2" fill="none" stroke-dasharray="${DASHES[one.line.dash] ?? "none"}"/>` : "";
     const item = make("li");
     item.innerHTML = `<svg viewBox="0 0 32 12" aria-hidden="true">${one.type === "bar" ? `<rect x="8" width="16" height="12" fill="${stroke}"/>` : dash + marks}</svg>`;
@@ -304,7 +332,7 @@ function fillTable(own) {
   const heads = layout.polar ? [say("pictures.azimuth"), plain(layout.polar.radialaxis)] : [plain(layout.xaxis), plain(layout.yaxis)];
   const rows = data.flatMap((one) => {
     const { from = 0, to } = one.meta ?? {};
-    const [first, second] = (one.r ? [one.theta, one.r] : one.type === "bar" ? [one.y, one.text ?? one.x] : [one.x, one.y]).map((all) => all.slice(from, to));
+    const [first, second] = (one.r ? [one.theta, one.r] : one.type === "bar" ? [one.y, one.text ?? one.x] : [one.x, one.meta?.told ? one.text : one.y]).map((all) => all.slice(from, to));
     return first.map((value, n) => [one.name, text(value), text(second[n])]);
   });
   if (data[0]?.type === "bar") heads.reverse();
@@ -316,5 +344,6 @@ function fillTable(own) {
 function resized(plot) {
   if (!plot.offsetWidth || plot._fullLayout === undefined || !plot.data) return;
   if (Math.abs(plot._fullLayout.width - plot.offsetWidth) > 1 || Math.abs(plot._fullLayout.height - plot.offsetHeight) > 1)
-    Plotly.Plots.resize(plot);
+    for (const own of figures.values()) if (own.plot === plot && own.now) own.next ??= { ...own.now, anew: true };
+  later();
 }

@@ -3,7 +3,7 @@
 import { remember, remembered } from "./ask.js";
 
 const SAME = { um: "µm" };
-const QUANTITY = /^([-+\u2212]?[\d.,\u00a0 ]*\d[\d.,]*(?:e[-+]?\d+)?)\s*(.*)$/i;
+const QUANTITY = /^([-+\u2212]?(?:\d{1,3}(?:[\u00a0 ]\d{3})+(?:[.,]\d*)?|[\d.,]*\d[.,]?)(?:e[-+]?\d+)?)\s*(.*)$/i;
 
 let table = {};
 let mark = ".";
