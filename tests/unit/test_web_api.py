@@ -411,7 +411,7 @@ def _checked(path: str, body: Any) -> None:
 @pytest.mark.parametrize("mode", ["positive", "negative"])
 @pytest.mark.parametrize("path", _SMALL)
 def test_bodies_made_from_the_document_are_answered_or_refused(path: str, mode: str) -> None:
-    @settings(max_examples=60, suppress_health_check=list(HealthCheck), phases=[Phase.generate])
+    @settings(max_examples=20, suppress_health_check=list(HealthCheck), phases=[Phase.generate])
     @given(_strategy(path, mode))
     def run(case: Any) -> None:
         body = case.body if isinstance(case.body, dict | list | str | int | float | None) else {}
