@@ -37,8 +37,11 @@ def plain(value: Any) -> Any:
 
 
 def dumps(value: Any, indent: int | None = None) -> str:
-    """Return `plain` data as JSON text."""
-    return json.dumps(plain(value), indent=indent, ensure_ascii=False, allow_nan=False)
+    """Return data as JSON text, made `plain` where they are not."""
+    try:
+        return json.dumps(value, indent=indent, ensure_ascii=False, allow_nan=False)
+    except (TypeError, ValueError):
+        return json.dumps(plain(value), indent=indent, ensure_ascii=False, allow_nan=False)
 
 
 def csv_number(value: float) -> str:

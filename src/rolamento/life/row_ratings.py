@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Final
 
 import numpy as np
@@ -327,16 +328,12 @@ def _fatigue_by_contacts(
     count, pitch = rows.element_count[own], rows.pitch_diameter[:, own]
     diameter, modulus = rows.ball_diameter[:, own], rows.modulus[:, own]
     if kind != "roller" and kind != "roller_thrust":
-        return fatigue_load_limit_of_contacts(
-            count,
-            diameter,
-            pitch,
-            rows.inner_conformity[:, own],
-            rows.outer_conformity[:, own],
-            angle[:, own],
-            modulus,
-            kind=kind,
-        )
+        conformities = rows.inner_conformity[:, own], rows.outer_conformity[:, own]
+        shape = (np.broadcast_to(count, diameter.shape), diameter, pitch, *conformities)
+        if len(solved) > 1:
+            return fatigue_load_limit_of_contacts(*shape, angle[:, own], modulus, kind=kind)
+        numbers = (*shape, angle[:, own], modulus)
+        return _fatigue_of_one(kind, *(tuple(one[0].tolist()) for one in numbers))
     places = [solved.case.bearing.places[index] for index in own]
     length = rows.effective_length[:, own]
     drops = [
@@ -351,6 +348,12 @@ def _fatigue_by_contacts(
         fatigue_load_limit_of_lines(*shape, inner, outer, thrust=thrust),
         fatigue_load_limit_of_lines(*shape, standard, standard, thrust=thrust),
     )
+
+
+@lru_cache(maxsize=128)
+def _fatigue_of_one(kind: RatedType, *numbers: tuple[float, ...]) -> FloatArray:
+    """The limit of the rows of one case; its duty may change again and again, they stay."""
+    return fatigue_load_limit_of_contacts(*(np.asarray([one]) for one in numbers), kind=kind)
 
 
 def _drops(
