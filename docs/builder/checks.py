@@ -7,7 +7,7 @@ from html.parser import HTMLParser
 from pathlib import Path
 from typing import Final
 
-from docs.builder import search
+from builder import search
 
 __all__ = ["wrong_in"]
 

@@ -6,7 +6,6 @@ import re
 from pathlib import Path
 from typing import Any, Final
 
-from docs.builder import api, checks, equations, navigation, reference, search
 from docutils import nodes
 from sphinx.addnodes import pending_xref
 from sphinx.application import Sphinx
@@ -15,6 +14,8 @@ from sphinx.transforms.post_transforms import SphinxPostTransform
 from sphinx.util import logging
 from sphinx.util.nodes import find_pending_xref_condition
 from sphinx.writers.html5 import HTML5Translator
+
+from builder import api, checks, equations, navigation, reference, search
 
 _log: Final = logging.getLogger(__name__)
 _MADE: Final = re.compile(r"^<!-- made: ([\w-]+) -->$", re.MULTILINE)

@@ -487,7 +487,7 @@ def api_pages() -> str:
     import importlib
     import inspect
 
-    from docs.builder.api import packages
+    from builder.api import packages
 
     rows = []
     for name in packages():

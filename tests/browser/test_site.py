@@ -10,7 +10,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from docs.builder.search import EXPECTED
+
+from builder.search import EXPECTED
 
 SITE = Path(__file__).resolve().parents[2] / "docs" / "_build" / "html"
 PAGES = ("index", "theory/life", "reference/fields", "reference/api/rolamento.life", "glossary")

@@ -6,8 +6,8 @@ import re
 from pathlib import Path
 
 import pytest
-from docs.builder import api, checks, equations, navigation, reference, search
 
+from builder import api, checks, equations, navigation, reference, search
 from rolamento.case import Case
 from rolamento.words.sentences import sentences
 
