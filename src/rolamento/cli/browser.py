@@ -63,9 +63,9 @@ def browser(
     ] = True,
     lang: LanguageOption = None,
 ) -> None:
-    """Open the app in the browser: move a load and see the bearing answer.
+    """Open the app in the browser, served by this machine for itself.
 
-    It is served by this machine for this machine, with an HTTP API; Ctrl-C ends it.
+    Move a load and see the bearing answer. There is an HTTP API too; Ctrl-C ends both.
     """
     with plain_endings(lang):
         _check(host, port, token)
