@@ -63,9 +63,10 @@ def browser(
     ] = True,
     lang: LanguageOption = None,
 ) -> None:
-    """Open the app in the browser, served by this machine for itself.
+    """Open the app in the browser.
 
-    Move a load and see the bearing answer. There is an HTTP API too; Ctrl-C ends both.
+    Move a load and see the bearing answer. It is served by this machine for itself, with
+    an HTTP API; Ctrl-C ends it.
     """
     with plain_endings(lang):
         _check(host, port, token)
