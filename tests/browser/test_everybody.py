@@ -92,4 +92,4 @@ def test_the_language_is_changed_in_place(visit: Any) -> None:
 def test_the_documentation_of_the_api_is_served_here(visit: Any, address: str) -> None:
     page = visit()
     page.goto(f"{address}api/docs")
-    page.locator("text=/api/v1/solve").first.wait_for()
+    page.get_by_text("/api/v1/solve").first.wait_for()
