@@ -329,10 +329,10 @@ def _fatigue_by_contacts(
     diameter, modulus = rows.ball_diameter[:, own], rows.modulus[:, own]
     if kind != "roller" and kind != "roller_thrust":
         conformities = rows.inner_conformity[:, own], rows.outer_conformity[:, own]
-        shape = (np.broadcast_to(count, diameter.shape), diameter, pitch, *conformities)
+        geometry = (diameter, pitch, *conformities, angle[:, own], modulus)
         if len(solved) > 1:
-            return fatigue_load_limit_of_contacts(*shape, angle[:, own], modulus, kind=kind)
-        numbers = (*shape, angle[:, own], modulus)
+            return fatigue_load_limit_of_contacts(count, *geometry, kind=kind)
+        numbers = (np.broadcast_to(count, diameter.shape), *geometry)
         return _fatigue_of_one(kind, *(tuple(one[0].tolist()) for one in numbers))
     places = [solved.case.bearing.places[index] for index in own]
     length = rows.effective_length[:, own]
