@@ -350,6 +350,38 @@ def test_what_takes_too_long_is_ended_and_holds_nothing_up() -> None:
     anyio.run(run)
 
 
+@pytest.mark.parametrize(
+    ("asked", "seconds", "expected"),
+    [
+        ({"case": {"model": {"roller_contact": "slices"}}}, 0.0, ("fast", None)),
+        ({"case": {"title": "not coupled at all"}}, 0.0, ("fast", None)),
+        ({"case": {"model": {"roller_contact": "coupled"}}}, 0.0, ("slow", limits.SECONDS)),
+        ({"cases": [{"case": {}, "changes": {"model.roller_contact": "coupled"}}]}, 0.0,
+         ("slow", limits.SECONDS)),
+        ({"designation": "6310"}, 120.0, ("slow", 120.0)),
+    ],
+)  # fmt: skip
+def test_a_heavy_case_is_slow_wherever_it_stands(
+    asked: dict[str, Any],
+    seconds: float,
+    expected: tuple[str, float | None],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    async def fast(*_: object) -> tuple[str, None]:
+        return "fast", None
+
+    async def slow(*_: object, seconds: float) -> tuple[str, float]:
+        return "slow", seconds
+
+    monkeypatch.setattr(limits, "fast", fast)
+    monkeypatch.setattr(limits, "slow", slow)
+
+    async def run() -> None:
+        assert await limits.by_weight(to_si, asked=asked, seconds=seconds) == expected
+
+    anyio.run(run)
+
+
 def test_too_many_that_wait_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     async def run() -> None:
         queue = limits.Limits(1, 2)

@@ -172,9 +172,8 @@ def _references(y: float) -> tuple[float, float]:
     return (a * y + b) * y + c, (d * y + e) * y + f
 
 
-@lru_cache(
-    maxsize=256
-)  # every record of an oil asks for it, and a case makes it anew several times
+# every record of an oil asks for it, and a case makes it anew several times
+@lru_cache(maxsize=256)
 def viscosity_100_of_index(viscosity_40: float, index: float) -> float:
     """Kinematic viscosity at 100 °C of an oil given at 40 °C by its viscosity index; m²/s.
 

@@ -1578,12 +1578,9 @@ def _distributions(report: Report) -> list[Block]:
     ]
 
 
-def _all_inputs(report: Report) -> list[Block]:
-    return [block for section in _inputs(report) for block in section.blocks]
-
-
-def _all_checks(report: Report) -> list[Block]:
-    return [block for section in _validity(report) for block in section.blocks]
+def _blocks(sections: Iterable[Section]) -> list[Block]:
+    """What stands in sections, without their headings."""
+    return [block for section in sections for block in section.blocks]
 
 
 @dataclass(frozen=True, slots=True)
@@ -1614,8 +1611,8 @@ PARTS: Final[Mapping[str, Part]] = {
     "friction": Part(marked("Friction"), _friction),
     "frequencies": Part(marked("Fault frequencies"), _frequencies),
     "stiffness": Part(marked("Stiffness"), _stiffness),
-    "inputs": Part(marked("Inputs"), _all_inputs),
-    "validity": Part(marked("Validity"), _all_checks),
+    "inputs": Part(marked("Inputs"), lambda report: _blocks(_inputs(report))),
+    "validity": Part(marked("Validity"), lambda report: _blocks(_validity(report))),
 }
 """The results by parts, in the order in which an engineer reads them."""
 _COMPARED: Final = (

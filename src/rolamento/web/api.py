@@ -19,8 +19,8 @@ from rolamento.case.record import Record
 from rolamento.errors import InputError, UnknownKeyError, guess
 from rolamento.tasks.asked import SIGNAL, Asked, Group
 from rolamento.web.answers import answer, read_json, received
-from rolamento.web.drops import ending_of, file_of, label_of, response_of
-from rolamento.web.limits import fast, slow
+from rolamento.web.drops import LARGEST, SEARCH, ending_of, file_of, label_of, response_of
+from rolamento.web.limits import by_weight, slow
 from rolamento.web.requests import (
     BatchRequest,
     CaseRequest,
@@ -35,8 +35,6 @@ from rolamento.words import marked, said
 __all__ = ["OPERATIONS", "PREFIX", "Operation", "Parameter", "router"]
 
 PREFIX: Final = "/api/v1"
-LARGEST_SIGNAL: Final = 256 * 2**20
-"""Bytes of a record that is sent."""
 _MOST_FOUND: Final = 1000
 _LONGEST: Final = 300
 _MACHINE: Final = "Machine"
@@ -81,7 +79,7 @@ class Operation:
     files
         media types, if it answers with a file
     seconds
-        that it may take in a process of its own; 0 if it is fast
+        that it may take in a process of its own; 0 if it is usually fast
     """
 
     method: str
@@ -244,9 +242,7 @@ def _diagnosed(path: str, label: str, given: Mapping[str, str]) -> str:
         settings=_tables(asked.pop("settings", "")) or {},
     )
     told = read(_SIGNAL, {name: [text] for name, text in asked.items()})
-    search = DiagnosisSettings(
-        **{name: told.pop(name) for name in ("tolerance", "speed_tolerance", "false_alarm")}
-    )
+    search = DiagnosisSettings(**{name: told.pop(name) for name in SEARCH})
     try:
         found = diagnose(path, case.to_case(needs_load=False), search=search, **told)
     except InputError as error:
@@ -492,10 +488,9 @@ def _done(path: str, given: Mapping[str, Any]) -> str | dict[str, Any]:
 def _add(operation: Operation) -> None:
     async def endpoint(request: Request) -> Response:
         given = _query(request, operation) if operation.asks is None else await read_json(request)
-        if operation.seconds:
-            found = await slow(_done, operation.path, given, seconds=operation.seconds)
-        else:
-            found = await fast(_done, operation.path, given)
+        found = await by_weight(
+            _done, operation.path, given, asked=given, seconds=operation.seconds
+        )
         return answer(found) if isinstance(found, str) else response_of(found)
 
     router.add_api_route(operation.path, endpoint, methods=[operation.method])
@@ -532,7 +527,7 @@ async def _diagnose(request: Request) -> Response:
     """Diagnose the record that the body holds."""
     given = _query(request, DIAGNOSE)
     label = label_of(unquote(request.headers.get("x-file-name", "")))
-    async with received(request, LARGEST_SIGNAL, ending_of(label, "signal")) as path:
+    async with received(request, LARGEST["signal"], ending_of(label, "signal")) as path:
         text = await slow(_diagnosed, str(path), label, given, seconds=DIAGNOSE.seconds)
     return answer(text)
 

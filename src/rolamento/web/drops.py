@@ -38,6 +38,8 @@ if TYPE_CHECKING:
 
 __all__ = [
     "KINDS",
+    "LARGEST",
+    "SEARCH",
     "WORDS",
     "described",
     "ending_of",
@@ -45,6 +47,7 @@ __all__ = [
     "file_of",
     "label_of",
     "life_test_page",
+    "plain_name",
     "plan_page",
     "report_file",
     "response_of",
@@ -66,7 +69,7 @@ _COMMAND_SAYS: Final = {
 }  # fmt: skip
 """What the commands call otherwise than their tasks."""
 _SEVERITY: Final[tuple[str, ...]] = ("power", "support", "group", "machine_class", "baseline")
-_SEARCH: Final = ("tolerance", "speed_tolerance", "false_alarm")
+SEARCH: Final = ("tolerance", "speed_tolerance", "false_alarm")
 _READING: Final[tuple[str, ...]] = (
     "channel",
     "rate",
@@ -222,7 +225,7 @@ def signal_page(path: str, label: str, typed: Typed, form: str = "") -> dict[str
         told = given(SIGNAL, typed)
         bearing = _bearing(told.pop("bearing", ""), page_case[-1] if page_case else "")
         machine = {name: told.pop(name) for name in _SEVERITY if name in told}
-        search = DiagnosisSettings(**{name: told.pop(name) for name in _SEARCH})
+        search = DiagnosisSettings(**{name: told.pop(name) for name in SEARCH})
         reading = {name: told[name] for name in _READING if name in told}
         found = tasks.diagnose(path, bearing, search=search, **told)
         if isinstance(found, tasks.TooShort):
@@ -494,7 +497,7 @@ def _as_data(figure: Figure) -> str | None:
 
 def file_of(document: Document, mapping: dict[str, Any], form: str) -> dict[str, Any]:
     """Return a document, its tables or its numbers as a file: its content, name and type."""
-    name = f"{_plain(document.title) or 'rolamento'}.{form}"
+    name = f"{plain_name(document.title) or 'rolamento'}.{form}"
     return {"content": _file(document, mapping, form), "name": name, "type": _TYPES[form]}
 
 
@@ -535,7 +538,7 @@ def _file(document: Document, mapping: dict[str, Any], form: str) -> bytes:
     raise InputError(rule, field="format", value=form, example="pdf")
 
 
-def _plain(title: str) -> str:
+def plain_name(title: str) -> str:
     """Return a title as the name of a file, in plain letters."""
     letters = unicodedata.normalize("NFKD", title).encode("ascii", "ignore").decode()
     return re.sub(r"[^A-Za-z0-9]+", "-", letters).strip("-").lower()[:60].strip("-")

@@ -6,7 +6,7 @@ an engineer moves with a slider, is said here.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from typing import Any, Final
 
@@ -14,7 +14,8 @@ from rolamento.case import Case
 from rolamento.case.bearing import Bearing
 from rolamento.case.fields import Field, fields_of, of_elements
 from rolamento.case.roller_bearing import RollerBearing
-from rolamento.tasks.report import inputs_of
+from rolamento.pages.report import TABLES
+from rolamento.tasks.report import Input
 from rolamento.units import Dimension, from_si, to_si, usual_units
 from rolamento.words import said
 
@@ -47,6 +48,10 @@ FIRST: Final = (
 )
 """The fields that an engineer asks for first; the others of their group stand behind them."""
 
+_GROUPS: Final = (
+    "bearing", "duty", "lubricant", "temperature", "surface", "mounting", "life", "film", "model",
+)  # fmt: skip
+"""Tables of a case, those first that an engineer fills in first."""
 _CUSTOMARY: Final[Mapping[Dimension, tuple[str, ...]]] = {
     "force": ("lbf",),
     "moment": ("lbf in",),
@@ -64,18 +69,7 @@ _SIGNS: Final = (("deg", "°"), ("^2", "²"), ("^3", "³"), (" ", "·"))
 
 def form() -> list[dict[str, Any]]:
     """Return the groups of fields, in the language that is spoken."""
-    groups = {
-        "bearing": said("Bearing"),
-        "duty": said("Duty"),
-        "lubricant": said("Lubricant"),
-        "temperature": said("Temperatures"),
-        "surface": said("Surfaces"),
-        "mounting": said("Mounting"),
-        "life": said("Life"),
-        "film": said("Film"),
-        "model": said("Model"),
-        "report": said("Report"),
-    }
+    groups = {**{name: said(TABLES[name]) for name in _GROUPS}, "report": said("Report")}
     found: dict[str, list[dict[str, Any]]] = {key: [] for key in groups}
     for name, field in Case.fields().items():
         group = name.partition(".")[0]
@@ -150,20 +144,17 @@ def _units_of(dimension: Dimension) -> Iterator[dict[str, Any]]:
         }
 
 
-def inputs(case: Case, given: frozenset[str]) -> dict[str, dict[str, Any]]:
-    """Return every value that counts, by its field: in SI, as a file holds it, and its origin.
-
-    given: dotted names of what the case's file says.
-    """
+def inputs(known: Iterable[Input]) -> dict[str, dict[str, Any]]:
+    """Return inputs of a case by their fields: in SI, as a file holds them, and their origins."""
     fields = Case.fields()
     found = {}
-    for one in inputs_of(case, given):
-        field = fields.get(one.field)
-        dimension = None if field is None else field.dimension
-        known = dimension is not None and not isinstance(one.value, bool | str)
+    for one in known:
+        field, text = fields.get(one.field), str(one.value)
+        if field is not None and field.dimension and not isinstance(one.value, bool | str):
+            text = from_si(float(one.value), field.dimension)
         found[one.field] = {
             "value": one.value,
-            "text": from_si(float(one.value), dimension) if known and dimension else str(one.value),
+            "text": text,
             "origin": one.origin,
             "source": one.source,
         }

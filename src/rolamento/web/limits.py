@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import os
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from contextvars import ContextVar
 from functools import cache
 from typing import Any, Final, TypeVar, cast
@@ -23,7 +23,7 @@ from rolamento.errors import InputError
 from rolamento.web.answers import RequestError
 from rolamento.words import language, said, speaking
 
-__all__ = ["VISITOR", "Limits", "fast", "slow"]
+__all__ = ["VISITOR", "Limits", "by_weight", "fast", "slow"]
 
 R = TypeVar("R")
 
@@ -72,6 +72,39 @@ def _queues(_thread: int) -> dict[str, Limits]:
         "fast": Limits(FAST_AT_ONCE, _MOST_WAITING["fast"]),
         "slow": Limits(SLOW_AT_ONCE, _MOST_WAITING["slow"]),
     }
+
+
+_HEAVY: Final = frozenset({"coupled"})
+"""Values of a case that take seconds or minutes: the time of coupled slices grows with their third
+power."""
+
+
+def _is_heavy(asked: Any) -> bool:
+    """Whether a request holds such a value, wherever it stands."""
+    if isinstance(asked, Mapping):
+        return any(map(_is_heavy, asked.values()))
+    if isinstance(asked, list):
+        return any(map(_is_heavy, asked))
+    return isinstance(asked, str) and asked in _HEAVY
+
+
+async def by_weight(
+    function: Callable[..., R], *args: Any, asked: Mapping[str, Any], seconds: float = 0.0
+) -> R:
+    """Run what a request asks where it belongs: as slow work if it is, else as fast.
+
+    Parameters
+    ----------
+    function, args
+        As of `slow`.
+    asked
+        The request: what is usually fast is slow where a case of it is heavy.
+    seconds
+        That it may take where it is always slow; 0 of what is usually fast.
+    """
+    if seconds or _is_heavy(asked):
+        return await slow(function, *args, seconds=seconds or SECONDS)
+    return await fast(function, *args)
 
 
 async def fast(function: Callable[..., R], *args: Any) -> R:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
-from functools import lru_cache
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
 from time import perf_counter
-from typing import Any, Final, NamedTuple
+from typing import Any, Final
 
 from rolamento import __version__
 from rolamento.analysis import Analysis
@@ -32,12 +32,18 @@ _REMEMBERED: Final = 64
 """Analyses: of two cases side by side one stays as it is while the other is moved."""
 
 
-class _Given(NamedTuple):
-    """A case as the page holds it, read and analysed."""
+@dataclass(frozen=True)
+class _Given:
+    """A case as the page holds it, read and analysed; named: what its tables say."""
 
     case: Case
     named: frozenset[str]
     analysis: Analysis
+
+    @cached_property
+    def inputs(self) -> tuple[Input, ...]:
+        """What the case says, and what it does not and still counts."""
+        return inputs_of(self.case, self.named)
 
 
 def live(request: Mapping[str, Any]) -> dict[str, Any]:
@@ -114,7 +120,7 @@ def _one(entry: object, *, quick: bool) -> tuple[dict[str, Any], _Given | None]:
     answer["title"] = given.case.title
     answer["elements"] = sorted({place.bearing.element for place in given.case.bearing.places})
     if not quick:
-        answer["inputs"] = inputs(given.case, given.named)
+        answer["inputs"] = inputs(given.inputs)
     return answer, given
 
 
@@ -134,7 +140,7 @@ def _documents(
         return {"summary": "", "notes": "", "sections": {}}
     asks = "inputs" in keys or len(there) > 1
     cases = tuple(
-        CaseReport(name, "", one.case, _inputs(one) if asks else (), one.analysis)
+        CaseReport(name, "", one.case, one.inputs if asks else (), one.analysis)
         for name, one in there
     )
     report = Report(ReportHead(), cases, __version__)
@@ -144,10 +150,6 @@ def _documents(
         "notes": "" if quick else _html(report, "notes"),
         "sections": {key: _html(report, key) for key in wanted},
     }
-
-
-def _inputs(one: _Given) -> tuple[Input, ...]:
-    return inputs_of(one.case, one.named)
 
 
 def _html(report: Report, key: str) -> str:

@@ -19,12 +19,12 @@ from rolamento.errors import InputError
 from rolamento.pages.catalogue import KINDS
 from rolamento.pages.report import ORIGINS, PARTS
 from rolamento.tasks.examples import EXAMPLES
-from rolamento.tasks.report import names_in
+from rolamento.tasks.report import inputs_of, names_in
 from rolamento.web import drops
 from rolamento.web.answers import answer, read_json
 from rolamento.web.curves import curve
 from rolamento.web.form import form, inputs, units
-from rolamento.web.limits import fast
+from rolamento.web.limits import by_weight, fast
 from rolamento.web.live import live
 from rolamento.web.page_words import page_words
 from rolamento.web.pictures import described
@@ -109,7 +109,7 @@ def opened(request: Mapping[str, Any]) -> dict[str, Any]:
         "case": mapping,
         "title": case.title,
         "elements": sorted({place.bearing.element for place in case.bearing.places}),
-        "inputs": inputs(case, frozenset(names_in(mapping))),
+        "inputs": inputs(inputs_of(case, frozenset(names_in(mapping)))),
     }
 
 
@@ -172,14 +172,8 @@ def saved(request: Mapping[str, Any]) -> dict[str, str]:
         )
     case = Case.from_mapping(mapping)
     text = case_to_json(case) if wanted == "json" else case_to_toml(case)
-    return {"text": text, "name": f"{_file_name(case)}.{wanted}"}
-
-
-def _file_name(case: Case) -> str:
-    """A name for the file of a case: its title in plain letters."""
-    title = case.title or str(case.bearing.designation or "") or "case"
-    plain = "".join(sign if sign.isascii() and sign.isalnum() else "_" for sign in title)
-    return "_".join(filter(None, plain.lower().split("_")))[:60] or "case"
+    called = case.title or str(case.bearing.designation or "")
+    return {"text": text, "name": f"{drops.plain_name(called) or 'case'}.{wanted}"}
 
 
 def search(request: Mapping[str, Any]) -> dict[str, Any]:
@@ -224,7 +218,8 @@ def _asks(path: str, function: Callable[[Mapping[str, Any]], Mapping[str, Any]])
     """Serve a function of the JSON object that a request brings."""
 
     async def endpoint(request: Request) -> Response:
-        return answer(await fast(function, await read_json(request)))
+        asked = await read_json(request)
+        return answer(await by_weight(function, asked, asked=asked))
 
     router.add_api_route(path, endpoint, methods=["POST"])
 
