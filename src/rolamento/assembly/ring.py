@@ -25,6 +25,7 @@ import numpy as np
 from rolamento.assembly.cases import Cases, PlacedRow
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.newton import Balance, balance
+from rolamento.rows.ball import sets
 from rolamento.rows.roller.row import RollerRow
 from rolamento.rows.row import Held, Indices, IntArray, Knowing, Row
 from rolamento.status import (
@@ -103,8 +104,16 @@ class RowsOnRing:
     def solve(self, control: FloatArray, which: Indices | None = None) -> RingSolution:
         """Solve all cases, or some."""
         chosen = np.arange(len(self.cases)) if which is None else which
+        asked = _Asked.of(self, chosen)
+        solution = _proposed(self, control, asked)
         control = np.broadcast_to(control, (len(chosen), self.shape[1]))
-        return _Problem.of(self, control, chosen).solve()
+        if solution is None:
+            return _Problem.of(self, control, asked).solve()
+        left = np.flatnonzero(solution.number == NOT_CONVERGED)
+        if len(left):
+            part = _Problem.of(self, control[left], _Asked.of(self, chosen[left])).solve()
+            solution.put(left, part)
+        return solution
 
     def verdict(self, solution: RingSolution, control: FloatArray) -> IntArray:
         """What guides every element by its row's own criterion; (cases, elements)."""
@@ -120,32 +129,31 @@ class RowsOnRing:
 
 
 @dataclass(frozen=True, slots=True)
-class _Problem:
-    """Some cases as the equations of a ring, and where to begin.
+class _Asked:
+    """What is asked of some rings, and where they begin.
 
-    By row: control (cases, elements), transforms (cases, 5, 6), press (cases,). Of the ring: arms
-    (cases, 6), and scaled: free, target (what is asked of a free unknown) and start (where a held
-    one is), (cases, 6); before: steps that have led to the start, (cases,).
+    press: of each row, (cases,). arms (cases, 6), and scaled: free, target (what is asked of a free
+    unknown) and start (where a held one is), (cases, 6). sound: whether a case can be solved,
+    unheld: whether nothing can hold it, (cases,).
     """
 
-    system: RowsOnRing
     chosen: Indices
-    control: list[FloatArray]
-    transforms: list[FloatArray]
     press: list[FloatArray]
     arms: FloatArray
     free: BoolArray
     target: FloatArray
     start: FloatArray
-    before: IntArray
+    sound: BoolArray
+    unheld: BoolArray
 
     @classmethod
-    def of(cls, system: RowsOnRing, control: FloatArray, chosen: Indices) -> _Problem:
-        """Set up the chosen cases."""
+    def of(cls, system: RowsOnRing, chosen: Indices) -> _Asked:
+        """Take the chosen cases."""
         cases = system.cases
+        rows = [placed.row for placed in cases.rows]
         sprung = cases.preload == "spring"
         arms = np.ones((len(chosen), UNKNOWNS))
-        arms[:, 3:5] = cases.rows[0].row.sizes.arm[chosen, np.newaxis]
+        arms[:, 3:5] = rows[0].sizes.arm[chosen, np.newaxis]
         press = [press[chosen] for press in system.press]
         free = np.zeros((len(chosen), UNKNOWNS), np.bool_)
         target, held = np.zeros(free.shape), np.zeros(free.shape)
@@ -157,29 +165,84 @@ class _Problem:
         target, held = target / arms, held * arms
         touching = np.max([np.abs(e) for e in press], axis=0) > 0.0
         start = held + _pushed(cases, chosen, free & ~touching[:, np.newaxis], target)
-        before = _propose(cases, chosen, press[0], arms, start)
+        finite = cases.valid[chosen] & np.isfinite(target).all(axis=1)
+        finite &= np.isfinite(start).all(axis=1) & np.isfinite(np.sum(press, axis=0))
+        finite &= np.all([row.valid[chosen] for row in rows], axis=0)
+        unheld = finite & cases.unheld[chosen]
+        return cls(chosen, press, arms, free, target, start, finite & ~unheld, unheld)
+
+
+def _proposed(system: RowsOnRing, control: FloatArray, asked: _Asked) -> RingSolution | None:
+    """Solutions by the kernels that know of rings with rows of balls; None where they do not.
+
+    Judged row by row as when held there; what they do not find is left as not converged.
+    """
+    cases, chosen = system.cases, asked.chosen
+    rows = sets.balls_only([placed.row for placed in cases.rows])
+    if rows is None:
+        return None
+    stand = sets.standing(
+        [placed.sign for placed in cases.rows],
+        [placed.lever[chosen] for placed in cases.rows],
+        [placed.row.sizes.arm[chosen] for placed in cases.rows],
+        asked.press,
+        sprung=cases.preload == "spring",
+    )
+    parts = asked.free.astype(np.float64), asked.target, asked.start
+    found = sets.settle(rows, chosen, control, stand, parts, asked.sound)
+    if found is None:
+        return None
+    arms = asked.arms
+    number = np.where(asked.sound, NOT_CONVERGED, INVALID_INPUT)
+    number[found.sound] = CONVERGED
+    number[asked.unheld] = NO_EQUILIBRIUM
+    return RingSolution(
+        place=found.place / arms,
+        force=found.force * arms,
+        stiffness=found.stiffness * arms[:, :, np.newaxis] * arms[:, np.newaxis, :],
+        residual=found.residual,
+        number=number,
+        unsupported=np.where(asked.unheld, 0, -1),
+        iterations=found.steps,
+        safe_path=np.zeros(len(chosen), np.bool_),
+        rows=list(found.rows),
+    )
+
+
+@dataclass(frozen=True, slots=True)
+class _Problem:
+    """Some cases as the equations of a ring, and where to begin.
+
+    By row: control (cases, elements), transforms (cases, 5, 6). start: (cases, 6), scaled; before:
+    steps that have led there, (cases,).
+    """
+
+    system: RowsOnRing
+    asked: _Asked
+    control: list[FloatArray]
+    transforms: list[FloatArray]
+    start: FloatArray
+    before: IntArray
+
+    @classmethod
+    def of(cls, system: RowsOnRing, control: FloatArray, asked: _Asked) -> _Problem:
+        """Set up the chosen cases."""
+        cases, start = system.cases, asked.start.copy()
+        sprung = cases.preload == "spring"
+        before = _propose(cases, asked.chosen, asked.press[0], asked.arms, start)
         return cls(
             system=system,
-            chosen=chosen,
+            asked=asked,
             control=system.split(control),
-            transforms=[transform(placed, sprung)[chosen] for placed in cases.rows],
-            press=press,
-            arms=arms,
-            free=free,
-            target=target,
+            transforms=[transform(placed, sprung)[asked.chosen] for placed in cases.rows],
             start=start,
             before=before,
         )
 
     def solve(self) -> RingSolution:
-        rows = [placed.row for placed in self.system.cases.rows]
-        finite = self.system.cases.valid[self.chosen] & np.isfinite(self.target).all(axis=1)
-        finite &= np.isfinite(self.start).all(axis=1) & np.isfinite(np.sum(self.press, axis=0))
-        finite &= np.all([row.valid[self.chosen] for row in rows], axis=0)
-        unheld = finite & self.system.cases.unheld[self.chosen]
-        which = np.flatnonzero(finite & ~unheld)
-        sizes = rows[0].sizes
-        of_ring = self.chosen[which]
+        asked, sizes = self.asked, self.system.cases.rows[0].row.sizes
+        which = np.flatnonzero(asked.sound & np.isfinite(self.start).all(axis=1))
+        of_ring = asked.chosen[which]
         seen: list[tuple[FloatArray, _View]] = []
 
         def look(some: Indices, u: FloatArray) -> _View:
@@ -190,15 +253,15 @@ class _Problem:
         found = balance(
             look,
             self.start[which],
-            self.target[which],
-            self.free[which],
+            asked.target[which],
+            asked.free[which],
             precision=PRECISION,
             longest=0.3 * sizes.reach[of_ring],
             limit=sizes.diameter[of_ring],
             reference=1.5e-6 * sizes.stiffness[of_ring],
         )
         solution = self._solution(which, found, seen)
-        solution.number[unheld], solution.unsupported[unheld] = NO_EQUILIBRIUM, 0
+        solution.number[asked.unheld], solution.unsupported[asked.unheld] = NO_EQUILIBRIUM, 0
         return solution
 
     def _view(self, which: Indices, u: FloatArray) -> _View:
@@ -207,13 +270,15 @@ class _Problem:
         force, stiffness = np.zeros((n, UNKNOWNS)), np.zeros((n, UNKNOWNS, UNKNOWNS))
         scale, sound = np.zeros(n), np.ones(n, np.bool_)
         answers: list[Held] = []
-        arms = self.arms[which]
-        parts = zip(self.system.cases.rows, self.transforms, self.press, self.control, strict=True)
+        chosen, arms = self.asked.chosen, self.asked.arms[which]
+        parts = zip(
+            self.system.cases.rows, self.transforms, self.asked.press, self.control, strict=True
+        )
         for placed, transforms, press, control in parts:
             t = transforms[which] / arms[:, np.newaxis, :]
             place = (t @ u[..., np.newaxis])[..., 0]
             place[:, 0] += press[which]
-            held = placed.row.held(place, self.chosen[which], control[which])
+            held = placed.row.held(place, chosen[which], control[which])
             answers.append(held)
             back = np.swapaxes(t, 1, 2)
             force += (back @ held.force[..., np.newaxis])[..., 0]
@@ -229,7 +294,7 @@ class _Problem:
 
         seen: the last place where all rings were looked at together, and how.
         """
-        n = len(self.chosen)
+        n = len(self.asked.chosen)
         solution = RingSolution(
             place=np.full((n, UNKNOWNS), np.nan),
             force=np.full((n, UNKNOWNS), np.nan),
@@ -245,7 +310,7 @@ class _Problem:
             return solution
         known = [view for u, view in seen if np.array_equal(u, found.displacement)]
         view = known[0] if known else self._view(which, found.displacement)
-        arms = self.arms[which]
+        arms = self.asked.arms[which]
         solution.place[which] = found.displacement / arms
         solution.force[which] = view.force * arms
         solution.stiffness[which] = view.stiffness * arms[:, :, np.newaxis] * arms[:, np.newaxis, :]

@@ -70,7 +70,7 @@ def start(p: Array, case: int, ball_count: int, u: Array) -> None:
 
 
 @inline_exact
-def _fill(
+def fill(
     w: Array,
     b: Array,
     lane: int,
@@ -125,7 +125,7 @@ def _unbalanced(w: Array, lane: int) -> float:
 
 
 @inline_exact
-def _behind(w: Array, lane: int) -> float:
+def behind(w: Array, lane: int) -> float:
     """What the cage is behind its drive, over the rings' speeds; NaN stays NaN."""
     speed = abs(w[layout.INNER_SPEED * _LANES + lane]) + abs(w[layout.OUTER_SPEED * _LANES + lane])
     lag = w[layout.LAG * _LANES + lane] / w[layout.LAG_BY_CAGE * _LANES + lane]
@@ -142,7 +142,7 @@ def _lost(w: Array, lane: int) -> bool:
 
 
 @inline_exact
-def _any_astray(w: Array) -> bool:
+def any_astray(w: Array) -> bool:
     """Whether the ball just moved has left its place in some lane."""
     astray = 0.0
     for i in range(layout.ASTRAY * _LANES, (layout.ASTRAY + 1) * _LANES):
@@ -175,7 +175,7 @@ def solve_static(
             case = min(block + lane, last - 1)
             start(p, case, cosines.size, displacement[case])
             iterations[case] = 0
-            _fill(w, b, lane, p, cosines, sines, control, case, displacement[case])
+            fill(w, b, lane, p, cosines, sines, control, case, displacement[case])
         open_lanes = count
         for step in range(STATIC_STEPS):
             lanes.reset_sums(w)
@@ -224,14 +224,14 @@ def solve_moving(
     waiting = first
     working = 0
     for lane in range(_LANES):
-        _fill(w, b, lane, p, cosines, sines, control, first, displacement[first])
+        fill(w, b, lane, p, cosines, sines, control, first, displacement[first])
     while waiting < last or working > 0:
         fresh = False
         for lane in range(_LANES):
             is_fresh = holds[lane] < 0 and waiting < last
             w[layout.ASTRAY * _LANES + lane] = 1.0 if is_fresh else 0.0
             if is_fresh:
-                _fill(w, b, lane, p, cosines, sines, control, waiting, displacement[waiting])
+                fill(w, b, lane, p, cosines, sines, control, waiting, displacement[waiting])
                 holds[lane] = waiting
                 steps[lane] = 0
                 waiting += 1
@@ -248,12 +248,14 @@ def solve_moving(
         for lane in range(_LANES):
             at_rest = w[layout.FAULT * _LANES + lane] <= 0.0
             settled[lane] = at_rest and _unbalanced(w, lane) <= TOLERANCE
-            settled[lane] = settled[lane] and _behind(w, lane) <= TOLERANCE
+            settled[lane] = settled[lane] and behind(w, lane) <= TOLERANCE
             steps[lane] += 1
-        lanes.step_ring_and_cage(w)
+        lanes.condense_cage(w)
+        lanes.step_ring(w)
+        lanes.step_cage(w)
         for j in range(balls):
             lanes.follow_ring(w, b[j])
-            if _any_astray(w):
+            if any_astray(w):
                 lanes.replace_ball(w, b[j])
 
         for lane in range(_LANES):

@@ -254,8 +254,8 @@ def balance_cage(w: Array) -> None:
 
 
 @vector_loop
-def step_ring_and_cage(w: Array) -> None:
-    """One Newton step of ring and cage: the cage is eliminated, and follows the ring."""
+def condense_cage(w: Array) -> None:
+    """Let the cage follow the ring: its speed drops out of the ring's force and stiffness."""
     for row in range(_FIVE):
         force, by_cage = _FX + row * N, _BY_CAGE[0] + row * N
         for i in range(N):
@@ -265,7 +265,11 @@ def step_ring_and_cage(w: Array) -> None:
             lag = _LAG_BY_RING[0] + column * N
             for i in range(N):
                 w[entry + i] -= w[by_cage + i] * w[lag + i] / w[_LAG_BY_CAGE + i]
-    step_ring(w)
+
+
+@vector_loop
+def step_cage(w: Array) -> None:
+    """Take the cage's speed along with the ring's step."""
     for i in range(N):
         w[_DCAGE + i] = -w[_LAG + i]
     for row in range(_FIVE):
