@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, Self, cast
+from typing import TYPE_CHECKING, Any, Final, Self, cast
 
 import numpy as np
 
@@ -34,6 +34,10 @@ if TYPE_CHECKING:
     from rolamento.rows.ball.traction.solve import Film
 
 __all__ = ["BallRow", "Traction", "ball_row"]
+
+
+_OF_SPEED: Final = (layout.HOLD_RATE, layout.CAGE_WEIGHT, layout.NOMINAL_ORBIT)
+"""What `apply_model` makes of the speeds: nothing at rest."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -206,7 +210,7 @@ class BallRow:
     def pressed_in(self, force: FloatArray) -> FloatArray:
         """Place along x under an axial force at rest; (cases,), m, NaN where there is none."""
         p = self.p.copy()
-        p[layout.INNER_SPEED] = p[layout.OUTER_SPEED] = 0.0
+        p[[layout.INNER_SPEED, layout.OUTER_SPEED, *_OF_SPEED]] = 0.0
         alike = alike_in_all_cases(p) and alike_in_all_cases(force)
         which = np.arange(1 if alike else self.cases)
         free = np.zeros((len(which), 5), np.bool_)

@@ -1,8 +1,8 @@
 """Rows of balls on one ring: Newton's method on ring, cages and balls of all rows together.
 
-As `blocks` does for one row, many cases abreast; then each row is held in exact arithmetic where the
-proposal has it, and judged there. What comes out with every row in order and the ring in balance is
-the equilibrium; everything else is left to `rolamento.assembly.ring`.
+As `blocks` does for one row, many cases abreast; then each row is held in exact arithmetic where
+the proposal has it, and judged there. What comes out with every row in order and the ring in
+balance is the equilibrium; everything else is left to `rolamento.assembly.ring`.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from rolamento.rows.ball import lanes, layout, set_lanes
 from rolamento.rows.ball.accept import judge, max_with_nan
 from rolamento.rows.ball.blocks import any_astray, behind, fill
 from rolamento.rows.ball.set_lanes import SLIDE, STAND_ROWS, TILT, UNKNOWNS, WAY
-from rolamento.rows.ball.single import Ring, ring_around
+from rolamento.rows.ball.single import FAR, Ring, ring_around
 from rolamento.rows.ball.types import Array
 from rolamento.status import CONVERGED, NOT_CONVERGED
 
@@ -53,11 +53,17 @@ class Rows(NamedTuple):
 
 
 class Asked(NamedTuple):
-    """What is asked of the rings, and where they begin; (n, UNKNOWNS) each, scaled."""
+    """What is asked of the rings, and where they begin; (n, UNKNOWNS) each, scaled.
+
+    reach: of the longest step of a ring without inertia; firm: a stiffness that is small against
+    any real one, so that a ring that touches nothing moves with its load; (n,).
+    """
 
     free: Array
     target: Array
     start: Array
+    reach: Array
+    firm: Array
 
 
 class Found(NamedTuple):
@@ -118,8 +124,12 @@ def _standing(stand: Array, row: int, k: int, u: Array, own: Array) -> None:
 
 
 @shared
-def _fill(work: _Work, lane: int, rows: Rows, asked: Asked, k: int, u: Array, own: Array) -> None:
-    """Put a case into a lane, its ring at u; own (5,) is room."""
+def _fill(
+    work: _Work, lane: int, rows: Rows, asked: Asked, k: int, u: Array, own: Array, bound: bool
+) -> None:
+    """Put a case into a lane, its ring at u; own (5,) is room; bound: whether steps have an end."""
+    work.s[set_lanes.FIRM * _LANES + lane] = asked.firm[k] if bound else 0.0
+    work.s[set_lanes.REACH * _LANES + lane] = asked.reach[k] if bound else FAR
     for i in range(UNKNOWNS):
         work.s[(set_lanes.FREE + i) * _LANES + lane] = asked.free[k, i]
         work.s[(set_lanes.TARGET + i) * _LANES + lane] = asked.target[k, i]
@@ -176,7 +186,7 @@ def _settle_static(
         for lane in range(_LANES):
             k = min(block + lane, chosen.size - 1)
             found.steps[chosen[k]] = 0
-            _fill(work, lane, rows, asked, k, asked.start[k], own)
+            _fill(work, lane, rows, asked, k, asked.start[k], own, True)
         open_lanes = count
         for step in range(STATIC_STEPS):
             set_lanes.empty_set(s)
@@ -224,7 +234,7 @@ def _settle_moving(
     settled = np.zeros(_LANES, np.bool_)
     waiting, working = 0, 0
     for lane in range(_LANES):
-        _fill(work, lane, rows, asked, 0, found.place[chosen[0]], own)
+        _fill(work, lane, rows, asked, 0, found.place[chosen[0]], own, False)
     while waiting < chosen.size or working > 0:
         fresh = False
         for lane in range(_LANES):
@@ -232,7 +242,7 @@ def _settle_moving(
             for row in range(w.shape[0]):
                 w[row, layout.ASTRAY * _LANES + lane] = 1.0 if is_fresh else 0.0
             if is_fresh:
-                _fill(work, lane, rows, asked, waiting, found.place[chosen[waiting]], own)
+                _fill(work, lane, rows, asked, waiting, found.place[chosen[waiting]], own, False)
                 holds[lane] = waiting
                 steps[lane] = 0
                 waiting += 1

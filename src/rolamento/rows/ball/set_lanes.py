@@ -1,12 +1,13 @@
 """A ring that carries several rows, in lanes: what they ask of it, its step, and theirs.
 
-Each row has a workspace of its own, as `lanes` has it, and stands where the ring holds it: v = T u +
-e, with the T of `rolamento.assembly.ring`. The ring's force is the sum of T' f and its stiffness that
-of T' k T. All lengths and forces are scaled as in `layout`, the ring's tilts by an arm of its own.
+Each row has a workspace of its own, as `lanes` has it, and stands where the ring holds it:
+v = T u + e, with the T of `rolamento.assembly.ring`. The ring's force is the sum of T' f and its
+stiffness that of T' k T. All is scaled as in `layout`, the ring's tilts by an arm of its own.
 """
 
 from __future__ import annotations
 
+from math import sqrt
 from typing import Final
 
 import numpy as np
@@ -25,7 +26,9 @@ PLACE: Final = TARGET + UNKNOWNS
 MOVE: Final = PLACE + UNKNOWNS  # its step
 FORCE: Final = MOVE + UNKNOWNS
 MATRIX: Final = FORCE + UNKNOWNS
-SET_ROWS: Final = MATRIX + UNKNOWNS * UNKNOWNS
+FIRM: Final = MATRIX + UNKNOWNS * UNKNOWNS  # a little stiffness of every free unknown
+REACH: Final = FIRM + 1  # the longest step
+SET_ROWS: Final = REACH + 1
 
 # --- how a row stands on the ring -------------------------------------------------------------
 WAY: Final = 0  # +1, or -1 where it is mirrored
@@ -37,6 +40,7 @@ STAND_ROWS: Final = 4
 _N: Final = np.uintp(layout.LANES)
 _FREE, _TARGET, _PLACE, _MOVE = lanes(FREE), lanes(TARGET), lanes(PLACE), lanes(MOVE)
 _FORCE, _MATRIX = lanes(FORCE), lanes(MATRIX)
+_FIRM, _REACH = lanes(FIRM), lanes(REACH)
 _WAY, _LEVER, _TILT, _SLIDE = (lanes(row) for row in (WAY, LEVER, TILT, SLIDE))
 _SIX, _FIVE, _ONE = np.uintp(UNKNOWNS), np.uintp(layout.DEGREES_OF_FREEDOM), np.uintp(1)
 _AT = tuple(lanes(row) for row in range(UNKNOWNS * UNKNOWNS))
@@ -49,11 +53,8 @@ _OF_ROW = lanes(layout.DEGREES_OF_FREEDOM)
 @vector_loop
 def empty_set(s: Array) -> None:
     """Empty the sums over the rows."""
-    for i in range(_FORCE, _FORCE + lanes_of_sums):
+    for i in range(_FORCE, _FIRM):
         s[i] = 0.0
-
-
-lanes_of_sums: Final = lanes(UNKNOWNS + UNKNOWNS * UNKNOWNS)
 
 
 @vector_loop
@@ -104,7 +105,8 @@ def _hold(s: Array) -> None:
             unit = 1.0 if row == column else 0.0
             for i in range(_N):
                 free = s[_FREE + row * _N + i]
-                s[entry + i] = free * s[entry + i] + (1.0 - free) * unit
+                own = s[entry + i] + unit * s[_FIRM + i]
+                s[entry + i] = free * own + (1.0 - free) * unit
 
 
 @vector_loop
@@ -136,9 +138,20 @@ def _eliminate(s: Array) -> None:
 
 @vector_loop
 def step_set(s: Array) -> None:
-    """One Newton step of the ring on its free unknowns."""
+    """One Newton step of the ring on its free unknowns, as far as it may go."""
     _hold(s)
     _eliminate(s)
+    for i in range(_N):
+        x, y, z = s[_MOVE + i], s[_MOVE + _AT[1] + i], s[_MOVE + _AT[2] + i]
+        p, q, slide = s[_MOVE + _AT[3] + i], s[_MOVE + _AT[4] + i], s[_MOVE + _AT[5] + i]
+        length = sqrt(x * x + y * y + z * z + p * p + q * q + slide * slide)
+        part = s[_REACH + i] / max(length, s[_REACH + i])
+        s[_MOVE + i] = part * x
+        s[_MOVE + _AT[1] + i] = part * y
+        s[_MOVE + _AT[2] + i] = part * z
+        s[_MOVE + _AT[3] + i] = part * p
+        s[_MOVE + _AT[4] + i] = part * q
+        s[_MOVE + _AT[5] + i] = part * slide
     for i in range(_SIX * _N):
         s[_PLACE + i] += s[_MOVE + i]
 

@@ -28,6 +28,10 @@ _log = logging.getLogger("rolamento")
 
 CHUNK: Final = 1000
 """Cases of a call: their numbers lie together, no power of two apart."""
+LITTLE: Final = 1e-6
+"""Of the stiffness under load: what a ring that touches nothing is held by on its way."""
+_HEAVIEST: Final = 4.5
+"""How much more the heaviest ball of a row carries than the mean."""
 FEW: Final = 1
 """Cases for which the compiler is not loaded."""
 
@@ -84,14 +88,15 @@ def settle(
     asked: tuple[FloatArray, FloatArray, FloatArray],
     sound: BoolArray,
 ) -> Proposal | None:
-    """Balance the rings of some cases, with all their rows; None where that is not worth a compiler.
+    """Balance the rings of some cases, with all their rows; None where that takes no compiler.
 
     Parameters
     ----------
     which : cases of the rows; (n,). sound : those of them that can be solved.
     control : +1 or -1 for the balls of all rows; (n or 1, balls).
     stand : how each row stands on the ring, as `set_blocks.Rows`; (rows, STANDING, n).
-    asked : which unknowns are free, what is asked of them, and where they begin; (n, 6) each, scaled.
+    asked : which unknowns are free, what is asked of them, and where they begin; (n, 6) each,
+        scaled.
     """
     if len(which) <= FEW and not solve_sets.is_loaded:
         return None
@@ -111,6 +116,31 @@ def settle(
     return run.proposal()
 
 
+def _bounded(
+    columns: Sequence[FloatArray],
+    rows: Sequence[BallRow],
+    stand: FloatArray,
+    free: FloatArray,
+    target: FloatArray,
+    start: FloatArray,
+) -> Asked:
+    """Say how far a ring may go at a time: through its play, and somewhat into its balls."""
+    balls = [row.element_count for row in rows]
+    stiffness = np.sum(
+        [count * p[layout.SERIES_STIFFNESS] for count, p in zip(balls, columns, strict=True)],
+        axis=0,
+    )
+    into = (_HEAVIEST * np.abs(target * free).max(axis=1) / stiffness) ** (2.0 / 3.0)
+    play = np.zeros_like(into)
+    for p, own in zip(columns, stand, strict=True):
+        reach = p[layout.INNER_LENGTH] + p[layout.OUTER_LENGTH]
+        square = np.maximum(reach**2 - p[layout.RADIAL_OFFSET] ** 2, 0.0)
+        axial = np.sqrt(square) - p[layout.AXIAL_OFFSET]
+        play = np.maximum(play, np.abs(axial) + np.abs(own[PRESS]))
+    firm = LITTLE * stiffness * np.sqrt(into)
+    return Asked(free, target, start, 3.0 * into + play, firm)
+
+
 @dataclass(frozen=True, slots=True)
 class _Run:
     """The numbers of the cases and the room for what is found; columns: of each row, (…, n)."""
@@ -119,7 +149,7 @@ class _Run:
     columns: list[FloatArray]
     control: FloatArray
     stand: FloatArray
-    asked: tuple[FloatArray, FloatArray, FloatArray]
+    asked: Asked
     found: Found
 
     @classmethod
@@ -151,7 +181,7 @@ class _Run:
             row_residual=np.full((count, n), np.nan),
             code=np.full((count, n), status.INVALID_INPUT),
         )
-        return cls(rows, columns, control, stand, asked, found)
+        return cls(rows, columns, control, stand, _bounded(columns, rows, stand, *asked), found)
 
     @property
     def _ends(self) -> IntArray:
