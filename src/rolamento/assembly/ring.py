@@ -115,11 +115,17 @@ class RowsOnRing:
             solution.put(left, part)
         return solution
 
-    def verdict(self, solution: RingSolution, control: FloatArray) -> IntArray:
-        """What guides every element by its row's own criterion; (cases, elements)."""
+    def verdict(
+        self, solution: RingSolution, control: FloatArray, which: Indices | None = None
+    ) -> IntArray:
+        """What guides every element of all cases, or some, by its row's own criterion.
+
+        (cases, elements).
+        """
+        chosen = slice(None) if which is None else which
         parts = zip(self.cases.rows, solution.rows, self.split(control), strict=True)
         return np.concatenate(
-            [placed.row.verdict(held, own) for placed, held, own in parts], axis=1
+            [placed.row.verdict(held, own, chosen) for placed, held, own in parts], axis=1
         )
 
     def split(self, control: FloatArray) -> list[FloatArray]:

@@ -292,9 +292,9 @@ class GrooveRow:
         """No preload is put on such rows; (cases,), NaN."""
         return np.full(self.cases, np.nan)
 
-    def verdict(self, held: Held, control: FloatArray) -> IntArray:
+    def verdict(self, held: Held, control: FloatArray, which: Index) -> IntArray:
         """Return the control as it is: what guides a ball has no part in this balance."""
-        return np.asarray(np.broadcast_to(control, (self.cases, self.element_count)), np.int64)
+        return control.astype(np.int64)
 
     def answer(
         self, held: Held, control: FloatArray, shown: IntArray, lost: BoolArray

@@ -21,6 +21,7 @@ import numpy as np
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.rows.ball.row import BallAnswer, BallRow, HeldBalls
 from rolamento.rows.row import Held, Indices, IntArray, RowGeometry, RowSizes
+from rolamento.solved import Index
 
 __all__ = ["SphereRow"]
 
@@ -137,9 +138,9 @@ class SphereRow:
         """No preload is put on such rows; (cases,), NaN."""
         return np.full(self.cases, np.nan)
 
-    def verdict(self, held: Held, control: FloatArray) -> IntArray:
+    def verdict(self, held: Held, control: FloatArray, which: Index) -> IntArray:
         """Jones's criterion for every ball; (cases, balls)."""
-        return self.row.verdict(cast(HeldOnSphere, held).balls, control)
+        return self.row.verdict(cast(HeldOnSphere, held).balls, control, which)
 
     def answer(
         self, held: Held, control: FloatArray, shown: IntArray, lost: BoolArray

@@ -222,9 +222,9 @@ class BallRow:
         found = np.where(held.number == status.CONVERGED, held.place[:, 0], np.nan)
         return np.repeat(found, self.cases) if alike else found
 
-    def verdict(self, held: Held, control: FloatArray) -> IntArray:
+    def verdict(self, held: Held, control: FloatArray, which: Index) -> IntArray:
         """Jones's criterion for every ball; (cases, balls)."""
-        return row_verdict(self.p, control, cast(HeldBalls, held).solution)
+        return row_verdict(self.p[:, which], control, cast(HeldBalls, held).solution)
 
     def rolled(self, start: HeldBalls, traction: Traction) -> HeldBalls:
         """Let friction alone move the balls of a bearing that is this row.
