@@ -346,7 +346,7 @@ def _propose(
         return steps
     which = chosen[known]
     place, settled, taken = placed.row.near(
-        cases.free[which], cases.load[which], cases.displacement[which], which
+        cases.free[which], cases.load[which], start[known, :5] / arms[known, :5], which
     )
     rows = np.flatnonzero(known)[settled]
     start[rows, :5] = place[settled] * arms[rows, :5]

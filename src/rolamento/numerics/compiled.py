@@ -34,8 +34,9 @@ _VECTORISABLE = {"reassoc", "arcp", "contract", "afn", "nsz"}
 _FAMILIES = (  # where kernels live, each with the formulas that they are compiled from
     ("numerics", "rows/ball", "rows/ball/traction"),
     ("numerics", "contact", "rows/roller"),
+    ("numerics", "rows"),
 )
-_CONSTANTS = frozenset({"compiled", "layout"})  # files without kernels that shape them
+_CONSTANTS = frozenset({"compiled", "layout", "newton"})  # files without kernels that shape them
 
 
 class Kernel(Generic[P, R]):

@@ -186,7 +186,7 @@ class Knowing(Protocol):
 
         (len(which), 5) and (len(which),).
 
-        free: whether the load is given on a degree of freedom, else the place; of the chosen
-        cases, (len(which), 5) each.
+        free: whether the load is given on a degree of freedom, else the place; place: that, or
+        where to begin; of the chosen cases, (len(which), 5) each.
         """
         ...
