@@ -28,6 +28,7 @@ from rolamento.numerics.newton import Balance, balance
 from rolamento.rows.ball import sets
 from rolamento.rows.roller.row import RollerRow
 from rolamento.rows.row import Held, Indices, IntArray, Knowing, Row
+from rolamento.rows.sphere import SphereRow, from_outside, from_ring
 from rolamento.status import (
     CONVERGED,
     INVALID_INPUT,
@@ -42,6 +43,7 @@ from rolamento.status import (
 UNKNOWNS: Final = 6
 SLIDE: Final = 5  # of the spring-loaded outer rings
 PRECISION: Final = 1e-10
+_SHIFTS: Final = np.array([True, True, True, False, False])
 ANSWERED: Final = np.zeros(16, np.bool_)
 """By verdict on a row, whether it comes with its forces; no_equilibrium while it touches."""
 ANSWERED[[CONVERGED, OVERLOADED, UNHELD_BALL, OVER_SHOULDER, NO_EQUILIBRIUM]] = True
@@ -183,10 +185,20 @@ def _proposed(system: RowsOnRing, control: FloatArray, asked: _Asked) -> RingSol
 
     Judged row by row as when held there; what they do not find is left as not converged.
     """
-    cases, chosen = system.cases, asked.chosen
-    rows = sets.balls_only([placed.row for placed in cases.rows])
+    cases, chosen, arms = system.cases, asked.chosen, asked.arms
+    spheres = [row for row in (p.row for p in cases.rows) if isinstance(row, SphereRow)]
+    rows = sets.balls_only(
+        [placed.row for placed in cases.rows] if not spheres else [r.row for r in spheres]
+    )
     if rows is None:
         return None
+    target, start, solvable = asked.target, asked.start, asked.sound
+    tilt = start[:, 3:5] / arms[:, 3:5]
+    if spheres:  # as the tilted ring sees it, which a sphere does not know of
+        solvable = solvable & (asked.free[:, :5] == _SHIFTS).all(axis=1)
+        target, start = np.zeros_like(target), np.zeros_like(start)
+        target[:, :3] = from_ring(tilt, asked.target[:, :3])
+        start[:, :3] = from_ring(tilt, asked.start[:, :3])
     stand = sets.standing(
         [placed.sign for placed in cases.rows],
         [placed.lever[chosen] for placed in cases.rows],
@@ -194,25 +206,49 @@ def _proposed(system: RowsOnRing, control: FloatArray, asked: _Asked) -> RingSol
         asked.press,
         sprung=cases.preload == "spring",
     )
-    parts = asked.free.astype(np.float64), asked.target, asked.start
-    found = sets.settle(rows, chosen, control, stand, parts, asked.sound)
+    parts = asked.free.astype(np.float64), target, start
+    found = sets.settle(rows, chosen, control, stand, parts, solvable)
     if found is None:
         return None
-    arms = asked.arms
+    view = _View(found.force, found.stiffness, found.force[:, 0], found.sound, list(found.rows))
+    place = found.place
+    if spheres:
+        place[:, :3] = from_outside(tilt, found.place[:, :3])
+        place[:, 3:5] = asked.start[:, 3:5]
+        transforms = [transform(placed, sprung=False)[chosen] for placed in cases.rows]
+        answers = [
+            row.turned(held, (t[:, :, :5] @ (place / arms)[:, :5, np.newaxis])[..., 0])
+            for row, held, t in zip(spheres, found.rows, transforms, strict=True)
+        ]
+        view = _summed(answers, [t / arms[:, np.newaxis, :] for t in transforms])
     number = np.where(asked.sound, NOT_CONVERGED, INVALID_INPUT)
     number[found.sound] = CONVERGED
     number[asked.unheld] = NO_EQUILIBRIUM
     return RingSolution(
-        place=found.place / arms,
-        force=found.force * arms,
-        stiffness=found.stiffness * arms[:, :, np.newaxis] * arms[:, np.newaxis, :],
+        place=place / arms,
+        force=view.force * arms,
+        stiffness=view.stiffness * arms[:, :, np.newaxis] * arms[:, np.newaxis, :],
         residual=found.residual,
         number=number,
         unsupported=np.where(asked.unheld, 0, -1),
         iterations=found.steps,
         safe_path=np.zeros(len(chosen), np.bool_),
-        rows=list(found.rows),
+        rows=view.rows,
     )
+
+
+def _summed(answers: list[Held], transforms: list[FloatArray]) -> _View:
+    """The rows' answers seen from the ring, summed up; transforms: (cases, 5, 6), scaled."""
+    n = len(transforms[0])
+    force, stiffness = np.zeros((n, UNKNOWNS)), np.zeros((n, UNKNOWNS, UNKNOWNS))
+    scale, sound = np.zeros(n), np.ones(n, np.bool_)
+    for held, t in zip(answers, transforms, strict=True):
+        back = np.swapaxes(t, 1, 2)
+        force += (back @ held.force[..., np.newaxis])[..., 0]
+        stiffness += back @ (held.stiffness @ t)
+        np.maximum(scale, held.scale, out=scale)
+        sound &= ANSWERED[held.number]
+    return _View(force, stiffness, scale, sound, answers)
 
 
 @dataclass(frozen=True, slots=True)
@@ -272,26 +308,15 @@ class _Problem:
 
     def _view(self, which: Indices, u: FloatArray) -> _View:
         """Hold every row where the ring holds it, and sum up what they answer."""
-        n = len(which)
-        force, stiffness = np.zeros((n, UNKNOWNS)), np.zeros((n, UNKNOWNS, UNKNOWNS))
-        scale, sound = np.zeros(n), np.ones(n, np.bool_)
+        chosen, arms = self.asked.chosen[which], self.asked.arms[which]
         answers: list[Held] = []
-        chosen, arms = self.asked.chosen, self.asked.arms[which]
-        parts = zip(
-            self.system.cases.rows, self.transforms, self.asked.press, self.control, strict=True
-        )
-        for placed, transforms, press, control in parts:
-            t = transforms[which] / arms[:, np.newaxis, :]
+        transforms = [t[which] / arms[:, np.newaxis, :] for t in self.transforms]
+        parts = zip(self.system.cases.rows, transforms, self.asked.press, self.control, strict=True)
+        for placed, t, press, control in parts:
             place = (t @ u[..., np.newaxis])[..., 0]
             place[:, 0] += press[which]
-            held = placed.row.held(place, chosen[which], control[which])
-            answers.append(held)
-            back = np.swapaxes(t, 1, 2)
-            force += (back @ held.force[..., np.newaxis])[..., 0]
-            stiffness += back @ (held.stiffness @ t)
-            np.maximum(scale, held.scale, out=scale)
-            sound &= ANSWERED[held.number]
-        return _View(force, stiffness, scale, sound, answers)
+            answers.append(placed.row.held(place, chosen, control[which]))
+        return _summed(answers, transforms)
 
     def _solution(
         self, which: Indices, found: Balance, seen: list[tuple[FloatArray, _View]]

@@ -24,13 +24,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields
+from functools import lru_cache
 from typing import Any, Final, Self, cast
 
 import numpy as np
 from numpy.polynomial import chebyshev
 
 from rolamento.case import Case
-from rolamento.case.bearing import RowPlace
+from rolamento.case.bearing import Bearing, RowPlace
 from rolamento.contact.hertz import effective_modulus, series_stiffness
 from rolamento.geometry import edge_cosine, groove_places
 from rolamento.kinematics import (
@@ -428,19 +429,19 @@ def _row(
         shifts = {"inner": inner_length * sine, "outer": outer_length * sine}
         toward = np.tile([1.0, 0.0], (cases, 1))
         bottom = np.tile([0.0, 1.0], (cases, 1))
-    nodes = chebyshev.chebpts1(TERMS)
-    exact = race_stiffness(bearing, np.arccos(nodes)[:, np.newaxis])
-    races = {}
-    for race, length in (("inner", inner_length), ("outer", outer_length)):
-        values = np.broadcast_to(getattr(exact, race), (TERMS, cases))
-        # the discrete transform at the nodes; exact.inner may be NaN, which a fit would not take
-        fit = np.linalg.solve(chebyshev.chebvander(nodes, TERMS - 1), values)
-        races[race] = _Race(
+    plain = not any(name.startswith("bearing.") for name in varied)
+    fits = _stiffness_of(place.bearing) if plain else _stiffness(bearing, cases)
+    races = {
+        race: _Race(
             length=length,
             shift=shifts[race],
             edge=_column(edge_cosine(bearing, race), cases),  # type: ignore[arg-type]
-            stiffness=fit,
+            stiffness=np.broadcast_to(fit, (TERMS, cases)),
         )
+        for race, length, fit in zip(
+            ("inner", "outer"), (inner_length, outer_length), fits, strict=True
+        )
+    }
     duty, model = case.duty, case.model
     speeds = [_column(varied.get(f"duty.{n}", getattr(duty, n)), cases) for n in _SPEEDS]
     first = varied.get("duty.first_ball_azimuth", np.asarray(duty.first_ball_azimuth))
@@ -478,6 +479,25 @@ def _row(
         np.ones(cases, np.bool_),
         threads,
     )
+
+
+@lru_cache(maxsize=256)
+def _stiffness_of(bearing: Bearing) -> tuple[FloatArray, FloatArray]:
+    """K of both races of one bearing; not to be written to."""
+    return _stiffness(bearing, 1)
+
+
+def _stiffness(bearing: Any, cases: int) -> tuple[FloatArray, FloatArray]:
+    """K of both races as polynomials in cos α; (TERMS, cases) each."""
+    nodes = chebyshev.chebpts1(TERMS)
+    exact = race_stiffness(bearing, np.arccos(nodes)[:, np.newaxis])
+    # the discrete transform at the nodes; exact.inner may be NaN, which a fit would not take
+    at_nodes = chebyshev.chebvander(nodes, TERMS - 1)
+    inner, outer = (
+        np.linalg.solve(at_nodes, np.broadcast_to(values, (TERMS, cases)))
+        for values in (exact.inner, exact.outer)
+    )
+    return inner, outer
 
 
 def _columns(n: _Numbers) -> FloatArray:
