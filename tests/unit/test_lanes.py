@@ -10,7 +10,7 @@ import pytest
 from rolamento.case import Case
 from rolamento.numerics.compiled import Kernel
 from rolamento.rows.ball import lanes, layout
-from rolamento.rows.ball.blocks import _fill
+from rolamento.rows.ball.blocks import fill
 from rolamento.rows.ball.problem import case_parameters
 from rolamento.rows.ball.single import direction, groove, linearised, static_ball
 
@@ -43,7 +43,7 @@ def filled(case_218: Case) -> tuple[np.ndarray, ...]:
     w = np.zeros(layout.RING_ROWS * N)
     b = np.zeros((BALLS, layout.BALL_ROWS * N))
     for lane in range(N):
-        _fill(w, b, lane, p, cosines, sines, control, lane, u[lane])
+        fill(w, b, lane, p, cosines, sines, control, lane, u[lane])
     return p, cosines, sines, control, u, w, b
 
 

@@ -211,7 +211,7 @@ def _rest(p: Array, case: int, flanks: Array, x: Array, k: Array) -> float:
     far = p[OUTER + LENGTH, case]
     x[0], x[1] = 0.0, far
     _settle(p, case, flanks, 0.0, far, x, k)
-    return float(x[1])
+    return x[1]
 
 
 @shared

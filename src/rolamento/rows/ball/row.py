@@ -14,11 +14,12 @@ from rolamento.case.bearing import RowPlace
 from rolamento.geometry import Race
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.rows.ball import layout
-from rolamento.rows.ball.detail import ContactTable, ball_table
+from rolamento.rows.ball.accept import GREATEST_APPROACH
+from rolamento.rows.ball.detail import ContactTable, axial_load, ball_table
 from rolamento.rows.ball.problem import apply_model, bearing_column, bearing_columns, ring_arms
 from rolamento.rows.ball.rolling import Rolling as Motion
 from rolamento.rows.ball.run import Solution, ball_azimuths, row_verdict, solve_columns
-from rolamento.rows.row import Held, Indices, RowGeometry, RowSizes, alike_in_all_cases
+from rolamento.rows.row import Held, Indices, RowGeometry, RowSizes
 from rolamento.solved import (
     Elements,
     Index,
@@ -36,8 +37,9 @@ if TYPE_CHECKING:
 __all__ = ["BallRow", "Traction", "ball_row"]
 
 
-_OF_SPEED: Final = (layout.HOLD_RATE, layout.CAGE_WEIGHT, layout.NOMINAL_ORBIT)
-"""What `apply_model` makes of the speeds: nothing at rest."""
+PRESS_STEPS: Final = 60
+PRESS_PRECISION: Final = 1e-15
+"""Of the distance between groove centres: the last step of a row that is pressed in."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -208,19 +210,29 @@ class BallRow:
         return np.asarray(np.where(p[layout.ONE_SIDED] > 0.0, 0.0, touching))
 
     def pressed_in(self, force: FloatArray) -> FloatArray:
-        """Place along x under an axial force at rest; (cases,), m, NaN where there is none."""
-        p = self.p.copy()
-        p[[layout.INNER_SPEED, layout.OUTER_SPEED, *_OF_SPEED]] = 0.0
-        alike = alike_in_all_cases(p) and alike_in_all_cases(force)
-        which = np.arange(1 if alike else self.cases)
-        free = np.zeros((len(which), 5), np.bool_)
-        free[:, 0] = True
-        load = np.zeros((len(which), 5))
-        load[:, 0] = force[which]
-        still = replace(self, p=p[:, which], fast=True).asked(free, load, np.zeros_like(load))
-        held = still.alone(np.ones((1, self.element_count)))
-        found = np.where(held.number == status.CONVERGED, held.place[:, 0], np.nan)
-        return np.repeat(found, self.cases) if alike else found
+        """Place along x under an axial force at rest; (cases,), m, NaN where there is none.
+
+        All balls are alike: one equation, Z Q sin α = F, whose force grows with x.
+        """
+        p, count = self.p, self.element_count
+        reach = p[layout.INNER_LENGTH] + p[layout.OUTER_LENGTH]
+        a2, stiffness = p[layout.RADIAL_OFFSET], p[layout.SERIES_STIFFNESS]
+        with np.errstate(invalid="ignore", divide="ignore"):
+            wanted = np.where(force > 0.0, force / count, np.nan)
+            sine = np.sqrt(np.maximum(reach**2 - a2**2, 0.0)) / reach
+            far = reach + (wanted / (stiffness * np.maximum(sine, 0.2))) ** (2.0 / 3.0)
+            # the groove's axial offset, from too far on: the force bends upward
+            a1 = np.sqrt(far**2 - np.minimum(a2, far) ** 2)
+            for _ in range(PRESS_STEPS):
+                load, sine, cosine, approach, slope = axial_load(p, a1, a2)
+                step = (load * sine - wanted) / slope
+                a1 = np.maximum(a1 - step, 0.5 * a1)
+                if not (np.abs(step) > PRESS_PRECISION * reach).any():
+                    break
+            near = np.abs(load * sine - wanted) <= status.TOLERANCE * wanted
+            held = near & (approach <= GREATEST_APPROACH * p[layout.BALL_DIAMETER])
+            held &= (cosine > p[layout.INNER_EDGE]) & (cosine > p[layout.OUTER_EDGE])
+            return np.asarray(np.where(held, a1 - p[layout.AXIAL_OFFSET], np.nan))
 
     def verdict(self, held: Held, control: FloatArray, which: Index) -> IntArray:
         """Jones's criterion for every ball; (cases, balls)."""

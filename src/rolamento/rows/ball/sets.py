@@ -6,6 +6,7 @@ import logging
 from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from threading import Event
 from typing import Final, cast
 
 import numpy as np
@@ -33,7 +34,9 @@ LITTLE: Final = 1e-6
 _HEAVIEST: Final = 4.5
 """How much more the heaviest ball of a row carries than the mean."""
 FEW: Final = 1
-"""Cases for which the compiler is not loaded."""
+"""Cases for which nothing is compiled."""
+_ready: Final = Event()
+"""Set once the compiled kernel has run: to ask for it takes as long as a small case."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,9 +101,9 @@ def settle(
     asked : which unknowns are free, what is asked of them, and where they begin; (n, 6) each,
         scaled.
     """
-    if len(which) <= FEW and not solve_sets.is_loaded:
-        return None
-    if not solve_sets.is_cached:
+    if not _ready.is_set() and not solve_sets.is_cached:
+        if len(which) <= FEW:
+            return None
         _log.warning("compiling the solver for this machine, once: this takes about half a minute")
     run = _Run.of(rows, which, control, stand, asked)
     inertia = np.stack([has_inertia(p) for p in run.columns])
@@ -198,9 +201,12 @@ class _Run:
             for own, columns in zip(p, self.columns, strict=True):
                 own[: len(columns)] = columns[:, some]
             control = self.control if len(self.control) == 1 else self.control[some]
-            rows = Rows(p, self.stand[:, :, some], control, cosines, sines, self._ends)
-            asked = Asked(*(one[some] for one in self.asked))
+            # one order in memory: the kernels are compiled for each that they meet
+            stand, control = map(np.ascontiguousarray, (self.stand[:, :, some], control))
+            rows = Rows(p, stand, control, cosines, sines, self._ends)
+            asked = Asked(*(np.ascontiguousarray(one[some]) for one in self.asked))
             solve_sets.compiled(rows, asked, moving, some, self.found)
+            _ready.set()
 
         chunks = [chosen[first : first + CHUNK] for first in range(0, len(chosen), CHUNK)]
         workers = min(thread_count(self.rows[0].threads), len(chunks))
