@@ -17,6 +17,7 @@ Rigid-body kinematics; Harris, Rolling Bearing Analysis, 3rd ed. (1991), chapter
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -237,7 +238,7 @@ def _proposed(system: RowsOnRing, control: FloatArray, asked: _Asked) -> RingSol
     )
 
 
-def _summed(answers: list[Held], transforms: list[FloatArray]) -> _View:
+def _summed(answers: Sequence[Held], transforms: Sequence[FloatArray]) -> _View:
     """The rows' answers seen from the ring, summed up; transforms: (cases, 5, 6), scaled."""
     n = len(transforms[0])
     force, stiffness = np.zeros((n, UNKNOWNS)), np.zeros((n, UNKNOWNS, UNKNOWNS))
@@ -248,7 +249,7 @@ def _summed(answers: list[Held], transforms: list[FloatArray]) -> _View:
         stiffness += back @ (held.stiffness @ t)
         np.maximum(scale, held.scale, out=scale)
         sound &= ANSWERED[held.number]
-    return _View(force, stiffness, scale, sound, answers)
+    return _View(force, stiffness, scale, sound, list(answers))
 
 
 @dataclass(frozen=True, slots=True)

@@ -211,7 +211,8 @@ def _rest(p: Array, case: int, flanks: Array, x: Array, k: Array) -> float:
     far = p[OUTER + LENGTH, case]
     x[0], x[1] = 0.0, far
     _settle(p, case, flanks, 0.0, far, x, k)
-    return x[1]
+    outside: float = x[1]
+    return outside
 
 
 @shared
@@ -302,7 +303,7 @@ def _held(
 @inline_exact
 def _size(p: Array, case: int, faces: Array, heaviest: float, force: Array) -> float:
     """Sum the force up over the flanks; the size of what makes it up."""
-    size = max(heaviest, p[FLOOR, case])
+    size: float = max(heaviest, p[FLOOR, case])
     for i in range(DEGREES):
         force[i] = 0.0
         for f in range(faces.shape[0]):

@@ -494,7 +494,7 @@ def _stiffness(bearing: Any, cases: int) -> tuple[FloatArray, FloatArray]:
     # the discrete transform at the nodes; exact.inner may be NaN, which a fit would not take
     at_nodes = chebyshev.chebvander(nodes, TERMS - 1)
     inner, outer = (
-        np.linalg.solve(at_nodes, np.broadcast_to(values, (TERMS, cases)))
+        np.asarray(np.linalg.solve(at_nodes, np.broadcast_to(values, (TERMS, cases))), np.float64)
         for values in (exact.inner, exact.outer)
     )
     return inner, outer

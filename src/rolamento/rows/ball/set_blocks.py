@@ -24,7 +24,7 @@ from rolamento.status import CONVERGED, NOT_CONVERGED
 STATIC_STEPS: Final = 16
 MOVING_STEPS: Final = 30
 START_TOLERANCE: Final = 1e-2  # of a static start for moving balls
-TOLERANCE: Final = 1e-6  # before the last step, which squares it
+TOLERANCE: Final = 1e-8  # before the last step, which squares it
 PRECISION: Final = 1e-10
 """Of the ring's exact balance, as `rolamento.assembly.ring` asks for it."""
 
@@ -173,13 +173,15 @@ def _lost(work: _Work, lane: int) -> bool:
 
 @shared
 def _settle_static(
-    work: _Work, rows: Rows, asked: Asked, chosen: NDArray[np.int64], tolerance: float, found: Found
+    work: _Work, rows: Rows, asked: Asked, chosen: NDArray[np.int64], moving: bool, found: Found
 ) -> None:
     """Newton's method on the rings alone, every ball on the line of the groove centres.
 
-    Writes the places, and the steps: zero where a lane did not settle, its place then the start.
+    Writes the places, and the steps: zero where a lane failed or, before its balls move, did not
+    settle; its place is the start then.
     """
     s, v, w, b, room = work
+    tolerance = START_TOLERANCE if moving else TOLERANCE
     own = np.empty(layout.DEGREES_OF_FREEDOM)
     for block in range(0, chosen.size, _LANES):
         count = min(_LANES, chosen.size - block)
@@ -207,8 +209,10 @@ def _settle_static(
                 break
         for lane in range(count):
             case = chosen[block + lane]
-            if found.steps[case] == 0 or _lost(work, lane):
+            if _lost(work, lane):
                 found.steps[case] = 0
+            elif found.steps[case] == 0 and not moving:
+                found.steps[case] = STATIC_STEPS
             for i in range(UNKNOWNS):
                 found.place[case, i] = (
                     s[(set_lanes.PLACE + i) * _LANES + lane]
@@ -224,7 +228,7 @@ def _settle_moving(
     """Newton's method on rings and balls together, from the static places.
 
     A lane that has settled, failed or run out of steps takes the next case. Writes the places of
-    rings, cages and balls, and the steps: zero where a lane did not settle.
+    rings, cages and balls, and the steps: zero where a lane failed.
     """
     s, v, w, b, room = work
     balls = b.shape[0]
@@ -284,7 +288,7 @@ def _settle_moving(
             if k < 0 or not (settled[lane] or lost or steps[lane] >= MOVING_STEPS):
                 continue
             case = chosen[k]
-            found.steps[case] = steps[lane] if settled[lane] and not lost else 0
+            found.steps[case] = 0 if lost else steps[lane]
             for i in range(UNKNOWNS):
                 found.place[case, i] = s[(set_lanes.PLACE + i) * _LANES + lane]
             for row in range(w.shape[0]):
@@ -365,8 +369,7 @@ def solve_sets(
     chosen: which cases they are, of all that `found` has room for; (n,).
     """
     work = _work(rows.p.shape[0], rows.cosines.size)
-    tolerance = START_TOLERANCE if moving else TOLERANCE
-    _settle_static(work, rows, asked, chosen, tolerance, found)
+    _settle_static(work, rows, asked, chosen, moving, found)
     if moving:
         _settle_moving(work, rows, asked, chosen, found)
     ring = ring_around(np.zeros(5), np.zeros((5, 5)), np.zeros(1))
