@@ -222,16 +222,17 @@ def _proposed(system: RowsOnRing, control: FloatArray, asked: _Asked) -> RingSol
             for row, held, t in zip(spheres, found.rows, transforms, strict=True)
         ]
         view = _summed(answers, [t / arms[:, np.newaxis, :] for t in transforms])
-    number = np.where(asked.sound, NOT_CONVERGED, INVALID_INPUT)
-    number[found.sound] = CONVERGED
-    number[asked.unheld] = NO_EQUILIBRIUM
+    number, unsupported = _gravest(view.rows, len(chosen))
+    number[~found.sound] = NOT_CONVERGED
+    number[~asked.sound] = INVALID_INPUT
+    number[asked.unheld], unsupported[asked.unheld] = NO_EQUILIBRIUM, 0
     return RingSolution(
         place=place / arms,
         force=view.force * arms,
         stiffness=view.stiffness * arms[:, :, np.newaxis] * arms[:, np.newaxis, :],
         residual=found.residual,
         number=number,
-        unsupported=np.where(asked.unheld, 0, -1),
+        unsupported=unsupported,
         iterations=found.steps,
         safe_path=np.zeros(len(chosen), np.bool_),
         rows=view.rows,
@@ -417,17 +418,22 @@ def transform(placed: PlacedRow, sprung: bool) -> FloatArray:
 
 def _judged(found: Balance, view: _View) -> tuple[IntArray, IntArray]:
     """The verdict on each case: the ring's own, or the gravest of its rows'."""
-    number = np.full(len(found.settled), CONVERGED)
-    unsupported = np.full(len(number), -1)
-    for verdict in (OVERLOADED, UNHELD_BALL, OVER_SHOULDER, NO_EQUILIBRIUM, NOT_CONVERGED):
-        hit = np.any([held.number == verdict for held in view.rows], axis=0)
-        number[hit] = verdict
-        unsupported[hit & (verdict == NO_EQUILIBRIUM)] = 0
+    number, unsupported = _gravest(view.rows, len(found.settled))
     near = found.residual <= TOLERANCE
     number[~(found.settled | near)] = NOT_CONVERGED
     escaped = ~found.settled & (found.escaping >= 0)
     number[escaped] = NO_EQUILIBRIUM
     unsupported[escaped] = np.where(found.escaping[escaped] == SLIDE, 0, found.escaping[escaped])
+    return number, unsupported
+
+
+def _gravest(rows: Sequence[Held], cases: int) -> tuple[IntArray, IntArray]:
+    """The gravest verdict on the rows of each case, and the unknown that nothing holds, or -1."""
+    number, unsupported = np.full(cases, CONVERGED), np.full(cases, -1)
+    for verdict in (OVERLOADED, UNHELD_BALL, OVER_SHOULDER, NO_EQUILIBRIUM, NOT_CONVERGED):
+        hit = np.any([held.number == verdict for held in rows], axis=0)
+        number[hit] = verdict
+        unsupported[hit & (verdict == NO_EQUILIBRIUM)] = 0
     return number, unsupported
 
 

@@ -1,8 +1,8 @@
 """Rows of balls on one ring: Newton's method on ring, cages and balls of all rows together.
 
 As `blocks` does for one row, many cases abreast; then each row is held in exact arithmetic where
-the proposal has it, and judged there. What comes out with every row in order and the ring in
-balance is the equilibrium; everything else is left to `rolamento.assembly.ring`.
+the proposal has it, and judged there. What comes out with a verdict on every row and the ring in
+balance is final; everything else is left to `rolamento.assembly.ring`.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from rolamento.rows.ball.blocks import any_astray, behind, fill
 from rolamento.rows.ball.set_lanes import SLIDE, STAND_ROWS, TILT, UNKNOWNS, WAY
 from rolamento.rows.ball.single import FAR, Ring, ring_around
 from rolamento.rows.ball.types import Array
-from rolamento.status import CONVERGED, NOT_CONVERGED
+from rolamento.status import CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED, OVERLOADED
 
 STATIC_STEPS: Final = 16
 MOVING_STEPS: Final = 30
@@ -70,7 +70,8 @@ class Found(NamedTuple):
     """What the kernel writes, over all cases.
 
     Of the ring: place, force (cases, UNKNOWNS), stiffness (cases, UNKNOWNS, UNKNOWNS), scaled;
-    residual, steps and whether it may be shown, (cases,). position: of all balls (cases, balls, 2).
+    residual, steps and whether the verdict on the rows is final, (cases,). position: of all balls,
+    (cases, balls, 2).
     Of the rows: displacement, reaction (rows, cases, 5), cage, row_residual, code (rows, cases),
     row_stiffness (rows, cases, 5, 5).
     """
@@ -345,7 +346,7 @@ def _judge(
             found.cage[row, case], found.position[case, a:z], ring, errors[: z - a],
         )  # fmt: skip
         found.code[row, case], found.row_residual[row, case] = code, residual
-        sound = sound and code == CONVERGED
+        sound = sound and code in (CONVERGED, OVERLOADED, NO_EQUILIBRIUM)
         found.reaction[row, case] = ring.reaction
         found.row_stiffness[row, case] = ring.matrix
         for i in range(layout.DEGREES_OF_FREEDOM):
