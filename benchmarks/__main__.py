@@ -31,6 +31,7 @@ from benchmarks import (
     lubrication,
     robustness,
     rollers,
+    sets,
     start,
     sweep,
     throughput,
@@ -64,6 +65,8 @@ class Effort:
     modulations: int
     line_contacts: int
     roller_cases: int
+    set_cases: int
+    set_sample: int
     recordings: tuple[float, float]
     app_moves: int
     app_requests: int
@@ -90,6 +93,8 @@ FULL = Effort(
     modulations=3,
     line_contacts=2000,
     roller_cases=10_000,
+    set_cases=50_000,
+    set_sample=30,
     recordings=(5.0, 60.0),
     app_moves=50,
     app_requests=10_000,
@@ -115,6 +120,8 @@ QUICK = Effort(
     modulations=1,
     line_contacts=100,
     roller_cases=500,
+    set_cases=2_000,
+    set_sample=2,
     recordings=(0.5, 2.0),
     app_moves=5,
     app_requests=400,
@@ -137,6 +144,7 @@ def steps(effort: Effort) -> list[tuple[str, Callable[[], Findings]]]:
         ),
         ("line contact", partial(line_contact.measure, e.line_contacts, 5, e.repeats)),
         ("rollers", partial(rollers.measure, e.roller_cases, 5, e.repeats)),
+        ("sets", partial(sets.measure, e.set_cases, e.set_sample, e.repeats)),
         ("start", partial(start.measure, e.runs)),
         ("one case", partial(interactive.measure, e.runs)),
         ("sweep", partial(sweep.measure, e.sweep_cases)),

@@ -56,6 +56,12 @@ def test_throughput(module: Any, name: str) -> None:
     assert values["converged"] == 100.0
 
 
+def test_sets_on_one_ring(module: Any) -> None:
+    findings = module("sets").measure(20, 2, 1)
+    assert findings.failures == []
+    assert all(figure.value > 0.0 for figure in findings.figures)
+
+
 def test_one_case(module: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     interactive = module("interactive")
     monkeypatch.setattr(interactive, "EXAMPLES", ("6305_film",))

@@ -200,7 +200,9 @@ def spread(
             continue
         position = _position(case.bearing, place, arrays, cases)
         if case.bearing.kind is not None:
-            grooved = OTHER_GROOVES[case.bearing.kind](case, place, common, arrays, cases)
+            grooved = OTHER_GROOVES[case.bearing.kind](
+                case, place, common, arrays, cases, threads=threads
+            )
             placed.append(PlacedRow(grooved, place.sign, position))
             continue
         bearing = _varied(case.bearing, place.bearing, _own_fields(case.bearing, place), arrays)

@@ -54,8 +54,13 @@ class System(Protocol[S]):
         """Solve all cases, or some; control: +1 or -1 (cases, balls) or (1, balls)."""
         ...
 
-    def verdict(self, solution: S, control: FloatArray) -> NDArray[np.int64]:
-        """Jones's criterion for every ball of every case; (cases, balls)."""
+    def verdict(
+        self, solution: S, control: FloatArray, which: NDArray[np.intp] | None = None
+    ) -> NDArray[np.int64]:
+        """Jones's criterion for every ball of all cases, or some; (cases, balls).
+
+        solution, control: of those cases.
+        """
         ...
 
 
@@ -70,8 +75,8 @@ def solve_by_jones(system: System[S]) -> tuple[S, FloatArray, NDArray[np.int64]]
     control = np.ones(system.shape)
     flips = np.zeros(system.shape, np.int64)
     solution = system.solve(control)
+    verdict = system.verdict(solution, control)
     for _ in range(PASSES):
-        verdict = system.verdict(solution, control)
         decided = (verdict != RacewayControl.INDETERMINATE) & (flips < FLIPS)
         wanted = np.where(decided, verdict, control)
         wanted[solution.number != status.CONVERGED] = control[solution.number != status.CONVERGED]
@@ -85,6 +90,6 @@ def solve_by_jones(system: System[S]) -> tuple[S, FloatArray, NDArray[np.int64]]
         part.iterations[:] += solution.iterations[changed]
         part.safe_path[:] |= solution.safe_path[changed]
         solution.put(changed, part)
-    verdict = system.verdict(solution, control)
+        verdict[changed] = system.verdict(part, control[changed], changed)
     confirmed = np.where(verdict == control, verdict, RacewayControl.INDETERMINATE)
     return solution, control, confirmed.astype(np.int64)

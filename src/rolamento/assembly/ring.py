@@ -17,6 +17,7 @@ Rigid-body kinematics; Harris, Rolling Bearing Analysis, 3rd ed. (1991), chapter
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -25,8 +26,10 @@ import numpy as np
 from rolamento.assembly.cases import Cases, PlacedRow
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.newton import Balance, balance
+from rolamento.rows.ball import sets
 from rolamento.rows.roller.row import RollerRow
 from rolamento.rows.row import Held, Indices, IntArray, Knowing, Row
+from rolamento.rows.sphere import SphereRow, from_outside, from_ring
 from rolamento.status import (
     CONVERGED,
     INVALID_INPUT,
@@ -41,6 +44,7 @@ from rolamento.status import (
 UNKNOWNS: Final = 6
 SLIDE: Final = 5  # of the spring-loaded outer rings
 PRECISION: Final = 1e-10
+_SHIFTS: Final = np.array([True, True, True, False, False])
 ANSWERED: Final = np.zeros(16, np.bool_)
 """By verdict on a row, whether it comes with its forces; no_equilibrium while it touches."""
 ANSWERED[[CONVERGED, OVERLOADED, UNHELD_BALL, OVER_SHOULDER, NO_EQUILIBRIUM]] = True
@@ -103,14 +107,28 @@ class RowsOnRing:
     def solve(self, control: FloatArray, which: Indices | None = None) -> RingSolution:
         """Solve all cases, or some."""
         chosen = np.arange(len(self.cases)) if which is None else which
+        asked = _Asked.of(self, chosen)
+        solution = _proposed(self, control, asked)
         control = np.broadcast_to(control, (len(chosen), self.shape[1]))
-        return _Problem.of(self, control, chosen).solve()
+        if solution is None:
+            return _Problem.of(self, control, asked).solve()
+        left = np.flatnonzero(solution.number == NOT_CONVERGED)
+        if len(left):
+            part = _Problem.of(self, control[left], _Asked.of(self, chosen[left])).solve()
+            solution.put(left, part)
+        return solution
 
-    def verdict(self, solution: RingSolution, control: FloatArray) -> IntArray:
-        """What guides every element by its row's own criterion; (cases, elements)."""
+    def verdict(
+        self, solution: RingSolution, control: FloatArray, which: Indices | None = None
+    ) -> IntArray:
+        """What guides every element of all cases, or some, by its row's own criterion.
+
+        (cases, elements).
+        """
+        chosen = slice(None) if which is None else which
         parts = zip(self.cases.rows, solution.rows, self.split(control), strict=True)
         return np.concatenate(
-            [placed.row.verdict(held, own) for placed, held, own in parts], axis=1
+            [placed.row.verdict(held, own, chosen) for placed, held, own in parts], axis=1
         )
 
     def split(self, control: FloatArray) -> list[FloatArray]:
@@ -120,32 +138,31 @@ class RowsOnRing:
 
 
 @dataclass(frozen=True, slots=True)
-class _Problem:
-    """Some cases as the equations of a ring, and where to begin.
+class _Asked:
+    """What is asked of some rings, and where they begin.
 
-    By row: control (cases, elements), transforms (cases, 5, 6), press (cases,). Of the ring: arms
-    (cases, 6), and scaled: free, target (what is asked of a free unknown) and start (where a held
-    one is), (cases, 6); before: steps that have led to the start, (cases,).
+    press: of each row, (cases,). arms (cases, 6), and scaled: free, target (what is asked of a free
+    unknown) and start (where a held one is), (cases, 6). sound: whether a case can be solved,
+    unheld: whether nothing can hold it, (cases,).
     """
 
-    system: RowsOnRing
     chosen: Indices
-    control: list[FloatArray]
-    transforms: list[FloatArray]
     press: list[FloatArray]
     arms: FloatArray
     free: BoolArray
     target: FloatArray
     start: FloatArray
-    before: IntArray
+    sound: BoolArray
+    unheld: BoolArray
 
     @classmethod
-    def of(cls, system: RowsOnRing, control: FloatArray, chosen: Indices) -> _Problem:
-        """Set up the chosen cases."""
+    def of(cls, system: RowsOnRing, chosen: Indices) -> _Asked:
+        """Take the chosen cases."""
         cases = system.cases
+        rows = [placed.row for placed in cases.rows]
         sprung = cases.preload == "spring"
         arms = np.ones((len(chosen), UNKNOWNS))
-        arms[:, 3:5] = cases.rows[0].row.sizes.arm[chosen, np.newaxis]
+        arms[:, 3:5] = rows[0].sizes.arm[chosen, np.newaxis]
         press = [press[chosen] for press in system.press]
         free = np.zeros((len(chosen), UNKNOWNS), np.bool_)
         target, held = np.zeros(free.shape), np.zeros(free.shape)
@@ -157,29 +174,119 @@ class _Problem:
         target, held = target / arms, held * arms
         touching = np.max([np.abs(e) for e in press], axis=0) > 0.0
         start = held + _pushed(cases, chosen, free & ~touching[:, np.newaxis], target)
-        before = _propose(cases, chosen, press[0], arms, start)
+        finite = cases.valid[chosen] & np.isfinite(target).all(axis=1)
+        finite &= np.isfinite(start).all(axis=1) & np.isfinite(np.sum(press, axis=0))
+        finite &= np.all([row.valid[chosen] for row in rows], axis=0)
+        unheld = finite & cases.unheld[chosen]
+        return cls(chosen, press, arms, free, target, start, finite & ~unheld, unheld)
+
+
+def _proposed(system: RowsOnRing, control: FloatArray, asked: _Asked) -> RingSolution | None:
+    """Solutions by the kernels that know of rings with rows of balls; None where they do not.
+
+    Judged row by row as when held there; what they do not find is left as not converged.
+    """
+    cases, chosen, arms = system.cases, asked.chosen, asked.arms
+    spheres = [row for row in (p.row for p in cases.rows) if isinstance(row, SphereRow)]
+    rows = sets.balls_only(
+        [placed.row for placed in cases.rows] if not spheres else [r.row for r in spheres]
+    )
+    if rows is None:
+        return None
+    target, start, solvable = asked.target, asked.start, asked.sound
+    tilt = start[:, 3:5] / arms[:, 3:5]
+    if spheres:  # as the tilted ring sees it, which a sphere does not know of
+        solvable = solvable & (asked.free[:, :5] == _SHIFTS).all(axis=1)
+        target, start = np.zeros_like(target), np.zeros_like(start)
+        target[:, :3] = from_ring(tilt, asked.target[:, :3])
+        start[:, :3] = from_ring(tilt, asked.start[:, :3])
+    stand = sets.standing(
+        [placed.sign for placed in cases.rows],
+        [placed.lever[chosen] for placed in cases.rows],
+        [placed.row.sizes.arm[chosen] for placed in cases.rows],
+        asked.press,
+        sprung=cases.preload == "spring",
+    )
+    parts = asked.free.astype(np.float64), target, start
+    found = sets.settle(rows, chosen, control, stand, parts, solvable)
+    if found is None:
+        return None
+    view = _View(found.force, found.stiffness, found.force[:, 0], found.sound, list(found.rows))
+    place = found.place
+    if spheres:
+        place[:, :3] = from_outside(tilt, found.place[:, :3])
+        place[:, 3:5] = asked.start[:, 3:5]
+        transforms = [transform(placed, sprung=False)[chosen] for placed in cases.rows]
+        answers = [
+            row.turned(held, (t[:, :, :5] @ (place / arms)[:, :5, np.newaxis])[..., 0])
+            for row, held, t in zip(spheres, found.rows, transforms, strict=True)
+        ]
+        view = _summed(answers, [t / arms[:, np.newaxis, :] for t in transforms])
+    number, unsupported = _gravest(view.rows, len(chosen))
+    number[~found.sound] = NOT_CONVERGED
+    number[~asked.sound] = INVALID_INPUT
+    number[asked.unheld], unsupported[asked.unheld] = NO_EQUILIBRIUM, 0
+    return RingSolution(
+        place=place / arms,
+        force=view.force * arms,
+        stiffness=view.stiffness * arms[:, :, np.newaxis] * arms[:, np.newaxis, :],
+        residual=found.residual,
+        number=number,
+        unsupported=unsupported,
+        iterations=found.steps,
+        safe_path=np.zeros(len(chosen), np.bool_),
+        rows=view.rows,
+    )
+
+
+def _summed(answers: Sequence[Held], transforms: Sequence[FloatArray]) -> _View:
+    """The rows' answers seen from the ring, summed up; transforms: (cases, 5, 6), scaled."""
+    n = len(transforms[0])
+    force, stiffness = np.zeros((n, UNKNOWNS)), np.zeros((n, UNKNOWNS, UNKNOWNS))
+    scale, sound = np.zeros(n), np.ones(n, np.bool_)
+    for held, t in zip(answers, transforms, strict=True):
+        back = np.swapaxes(t, 1, 2)
+        force += (back @ held.force[..., np.newaxis])[..., 0]
+        stiffness += back @ (held.stiffness @ t)
+        np.maximum(scale, held.scale, out=scale)
+        sound &= ANSWERED[held.number]
+    return _View(force, stiffness, scale, sound, list(answers))
+
+
+@dataclass(frozen=True, slots=True)
+class _Problem:
+    """Some cases as the equations of a ring, and where to begin.
+
+    By row: control (cases, elements), transforms (cases, 5, 6). start: (cases, 6), scaled; before:
+    steps that have led there, (cases,).
+    """
+
+    system: RowsOnRing
+    asked: _Asked
+    control: list[FloatArray]
+    transforms: list[FloatArray]
+    start: FloatArray
+    before: IntArray
+
+    @classmethod
+    def of(cls, system: RowsOnRing, control: FloatArray, asked: _Asked) -> _Problem:
+        """Set up the chosen cases."""
+        cases, start = system.cases, asked.start.copy()
+        sprung = cases.preload == "spring"
+        before = _propose(cases, asked.chosen, asked.press[0], asked.arms, start)
         return cls(
             system=system,
-            chosen=chosen,
+            asked=asked,
             control=system.split(control),
-            transforms=[transform(placed, sprung)[chosen] for placed in cases.rows],
-            press=press,
-            arms=arms,
-            free=free,
-            target=target,
+            transforms=[transform(placed, sprung)[asked.chosen] for placed in cases.rows],
             start=start,
             before=before,
         )
 
     def solve(self) -> RingSolution:
-        rows = [placed.row for placed in self.system.cases.rows]
-        finite = self.system.cases.valid[self.chosen] & np.isfinite(self.target).all(axis=1)
-        finite &= np.isfinite(self.start).all(axis=1) & np.isfinite(np.sum(self.press, axis=0))
-        finite &= np.all([row.valid[self.chosen] for row in rows], axis=0)
-        unheld = finite & self.system.cases.unheld[self.chosen]
-        which = np.flatnonzero(finite & ~unheld)
-        sizes = rows[0].sizes
-        of_ring = self.chosen[which]
+        asked, sizes = self.asked, self.system.cases.rows[0].row.sizes
+        which = np.flatnonzero(asked.sound & np.isfinite(self.start).all(axis=1))
+        of_ring = asked.chosen[which]
         seen: list[tuple[FloatArray, _View]] = []
 
         def look(some: Indices, u: FloatArray) -> _View:
@@ -190,37 +297,28 @@ class _Problem:
         found = balance(
             look,
             self.start[which],
-            self.target[which],
-            self.free[which],
+            asked.target[which],
+            asked.free[which],
             precision=PRECISION,
             longest=0.3 * sizes.reach[of_ring],
             limit=sizes.diameter[of_ring],
             reference=1.5e-6 * sizes.stiffness[of_ring],
         )
         solution = self._solution(which, found, seen)
-        solution.number[unheld], solution.unsupported[unheld] = NO_EQUILIBRIUM, 0
+        solution.number[asked.unheld], solution.unsupported[asked.unheld] = NO_EQUILIBRIUM, 0
         return solution
 
     def _view(self, which: Indices, u: FloatArray) -> _View:
         """Hold every row where the ring holds it, and sum up what they answer."""
-        n = len(which)
-        force, stiffness = np.zeros((n, UNKNOWNS)), np.zeros((n, UNKNOWNS, UNKNOWNS))
-        scale, sound = np.zeros(n), np.ones(n, np.bool_)
+        chosen, arms = self.asked.chosen[which], self.asked.arms[which]
         answers: list[Held] = []
-        arms = self.arms[which]
-        parts = zip(self.system.cases.rows, self.transforms, self.press, self.control, strict=True)
-        for placed, transforms, press, control in parts:
-            t = transforms[which] / arms[:, np.newaxis, :]
+        transforms = [t[which] / arms[:, np.newaxis, :] for t in self.transforms]
+        parts = zip(self.system.cases.rows, transforms, self.asked.press, self.control, strict=True)
+        for placed, t, press, control in parts:
             place = (t @ u[..., np.newaxis])[..., 0]
             place[:, 0] += press[which]
-            held = placed.row.held(place, self.chosen[which], control[which])
-            answers.append(held)
-            back = np.swapaxes(t, 1, 2)
-            force += (back @ held.force[..., np.newaxis])[..., 0]
-            stiffness += back @ (held.stiffness @ t)
-            np.maximum(scale, held.scale, out=scale)
-            sound &= ANSWERED[held.number]
-        return _View(force, stiffness, scale, sound, answers)
+            answers.append(placed.row.held(place, chosen, control[which]))
+        return _summed(answers, transforms)
 
     def _solution(
         self, which: Indices, found: Balance, seen: list[tuple[FloatArray, _View]]
@@ -229,7 +327,7 @@ class _Problem:
 
         seen: the last place where all rings were looked at together, and how.
         """
-        n = len(self.chosen)
+        n = len(self.asked.chosen)
         solution = RingSolution(
             place=np.full((n, UNKNOWNS), np.nan),
             force=np.full((n, UNKNOWNS), np.nan),
@@ -245,7 +343,7 @@ class _Problem:
             return solution
         known = [view for u, view in seen if np.array_equal(u, found.displacement)]
         view = known[0] if known else self._view(which, found.displacement)
-        arms = self.arms[which]
+        arms = self.asked.arms[which]
         solution.place[which] = found.displacement / arms
         solution.force[which] = view.force * arms
         solution.stiffness[which] = view.stiffness * arms[:, :, np.newaxis] * arms[:, np.newaxis, :]
@@ -275,7 +373,7 @@ def _propose(
         return steps
     which = chosen[known]
     place, settled, taken = placed.row.near(
-        cases.free[which], cases.load[which], cases.displacement[which], which
+        cases.free[which], cases.load[which], start[known, :5] / arms[known, :5], which
     )
     rows = np.flatnonzero(known)[settled]
     start[rows, :5] = place[settled] * arms[rows, :5]
@@ -320,17 +418,22 @@ def transform(placed: PlacedRow, sprung: bool) -> FloatArray:
 
 def _judged(found: Balance, view: _View) -> tuple[IntArray, IntArray]:
     """The verdict on each case: the ring's own, or the gravest of its rows'."""
-    number = np.full(len(found.settled), CONVERGED)
-    unsupported = np.full(len(number), -1)
-    for verdict in (OVERLOADED, UNHELD_BALL, OVER_SHOULDER, NO_EQUILIBRIUM, NOT_CONVERGED):
-        hit = np.any([held.number == verdict for held in view.rows], axis=0)
-        number[hit] = verdict
-        unsupported[hit & (verdict == NO_EQUILIBRIUM)] = 0
+    number, unsupported = _gravest(view.rows, len(found.settled))
     near = found.residual <= TOLERANCE
     number[~(found.settled | near)] = NOT_CONVERGED
     escaped = ~found.settled & (found.escaping >= 0)
     number[escaped] = NO_EQUILIBRIUM
     unsupported[escaped] = np.where(found.escaping[escaped] == SLIDE, 0, found.escaping[escaped])
+    return number, unsupported
+
+
+def _gravest(rows: Sequence[Held], cases: int) -> tuple[IntArray, IntArray]:
+    """The gravest verdict on the rows of each case, and the unknown that nothing holds, or -1."""
+    number, unsupported = np.full(cases, CONVERGED), np.full(cases, -1)
+    for verdict in (OVERLOADED, UNHELD_BALL, OVER_SHOULDER, NO_EQUILIBRIUM, NOT_CONVERGED):
+        hit = np.any([held.number == verdict for held in rows], axis=0)
+        number[hit] = verdict
+        unsupported[hit & (verdict == NO_EQUILIBRIUM)] = 0
     return number, unsupported
 
 

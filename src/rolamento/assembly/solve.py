@@ -105,9 +105,11 @@ class _Alone:
         """Solve all cases, or some."""
         return self.row.alone(control, which)
 
-    def verdict(self, solution: HeldBalls, control: FloatArray) -> IntArray:
-        """Jones's criterion for every ball; (cases, balls)."""
-        return self.row.verdict(solution, control)
+    def verdict(
+        self, solution: HeldBalls, control: FloatArray, which: Indices | None = None
+    ) -> IntArray:
+        """Jones's criterion for every ball of all cases, or some; (cases, balls)."""
+        return self.row.verdict(solution, control, slice(None) if which is None else which)
 
 
 def _guided(system: System[S], mode: str) -> tuple[S, FloatArray, IntArray]:

@@ -34,8 +34,9 @@ _VECTORISABLE = {"reassoc", "arcp", "contract", "afn", "nsz"}
 _FAMILIES = (  # where kernels live, each with the formulas that they are compiled from
     ("numerics", "rows/ball", "rows/ball/traction"),
     ("numerics", "contact", "rows/roller"),
+    ("numerics", "rows"),
 )
-_CONSTANTS = frozenset({"compiled", "layout"})  # files without kernels that shape them
+_CONSTANTS = frozenset({"compiled", "layout", "newton"})  # files without kernels that shape them
 
 
 class Kernel(Generic[P, R]):
@@ -117,6 +118,7 @@ def _numba() -> Any:
     import llvmlite.binding
     import numba
 
+    _without_linear_algebra()
     llvmlite.binding.set_option("rolamento", "--memory-check-merge-threshold=1000")
     from numba.core import types
     from numba.extending import typeof_impl
@@ -126,6 +128,21 @@ def _numba() -> Any:
         return types.Dispatcher(value.compiled)
 
     return numba
+
+
+def _without_linear_algebra() -> None:
+    """Load what Numba knows of arrays without SciPy's linear algebra, which takes as long again.
+
+    Numba imports that only to say whether it is there, and anew where a kernel would call it.
+    """
+    linalg: Any = import_module("numba.np.linalg")
+    looks = linalg.ensure_blas
+    linalg.ensure_blas = lambda: None
+    try:
+        arrays: Any = import_module("numba.np.arraymath")
+        arrays.ensure_blas = looks
+    finally:
+        linalg.ensure_blas = looks
 
 
 @cache

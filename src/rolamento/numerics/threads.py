@@ -1,14 +1,30 @@
-"""How many threads share a calculation."""
+"""How a calculation is shared out: to threads, or one small case to plain Python."""
 
 from __future__ import annotations
 
+import logging
 import operator
 import os
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from time import perf_counter
+from typing import Any, Final
+
+import numpy as np
 
 from rolamento.errors import InputError
+from rolamento.numerics.compiled import Kernel
 from rolamento.words import said
 
-__all__ = ["thread_count"]
+__all__ = ["share_out", "thread_count"]
+
+_log = logging.getLogger("rolamento")
+
+LONG: Final = 1.0
+"""Seconds of plain Python in this process after which the compiler is worth loading."""
+_spent: Final = [0.0]
+_ready: Final[set[Kernel[..., None]]] = set()
+"""What has been compiled or loaded: to ask each time takes as long as a small case."""
 
 
 def thread_count(threads: int | None) -> int:
@@ -33,3 +49,38 @@ def thread_count(threads: int | None) -> int:
             example="threads=2",
         )
     return count
+
+
+def share_out(
+    kernel: Kernel[..., None],
+    run: Callable[[Callable[..., Any], int, int], None],
+    cases: int,
+    *,
+    chunk: int,
+    threads: int | None,
+    little: bool,
+) -> None:
+    """Run a kernel over many cases, in chunks, by threads.
+
+    run: takes the kernel, compiled or plain, the first case and the one after the last. little:
+    whether they are less work than loading the compiler: then they run as plain Python while it is
+    not loaded.
+    """
+    if little and kernel not in _ready and (_spent[0] < LONG or not kernel.is_cached):
+        start = perf_counter()
+        with np.errstate(all="ignore"):
+            run(kernel, 0, cases)
+        _spent[0] += perf_counter() - start
+        return
+    if kernel not in _ready and cases and not kernel.is_cached:
+        _log.warning("compiling the solver for this machine, once: this takes about half a minute")
+    compiled = kernel.compiled
+    _ready.add(kernel)
+    starts = range(0, cases, chunk)
+    workers = min(thread_count(threads), len(starts))
+    if workers <= 1:
+        for first in starts:
+            run(compiled, first, min(first + chunk, cases))
+        return
+    with ThreadPoolExecutor(workers) as pool:
+        list(pool.map(lambda first: run(compiled, first, min(first + chunk, cases)), starts))

@@ -22,15 +22,16 @@ Anderson (1973), Analysis of an arched outer-race ball bearing, for the arcs.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, fields, replace
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, fields
+from functools import lru_cache
 from typing import Any, Final, Self, cast
 
 import numpy as np
 from numpy.polynomial import chebyshev
 
 from rolamento.case import Case
-from rolamento.case.bearing import RowPlace
+from rolamento.case.bearing import Bearing, RowPlace
 from rolamento.contact.hertz import effective_modulus, series_stiffness
 from rolamento.geometry import edge_cosine, groove_places
 from rolamento.kinematics import (
@@ -40,47 +41,33 @@ from rolamento.kinematics import (
     nominal_orbit,
 )
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.numerics.newton import Balance, balance
+from rolamento.numerics.compiled import Kernel
+from rolamento.numerics.threads import share_out
+from rolamento.rows import flanks as kernels
 from rolamento.rows.ball.problem import directions
+from rolamento.rows.flanks import ROUNDING, TERMS
 from rolamento.rows.row import Held, Indices, IntArray, RowGeometry, RowSizes
 from rolamento.solved import Elements, Index, Pressed, Tables
 from rolamento.static import race_stiffness
-from rolamento.status import (
-    CONVERGED,
-    INVALID_INPUT,
-    NOT_CONVERGED,
-    OVER_SHOULDER,
-    OVERLOADED,
-    TOLERANCE,
-)
+from rolamento.status import INVALID_INPUT
 
 __all__ = ["GrooveRow", "four_point_row", "thrust_row"]
 
-TERMS: Final = 14
-"""Chebyshev terms in cos α, from -1 to 1, that give K to 1e-13 of its value up to D/d_m = 0.3,
-to 2e-10 up to 0.5."""
-PRECISION: Final = 1e-11
 NEGLIGIBLE: Final = 1e-7
 """Of the ball's diameter: an approach whose load is none, beside which balls are in balance."""
-ROUNDING: Final = 1e-13
-"""Of an arc's length L: a lesser approach is no contact."""
-POSITION_ROUNDING: Final = 4.0 * np.finfo(np.float64).eps
-"""Of an arc's length L: how exactly a ball has a place beside it."""
-EDGE: Final = 1e-9
-"""Cosine: a contact at the very end of a half circle is past it."""
-GREATEST_APPROACH: Final = 0.02
-"""Of the ball's diameter: beyond is no elastic contact."""
+CHUNK: Final = 64
+LITTLE: Final = 100
+"""Balls of one case that are solved without the compiler, if it is not loaded."""
 
 
 @dataclass(frozen=True, slots=True)
 class _Race:
-    """One ring's arcs: L, their shift, the edge, and K as polynomials; (cases,), (terms, cases)."""
+    """One ring's arcs: L, their shift, the edge, K as a polynomial; (cases,), (terms, cases)."""
 
     length: FloatArray
     shift: FloatArray
     edge: FloatArray
     stiffness: FloatArray
-    slope: FloatArray
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,17 +94,13 @@ class _Numbers:
     orbit: FloatArray
     force: FloatArray
     shown_moment: FloatArray
-    rest: FloatArray
-    """Where F_c alone presses a ball into the outer ring; (cases, 2)."""
 
 
 @dataclass(frozen=True, slots=True)
 class _Contact:
-    """One arc on some balls: load, force (…, 2), its derivative (…, 2, 2), approach, angle."""
+    """One arc on some balls: load, approach and the normal (…, 2)."""
 
     load: FloatArray
-    force: FloatArray
-    tangent: FloatArray
     approach: FloatArray
     direction: FloatArray
 
@@ -148,13 +131,18 @@ class HeldOnGrooves:
 
 @dataclass(frozen=True, slots=True)
 class GrooveRow:
-    """Many cases of a row of balls on one or two flanks, each +1 or -1."""
+    """Many cases of a row of balls on one or two flanks, each +1 or -1.
+
+    p: the numbers as the kernels have them, a column a case; sound: which cases can be solved.
+    """
 
     numbers: _Numbers
+    p: FloatArray
     element_count: int
     flanks: tuple[float, ...]
     geometry: RowGeometry
     sound: BoolArray
+    threads: int | None = None
 
     @property
     def cases(self) -> int:
@@ -202,71 +190,41 @@ class GrooveRow:
 
     def held(self, place: FloatArray, which: Indices, control: FloatArray) -> HeldOnGrooves:
         """Hold some of the cases at a place; (len(which), 5)."""
-        if not len(which):
-            return self.nothing(0)
-        n = _taken(self.numbers, which)
-        cases, balls = len(which), self.element_count
-        cosine, sine = self._azimuth(n)
-        centre = _inner_centres(n, place, cosine, sine)
-        share = (n.outer.length / (n.outer.length + n.inner.length))[:, np.newaxis, np.newaxis]
-        of_ball = np.repeat(np.arange(cases), balls)
-        ball = _taken(n, of_ball)
-        centres = centre.reshape(-1, 2)
-        line = (share * centre).reshape(-1, 2)
-        if len(self.flanks) == 1:  # two flanks are even about the middle
-            line[:, 0] += np.repeat(share.ravel() * (n.inner.shift + n.outer.shift), balls)
-            line[:, 0] -= ball.outer.shift
-        gripped = [_flank(ball, k, centres, line)[0].load > ball.force for k in self.flanks]
-        loose = (ball.rest[:, 1] > 0.0) & ~np.any(gripped, axis=0)
-        start = np.where(loose[:, np.newaxis], ball.rest, line)
-        found = _balanced(ball, self.flanks, centres, start)
-        at_rest = found.displacement
-        parts = [_flank(ball, flank, centres, at_rest) for flank in self.flanks]
-        by_ring = np.sum([inner.tangent for inner, _ in parts], axis=0)
-        by_ball = by_ring + np.sum([outer.tangent for _, outer in parts], axis=0)
-        tangent = by_ring - by_ring @ _solved_2x2(by_ball, by_ring)
-        lever = _levers(n, cosine, sine)
-        forces = np.stack([inner.force.reshape(cases, balls, 2) for inner, _ in parts], axis=1)
-        face_forces = np.einsum("nbij,nfbi->nfj", lever, forces)
-        tangents = tangent.reshape(cases, balls, 2, 2)
-        load = np.max([inner.load for inner, _ in parts], axis=0).reshape(cases, balls).max(axis=1)
-        total = face_forces.sum(axis=1)
-        arms = np.stack([np.ones(cases)] * 3 + [n.arm] * 2, axis=1)
-        residual = found.residual.reshape(cases, balls).max(axis=1)
-        return HeldOnGrooves(
-            place=place.copy(),
-            position=at_rest.reshape(cases, balls, 2),
-            face_forces=face_forces,
-            stiffness=np.einsum("nbij,nbik,nbkl->njl", lever, tangents, lever, optimize=True),
-            scale=np.maximum(np.maximum(load, np.abs(total / arms).max(axis=1)), _floor(n)),
-            number=self._judged(ball, parts, residual, cases),
-            residual=residual,
-            safe_path=np.zeros(cases, np.bool_),
-        )
+        held = self.nothing(len(which))
+        held.place[:] = place
+        out = (
+            held.position, held.face_forces, held.stiffness, held.scale, held.residual, held.number
+        )  # fmt: skip
+        p, flanks, cosines, sines = self._arrays(which)
 
-    def _judged(
-        self,
-        ball: _Numbers,
-        parts: list[tuple[_Contact, _Contact]],
-        residual: FloatArray,
-        cases: int,
-    ) -> IntArray:
-        """Return the gravest of what happens to the balls of each case; (cases,)."""
-        number = np.full(cases, CONVERGED)
-        deep, past = np.zeros(cases, np.bool_), np.zeros(cases, np.bool_)
-        for flank, contacts in zip(self.flanks, parts, strict=True):
-            bottom = ball.bottom * [flank, 1.0]
-            for contact, race in zip(contacts, (ball.inner, ball.outer), strict=True):
-                pressed = contact.load > 0.0
-                end = race.edge + EDGE
-                over = pressed & ((contact.direction * bottom).sum(axis=-1) < end)
-                past |= over.reshape(cases, -1).any(axis=1)
-                sunk = pressed & (contact.approach > GREATEST_APPROACH * ball.diameter)
-                deep |= sunk.reshape(cases, -1).any(axis=1)
-        number[deep] = OVERLOADED
-        number[past & ~deep] = OVER_SHOULDER
-        number[~(residual <= TOLERANCE)] = NOT_CONVERGED
-        return number
+        def run(kernel: Callable[..., Any], first: int, last: int) -> None:
+            kernel(p, flanks, cosines, sines, held.place, first, last, out)
+
+        self._share_out(kernels.hold_cases, run, len(which))
+        return held
+
+    def near(
+        self, free: BoolArray, load: FloatArray, place: FloatArray, which: Indices
+    ) -> tuple[FloatArray, BoolArray, IntArray]:
+        """Where the ring of a bearing that is this row comes to rest, as `rows.row.Knowing`."""
+        p, flanks, cosines, sines = self._arrays(which)
+        rings = np.ascontiguousarray(place)
+        settled, steps = np.zeros(len(which), np.bool_), np.zeros(len(which), np.int64)
+
+        def run(kernel: Callable[..., Any], first: int, last: int) -> None:
+            kernel(p, flanks, cosines, sines, free, load, rings, first, last, settled, steps)
+
+        self._share_out(kernels.settle_cases, run, len(which))
+        return rings, settled | kernels.beyond(p, rings), steps
+
+    def _arrays(self, which: Indices) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+        """What the kernels take of some cases: numbers, flanks, and the directions of the balls."""
+        p = np.ascontiguousarray(self.p[:, which])
+        return (p, np.array(self.flanks), *directions(self.element_count))
+
+    def _share_out(self, kernel: Kernel[..., None], run: Callable[..., None], cases: int) -> None:
+        little = cases == 1 and self.element_count * len(self.flanks) <= LITTLE
+        share_out(kernel, run, cases, chunk=CHUNK, threads=self.threads, little=little)
 
     def nothing(self, cases: int) -> HeldOnGrooves:
         """Make room for so many cases without a result."""
@@ -292,9 +250,9 @@ class GrooveRow:
         """No preload is put on such rows; (cases,), NaN."""
         return np.full(self.cases, np.nan)
 
-    def verdict(self, held: Held, control: FloatArray) -> IntArray:
+    def verdict(self, held: Held, control: FloatArray, which: Index) -> IntArray:
         """Return the control as it is: what guides a ball has no part in this balance."""
-        return np.asarray(np.broadcast_to(control, (self.cases, self.element_count)), np.int64)
+        return control.astype(np.int64)
 
     def answer(
         self, held: Held, control: FloatArray, shown: IntArray, lost: BoolArray
@@ -304,9 +262,6 @@ class GrooveRow:
         balls.position[lost], balls.place[lost] = np.nan, np.nan
         codes = np.broadcast_to(shown, (self.cases, self.element_count))
         return GrooveAnswer(self.numbers, self.flanks, balls.place, balls.position, codes)
-
-    def _azimuth(self, n: _Numbers) -> tuple[FloatArray, FloatArray]:
-        return _directions(n.first, self.element_count)
 
 
 @dataclass(frozen=True, slots=True)
@@ -415,22 +370,34 @@ class GrooveAnswer:
 
 
 def four_point_row(
-    case: Case, place: RowPlace, bearing: Any, varied: Mapping[str, FloatArray], cases: int
+    case: Case,
+    place: RowPlace,
+    bearing: Any,
+    varied: Mapping[str, FloatArray],
+    cases: int,
+    *,
+    threads: int | None = None,
 ) -> GrooveRow:
     """The numbers of a four-point row; bearing: attributes, numbers or arrays (cases,).
 
     Both arcs of a ring stand off its middle by s = (f - ½) D sin α_s.
     """
     with np.errstate(invalid="ignore", divide="ignore"):
-        return _row(case, place, bearing, varied, cases, (1.0, -1.0))
+        return _row(case, place, bearing, varied, cases, (1.0, -1.0), threads)
 
 
 def thrust_row(
-    case: Case, place: RowPlace, bearing: Any, varied: Mapping[str, FloatArray], cases: int
+    case: Case,
+    place: RowPlace,
+    bearing: Any,
+    varied: Mapping[str, FloatArray],
+    cases: int,
+    *,
+    threads: int | None = None,
 ) -> GrooveRow:
     """The numbers of a thrust row; as `four_point_row`."""
     with np.errstate(invalid="ignore", divide="ignore"):
-        return _row(case, place, bearing, varied, cases, (1.0,))
+        return _row(case, place, bearing, varied, cases, (1.0,), threads)
 
 
 def _row(
@@ -440,6 +407,7 @@ def _row(
     varied: Mapping[str, FloatArray],
     cases: int,
     flanks: tuple[float, ...],
+    threads: int | None,
 ) -> GrooveRow:
     diameter, pitch = (_column(getattr(bearing, n), cases) for n in _BALLS)
     given = {n: getattr(bearing, n) for n in ("contact_angle", "diametral_clearance")}
@@ -461,20 +429,19 @@ def _row(
         shifts = {"inner": inner_length * sine, "outer": outer_length * sine}
         toward = np.tile([1.0, 0.0], (cases, 1))
         bottom = np.tile([0.0, 1.0], (cases, 1))
-    nodes = chebyshev.chebpts1(TERMS)
-    exact = race_stiffness(bearing, np.arccos(nodes)[:, np.newaxis])
-    races = {}
-    for race, length in (("inner", inner_length), ("outer", outer_length)):
-        values = np.broadcast_to(getattr(exact, race), (TERMS, cases))
-        # the discrete transform at the nodes; exact.inner may be NaN, which a fit would not take
-        fit = np.linalg.solve(chebyshev.chebvander(nodes, TERMS - 1), values)
-        races[race] = _Race(
+    plain = not any(name.startswith("bearing.") for name in varied)
+    fits = _stiffness_of(place.bearing) if plain else _stiffness(bearing, cases)
+    races = {
+        race: _Race(
             length=length,
             shift=shifts[race],
             edge=_column(edge_cosine(bearing, race), cases),  # type: ignore[arg-type]
-            stiffness=fit,
-            slope=np.asarray(chebyshev.chebder(fit)),
+            stiffness=np.broadcast_to(fit, (TERMS, cases)),
         )
+        for race, length, fit in zip(
+            ("inner", "outer"), (inner_length, outer_length), fits, strict=True
+        )
+    }
     duty, model = case.duty, case.model
     speeds = [_column(varied.get(f"duty.{n}", getattr(duty, n)), cases) for n in _SPEEDS]
     first = varied.get("duty.first_ball_azimuth", np.asarray(duty.first_ball_azimuth))
@@ -498,21 +465,60 @@ def _row(
         orbit=_column(orbit, cases),
         force=_column(model.centrifugal_force * centrifugal_force(mass, pitch, orbit), cases),
         shown_moment=np.full(cases, float(model.gyroscopic_moment)),
-        rest=np.zeros((cases, 2)),
     )
-    if len(flanks) > 1 and (numbers.force > 0.0).any():
-        numbers = replace(numbers, rest=_rest(numbers, flanks))
     shown = 0.0 if bearing.contact_angle is None else bearing.contact_angle
     geometry = (
         diameter, pitch, bearing.inner_conformity, bearing.outer_conformity, shown, modulus,
     )  # fmt: skip
     return GrooveRow(
         numbers,
+        _columns(numbers),
         place.bearing.element_count,
         flanks,
         RowGeometry(*(_column(one, cases) for one in geometry)),
         np.ones(cases, np.bool_),
+        threads,
     )
+
+
+@lru_cache(maxsize=256)
+def _stiffness_of(bearing: Bearing) -> tuple[FloatArray, FloatArray]:
+    """K of both races of one bearing; not to be written to."""
+    return _stiffness(bearing, 1)
+
+
+def _stiffness(bearing: Any, cases: int) -> tuple[FloatArray, FloatArray]:
+    """K of both races as polynomials in cos α; (TERMS, cases) each."""
+    nodes = chebyshev.chebpts1(TERMS)
+    exact = race_stiffness(bearing, np.arccos(nodes)[:, np.newaxis])
+    # the discrete transform at the nodes; exact.inner may be NaN, which a fit would not take
+    at_nodes = chebyshev.chebvander(nodes, TERMS - 1)
+    inner, outer = (
+        np.asarray(np.linalg.solve(at_nodes, np.broadcast_to(values, (TERMS, cases))), np.float64)
+        for values in (exact.inner, exact.outer)
+    )
+    return inner, outer
+
+
+def _columns(n: _Numbers) -> FloatArray:
+    """The numbers as the kernels have them; (kernels.COLUMN, cases)."""
+    p = np.empty((kernels.COLUMN, len(n.arm)))
+    for first, race in ((kernels.INNER, n.inner), (kernels.OUTER, n.outer)):
+        p[first + kernels.LENGTH], p[first + kernels.SHIFT] = race.length, race.shift
+        p[first + kernels.RACE_EDGE] = race.edge
+        p[first + kernels.STIFFNESS : first + kernels.SLOPE] = race.stiffness
+        slope = np.asarray(chebyshev.chebder(race.stiffness))
+        p[first + kernels.SLOPE : first + kernels.SLOPE + TERMS - 1] = slope
+    p[kernels.RADIAL_OFFSET], p[kernels.ARM], p[kernels.DIAMETER] = (
+        n.radial_offset, n.arm, n.diameter
+    )  # fmt: skip
+    p[kernels.TOWARD : kernels.TOWARD + 2] = n.toward.T
+    p[kernels.BOTTOM : kernels.BOTTOM + 2] = n.bottom.T
+    p[kernels.FORCE] = n.force
+    p[kernels.COS_FIRST], p[kernels.SIN_FIRST] = np.cos(n.first), np.sin(n.first)
+    p[kernels.BOTH] = both = _both(n)
+    p[kernels.FLOOR] = both * (NEGLIGIBLE * n.diameter) ** 1.5
+    return p
 
 
 _BALLS: Final = ("ball_diameter", "pitch_diameter")
@@ -527,8 +533,8 @@ def _taken(numbers: _Numbers, index: Index) -> _Numbers:
     """Some of the cases, as often as they are named; polynomials have them last."""
 
     def of_race(race: _Race) -> _Race:
-        stiffness, slope = race.stiffness[:, index], race.slope[:, index]
-        return _Race(race.length[index], race.shift[index], race.edge[index], stiffness, slope)
+        lengths = race.length[index], race.shift[index], race.edge[index]
+        return _Race(*lengths, race.stiffness[:, index])
 
     plain = {
         one.name: getattr(numbers, one.name)[index]
@@ -586,64 +592,12 @@ def _contact(race: _Race, stretch: FloatArray, own_side: FloatArray) -> _Contact
     on_it = (normal * own_side).sum(axis=-1) > 0.0
     on_it &= approach > ROUNDING * race.length
     pressed = np.where(on_it, approach, 0.0 * approach)
-    root = np.sqrt(pressed)
-    cosine = normal[:, 1]
-    stiffness, slope = _with_slope(race, cosine)
-    load = stiffness * pressed * root
-    turn = np.stack([-normal[:, 0] * normal[:, 1], normal[:, 0] ** 2], axis=1)
-    turn /= distance[:, np.newaxis]  # gradient of cos α
-    rise = (1.5 * stiffness * root)[:, np.newaxis] * normal
-    rise += (slope * pressed * root)[:, np.newaxis] * turn
-    across = np.eye(2) - normal[:, :, np.newaxis] * normal[:, np.newaxis, :]
-    tangent = normal[:, :, np.newaxis] * rise[:, np.newaxis, :]
-    tangent += (load / distance)[:, np.newaxis, np.newaxis] * across
-    return _Contact(load, load[:, np.newaxis] * normal, tangent, approach, normal)
+    load = _polynomial(race.stiffness, normal[:, 1]) * pressed * np.sqrt(pressed)
+    return _Contact(load, approach, normal)
 
 
 def _polynomial(coefficients: FloatArray, cosine: FloatArray) -> FloatArray:
     return np.asarray(chebyshev.chebval(cosine, coefficients, tensor=False))
-
-
-def _with_slope(race: _Race, cosine: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """K and dK/d cos α, both of the same Chebyshev polynomials T_k = 2 cos α T_k-1 - T_k-2."""
-    basis = np.empty((TERMS, len(cosine)))
-    basis[0], basis[1] = 1.0, cosine
-    twice = 2.0 * cosine
-    for k in range(2, TERMS):
-        basis[k] = twice * basis[k - 1] - basis[k - 2]
-    slope = np.einsum("kn,kn->n", race.slope, basis[:-1])
-    return np.einsum("kn,kn->n", race.stiffness, basis), slope
-
-
-@dataclass(frozen=True, slots=True)
-class _OnBalls:
-    """What resists the balls, as `numerics.newton` asks for it."""
-
-    force: FloatArray
-    stiffness: FloatArray
-    scale: FloatArray
-    sound: BoolArray
-
-
-def _on_balls(
-    n: _Numbers,
-    flanks: tuple[float, ...],
-    centre: FloatArray,
-    position: FloatArray,
-    floor: FloatArray,
-) -> _OnBalls:
-    force, stiffness = np.zeros(position.shape), np.zeros((len(position), 2, 2))
-    scale = np.maximum(floor, n.force)
-    for flank in flanks:
-        inner, outer = _flank(n, flank, centre, position)
-        force += outer.force - inner.force
-        stiffness += outer.tangent + inner.tangent
-        scale = np.maximum(scale, np.maximum(inner.load, outer.load))
-    # a light contact's approach is the difference of two lengths: no step betters its rounding
-    rounding = POSITION_ROUNDING * np.maximum(n.inner.length, n.outer.length)
-    stiffest = np.einsum("nii->ni", stiffness).max(axis=1)
-    scale = np.maximum(scale, rounding * stiffest / PRECISION)
-    return _OnBalls(force, stiffness, scale, np.asarray(np.isfinite(force).all(axis=1)))
 
 
 def _both(n: _Numbers) -> FloatArray:
@@ -652,52 +606,6 @@ def _both(n: _Numbers) -> FloatArray:
     return series_stiffness(
         _polynomial(n.inner.stiffness, middle), _polynomial(n.outer.stiffness, middle)
     )
-
-
-def _floor(n: _Numbers) -> FloatArray:
-    """A load that counts as none (N)."""
-    return np.asarray(_both(n) * (NEGLIGIBLE * n.diameter) ** 1.5)
-
-
-def _balanced(
-    n: _Numbers, flanks: tuple[float, ...], centre: FloatArray, start: FloatArray
-) -> Balance:
-    """Where the balls are in balance, from a start; n, centre, start by ball."""
-    floor, stiffness = _floor(n), _both(n)
-    target = np.zeros(start.shape)
-    target[:, 1] = n.force
-    reach = n.inner.length + n.outer.length
-    return balance(
-        lambda some, x: _on_balls(_taken(n, some), flanks, centre[some], x, floor[some]),
-        start,
-        target,
-        np.ones(target.shape, np.bool_),
-        precision=PRECISION,
-        longest=0.3 * reach,
-        limit=n.diameter + reach,
-        reference=1.5e-6 * stiffness,
-    )
-
-
-def _rest(n: _Numbers, flanks: tuple[float, ...]) -> FloatArray:
-    """Where F_c alone presses a ball into the outer ring, the inner far away; (cases, 2)."""
-    start = np.zeros((len(n.force), 2))
-    start[:, 1] = n.outer.length
-    far = start.copy()  # the inner arcs' centres near the ball's own: none touches it
-    return _balanced(n, flanks, far, start).displacement
-
-
-def _solved_2x2(matrix: FloatArray, right: FloatArray) -> FloatArray:
-    """M⁻¹ R of small matrices; zero where M has no inverse: nothing holds that ball."""
-    a, b, c, d = matrix[:, 0, 0], matrix[:, 0, 1], matrix[:, 1, 0], matrix[:, 1, 1]
-    determinant = a * d - b * c
-    adjoint = np.stack([np.stack([d, -b], axis=1), np.stack([-c, a], axis=1)], axis=1)
-    known = determinant != 0.0
-    inverse = np.divide(
-        adjoint, determinant[:, np.newaxis, np.newaxis], where=known[:, np.newaxis, np.newaxis],
-        out=np.zeros_like(adjoint),
-    )  # fmt: skip
-    return np.asarray(inverse @ right)
 
 
 def _pressed(contact: _Contact, angle: FloatArray, spin: FloatArray, roll: FloatArray) -> Pressed:

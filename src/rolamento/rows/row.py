@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.solved import Answer
+from rolamento.solved import Answer, Index
 
 Indices = NDArray[np.intp]
 IntArray = NDArray[np.int64]
@@ -160,8 +160,11 @@ class Row(Protocol):
         """Place along x under an axial force at rest; (cases,), m, NaN where there is none."""
         ...
 
-    def verdict(self, held: Held, control: FloatArray) -> IntArray:
-        """Which race would guide each element by its own criterion; (cases, elements)."""
+    def verdict(self, held: Held, control: FloatArray, which: Index) -> IntArray:
+        """Which race would guide each element by its own criterion; (cases, elements).
+
+        which: the cases that are held.
+        """
         ...
 
     def answer(self, held: Held, control: FloatArray, shown: IntArray, lost: BoolArray) -> Answer:
@@ -183,7 +186,7 @@ class Knowing(Protocol):
 
         (len(which), 5) and (len(which),).
 
-        free: whether the load is given on a degree of freedom, else the place; of the chosen
-        cases, (len(which), 5) each.
+        free: whether the load is given on a degree of freedom, else the place; place: that, or
+        where to begin; of the chosen cases, (len(which), 5) each.
         """
         ...

@@ -21,8 +21,9 @@ import numpy as np
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.rows.ball.row import BallAnswer, BallRow, HeldBalls
 from rolamento.rows.row import Held, Indices, IntArray, RowGeometry, RowSizes
+from rolamento.solved import Index
 
-__all__ = ["SphereRow"]
+__all__ = ["SphereRow", "from_outside", "from_ring"]
 
 _SMALL: float = 1e-3
 """rad: below, the functions of the angle are taken by their series."""
@@ -109,11 +110,14 @@ class SphereRow:
 
     def held(self, place: FloatArray, which: Indices, control: FloatArray) -> HeldOnSphere:
         """Hold some of the cases at a place; (len(which), 5)."""
+        seen = np.zeros_like(place)
+        seen[:, :3] = from_ring(place[:, 3:], place[:, :3])
+        return self.turned(self.row.held(seen, which, control), place)
+
+    def turned(self, balls: HeldBalls, place: FloatArray) -> HeldOnSphere:
+        """What balls that are held where a tilted ring has them answer to the outer ring."""
         rotation, turns = _rotation(place[:, 3], place[:, 4])
         back = np.swapaxes(rotation, 1, 2)
-        seen = np.zeros_like(place)
-        seen[:, :3] = _times(back, place[:, :3])
-        balls = self.row.held(seen, which, control)
         own, tangent = balls.force[:, :3], balls.stiffness[:, :3, :3]
         force, stiffness = np.zeros_like(place), np.zeros((len(place), 5, 5))
         force[:, :3] = _times(rotation, own)
@@ -137,15 +141,26 @@ class SphereRow:
         """No preload is put on such rows; (cases,), NaN."""
         return np.full(self.cases, np.nan)
 
-    def verdict(self, held: Held, control: FloatArray) -> IntArray:
+    def verdict(self, held: Held, control: FloatArray, which: Index) -> IntArray:
         """Jones's criterion for every ball; (cases, balls)."""
-        return self.row.verdict(cast(HeldOnSphere, held).balls, control)
+        return self.row.verdict(cast(HeldOnSphere, held).balls, control, which)
 
     def answer(
         self, held: Held, control: FloatArray, shown: IntArray, lost: BoolArray
     ) -> BallAnswer:
         """Keep what the tables are made from, of cases that are not lost."""
         return self.row.answer(cast(HeldOnSphere, held).balls, control, shown, lost)
+
+
+def from_ring(tilt: FloatArray, vector: FloatArray) -> FloatArray:
+    """A vector (cases, 3) as a ring sees it that is tilted by (ry, rz); (cases, 2)."""
+    rotation, _ = _rotation(tilt[:, 0], tilt[:, 1])
+    return _times(np.swapaxes(rotation, 1, 2), vector)
+
+
+def from_outside(tilt: FloatArray, vector: FloatArray) -> FloatArray:
+    """The same vector from outside again."""
+    return _times(_rotation(tilt[:, 0], tilt[:, 1])[0], vector)
 
 
 def _times(matrix: FloatArray, vector: FloatArray) -> FloatArray:

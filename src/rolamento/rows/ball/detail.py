@@ -123,6 +123,21 @@ def groove_centres(p: Floats, displacement: Floats, azimuth: Floats) -> tuple[Fl
     return a1, a2
 
 
+def axial_load(p: Floats, a1: Floats, a2: Floats) -> tuple[Floats, ...]:
+    """A ball at rest on the line of groove centres (a1, a2); (cases,) each.
+
+    Its load Q, sin α, cos α, the approach, and d(Q sin α)/da1, K's own change left out.
+    """
+    free = p[layout.INNER_LENGTH] + p[layout.OUTER_LENGTH]
+    distance = np.hypot(a1, a2)
+    sine, cosine = a1 / distance, a2 / distance
+    approach = np.maximum(distance - free, 0.0)
+    stiffness = _stiffness(p, layout.SERIES_STIFFNESS, cosine)
+    load = stiffness * approach * np.sqrt(approach)
+    slope = 1.5 * stiffness * np.sqrt(approach) * sine**2 + load * cosine**2 / distance
+    return load, sine, cosine, approach, slope
+
+
 def _contacts(y1: Floats, y2: Floats, column: Floats, race: Race, lift: Floats) -> ContactTable:
     """Load, angle and approach of the springs along (y1, y2), as `ball.contact` has them.
 
@@ -135,10 +150,7 @@ def _contacts(y1: Floats, y2: Floats, column: Floats, race: Race, lift: Floats) 
     approach = distance - (column[length] - lift)
     pressed = np.maximum(approach, 0.0)
     pressed = np.where(cosine > 0.0, pressed, 0.0 * pressed)
-    value = _polynomial(column, stiffness, layout.COEFFICIENTS, cosine)
-    if len(column) > layout.COLUMN:
-        long = _polynomial(column, layout.long_polynomial(stiffness), layout.MOST_TERMS, cosine)
-        value = np.where(column[layout.TERMS] > layout.COEFFICIENTS, long, value)
+    value = _stiffness(column, stiffness, cosine)
     return ContactTable(value * pressed * np.sqrt(pressed), np.arctan2(y1, up), pressed, approach)
 
 
@@ -146,6 +158,15 @@ _ROWS: Final[dict[Race, tuple[int, int]]] = {
     "inner": (layout.INNER_LENGTH, layout.INNER_STIFFNESS),
     "outer": (layout.OUTER_LENGTH, layout.OUTER_STIFFNESS),
 }
+
+
+def _stiffness(column: Floats, first: int, cosine: Floats) -> Floats:
+    """K at an angle, from as many coefficients as the case has."""
+    value = _polynomial(column, first, layout.COEFFICIENTS, cosine)
+    if len(column) > layout.COLUMN:
+        long = _polynomial(column, layout.long_polynomial(first), layout.MOST_TERMS, cosine)
+        value = np.where(column[layout.TERMS] > layout.COEFFICIENTS, long, value)
+    return value
 
 
 def _polynomial(column: Floats, first: int, count: int, x: Floats) -> Floats:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, Self, cast
+from typing import TYPE_CHECKING, Any, Final, Self, cast
 
 import numpy as np
 
@@ -14,11 +14,12 @@ from rolamento.case.bearing import RowPlace
 from rolamento.geometry import Race
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.rows.ball import layout
-from rolamento.rows.ball.detail import ContactTable, ball_table
+from rolamento.rows.ball.accept import GREATEST_APPROACH
+from rolamento.rows.ball.detail import ContactTable, axial_load, ball_table
 from rolamento.rows.ball.problem import apply_model, bearing_column, bearing_columns, ring_arms
 from rolamento.rows.ball.rolling import Rolling as Motion
 from rolamento.rows.ball.run import Solution, ball_azimuths, row_verdict, solve_columns
-from rolamento.rows.row import Held, Indices, RowGeometry, RowSizes, alike_in_all_cases
+from rolamento.rows.row import Held, Indices, RowGeometry, RowSizes
 from rolamento.solved import (
     Elements,
     Index,
@@ -34,6 +35,11 @@ if TYPE_CHECKING:
     from rolamento.rows.ball.traction.solve import Film
 
 __all__ = ["BallRow", "Traction", "ball_row"]
+
+
+PRESS_STEPS: Final = 60
+PRESS_PRECISION: Final = 1e-15
+"""Of the distance between groove centres: the last step of a row that is pressed in."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -204,23 +210,33 @@ class BallRow:
         return np.asarray(np.where(p[layout.ONE_SIDED] > 0.0, 0.0, touching))
 
     def pressed_in(self, force: FloatArray) -> FloatArray:
-        """Place along x under an axial force at rest; (cases,), m, NaN where there is none."""
-        p = self.p.copy()
-        p[layout.INNER_SPEED] = p[layout.OUTER_SPEED] = 0.0
-        alike = alike_in_all_cases(p) and alike_in_all_cases(force)
-        which = np.arange(1 if alike else self.cases)
-        free = np.zeros((len(which), 5), np.bool_)
-        free[:, 0] = True
-        load = np.zeros((len(which), 5))
-        load[:, 0] = force[which]
-        still = replace(self, p=p[:, which], fast=True).asked(free, load, np.zeros_like(load))
-        held = still.alone(np.ones((1, self.element_count)))
-        found = np.where(held.number == status.CONVERGED, held.place[:, 0], np.nan)
-        return np.repeat(found, self.cases) if alike else found
+        """Place along x under an axial force at rest; (cases,), m, NaN where there is none.
 
-    def verdict(self, held: Held, control: FloatArray) -> IntArray:
+        All balls are alike: one equation, Z Q sin α = F, whose force grows with x.
+        """
+        p, count = self.p, self.element_count
+        reach = p[layout.INNER_LENGTH] + p[layout.OUTER_LENGTH]
+        a2, stiffness = p[layout.RADIAL_OFFSET], p[layout.SERIES_STIFFNESS]
+        with np.errstate(invalid="ignore", divide="ignore"):
+            wanted = np.where(force > 0.0, force / count, np.nan)
+            sine = np.sqrt(np.maximum(reach**2 - a2**2, 0.0)) / reach
+            far = reach + (wanted / (stiffness * np.maximum(sine, 0.2))) ** (2.0 / 3.0)
+            # the groove's axial offset, from too far on: the force bends upward
+            a1 = np.sqrt(far**2 - np.minimum(a2, far) ** 2)
+            for _ in range(PRESS_STEPS):
+                load, sine, cosine, approach, slope = axial_load(p, a1, a2)
+                step = (load * sine - wanted) / slope
+                a1 = np.maximum(a1 - step, 0.5 * a1)
+                if not (np.abs(step) > PRESS_PRECISION * reach).any():
+                    break
+            near = np.abs(load * sine - wanted) <= status.TOLERANCE * wanted
+            held = near & (approach <= GREATEST_APPROACH * p[layout.BALL_DIAMETER])
+            held &= (cosine > p[layout.INNER_EDGE]) & (cosine > p[layout.OUTER_EDGE])
+            return np.asarray(np.where(held, a1 - p[layout.AXIAL_OFFSET], np.nan))
+
+    def verdict(self, held: Held, control: FloatArray, which: Index) -> IntArray:
         """Jones's criterion for every ball; (cases, balls)."""
-        return row_verdict(self.p, control, cast(HeldBalls, held).solution)
+        return row_verdict(self.p[:, which], control, cast(HeldBalls, held).solution)
 
     def rolled(self, start: HeldBalls, traction: Traction) -> HeldBalls:
         """Let friction alone move the balls of a bearing that is this row.

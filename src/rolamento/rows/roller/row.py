@@ -192,9 +192,9 @@ class RollerRow:
         found[which] = np.where(near, place[:, 0], np.nan)
         return np.full(self.cases, found[0]) if alike else found
 
-    def verdict(self, held: Held, control: FloatArray) -> IntArray:
+    def verdict(self, held: Held, control: FloatArray, which: Index) -> IntArray:
         """Return the control as it is: rollers roll on both races; (cases, elements)."""
-        return np.asarray(np.broadcast_to(control, (self.cases, self.element_count)), np.int64)
+        return control.astype(np.int64)
 
     def answer(
         self, held: Held, control: FloatArray, shown: IntArray, lost: BoolArray

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import logging
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import lru_cache
-from time import perf_counter
 from typing import Any, Final, Self
 
 import numpy as np
@@ -15,22 +12,14 @@ from numpy.typing import NDArray
 
 from rolamento import status
 from rolamento.numerics import FloatArray
-from rolamento.numerics.compiled import Kernel
-from rolamento.numerics.threads import thread_count
+from rolamento.numerics.threads import share_out
 from rolamento.rows.ball.problem import directions
 from rolamento.rows.roller.batch import hold_cases, settle_cases
 from rolamento.rows.roller.columns import Cut
 
-_log = logging.getLogger("rolamento")
-
 CHUNK: Final = 64
 LITTLE: Final = 2000
 """Slices of all rollers of one case that are solved without the compiler, if it is not loaded."""
-LONG: Final = 1.0
-"""Seconds of plain Python in this process after which the compiler is worth loading."""
-_spent: Final = [0.0]
-_ready: Final[set[Kernel[..., None]]] = set()
-"""What has been compiled or loaded: to ask each time takes as long as a small case."""
 
 
 @lru_cache(maxsize=64)
@@ -97,7 +86,7 @@ def hold(p: FloatArray, cut: Cut, rollers: int, threads: int | None) -> Solution
         own = (out[0], loads, *out[2:])
         kernel(p, cut.lines(), cosines, sines, first, last, own)
 
-    _run_threads(hold_cases, run, cases, rollers * cut.slices, cut.coupled, threads)
+    share_out(hold_cases, run, cases, chunk=CHUNK, threads=threads, little=_little(p, rollers, cut))
     return found
 
 
@@ -114,38 +103,12 @@ def settle(
     def run(kernel: Callable[..., Any], first: int, last: int) -> None:
         kernel(p, cut.lines(), cosines, sines, first, last, rings, settled, steps)
 
-    _run_threads(settle_cases, run, cases, rollers * cut.slices, cut.coupled, threads)
+    share_out(
+        settle_cases, run, cases, chunk=CHUNK, threads=threads, little=_little(p, rollers, cut)
+    )
     return rings, settled, steps
 
 
-def _run_threads(
-    kernel: Kernel[..., None],
-    run: Callable[[Callable[..., Any], int, int], None],
-    cases: int,
-    slices: int,
-    coupled: bool,
-    threads: int | None,
-) -> None:
-    """Share the cases out to threads; one small one runs as plain Python while nothing is loaded.
-
-    Loading the compiler takes longer than that.
-    """
-    little = cases == 1 and not coupled and slices <= LITTLE and kernel not in _ready
-    if little and (_spent[0] < LONG or not kernel.is_cached):
-        start = perf_counter()
-        with np.errstate(all="ignore"):
-            run(kernel, 0, 1)
-        _spent[0] += perf_counter() - start
-        return
-    if kernel not in _ready and cases and not kernel.is_cached:
-        _log.warning("compiling the solver for this machine, once: this takes about half a minute")
-    compiled = kernel.compiled
-    _ready.add(kernel)
-    starts = range(0, cases, CHUNK)
-    workers = min(thread_count(threads), len(starts))
-    if workers <= 1:
-        for first in starts:
-            run(compiled, first, min(first + CHUNK, cases))
-        return
-    with ThreadPoolExecutor(workers) as pool:
-        list(pool.map(lambda first: run(compiled, first, min(first + CHUNK, cases)), starts))
+def _little(p: FloatArray, rollers: int, cut: Cut) -> bool:
+    """Whether it is less work than loading the compiler."""
+    return p.shape[1] == 1 and not cut.coupled and rollers * cut.slices <= LITTLE

@@ -1,0 +1,389 @@
+"""Rows of balls on one ring: Newton's method on ring, cages and balls of all rows together.
+
+As `blocks` does for one row, many cases abreast; then each row is held in exact arithmetic where
+the proposal has it, and judged there. What comes out with a verdict on every row and the ring in
+balance is final; everything else is left to `rolamento.assembly.ring`.
+"""
+
+from __future__ import annotations
+
+from typing import Final, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rolamento.numerics.compiled import inline_exact, kernel, shared
+from rolamento.rows.ball import lanes, layout, set_lanes
+from rolamento.rows.ball.accept import judge, max_with_nan
+from rolamento.rows.ball.blocks import any_astray, fill
+from rolamento.rows.ball.set_lanes import SLIDE, STAND_ROWS, TILT, UNKNOWNS, WAY
+from rolamento.rows.ball.single import FAR, Ring, ring_around
+from rolamento.rows.ball.types import Array
+from rolamento.status import CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED, OVERLOADED
+
+STATIC_STEPS: Final = 16
+MOVING_STEPS: Final = 30
+START_TOLERANCE: Final = 1e-2  # of a static start for moving balls
+TOLERANCE: Final = 1e-8  # before the last step, which squares it
+PRECISION: Final = 1e-10
+"""Of the ring's exact balance, as `rolamento.assembly.ring` asks for it."""
+
+PRESS: Final = STAND_ROWS  # how far the clamped rings press a row in
+STANDING: Final = STAND_ROWS + 1  # numbers that say how a row stands on the ring
+
+_LANES: Final = layout.LANES
+_LEVER: Final = set_lanes.LEVER
+_X: Final = layout.POSITION * _LANES
+_FIVE: Final = np.uintp(layout.DEGREES_OF_FREEDOM)
+
+
+class Rows(NamedTuple):
+    """The rows of some cases; n of them.
+
+    p (rows, layout.COLUMN or more, n); stand (rows, STANDING, n): how each stands on the ring;
+    control (n or 1, balls of all rows), cosines and sines (balls); ends (rows + 1): where the balls
+    of a row begin.
+    """
+
+    p: Array
+    stand: Array
+    control: Array
+    cosines: Array
+    sines: Array
+    ends: NDArray[np.int64]
+
+
+class Asked(NamedTuple):
+    """What is asked of the rings, and where they begin; (n, UNKNOWNS) each, scaled.
+
+    reach: of the longest step of a ring without inertia; firm: a stiffness that is small against
+    any real one, so that a ring that touches nothing moves with its load; (n,).
+    """
+
+    free: Array
+    target: Array
+    start: Array
+    reach: Array
+    firm: Array
+
+
+class Found(NamedTuple):
+    """What the kernel writes, over all cases.
+
+    Of the ring: place, force (cases, UNKNOWNS), stiffness (cases, UNKNOWNS, UNKNOWNS), scaled;
+    residual, steps and whether the verdict on the rows is final, (cases,). position: of all balls,
+    (cases, balls, 2).
+    Of the rows: displacement, reaction (rows, cases, 5), cage, row_residual, code (rows, cases),
+    row_stiffness (rows, cases, 5, 5).
+    """
+
+    place: Array
+    force: Array
+    stiffness: Array
+    residual: Array
+    steps: NDArray[np.int64]
+    sound: NDArray[np.bool_]
+    position: Array
+    displacement: Array
+    reaction: Array
+    row_stiffness: Array
+    cage: Array
+    row_residual: Array
+    code: NDArray[np.int64]
+
+
+class _Work(NamedTuple):
+    """Lanes: s of the rings, and of each row how it stands (v), its own (w); of each ball (b)."""
+
+    s: Array
+    v: Array
+    w: Array
+    b: Array
+    room: Array
+
+
+@shared
+def _work(rows: int, balls: int) -> _Work:
+    return _Work(
+        np.zeros(set_lanes.SET_ROWS * _LANES),
+        np.zeros((rows, STAND_ROWS * _LANES)),
+        np.zeros((rows, layout.RING_ROWS * _LANES)),
+        np.zeros((balls, layout.BALL_ROWS * _LANES)),
+        np.zeros(layout.DEGREES_OF_FREEDOM * UNKNOWNS * _LANES),
+    )
+
+
+@inline_exact
+def _standing(stand: Array, row: int, k: int, u: Array, own: Array) -> None:
+    """Write where a row is held by a ring at u."""
+    way, lever = stand[row, WAY, k], stand[row, _LEVER, k]
+    tilt, slide = stand[row, TILT, k], stand[row, SLIDE, k]
+    own[0] = way * u[0] + slide * u[5] + stand[row, PRESS, k]
+    own[1] = u[1] + lever * u[4]
+    own[2] = u[2] - lever * u[3]
+    own[3] = tilt * u[3]
+    own[4] = tilt * u[4]
+
+
+@shared
+def _fill(
+    work: _Work, lane: int, rows: Rows, asked: Asked, k: int, u: Array, own: Array, bound: bool
+) -> None:
+    """Put a case into a lane, its ring at u; own (5,) is room; bound: whether steps have an end."""
+    work.s[set_lanes.FIRM * _LANES + lane] = asked.firm[k] if bound else 0.0
+    work.s[set_lanes.REACH * _LANES + lane] = asked.reach[k] if bound else FAR
+    for i in range(UNKNOWNS):
+        work.s[(set_lanes.FREE + i) * _LANES + lane] = asked.free[k, i]
+        work.s[(set_lanes.TARGET + i) * _LANES + lane] = asked.target[k, i]
+        work.s[(set_lanes.PLACE + i) * _LANES + lane] = u[i]
+    for row in range(rows.p.shape[0]):
+        for i in range(STAND_ROWS):
+            work.v[row, i * _LANES + lane] = rows.stand[row, i, k]
+        _standing(rows.stand, row, k, u, own)
+        a, z = rows.ends[row], rows.ends[row + 1]
+        fill(
+            work.w[row], work.b[a:z], lane, rows.p[row], rows.cosines[a:z], rows.sines[a:z],
+            rows.control[:, a:z], k, own,
+        )  # fmt: skip
+        work.w[row, layout.UNBALANCED * _LANES + lane] = 1.0
+
+
+@inline_exact
+def _unbalanced(work: _Work, lane: int) -> float:
+    """The ring's greatest unbalanced load, over the scale of its loads; NaN stays NaN."""
+    worst, scale = 0.0, 0.0
+    for i in range(UNKNOWNS):
+        if work.s[(set_lanes.FREE + i) * _LANES + lane] > 0.0:
+            target = work.s[(set_lanes.TARGET + i) * _LANES + lane]
+            worst = max_with_nan(worst, abs(target - work.s[(set_lanes.FORCE + i) * _LANES + lane]))
+            scale = max(scale, abs(target))
+    for row in range(work.w.shape[0]):
+        for i in range(layout.DEGREES_OF_FREEDOM):
+            scale = max(scale, abs(work.w[row, (layout.REACTION + i) * _LANES + lane]))
+    return worst / scale if scale > 0.0 else worst
+
+
+@inline_exact
+def _lost(work: _Work, lane: int) -> bool:
+    """Whether a lane has gone to NaN, as after a step without any stiffness."""
+    total = 0.0
+    for i in range(UNKNOWNS):
+        total += work.s[(set_lanes.PLACE + i) * _LANES + lane]
+    for row in range(work.w.shape[0]):
+        total += work.w[row, layout.CAGE * _LANES + lane]
+    return bool(total != total)
+
+
+@shared
+def _settle_static(
+    work: _Work, rows: Rows, asked: Asked, chosen: NDArray[np.int64], moving: bool, found: Found
+) -> None:
+    """Newton's method on the rings alone, every ball on the line of the groove centres.
+
+    Writes the places, and the steps: zero where a lane failed or, before its balls move, did not
+    settle; its place is the start then.
+    """
+    s, v, w, b, room = work
+    tolerance = START_TOLERANCE if moving else TOLERANCE
+    own = np.empty(layout.DEGREES_OF_FREEDOM)
+    for block in range(0, chosen.size, _LANES):
+        count = min(_LANES, chosen.size - block)
+        for lane in range(_LANES):
+            k = min(block + lane, chosen.size - 1)
+            found.steps[chosen[k]] = 0
+            _fill(work, lane, rows, asked, k, asked.start[k], own, True)
+        open_lanes = count
+        for step in range(STATIC_STEPS):
+            set_lanes.empty_set(s)
+            for row in range(w.shape[0]):
+                lanes.reset_sums(w[row])
+                for j in range(rows.ends[row], rows.ends[row + 1]):
+                    lanes.add_static_ball(w[row], b[j])
+                set_lanes.add_row(s, v[row], w[row], room)
+            for lane in range(count):
+                case = chosen[block + lane]
+                if found.steps[case] == 0 and _unbalanced(work, lane) <= tolerance:
+                    found.steps[case] = step + 1
+                    open_lanes -= 1
+            set_lanes.step_set(s)
+            for row in range(w.shape[0]):
+                set_lanes.move_row(s, v[row], w[row])
+            if open_lanes == 0:
+                break
+        for lane in range(count):
+            case = chosen[block + lane]
+            if _lost(work, lane):
+                found.steps[case] = 0
+            elif found.steps[case] == 0 and not moving:
+                found.steps[case] = STATIC_STEPS
+            for i in range(UNKNOWNS):
+                found.place[case, i] = (
+                    s[(set_lanes.PLACE + i) * _LANES + lane]
+                    if found.steps[case] > 0
+                    else asked.start[block + lane, i]
+                )
+
+
+@shared
+def _settle_moving(
+    work: _Work, rows: Rows, asked: Asked, chosen: NDArray[np.int64], found: Found
+) -> None:
+    """Newton's method on rings and balls together, from the static places.
+
+    A lane that has settled, failed or run out of steps takes the next case. Writes the places of
+    rings, cages and balls, and the steps: zero where a lane failed.
+    """
+    s, v, w, b, room = work
+    balls = b.shape[0]
+    own = np.empty(layout.DEGREES_OF_FREEDOM)
+    holds = np.full(_LANES, -1)  # the case in each lane
+    steps = np.zeros(_LANES, np.int64)
+    settled = np.zeros(_LANES, np.bool_)
+    waiting, working = 0, 0
+    for lane in range(_LANES):
+        _fill(work, lane, rows, asked, 0, found.place[chosen[0]], own, False)
+    while waiting < chosen.size or working > 0:
+        fresh = False
+        for lane in range(_LANES):
+            is_fresh = holds[lane] < 0 and waiting < chosen.size
+            for row in range(w.shape[0]):
+                w[row, layout.ASTRAY * _LANES + lane] = 1.0 if is_fresh else 0.0
+            if is_fresh:
+                _fill(work, lane, rows, asked, waiting, found.place[chosen[waiting]], own, False)
+                holds[lane] = waiting
+                steps[lane] = 0
+                waiting += 1
+                working += 1
+                fresh = True
+
+        set_lanes.empty_set(s)
+        for row in range(w.shape[0]):
+            lanes.reset_sums(w[row])
+            for j in range(rows.ends[row], rows.ends[row + 1]):
+                if fresh:
+                    lanes.replace_ball(w[row], b[j])
+                lanes.add_moving_ball(w[row], b[j], TOLERANCE)
+            lanes.measure_cage(w[row])
+        for lane in range(_LANES):
+            settled[lane] = True
+            for row in range(w.shape[0]):
+                at_rest = w[row, layout.FAULT * _LANES + lane] <= 0.0
+                settled[lane] = settled[lane] and at_rest
+                behind = w[row, layout.BEHIND * _LANES + lane]
+                settled[lane] = settled[lane] and behind <= TOLERANCE
+            steps[lane] += 1
+        for row in range(w.shape[0]):
+            lanes.condense_cage(w[row], _FIVE)
+            set_lanes.add_row(s, v[row], w[row], room)
+        for lane in range(_LANES):
+            unbalanced = _unbalanced(work, lane)
+            settled[lane] = settled[lane] and unbalanced <= TOLERANCE
+            for row in range(w.shape[0]):  # a row is as far from balance as its ring
+                w[row, layout.UNBALANCED * _LANES + lane] = unbalanced
+        set_lanes.step_set(s)
+        for row in range(w.shape[0]):
+            set_lanes.move_row(s, v[row], w[row])
+            lanes.step_cage(w[row], _FIVE)
+            for j in range(rows.ends[row], rows.ends[row + 1]):
+                lanes.follow_ring(w[row], b[j])
+                if any_astray(w[row]):
+                    lanes.replace_ball(w[row], b[j])
+
+        for lane in range(_LANES):
+            k = holds[lane]
+            lost = _lost(work, lane)
+            if k < 0 or not (settled[lane] or lost or steps[lane] >= MOVING_STEPS):
+                continue
+            case = chosen[k]
+            found.steps[case] = 0 if lost else steps[lane]
+            for i in range(UNKNOWNS):
+                found.place[case, i] = s[(set_lanes.PLACE + i) * _LANES + lane]
+            for row in range(w.shape[0]):
+                found.cage[row, case] = w[row, layout.CAGE * _LANES + lane]
+            for j in range(balls):
+                found.position[case, j, 0] = b[j, _X + lane]
+                found.position[case, j, 1] = b[j, _X + _LANES + lane]
+            holds[lane] = -1
+            working -= 1
+
+
+@shared
+def _add_row(stand: Array, row: int, k: int, own: Ring, force: Array, stiffness: Array) -> None:
+    """Add what a row asks of the ring: T' f and T' k T."""
+    n = layout.DEGREES_OF_FREEDOM
+    t = np.zeros((n, UNKNOWNS))
+    t[0, 0], t[0, 5] = stand[row, WAY, k], stand[row, SLIDE, k]
+    t[1, 1], t[1, 4] = 1.0, stand[row, _LEVER, k]
+    t[2, 2], t[2, 3] = 1.0, -stand[row, _LEVER, k]
+    t[3, 3] = t[4, 4] = stand[row, TILT, k]
+    for i in range(n):
+        for column in range(UNKNOWNS):
+            if t[i, column] == 0.0:
+                continue
+            force[column] += t[i, column] * own.reaction[i]
+            for j in range(n):
+                part = t[i, column] * own.matrix[i, j]
+                for other in range(UNKNOWNS):
+                    stiffness[column, other] += part * t[j, other]
+
+
+@shared
+def _judge(
+    rows: Rows, asked: Asked, k: int, case: int, moving: bool, ring: Ring, room: Array,
+    errors: Array, found: Found,
+) -> None:  # fmt: skip
+    """Hold every row where the proposal has it, and measure rows and ring in exact arithmetic.
+
+    room (parameters, 1), errors (balls, 2).
+    """
+    force, stiffness = found.force[case], found.stiffness[case]
+    force[:] = 0.0
+    stiffness[:] = 0.0
+    control = rows.control[k if rows.control.shape[0] > 1 else 0]
+    scale, sound = 0.0, True
+    for row in range(rows.p.shape[0]):
+        a, z = rows.ends[row], rows.ends[row + 1]
+        u = found.displacement[row, case]
+        _standing(rows.stand, row, k, found.place[case], u)
+        for i in range(room.shape[0]):
+            room[i, 0] = rows.p[row, i, k]
+        code, residual, _ = judge(
+            room, 0, moving, control[a:z], rows.cosines[a:z], rows.sines[a:z], u,
+            found.cage[row, case], found.position[case, a:z], ring, errors[: z - a],
+        )  # fmt: skip
+        found.code[row, case], found.row_residual[row, case] = code, residual
+        sound = sound and code in (CONVERGED, OVERLOADED, NO_EQUILIBRIUM)
+        found.reaction[row, case] = ring.reaction
+        found.row_stiffness[row, case] = ring.matrix
+        for i in range(layout.DEGREES_OF_FREEDOM):
+            scale = max_with_nan(scale, abs(ring.reaction[i]))
+        _add_row(rows.stand, row, k, ring, force, stiffness)
+    worst = 0.0
+    for i in range(UNKNOWNS):
+        if asked.free[k, i] > 0.0:
+            worst = max_with_nan(worst, abs(asked.target[k, i] - force[i]))
+            scale = max(scale, abs(asked.target[k, i]))
+    found.residual[case] = worst / scale if scale > 0.0 else worst
+    found.sound[case] = sound and found.residual[case] <= PRECISION
+
+
+@kernel
+def solve_sets(
+    rows: Rows, asked: Asked, moving: bool, chosen: NDArray[np.int64], found: Found
+) -> None:
+    """Propose the equilibrium of some cases, with or without inertia, and judge it.
+
+    chosen: which cases they are, of all that `found` has room for; (n,).
+    """
+    work = _work(rows.p.shape[0], rows.cosines.size)
+    _settle_static(work, rows, asked, chosen, moving, found)
+    if moving:
+        _settle_moving(work, rows, asked, chosen, found)
+    ring = ring_around(np.zeros(5), np.zeros((5, 5)), np.zeros(1))
+    room, errors = np.zeros((rows.p.shape[1], 1)), np.zeros((rows.cosines.size, 2))
+    for k in range(chosen.size):
+        case = chosen[k]
+        found.sound[case] = False
+        found.code[:, case] = NOT_CONVERGED
+        if found.steps[case] > 0:
+            _judge(rows, asked, k, case, moving, ring, room, errors, found)

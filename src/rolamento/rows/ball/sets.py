@@ -1,0 +1,250 @@
+"""Run the kernels over many cases of rows of balls on one ring: threads, and what takes part."""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from threading import Event
+from typing import Final, cast
+
+import numpy as np
+
+from rolamento import status
+from rolamento.numerics import BoolArray, FloatArray
+from rolamento.numerics.threads import thread_count
+from rolamento.rows.ball import layout
+from rolamento.rows.ball.accept import NEEDS_INERTIA
+from rolamento.rows.ball.problem import directions, ring_arms
+from rolamento.rows.ball.row import BallRow, HeldBalls
+from rolamento.rows.ball.run import Solution, has_inertia, turns
+from rolamento.rows.ball.set_blocks import PRESS, STANDING, Asked, Found, Rows, solve_sets
+from rolamento.rows.ball.set_lanes import LEVER, SLIDE, TILT, UNKNOWNS, WAY
+from rolamento.rows.row import Indices, IntArray, Row
+
+__all__ = ["Proposal", "balls_only", "settle", "standing"]
+
+_log = logging.getLogger("rolamento")
+
+CHUNK: Final = 1000
+"""Cases of a call: their numbers lie together, no power of two apart."""
+LITTLE: Final = 1e-6
+"""Of the stiffness under load: what a ring that touches nothing is held by on its way."""
+_HEAVIEST: Final = 4.5
+"""How much more the heaviest ball of a row carries than the mean."""
+FEW: Final = 1
+"""Cases for which nothing is compiled."""
+_ready: Final = Event()
+"""Set once the compiled kernel has run: to ask for it takes as long as a small case."""
+
+
+@dataclass(frozen=True, slots=True)
+class Proposal:
+    """Where rings and rows of many cases came to rest, and whether that may be shown.
+
+    place, force (cases, 6), stiffness (cases, 6, 6): scaled; residual, steps, sound (cases,).
+    """
+
+    place: FloatArray
+    force: FloatArray
+    stiffness: FloatArray
+    residual: FloatArray
+    steps: IntArray
+    sound: BoolArray
+    rows: list[HeldBalls]
+
+
+def balls_only(rows: Sequence[Row]) -> Sequence[BallRow] | None:
+    """The rows, where all of them are rows of balls whose fast path is wanted."""
+    if all(isinstance(row, BallRow) and row.fast for row in rows):
+        return cast(Sequence[BallRow], rows)
+    return None
+
+
+def standing(
+    ways: Sequence[float],
+    levers: Sequence[FloatArray],
+    arms: Sequence[FloatArray],
+    press: Sequence[FloatArray],
+    *,
+    sprung: bool,
+) -> FloatArray:
+    """How each row stands on a ring whose arm is that of the first, as `set_blocks.Rows` has it.
+
+    ways: +1 or -1; levers, arms, press: (n,) each, m; sprung: whether springs push the outer rings
+    of the rows that face -x.
+    """
+    stand = np.empty((len(ways), STANDING, len(arms[0])))
+    for own, way, lever, arm, pressed in zip(stand, ways, levers, arms, press, strict=True):
+        own[WAY], own[LEVER], own[TILT] = way, lever / arms[0], way * arm / arms[0]
+        own[SLIDE] = 1.0 if sprung and way < 0.0 else 0.0
+        own[PRESS] = pressed
+    return stand
+
+
+def settle(
+    rows: Sequence[BallRow],
+    which: Indices,
+    control: FloatArray,
+    stand: FloatArray,
+    asked: tuple[FloatArray, FloatArray, FloatArray],
+    sound: BoolArray,
+) -> Proposal | None:
+    """Balance the rings of some cases, with all their rows; None where that takes no compiler.
+
+    Parameters
+    ----------
+    which : cases of the rows; (n,). sound : those of them that can be solved.
+    control : +1 or -1 for the balls of all rows; (n or 1, balls).
+    stand : how each row stands on the ring, as `set_blocks.Rows`; (rows, STANDING, n).
+    asked : which unknowns are free, what is asked of them, and where they begin; (n, 6) each,
+        scaled.
+    """
+    if not _ready.is_set() and not solve_sets.is_cached:
+        if len(which) <= FEW:
+            return None
+        _log.warning("compiling the solver for this machine, once: this takes about half a minute")
+    run = _Run.of(rows, which, control, stand, asked)
+    inertia = np.stack([has_inertia(p) for p in run.columns])
+    still = sound & ~inertia.any(axis=0)
+    moving = sound & inertia.all(axis=0)
+    if still.any():
+        run.solve(np.flatnonzero(still), moving=False)
+        # what is left out of those is part of their residual: some have to be solved with it
+        again = still & (run.found.code == NEEDS_INERTIA).any(axis=0)
+        moving |= again & np.all([turns(p) for p in run.columns], axis=0)
+    if moving.any():
+        run.solve(np.flatnonzero(moving), moving=True)
+    return run.proposal()
+
+
+def _bounded(
+    columns: Sequence[FloatArray],
+    rows: Sequence[BallRow],
+    stand: FloatArray,
+    free: FloatArray,
+    target: FloatArray,
+    start: FloatArray,
+) -> Asked:
+    """Say how far a ring may go at a time: through its play, and somewhat into its balls."""
+    balls = [row.element_count for row in rows]
+    stiffness = np.sum(
+        [count * p[layout.SERIES_STIFFNESS] for count, p in zip(balls, columns, strict=True)],
+        axis=0,
+    )
+    into = (_HEAVIEST * np.abs(target * free).max(axis=1) / stiffness) ** (2.0 / 3.0)
+    play = np.zeros_like(into)
+    for p, own in zip(columns, stand, strict=True):
+        reach = p[layout.INNER_LENGTH] + p[layout.OUTER_LENGTH]
+        square = np.maximum(reach**2 - p[layout.RADIAL_OFFSET] ** 2, 0.0)
+        axial = np.sqrt(square) - p[layout.AXIAL_OFFSET]
+        play = np.maximum(play, np.abs(axial) + np.abs(own[PRESS]))
+    firm = LITTLE * stiffness * np.sqrt(into)
+    return Asked(free, target, start, 3.0 * into + play, firm)
+
+
+@dataclass(frozen=True, slots=True)
+class _Run:
+    """The numbers of the cases and the room for what is found; columns: of each row, (…, n)."""
+
+    rows: Sequence[BallRow]
+    columns: list[FloatArray]
+    control: FloatArray
+    stand: FloatArray
+    asked: Asked
+    found: Found
+
+    @classmethod
+    def of(
+        cls,
+        rows: Sequence[BallRow],
+        which: Indices,
+        control: FloatArray,
+        stand: FloatArray,
+        asked: tuple[FloatArray, FloatArray, FloatArray],
+    ) -> _Run:
+        every = len(which) == rows[0].cases
+        columns = [row.p if every else row.p[:, which] for row in rows]
+        count, n = len(rows), len(which)
+        balls = sum(row.element_count for row in rows)
+        five = layout.DEGREES_OF_FREEDOM
+        found = Found(
+            place=np.full((n, UNKNOWNS), np.nan),
+            force=np.full((n, UNKNOWNS), np.nan),
+            stiffness=np.full((n, UNKNOWNS, UNKNOWNS), np.nan),
+            residual=np.full(n, np.nan),
+            steps=np.zeros(n, np.int64),
+            sound=np.zeros(n, np.bool_),
+            position=np.full((n, balls, 2), np.nan),
+            displacement=np.full((count, n, five), np.nan),
+            reaction=np.full((count, n, five), np.nan),
+            row_stiffness=np.full((count, n, five, five), np.nan),
+            cage=np.full((count, n), np.nan),
+            row_residual=np.full((count, n), np.nan),
+            code=np.full((count, n), status.INVALID_INPUT),
+        )
+        return cls(rows, columns, control, stand, _bounded(columns, rows, stand, *asked), found)
+
+    @property
+    def _ends(self) -> IntArray:
+        return np.cumsum([0, *(row.element_count for row in self.rows)])
+
+    def solve(self, chosen: IntArray, *, moving: bool) -> None:
+        """Solve some of the cases, in threads, chunks of them at a time."""
+        pairs = [directions(row.element_count) for row in self.rows]
+        cosines, sines = (np.concatenate(part) for part in zip(*pairs, strict=True))
+        longest = max(len(p) for p in self.columns)
+
+        def run(some: IntArray) -> None:
+            p = np.zeros((len(self.rows), longest, len(some)))
+            for own, columns in zip(p, self.columns, strict=True):
+                own[: len(columns)] = columns[:, some]
+            control = self.control if len(self.control) == 1 else self.control[some]
+            # one order in memory: the kernels are compiled for each that they meet
+            stand, control = map(np.ascontiguousarray, (self.stand[:, :, some], control))
+            rows = Rows(p, stand, control, cosines, sines, self._ends)
+            asked = Asked(*(np.ascontiguousarray(one[some]) for one in self.asked))
+            solve_sets.compiled(rows, asked, moving, some, self.found)
+            _ready.set()
+
+        chunks = [chosen[first : first + CHUNK] for first in range(0, len(chosen), CHUNK)]
+        workers = min(thread_count(self.rows[0].threads), len(chunks))
+        if workers == 1:
+            for some in chunks:
+                run(some)
+        else:
+            with ThreadPoolExecutor(workers) as pool:
+                list(pool.map(run, chunks))
+
+    def proposal(self) -> Proposal:
+        """What was found, row by row."""
+        found = self.found
+        return Proposal(
+            place=found.place,
+            force=found.force,
+            stiffness=found.stiffness,
+            residual=np.fmax(found.residual, found.row_residual.max(axis=0)),
+            steps=found.steps,
+            sound=found.sound,
+            rows=list(self._held()),
+        )
+
+    def _held(self) -> Iterator[HeldBalls]:
+        found, n = self.found, len(self.found.steps)
+        for row, (p, a, z) in enumerate(
+            zip(self.columns, self._ends[:-1], self._ends[1:], strict=True)
+        ):
+            solution = Solution(
+                displacement=found.displacement[row],
+                cage=found.cage[row],
+                position=found.position[:, a:z],
+                reaction=found.reaction[row],
+                stiffness=found.row_stiffness[row],
+                residual=found.row_residual[row],
+                code=found.code[row],
+                unsupported=np.full(n, -1),
+                iterations=np.zeros(n, np.int64),
+                safe=np.zeros(n, np.bool_),
+            )
+            yield HeldBalls(solution, ring_arms(p).T)
