@@ -46,7 +46,6 @@ from typing import Any, Final, Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 from scipy import fft
-from scipy import signal as scipy_signal
 
 from rolamento.errors import InputError
 from rolamento.numerics import ComplexArray, FloatArray
@@ -378,7 +377,9 @@ def _bank(parts: int, order: int) -> _Bank:
     A part of an odd place has come down upside up but half a band off: what lies above half the
     new rate is turned back to where it belongs.
     """
-    prototype = scipy_signal.firwin(order + 1, 2.0 * CUTOFF / parts, fs=1.0)
+    from scipy.signal import firwin  # slow to import
+
+    prototype = firwin(order + 1, 2.0 * CUTOFF / parts, fs=1.0)
     turns = np.arange(order + 1)
     matrix = np.zeros((parts * (_OUTPUTS - 1) + order + 1, parts, _OUTPUTS), dtype=np.complex128)
     for part, output in np.ndindex(parts, _OUTPUTS):

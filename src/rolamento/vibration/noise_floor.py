@@ -28,7 +28,7 @@ from math import nan
 from typing import Final, NamedTuple
 
 import numpy as np
-from scipy import interpolate, ndimage, special
+from scipy import ndimage, special
 
 from rolamento.numerics import FloatArray, IntArray
 
@@ -228,7 +228,42 @@ def _dense(ratio: FloatArray, scores: Sequence[FloatArray]) -> tuple[FloatArray,
     places = np.log1p(ratio)
     steps = np.arange(_DENSER * (len(places) - 1) + 1) / _DENSER
     dense = np.interp(steps, np.arange(len(places)), places)
-    return dense, np.asarray(interpolate.CubicSpline(places, np.stack(scores, axis=1))(dense))
+    return dense, _spline(places, np.stack(scores, axis=1), dense)
+
+
+def _spline(places: FloatArray, values: FloatArray, at: FloatArray) -> FloatArray:
+    """Cubic splines through some values, with the not-a-knot condition at the ends.
+
+    `scipy.interpolate` takes as long to import as all else that a diagnosis does.
+
+    values: (places, splines). Returns (at, splines).
+    """
+    steps = np.diff(places)
+    slopes = np.diff(values, axis=0) / steps[:, None]
+    matrix, right = np.zeros((len(places), len(places))), np.zeros_like(values)
+    inner = np.arange(1, len(places) - 1)
+    # of the slopes at the places: the second derivative is continuous at the inner ones,
+    matrix[inner, inner - 1] = steps[1:]
+    matrix[inner, inner] = 2.0 * (steps[1:] + steps[:-1])
+    matrix[inner, inner + 1] = steps[:-1]
+    right[1:-1] = 3.0 * (steps[1:, None] * slopes[:-1] + steps[:-1, None] * slopes[1:])
+    # and the third at the outermost of these
+    for end, neighbour, first, second in ((0, 1, 0, 1), (-1, -2, -1, -2)):
+        both = steps[first] + steps[second]
+        matrix[end, end], matrix[end, neighbour] = steps[second], both
+        right[end] = (
+            (steps[first] + 2.0 * both) * steps[second] * slopes[first]
+            + steps[first] ** 2 * slopes[second]
+        ) / both
+    tangents = np.linalg.solve(matrix, right)
+    piece = np.clip(np.searchsorted(places, at, side="right") - 1, 0, len(steps) - 1)
+    t = ((at - places[piece]) / steps[piece])[:, None]
+    h, below, above = steps[piece][:, None], values[piece], values[piece + 1]
+    return np.asarray(
+        below * (1.0 + 2.0 * t) * (1.0 - t) ** 2
+        + above * t**2 * (3.0 - 2.0 * t)
+        + h * t * (1.0 - t) * (tangents[piece] * (1.0 - t) - tangents[piece + 1] * t)
+    )
 
 
 @cache

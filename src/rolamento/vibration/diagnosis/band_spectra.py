@@ -237,7 +237,7 @@ class Turning(NamedTuple):
 
     @classmethod
     def of(cls, places: FloatArray | None, lines: int) -> Turning:
-        """places: (samples,), share of the block's angle at each sample; None for a steady shaft."""
+        """places: (samples,), share of the angle at each sample; None for a steady shaft."""
         steps = steps_of(lines)
         if places is None:
             return cls(int(_MARGIN * lines), steps, None)
