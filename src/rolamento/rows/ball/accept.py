@@ -147,7 +147,7 @@ def weigh(
 @inline_exact
 def is_finite(u: Array) -> bool:
     """Whether the ring is anywhere."""
-    return abs(u[0] + u[1] + u[2] + u[3] + u[4]) < inf
+    return bool(abs(u[0] + u[1] + u[2] + u[3] + u[4]) < inf)
 
 
 @inline_exact

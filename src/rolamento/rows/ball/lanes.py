@@ -173,10 +173,9 @@ def _sums(inline: Callable[..., Any], tilting: bool) -> tuple[Any, Any, Any]:
     return add_force, add_to_ring, add_to_cage
 
 
-_groove_fast, _coefficients_fast, _motion_fast = map(inline_fast, (_groove, _coefficients, _motion))
-groove_exact, _coefficients_exact, _motion_exact = map(
-    inline_exact, (_groove, _coefficients, _motion)
-)
+_groove_fast, groove_exact = inline_fast(_groove), inline_exact(_groove)
+_coefficients_fast, _coefficients_exact = inline_fast(_coefficients), inline_exact(_coefficients)
+_motion_fast, _motion_exact = inline_fast(_motion), inline_exact(_motion)
 
 
 @vector_loop
@@ -456,9 +455,9 @@ def step_cage(w: Array, axes: np.uintp) -> None:
         fastest = max(w[_OMEGA_I + i], w[_OMEGA_O + i])
         longest = NEAR_CAGE * (abs(w[_OMEGA_I + i]) + abs(w[_OMEGA_O + i]))
         longest = longest if w[_UNBALANCED + i] <= LOOSE_CAGE else 0.0
-        step = w[_DCAGE + i] / min(w[_LAG_BY_CAGE + i], DRIVE)
-        step = min(max(step, -longest), longest)
-        speed = min(max(w[_CAGE + i] + step, slowest), fastest)
+        change = w[_DCAGE + i] / min(w[_LAG_BY_CAGE + i], DRIVE)
+        change = min(max(change, -longest), longest)
+        speed = min(max(w[_CAGE + i] + change, slowest), fastest)
         w[_DCAGE + i] = speed - w[_CAGE + i]
         w[_CAGE + i] = speed
 
