@@ -37,6 +37,7 @@ from benchmarks import (
     throughput,
     vibration,
     weibull,
+    worst_case,
 )
 from benchmarks.figures import Figure, Findings, has_avx512
 
@@ -158,6 +159,7 @@ def steps(effort: Effort) -> list[tuple[str, Callable[[], Findings]]]:
         ("Weibull fits", partial(weibull.measure, e.weibull_fits, e.weibull_sample, e.repeats)),
         *vibration_steps(e),
         *((n, partial(robustness.measure, n, e.robust_cases)) for n in robustness.KINDS),
+        ("worst case", partial(worst_case.measure, e.robust_cases)),
         ("laws", partial(laws.measure, e.law_cases)),
         ("app", partial(app.measure, e.app_moves, e.app_requests)),
     ]

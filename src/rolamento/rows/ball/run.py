@@ -83,12 +83,19 @@ class Solution:
 
 
 def solve_columns(
-    p: Floats, control: Floats, balls: int, *, threads: int | None = None, fast: bool = True
+    p: Floats,
+    control: Floats,
+    balls: int,
+    *,
+    threads: int | None = None,
+    fast: bool = True,
+    most_work: float = MOST_WORK,
 ) -> Solution:
     """Solve every column of parameters.
 
-    p: (layout.COLUMN, cases); control: +1 or -1 (cases, balls) or (1, balls). Columns that are
-    not finite get the code INVALID_INPUT and are left alone.
+    p: (layout.COLUMN, cases); control: +1 or -1 (cases, balls) or (1, balls); most_work: how often
+    a ball may be evaluated on a case beside the fast path. Columns that are not finite get the code
+    INVALID_INPUT and are left alone.
     """
     cases = p.shape[1]
     solution = Solution.empty(cases, balls)
@@ -99,13 +106,13 @@ def solve_columns(
     p, control = np.ascontiguousarray(p), np.ascontiguousarray(control, dtype=np.float64)
     still = np.flatnonzero(finite & ~moving)
     if len(still):
-        _run_threads(p, control, balls, still, False, threads, fast, solution)
+        _run_threads(p, control, balls, still, False, threads, fast, most_work, solution)
         # what is left out of those is part of their residual: some have to be solved with it
         again = (solution.code == accept.NEEDS_INERTIA) | (solution.code == status.NOT_CONVERGED)
         moving |= again & turns(p)
     in_motion = np.flatnonzero(finite & moving)
     if len(in_motion):
-        _run_threads(p, control, balls, in_motion, True, threads, fast, solution)
+        _run_threads(p, control, balls, in_motion, True, threads, fast, most_work, solution)
     return solution
 
 
@@ -136,6 +143,7 @@ def _run_threads(
     moving: bool,
     threads: int | None,
     fast: bool,
+    most_work: float,
     solution: Solution,
 ) -> None:
     """Share some of the cases out to threads, in chunks small enough to keep all of them busy."""
@@ -156,7 +164,7 @@ def _run_threads(
 
     def run(first: int) -> None:
         chunk = which[first : first + CHUNK]
-        solve_cases.compiled(p, control, cosines, sines, moving, chunk, fast, MOST_WORK, out)
+        solve_cases.compiled(p, control, cosines, sines, moving, chunk, fast, most_work, out)
         _ready.set()
 
     workers = min(thread_count(threads), -(-cases // CHUNK))
