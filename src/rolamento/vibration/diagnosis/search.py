@@ -468,8 +468,9 @@ def _descending(rows: list[FloatArray]) -> list[FloatArray]:
     """Arrays ordered element by element, from great to small.
 
     A network of comparisons, which are whole arrays': Batcher's merge exchange (Knuth, The Art of
-    Computer Programming 3, 5.2.2 M).
+    Computer Programming 3, 5.2.2 M). The arrays are used up.
     """
+    spare = np.empty_like(rows[0])
     step = top = 1 << (len(rows) - 1).bit_length() >> 1
     while step > 0:
         merged, bit, distance = top, 0, step
@@ -477,7 +478,8 @@ def _descending(rows: list[FloatArray]) -> list[FloatArray]:
             for low in range(len(rows) - distance):
                 if low & step == bit:
                     one, other = rows[low], rows[low + distance]
-                    rows[low], rows[low + distance] = np.maximum(one, other), np.minimum(one, other)
+                    rows[low] = np.maximum(one, other, out=spare)
+                    rows[low + distance], spare = np.minimum(one, other, out=one), other
             if merged == step:
                 break
             distance, merged, bit = merged - step, merged >> 1, step
