@@ -3,7 +3,7 @@
 The duty set of `duty_sets.tilts_held` with oil, temperature, roughness and a coefficient of
 friction; friction by a closed form, Jones's simplified model, with hysteresis and the oil's
 rolling resistance. What is measured begins where the cases are solved. Beside the film stands
-what an engineer writes with NumPy and SciPy's elliptic integrals, of one race, whole arrays at once.
+what an engineer writes with NumPy and SciPy's elliptic integrals, whole arrays at once.
 """
 
 from __future__ import annotations
