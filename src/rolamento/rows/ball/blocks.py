@@ -21,6 +21,7 @@ from rolamento.rows.ball.types import Array, Order, Three
 
 STATIC_STEPS: Final = 10
 MOVING_STEPS: Final = 30
+TRIALS: Final = 8  # of which balls are on the groove
 START_TOLERANCE: Final = 1e-2  # of a static start for a moving bearing
 TOLERANCE: Final = 1e-6  # before the last step, which squares it, or less where a ball just touches
 
@@ -160,6 +161,16 @@ def _regroup(w: Array, b: Array, lane: int) -> int:
     return changed
 
 
+@shared
+def _let_out(w: Array, b: Array, lane: int) -> None:
+    """Put the balls that are off the inner groove where their centrifugal force holds them."""
+    out = w[layout.OUTER_SHARE * _LANES + lane] * w[layout.INERTIA_APPROACH * _LANES + lane]
+    for j in range(b.shape[0]):
+        if b[j, layout.OFF * _LANES + lane] > 0.0:
+            b[j, _X + lane] = 0.0
+            b[j, _X + _LANES + lane] = w[layout.OUTER_LENGTH * _LANES + lane] + out
+
+
 @inline_exact
 def _lost(w: Array, lane: int) -> bool:
     """Whether a lane's ring has gone to NaN, as after a step without any stiffness."""
@@ -264,6 +275,7 @@ def solve_moving(
     b = np.zeros((balls, layout.BALL_ROWS * _LANES))
     holds = np.full(_LANES, -1)  # the case in each lane
     settled = np.zeros(_LANES, np.bool_)
+    groupings = np.zeros(_LANES, np.int64)
     tilting = _tilting(p, order)
     axes = _FIVE if tilting else _THREE
     waiting = 0
@@ -279,6 +291,7 @@ def solve_moving(
                 fill(w, b, lane, p, cosines, sines, control, case, displacement[case])
                 _put_positions(b, lane, position[case])
                 holds[lane] = case
+                groupings[lane] = 0
                 waiting += 1
                 working += 1
 
@@ -305,8 +318,12 @@ def solve_moving(
         for lane in range(_LANES):
             case = holds[lane]
             lost = _lost(w, lane)
-            if settled[lane] and not lost:
-                settled[lane] = _regroup(w, b, lane) == 0
+            if settled[lane] and not lost and _regroup(w, b, lane) > 0:
+                settled[lane] = False
+                groupings[lane] += 1
+                if groupings[lane] <= TRIALS:
+                    w[layout.STEPS * _LANES + lane] = 0.0
+                    _let_out(w, b, lane)
             steps = int(w[layout.STEPS * _LANES + lane])
             if case < 0 or not (settled[lane] or lost or steps >= MOVING_STEPS):
                 continue

@@ -316,9 +316,9 @@ def follow_ring(w: Array, b: Array) -> None:
         a1, a2 = _groove_fast(w, b, i)
         side = 1.0 if a1 > 0.0 else -1.0
         inside = min(side * x1, side * (a1 * x2 - a2 * x1) / l_o) + 0.1 * l_o
-        inside = min(inside, min(1.5 * l_o - reach, reach - 0.8 * l_o))
-        lost = 1.0 if w[_STEPS + i] <= PATIENCE else 2.0
-        w[_ASTRAY + i] = 0.0 if inside > 0.0 else lost
+        late = w[_STEPS + i] > PATIENCE  # then only how far it is off the race
+        inside = min(l_o if late else inside, min(1.5 * l_o - reach, reach - 0.8 * l_o))
+        w[_ASTRAY + i] = 0.0 if inside > 0.0 else (2.0 if late else 1.0)
 
 
 @vector_loop
