@@ -374,7 +374,7 @@ def _slow_spread(power: FloatArray, slow: int) -> int:
 
 _DIVISIONS: Final = (1, 2, 3, 4, 6, 8)
 _LONG: Final = 2**17
-"""Samples of a block from which on threads share its bands."""
+"""Samples of a first block from which on threads share its bands."""
 _BANDWIDTH: Final = 2.5
 """Of the narrowest band, over the highest modulation frequency that is looked at in it."""
 
@@ -547,8 +547,10 @@ class _Sums:
         self.combs += found.has_comb
         turning = Turning.of(block.places, self.powers.shape[2])
         of_band = partial(self._of_band, found.spectrum, 0.5 * block.rate, turning)
-        # of short blocks the interpreter's share is too large
-        side = side_by_side if len(block.samples) >= _LONG else map
+        # of short blocks the interpreter's share is too large; in a long record, whose memory
+        # must not grow, each thread would keep memory of its own
+        shared = self.number == 0 and len(block.samples) >= _LONG
+        side = side_by_side if shared else map
         for number, powers in enumerate(side(of_band, self.bands)):
             self.powers[0, number] += powers.plain
             self.powers[1, number] += powers.even

@@ -82,12 +82,11 @@ def diagnose(
         raise InputError(
             said("must be FaultOrders"), field="orders", example="FaultOrders(outer_race=3.585)"
         )
-    blocks = iter(blocks_of(signal, chosen.block_revolutions))
+    blocks = map(Whitening, blocks_of(signal, chosen.block_revolutions))
     first = next(blocks, None)
     if first is None:
         raise InputError(said("has no samples"), field="signal")
-    begun = Whitening(first)
-    shaft = shaft_lines(begun, chosen.speed_tolerance)
+    shaft = shaft_lines(first, chosen.speed_tolerance)
     freedom = 0.0 if shaft.confirmed else chosen.speed_tolerance
     present = [part for part in COMPONENTS if orders.fundamental(part) is not None]
     plan = Plan(
@@ -100,8 +99,9 @@ def diagnose(
         speed_uncertainty=chosen.speed_uncertainty,
         speed_factor=shaft.factor,
     )
-    spectra = band_spectra(chain([begun], map(Whitening, blocks)), plan)
-    return judge(spectra, orders, chosen, shaft)
+    all_of_them = chain([first], blocks)
+    del first  # a block is released when the next one comes
+    return judge(band_spectra(all_of_them, plan), orders, chosen, shaft)
 
 
 def _combs(
