@@ -173,6 +173,7 @@ def vibration_steps(e: Effort) -> list[tuple[str, Callable[[], Findings]]]:
     }
     return [
         *((name, partial(measure, e.signal_seconds, e.repeats)) for name, measure in each.items()),
+        ("short diagnosis", partial(vibration.measure_short, e.repeats)),
         (
             "cyclic coherence",
             partial(vibration.measure_coherence, e.signal_seconds, e.modulations, e.repeats),

@@ -1,4 +1,7 @@
-"""How long a person waits: for the import, and for the first answer of the command."""
+"""How long a person waits: for the import, and for the first answer of a command.
+
+Beside a diagnosis stands a script with SciPy, a new process too.
+"""
 
 from __future__ import annotations
 
@@ -6,16 +9,22 @@ import importlib
 import statistics
 import subprocess
 import sys
+import tempfile
 import time
 from pathlib import Path
 
-from benchmarks import duty_sets
+from benchmarks import duty_sets, vibration
 from benchmarks.figures import Figure, Findings, below
+from rolamento.vibration.synthesis import synthesise
+from rolamento.vibration.writing import write_signal
+
+_ROOT = Path(__file__).parents[1]
 
 
 def measure(runs: int) -> Findings:
-    """Wall time of new processes: `import rolamento`, and `rolamento solve` on a warm cache."""
-    findings = _measure("import rolamento", [sys.executable, "-c", "import rolamento"], runs, 0.2)
+    """Wall time of new processes: `import rolamento`, `solve` and `diagnose`, on warm caches."""
+    imported = [sys.executable, "-c", "import rolamento"]
+    findings = _measure("import rolamento", imported, runs, 0.2)
     command = command_line()
     if command is None:
         findings.remarks.append("rolamento solve: skipped, there is no command line yet.")
@@ -24,6 +33,24 @@ def measure(runs: int) -> Findings:
     for name, file, target in (("218 example", example.name, 0.8), ("pair", "6012_pair.toml", 0.6)):
         solve = [*command, "solve", str(example.with_name(file))]
         findings.add(_measure(f"rolamento solve, {name}", solve, runs, target))
+    findings.add(_diagnoses(command, runs))
+    return findings
+
+
+def _diagnoses(command: list[str], runs: int) -> Findings:
+    """Of 10 s at 51.2 kHz from a file, without and with a picture."""
+    findings = Findings.none()
+    script = [sys.executable, "-m", vibration.vibration_plain.__name__]
+    with tempfile.TemporaryDirectory() as folder:
+        path, picture = Path(folder) / "signal.npz", Path(folder) / "picture.png"
+        write_signal(synthesise(vibration.recipe(vibration.DURATION)).signal, path)
+        diagnose = [*command, "diagnose", str(path), "--bearing", "6205"]
+        for name, drawn, alone, target in (
+            ("rolamento diagnose, 10 s", [], [], 1.5),
+            ("rolamento diagnose --plot", ["--plot", str(picture)], [str(picture)], 3.0),
+        ):
+            findings.add(_measure(name, [*diagnose, *drawn], runs, target))
+            findings.add(_measure(f"{name}: SciPy", [*script, str(path), *alone], runs, None))
     return findings
 
 
@@ -40,18 +67,21 @@ def command_line() -> list[str] | None:
     return [sys.executable, "-c", "from rolamento.cli import main; main()"]
 
 
-def _measure(name: str, command: list[str], runs: int, target: float) -> Findings:
+def _measure(name: str, command: list[str], runs: int, target: float | None) -> Findings:
     """Best and median of several runs, after one that fills the caches."""
     times = []
     for _ in range(runs + 1):
         begin = time.perf_counter()
-        done = subprocess.run(command, capture_output=True, text=True, timeout=300, check=False)
+        done = subprocess.run(
+            command, capture_output=True, text=True, timeout=300, check=False, cwd=_ROOT
+        )
         times.append(time.perf_counter() - begin)
         if done.returncode != 0:
             last = (done.stderr or done.stdout).strip().splitlines()[-1:]
             return Findings([], [], [f"{name}: exit code {done.returncode}: {' '.join(last)}"])
+    aim = None if target is None else below(target)
     figures = [
-        Figure("start", f"{name}: best", min(times[1:]), "s", below(target)),
+        Figure("start", f"{name}: best", min(times[1:]), "s", aim),
         Figure("start", f"{name}: median", statistics.median(times[1:]), "s"),
     ]
     return Findings(figures, [], [])

@@ -104,7 +104,8 @@ def control_codes(control: ControlName | ArrayLike) -> ControlCodes:
             raise ValueError(f"raceway control must be one of {sorted(names)}, got {control!r}")
         return np.asarray(names[control], dtype=np.int64)
     codes = np.asarray(control)
-    if not np.all(np.isin(codes, list(names.values()))):
+    whole = codes if codes.dtype.kind == "i" else np.rint(codes)
+    if np.any(whole != codes) or np.any((whole < -1) | (whole > 1)):
         raise ValueError("raceway control codes must be -1, 0 or 1")
     return codes.astype(np.int64)
 
@@ -143,9 +144,12 @@ def ball_motion(
     inner, outer = np.asarray(inner_contact_angle), np.asarray(outer_contact_angle)
     ratio = np.asarray(diameter_ratio, dtype=np.float64)
     inner_ring, outer_ring = np.asarray(inner_speed), np.asarray(outer_speed)
-    own = orbital_speed(inner, outer, ratio, inner_ring, outer_ring, control)
-    orbit = own if orbit is None else np.asarray(orbit, dtype=np.float64)
-    on_inner = np.where(_sigma(control) > 0, 0.0, hold)
+    if orbit is None:
+        orbit = orbital_speed(inner, outer, ratio, inner_ring, outer_ring, control)
+    orbit = np.asarray(orbit, dtype=np.float64)
+    by_outer = _sigma(control) > 0
+    on_inner = np.where(by_outer, 0.0, hold)
+    cos_i, sin_i, cos_o, sin_o = np.cos(inner), np.sin(inner), np.cos(outer), np.sin(outer)
 
     # what each ring turns faster or slower than the ball orbits, over the difference of both
     relative = np.asarray(outer_ring - inner_ring, dtype=np.float64)
@@ -154,18 +158,20 @@ def ball_motion(
     ahead = np.where(alike, 1.0, (outer_ring - orbit) / divisor)
     behind = np.where(alike, 1.0, (orbit - inner_ring) / divisor)
     ahead, behind = (1.0 - on_inner) * ahead, on_inner * behind
-    axis_x = ahead * (np.cos(outer) + ratio) + behind * (np.cos(inner) - ratio)
-    axis_r = np.where(_sigma(control) > 0, ahead * np.sin(outer), behind * np.sin(inner))
-    ball_x = orbit + relative / ratio * axis_x
-    ball_r = -relative / ratio * axis_r
+    axis_x = ahead * (cos_o + ratio) + behind * (cos_i - ratio)
+    axis_r = np.where(by_outer, ahead * sin_o, behind * sin_i)
+    scale = relative / ratio
+    ball_x = orbit + scale * axis_x
+    ball_r = -scale * axis_r
+    over_inner, over_outer = ball_x - inner_ring, ball_x - outer_ring
     fields = np.broadcast_arrays(
         orbit,
-        relative / ratio * np.hypot(axis_x, axis_r),
+        scale * np.hypot(axis_x, axis_r),
         np.arctan2(axis_r, axis_x),
-        (ball_x - inner_ring) * np.sin(inner) + ball_r * np.cos(inner),
-        -(ball_x - outer_ring) * np.sin(outer) - ball_r * np.cos(outer),
-        (ball_x - inner_ring) * np.cos(inner) - ball_r * np.sin(inner),
-        (ball_x - outer_ring) * np.cos(outer) - ball_r * np.sin(outer),
+        over_inner * sin_i + ball_r * cos_i,
+        -over_outer * sin_o - ball_r * cos_o,
+        over_inner * cos_i - ball_r * sin_i,
+        over_outer * cos_o - ball_r * sin_o,
     )
     return BallMotion(*fields)
 
@@ -429,11 +435,12 @@ def surface_speeds(
     arm = arm + side * radius * np.cos(angle)
     orbit = in_reach(orbital_speed, "orbital_speed", "rad/s", -_FASTEST, _FASTEST)
     ring = (in_reach(ring_speed, "ring_speed", "rad/s", -_FASTEST, _FASTEST) - orbit) * arm
-    tangent = np.cos(beta) * np.cos(in_reach(yaw, "yaw", "rad", -_TURN, _TURN)) * np.cos(angle)
-    tangent = tangent + np.sin(beta) * np.sin(angle)
-    ball = (
-        side * radius * in_reach(ball_speed, "ball_speed", "rad/s", -_FASTEST, _FASTEST) * tangent
-    )
+    aside = in_reach(yaw, "yaw", "rad", -_TURN, _TURN)
+    tangent = np.cos(beta - angle)
+    if aside.any():
+        tangent = tangent - np.cos(beta) * np.cos(angle) * (1.0 - np.cos(aside))
+    ball = side * radius * in_reach(ball_speed, "ball_speed", "rad/s", -_FASTEST, _FASTEST)
+    ball = ball * tangent
     return SurfaceSpeeds(*np.broadcast_arrays(ring, ball))
 
 

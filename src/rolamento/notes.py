@@ -24,7 +24,6 @@ from rolamento.kinematics import (
     friction_demand,
     jones_control,
     nominal_orbit,
-    spin_resistance,
 )
 from rolamento.numerics import BoolArray
 from rolamento.roller_notes import (
@@ -97,8 +96,8 @@ def jones_verdict(solved: Solved) -> NDArray[np.int64]:
     """Which race controls every element by Jones's criterion: codes (cases, elements)."""
     inner, outer = solved.inner, solved.outer
     return jones_control(
-        spin_resistance(inner.load, inner.semi_major, inner.ellipticity),
-        spin_resistance(outer.load, outer.semi_major, outer.ellipticity),
+        inner.resistance_to_spin,
+        outer.resistance_to_spin,
         inner.contact_angle,
         outer.contact_angle,
     )

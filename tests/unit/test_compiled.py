@@ -29,7 +29,7 @@ def test_both_ways_agree(case_218: Case, speed: float) -> None:
     for run in (solve_cases, solve_cases.compiled):
         solution = Solution.empty(1, 16)
         run(
-            p, control, np.cos(azimuth), np.sin(azimuth), speed > 0.0, 0, 1, False, 1e6,
+            p, control, np.cos(azimuth), np.sin(azimuth), speed > 0.0, np.arange(1), False, 1e6,
             solution.arrays(),
         )  # fmt: skip
         results.append(solution)

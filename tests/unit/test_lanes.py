@@ -10,12 +10,23 @@ import pytest
 from rolamento.case import Case
 from rolamento.numerics.compiled import Kernel
 from rolamento.rows.ball import lanes, layout
-from rolamento.rows.ball.blocks import fill
-from rolamento.rows.ball.problem import case_parameters
-from rolamento.rows.ball.single import direction, groove, linearised, static_ball
+from rolamento.rows.ball.accept import judge
+from rolamento.rows.ball.blocks import fill, judge_blocks
+from rolamento.rows.ball.problem import apply_model, case_parameters, directions
+from rolamento.rows.ball.run import Solution, solve_columns
+from rolamento.rows.ball.single import (
+    OFF_GROOVE,
+    direction,
+    groove,
+    linearised,
+    ring_around,
+    static_ball,
+)
+from rolamento.status import CONVERGED, TOLERANCE
 
 BALLS = 16
 N = layout.LANES
+FIVE = np.uintp(5)
 
 Code = Callable[[Kernel[..., None]], Callable[..., None]]
 AS_WRITTEN = pytest.param(lambda kernel: kernel.python, id="as written")
@@ -122,7 +133,7 @@ def test_static_balls_and_the_ring_step(code: Code, filled: tuple[np.ndarray, ..
     code(lanes.reset_sums)(w)
     for ball in b:
         code(lanes.add_static_ball)(w, ball)
-    code(lanes.step_ring)(w)
+    code(lanes.step_ring)(w, FIVE)
     for lane in range(N):
         pieces = []
         for j in range(BALLS):
@@ -135,6 +146,8 @@ def test_static_balls_and_the_ring_step(code: Code, filled: tuple[np.ndarray, ..
         step = np.zeros(5)
         unbalanced = row(w, layout.APPLIED, lane, 5) - reaction
         step[free] = np.linalg.solve(matrix[np.ix_(free, free)], unbalanced[free])
+        longest = lanes.LONGEST_STEP * (p[layout.INNER_LENGTH, lane] + p[layout.OUTER_LENGTH, lane])
+        step *= min(1.0, longest / max(np.abs(step[:3]).max(), 1e-300))
         np.testing.assert_allclose(
             row(w, layout.STEP, lane, 5), step, rtol=1e-7, atol=1e-9 * np.abs(step).max()
         )
@@ -148,7 +161,7 @@ def test_balls_follow_the_ring(code: Code, filled: tuple[np.ndarray, ...]) -> No
     code(lanes.reset_sums)(w)
     for ball in b:
         code(lanes.add_moving_ball)(w, ball, 1e-6)
-    code(lanes.step_ring)(w)
+    code(lanes.step_ring)(w, FIVE)
     before = b.copy()
     for ball in b:
         code(lanes.follow_ring)(w, ball)
@@ -161,3 +174,54 @@ def test_balls_follow_the_ring(code: Code, filled: tuple[np.ndarray, ...]) -> No
             moved = row(b[j], layout.POSITION, lane, 2) - row(before[j], layout.POSITION, lane, 2)
             expected = np.array([q1, q2]) + np.array([[w11, w12], [w21, w22]]) @ da
             np.testing.assert_allclose(moved, expected, rtol=1e-9, atol=1e-15)
+
+
+@pytest.mark.parametrize("setting", ["combined", "light", "off the groove", "moments"])
+def test_judged_in_lanes_as_one_by_one(setting: str, case_218: Case) -> None:
+    """The judgement in lanes has the bits of the plain one; what it does not accept has none."""
+    rng = np.random.default_rng(5)
+    cases = 3 * N + 5
+    p = np.repeat(case_parameters(case_218)[:, np.newaxis], cases, axis=1)
+    p[layout.FREE : layout.FREE + 5] = 1.0
+    p[layout.FREE + 3 : layout.FREE + 5] = setting == "moments"
+    fx = 50.0 if setting == "light" else rng.uniform(5e3, 4e4, cases)
+    p[layout.APPLIED : layout.APPLIED + 5] = 0.0
+    p[layout.APPLIED], p[layout.APPLIED + 2] = fx, fx * rng.uniform(0.0, 0.8, cases)
+    p[layout.IMPOSED : layout.IMPOSED + 5] = 0.0
+    if setting == "off the groove":  # a heavy radial load presses tilted rings out of it
+        p[layout.APPLIED + 2] = 2.5 * fx
+        p[layout.IMPOSED + 3 : layout.IMPOSED + 5] = rng.uniform(-1.2e-4, 1.2e-4, (2, cases))
+    p[layout.INNER_SPEED] = rng.uniform(600.0, 1500.0, cases)
+    p[layout.OUTER_SPEED] = 0.0
+    apply_model(p, case_218.model)
+    control = np.ones((1, BALLS))
+    solution = solve_columns(p, control, BALLS, threads=1)
+    (cosines, sines), order = directions(BALLS), np.arange(cases)
+
+    together = Solution.empty(cases, BALLS)
+    accepted = np.zeros(cases, np.bool_)
+    ring = ring_around.python(np.zeros(5), np.zeros((5, 5)), np.zeros(1))
+    errors = np.zeros((BALLS, 2))
+    judge_blocks.compiled(
+        p, control, cosines, sines, order, solution.displacement, solution.cage,
+        solution.position, ring, errors, together.reaction, together.stiffness, together.residual,
+        accepted,
+    )  # fmt: skip
+    assert accepted.mean() > 0.9
+    off = 0
+    for case in np.flatnonzero(accepted):
+        u, x = solution.displacement[case], solution.position[case].copy()
+        on_groove = control[0].copy()
+        for j in range(BALLS):
+            a1, a2 = groove(p, case, u, *direction(p, case, cosines[j], sines[j]))
+            if a2 <= x[j, 1] and abs(a1 - x[j, 0]) > p[layout.INNER_LENGTH, case]:
+                on_groove[j] *= OFF_GROOVE
+                off += 1
+        code, residual, _ = judge.compiled(
+            p, case, True, on_groove, cosines, sines, u, solution.cage[case], x, ring, errors
+        )
+        assert code == CONVERGED
+        assert residual == together.residual[case] <= TOLERANCE
+        np.testing.assert_array_equal(ring.reaction, together.reaction[case])
+        np.testing.assert_array_equal(ring.matrix, together.stiffness[case])
+    assert (off > 0) == (setting == "off the groove")

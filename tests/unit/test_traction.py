@@ -33,7 +33,7 @@ from rolamento.rows.ball.traction.ball import (
     race_room,
     rolling_start,
 )
-from rolamento.rows.ball.traction.contact import FORCES, add_friction, ellipse_nodes
+from rolamento.rows.ball.traction.contact import FORCES, SUMS, add_friction, ellipse_nodes
 from rolamento.rows.ball.traction.solve import case_constants
 
 Floats = NDArray[np.float64]
@@ -93,7 +93,7 @@ def test_friction_is_that_of_the_slip_field(race: Any, seed: int) -> None:
         *nodes, (omega[0] - ring) * s + omega[2] * c, (omega[0] - ring) * c - omega[2] * s,
         omega[1], 0.5 * (ring - orbit) * pitch, patch.side, MU * load, a, b,
         float(patch.deformed_radius[0]), 0.5 * diameter, np.full(nodes[0].size, 0.3**2), force,
-        slope, growth,
+        slope, growth, np.empty(SUMS),
     )  # fmt: skip
     names = ("moment_twist", "moment_roll", "moment_tumble", "force_rolling", "force_transverse")
     for value, name in zip(force, names, strict=True):
@@ -289,6 +289,7 @@ def integrals(nodes: tuple[int, int], motion: tuple[float, float], v0: float) ->
     power = vectorised(
         *found, spin, across, y * spin / radius, radius * across - x * spin, 1.0, 100.0, a, b,
         GROOVE, RADIUS_OF_BALL, np.full(found[0].size, v0**2), force, slope, growth,
+        np.empty(SUMS),
     )  # fmt: skip
     return np.append(force, power)
 

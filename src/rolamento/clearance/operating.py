@@ -255,8 +255,11 @@ def _at_limits(band: Any) -> Any:
 
 
 def _numbers_at_limits(values: NDArray[np.float64] | float) -> tuple[float, float, float]:
-    low, mean, high = np.broadcast_to(values, (3,))
-    return float(low), float(mean), float(high)
+    if np.size(values) == 1:
+        one = np.asarray(values, np.float64).item()
+        return one, one, one
+    low, mean, high = np.asarray(values).tolist()
+    return low, mean, high
 
 
 _TEMPERATURE_STEPS: Final = {"tapered": "step_temperature_tapered"}

@@ -18,7 +18,7 @@ Analysis, 3rd ed. (1991), chapter 5; Brewe and Hamrock (1977).
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -27,7 +27,15 @@ from rolamento.numerics import FloatArray
 from rolamento.numerics.elliptic import associate, complete
 
 _NEWTON_STEPS = 30
-_STEP_TOLERANCE = 4e-15
+_LAST_STEP = 3e-8
+_LARGEST_FITTED = 8.0
+_START = (
+    1.1698686464e-10, 0.666666530927, 2.42237504431e-06, -0.0030994631522, 3.28192735224e-05,
+    8.21878367412e-05, 4.04784986688e-05, -2.93028322031e-05, 8.14136554243e-06,
+    -1.33967322637e-06, 1.41421304054e-07, -9.47309419259e-09, 3.68731080548e-10,
+    -6.37469260254e-12,
+)  # fmt: skip
+"""Of a polynomial in ln(ρ_max/ρ_min), fitted to ln k at Chebyshev's nodes from 0 to 8."""
 
 
 class ElasticMaterial(Protocol):
@@ -62,7 +70,7 @@ class HertzContact:
     """A loaded elliptical contact; every field an array of the same shape, SI.
 
     load N, semi_major and semi_minor m, deflection m, max_pressure and mean_pressure Pa,
-    stiffness N/m^1.5 (load = stiffness · deflection^1.5), ellipticity a/b.
+    stiffness N/m^1.5 (load = stiffness · deflection^1.5), ellipticity a/b, second_integral E(m).
     """
 
     load: FloatArray
@@ -73,6 +81,12 @@ class HertzContact:
     mean_pressure: FloatArray
     stiffness: FloatArray
     ellipticity: FloatArray
+    second_integral: FloatArray
+
+    @property
+    def resistance_to_spin(self) -> FloatArray:
+        """Q a E(m); (3/8) μ times it is the friction moment; N·m. Jones (1959); Harris (1991)."""
+        return self.load * self.semi_major * self.second_integral
 
 
 def effective_modulus(first: ElasticMaterial, second: ElasticMaterial) -> float:
@@ -102,7 +116,7 @@ def ellipticity(curvature_difference: ArrayLike) -> FloatArray:
     """
     f = np.asarray(curvature_difference, dtype=np.float64)
     f = np.where((f >= 0.0) & (f < 1.0), f, np.nan)
-    return _ellipticity_of_log_ratio(-2.0 * np.arctanh(f))
+    return _shape_of_log_ratio(-2.0 * np.arctanh(f)).ellipticity
 
 
 def brewe_hamrock_ellipticity(curvature_ratio: ArrayLike) -> FloatArray:
@@ -136,7 +150,10 @@ def hertz_coefficients(curvature_difference: ArrayLike) -> HertzCoefficients:
 
     Harris (1991), chapter 5; δ* is Radaelli (2013) eq. 7.
     """
-    return _coefficients(ellipticity(curvature_difference))
+    k = ellipticity(curvature_difference)
+    first, second = complete(1.0 / (k * k))
+    b = np.cbrt(2.0 * second / (np.pi * k))
+    return HertzCoefficients(k, k * b, b, 2.0 * first / (np.pi * k * b))
 
 
 def contact_stiffness(
@@ -156,7 +173,8 @@ def contact_stiffness(
     Radaelli (2013) eq. 11, for any materials: K = √8/3 · E' Σρ^-½ δ*^-3/2.
     """
     total, shape = _shape(curvature_rolling, curvature_across)
-    return _stiffness(total, shape, np.asarray(modulus, dtype=np.float64))
+    strain = total / shape.second
+    return _stiffness(strain, shape, np.asarray(modulus, dtype=np.float64))
 
 
 def series_stiffness(inner: ArrayLike, outer: ArrayLike) -> FloatArray:
@@ -196,65 +214,90 @@ def elliptical_contact(
     e = np.asarray(modulus, dtype=np.float64)
     q = np.asarray(load, dtype=np.float64)
     q = np.where(q >= 0.0, q, np.nan)
-    scale = np.cbrt(3.0 / (total * e))
-    root = np.cbrt(q)
-    a, b = shape.semi_major * scale, shape.semi_minor * scale
-    p0 = 1.5 * root / (np.pi * a * b)
+    k, second = shape.ellipticity, shape.second
+    strain = total / second
+    b = np.cbrt(6.0 / np.pi * q / (strain * k * e))
+    p0 = 0.25 * b * strain * e
     fields = np.broadcast_arrays(
         q,
-        a * root,
-        b * root,
-        0.5 * shape.deflection * scale**2 * total * root**2,
+        k * b,
+        b,
+        0.5 * strain * shape.first * (b * b),
         p0,
         2.0 / 3.0 * p0,
-        _stiffness(total, shape, e),
-        shape.ellipticity,
+        _stiffness(strain, shape, e),
+        k,
+        second,
     )
     return HertzContact(*fields)
 
 
-def _shape(rolling: ArrayLike, across: ArrayLike) -> tuple[FloatArray, HertzCoefficients]:
-    """Sum of curvatures, and the coefficients straight from their ratio."""
+class _Shape(NamedTuple):
+    """Of an ellipse: k and the complete integrals K and E of m = 1 - 1/k²."""
+
+    ellipticity: FloatArray
+    first: FloatArray
+    second: FloatArray
+
+
+def _shape(rolling: ArrayLike, across: ArrayLike) -> tuple[FloatArray, _Shape]:
+    """Sum of curvatures, and the shape straight from their ratio."""
     x = np.asarray(rolling, dtype=np.float64)
     y = np.asarray(across, dtype=np.float64)
     valid = (x > 0.0) & (y > 0.0)
     x, y = np.where(valid, x, np.nan), np.where(valid, y, np.nan)
-    log_ratio = -np.abs(np.log(x / y))
-    return x + y, _coefficients(_ellipticity_of_log_ratio(log_ratio))
+    return x + y, _shape_of_log_ratio(-np.abs(np.log(x / y)))
 
 
-def _coefficients(k: FloatArray) -> HertzCoefficients:
-    first, second = complete(1.0 / (k * k))
-    b = np.cbrt(2.0 * second / (np.pi * k))
-    return HertzCoefficients(k, k * b, b, 2.0 * first / (np.pi * k * b))
+def _shape_of_log_ratio(log_ratio: FloatArray) -> _Shape:
+    """Shape from ln(ρ_min/ρ_max) ≤ 0, by Newton on u = ln k.
 
-
-def _stiffness(total: FloatArray, shape: HertzCoefficients, modulus: FloatArray) -> FloatArray:
-    return np.asarray(np.sqrt(8.0 / total) / 3.0 * modulus * shape.deflection**-1.5)
-
-
-def _ellipticity_of_log_ratio(log_ratio: FloatArray) -> FloatArray:
-    """Ellipticity k from ln(ρ_min/ρ_max) ≤ 0, by Newton on u = ln k.
-
-    ln(D/B) - 2u is nearly straight in u: its slope runs from -3/2 at k = 1 toward -2.
+    ln(D/B) - 2u is nearly straight in u: its slope runs from -3/2 at k = 1 toward -2. The last
+    step is so short that its square is rounding, and the integrals follow along their slopes.
     """
-    u = np.maximum(-0.636 * log_ratio, 0.0)
+    u = _start(log_ratio)
     for _ in range(_NEWTON_STEPS):
         m1 = np.exp(-2.0 * u)
         b, d = associate(m1)
-        residual = np.log(d / b) - 2.0 * u - log_ratio
-        step = residual / _slope(u, m1, b, d)
-        u = np.maximum(u - step, 0.0)
-        unsettled = np.abs(step) > _STEP_TOLERANCE * (1.0 + u)
+        b_rate, d_rate = _rates(m1, b, d)
+        step = (np.log(d / b) - 2.0 * u - log_ratio) / (2.0 - 2.0 * m1 * (d_rate - b_rate))
+        step = np.maximum(step, -u)
+        unsettled = np.abs(step) > _LAST_STEP
         if not unsettled.any():
             break
-    return np.asarray(np.where(unsettled, np.nan, np.exp(u)))
+        u = u + step
+    k = np.maximum(np.exp(u) * (1.0 + step), 1.0)
+    if unsettled.any():
+        k = np.where(unsettled, np.nan, k)
+    slope = 2.0 * m1 * step
+    b, d = b * (1.0 + slope * b_rate), d * (1.0 + slope * d_rate)
+    return _Shape(k, b + d, b + d / (k * k))
 
 
-def _slope(u: FloatArray, m1: FloatArray, b: FloatArray, d: FloatArray) -> FloatArray:
-    """Derivative of ln(D/B) - 2u by u, from DLMF 19.4(i)."""
-    m = -np.expm1(-2.0 * u)
-    safe = np.where(m > 1e-4, m, 1.0)
-    d_rate = np.where(m > 1e-4, (b / m1 - d) / (2.0 * safe * d), 0.375)
-    b_rate = np.where(m > 1e-4, (d - b) / (2.0 * safe * b), 0.125)
-    return np.asarray(-2.0 + 2.0 * m1 * (d_rate - b_rate))
+def _stiffness(strain: FloatArray, shape: _Shape, modulus: FloatArray) -> FloatArray:
+    """K of Q = K δ^1.5, from Σρ/E."""
+    approach = 0.5 * strain * shape.first  # δ/b²
+    return np.asarray(
+        np.pi / 6.0 * strain * shape.ellipticity * modulus / (approach * np.sqrt(approach))
+    )
+
+
+def _start(log_ratio: FloatArray) -> FloatArray:
+    """Nearly ln k, for Newton: to 1e-8 up to a ratio of 3000, as between balls and grooves."""
+    x = np.minimum(-log_ratio, _LARGEST_FITTED)
+    u = np.full_like(x, _START[-1])
+    for coefficient in _START[-2::-1]:
+        u *= x
+        u += coefficient
+    return u - 0.5 * (log_ratio + x)
+
+
+def _rates(m1: FloatArray, b: FloatArray, d: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Derivatives of ln B and ln D by m, from DLMF 19.4(i)."""
+    m = 1.0 - m1
+    wide = m > 1e-4
+    twice = 2.0 * np.where(wide, m, 1.0)
+    return (
+        np.where(wide, (d - b) / (twice * b), 0.125),
+        np.where(wide, (b / m1 - d) / (twice * d), 0.375),
+    )

@@ -35,8 +35,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.friction.slip import Patch
-from rolamento.kinematics import spin_resistance
 from rolamento.numerics import FloatArray
+from rolamento.solved import Contacts
 
 DEFAULT_HYSTERESIS: Final = 0.01
 """α_h where none is given; 0.002 to 0.02 is found in use."""
@@ -55,14 +55,7 @@ MOMENT_COEFFICIENT: Final = 0.375 * 2.0 * (_primitive(1.0) - 2.0 * _primitive(RO
 """0.080571 in M_H = 0.080571 μ Q a²/R."""
 
 
-def resistance_to_spin(patch: Patch) -> FloatArray:
-    """Q a E(m) of contacts, arrays (...); N·m, 0 without load."""
-    touching = patch.load > 0.0
-    ratio = np.where(touching, patch.semi_major, 1.0) / np.where(touching, patch.semi_minor, 1.0)
-    return spin_resistance(patch.load, patch.semi_major, ratio)
-
-
-def spin_moment(patch: Patch, coefficient: ArrayLike) -> FloatArray:
+def spin_moment(patch: Patch | Contacts, coefficient: ArrayLike) -> FloatArray:
     """Moment M_s about the normal; N·m.
 
     Parameters
@@ -74,7 +67,7 @@ def spin_moment(patch: Patch, coefficient: ArrayLike) -> FloatArray:
     -------
     M_s of the broadcast shape; 0 without load.
     """
-    return np.asarray(0.375 * np.asarray(coefficient) * resistance_to_spin(patch))
+    return np.asarray(0.375 * np.asarray(coefficient) * patch.resistance_to_spin)
 
 
 def rolling_moment(patch: Patch, coefficient: ArrayLike) -> FloatArray:
@@ -94,7 +87,7 @@ def rolling_moment(patch: Patch, coefficient: ArrayLike) -> FloatArray:
     return np.asarray(MOMENT_COEFFICIENT * np.asarray(coefficient) * patch.load * squared)
 
 
-def hysteresis_moment(patch: Patch, loss: ArrayLike = DEFAULT_HYSTERESIS) -> FloatArray:
+def hysteresis_moment(patch: Patch | Contacts, loss: ArrayLike = DEFAULT_HYSTERESIS) -> FloatArray:
     """Moment M_h of elastic hysteresis about the axis of rolling; N·m.
 
     Parameters

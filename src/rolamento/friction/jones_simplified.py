@@ -24,12 +24,18 @@ from rolamento.friction.model import (
     torque_of_losses,
     unit_motion,
 )
+from rolamento.friction.slip import Patch
+from rolamento.kinematics import BallMotion
 from rolamento.solved import Solved
 from rolamento.words import marked
 
 
 def jones_simplified(
-    solved: Solved, coefficient: ArrayLike, *, control: ControlChoice = "jones"
+    solved: Solved,
+    coefficient: ArrayLike,
+    *,
+    control: ControlChoice = "jones",
+    motion: BallMotion | None = None,
 ) -> Torque:
     """Torque of Jones's model with spin and rolling apart, for dry friction at low speed.
 
@@ -38,19 +44,24 @@ def jones_simplified(
     solved : cases.
     coefficient : μ, a number or (cases,).
     control : which race the balls roll on; by default that with the greater resistance to spin.
+    motion : of the balls under that control, where it is known.
 
     Returns
     -------
     Torque; parts "spin" and "rolling_slip".
     """
     mu = checked_coefficient(coefficient, "friction_coefficient")
-    motion = unit_motion(solved, controlling_race(solved, control))
+    if motion is None:
+        motion = unit_motion(solved, controlling_race(solved, control))
     losses = {
         "spin": loss_at_rates(
-            solved, lambda patch: spin_moment(patch, mu), motion.inner_spin, motion.outer_spin
+            solved, lambda race: spin_moment(race, mu), motion.inner_spin, motion.outer_spin
         ),
         "rolling_slip": loss_at_rates(
-            solved, lambda patch: rolling_moment(patch, mu), motion.inner_roll, motion.outer_roll
+            solved,
+            lambda race: rolling_moment(Patch.of(race), mu),
+            motion.inner_roll,
+            motion.outer_roll,
         ),
     }
     return torque_of_losses(MODEL.name, solved, losses, has_result(solved))
@@ -62,7 +73,7 @@ MODEL: Final = TorqueModel(
     short_title=marked("Jones simp"),
     needs=("friction_coefficient",),
     evaluate=lambda setting: jones_simplified(
-        setting.solved, setting.friction_coefficient[:, 0], control=setting.control
+        setting.solved, setting.friction_coefficient[:, 0], motion=setting.unit_motion
     ),
     limits=limits_of_dry_friction,
     closed_form=True,

@@ -7,19 +7,19 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
+from functools import cached_property
 from typing import TYPE_CHECKING, Final, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rolamento.errors import InputError
-from rolamento.friction.closed_forms import hysteresis_moment, resistance_to_spin
-from rolamento.friction.slip import Patch
+from rolamento.friction.closed_forms import hysteresis_moment
 from rolamento.friction.traction import EllipseMesh
 from rolamento.kinematics import BallMotion, ball_motion, friction_demand
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.masked import filled
-from rolamento.solved import Solved
+from rolamento.solved import Contacts, Solved
 from rolamento.words import Note, said
 
 if TYPE_CHECKING:
@@ -141,7 +141,7 @@ def added(torques: Sequence[Torque]) -> Torque:
 # --- what a model reads -----------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Setting:
     """All that a model may ask for; numbers of the cases are columns, (cases, 1).
 
@@ -198,6 +198,11 @@ class Setting:
         if self.film_parameter is None:
             return np.full(len(self), "unknown")
         return film_regime(self.film_parameter[:, 0])
+
+    @cached_property
+    def unit_motion(self) -> BallMotion:
+        """How the balls roll on the race that controls them, as of the function `unit_motion`."""
+        return unit_motion(self.solved, controlling_race(self.solved, self.control))
 
     def supplies(self, needs: tuple[str, ...]) -> bool:
         """Whether the needs of a model, attributes of this or of its machine, are known."""
@@ -399,7 +404,7 @@ def controlling_race(solved: Solved, control: ControlChoice) -> NDArray[np.int64
             value=control,
             example='control = "jones"',
         )
-    inner, outer = (resistance_to_spin(Patch.of(race)) for race in solved.contacts.values())
+    inner, outer = (race.resistance_to_spin for race in solved.contacts.values())
     if control in ("inner", "outer"):
         return np.full(inner.shape, 1 if control == "outer" else -1, dtype=np.int64)
     jones = np.where(outer > inner, 1, -1)
@@ -421,7 +426,7 @@ def unit_motion(solved: Solved, control: NDArray[np.int64]) -> BallMotion:
 
 def loss_at_rates(
     solved: Solved,
-    moment: Callable[[Patch], FloatArray],
+    moment: Callable[[Contacts], FloatArray],
     inner_rate: FloatArray,
     outer_rate: FloatArray,
 ) -> ContactLoss:
@@ -429,7 +434,7 @@ def loss_at_rates(
     loaded = bears_on_both(solved)
     return ContactLoss(
         *(
-            np.where(loaded, moment(Patch.of(race)) * np.abs(rate), 0.0)
+            np.where(loaded, moment(race) * np.abs(rate), 0.0)
             for race, rate in zip(solved.contacts.values(), (inner_rate, outer_rate), strict=True)
         )
     )
@@ -438,7 +443,7 @@ def loss_at_rates(
 def hysteresis_loss(solved: Solved, motion: BallMotion, loss: FloatArray) -> ContactLoss:
     """Loss of every contact by elastic hysteresis, α_h (cases or 1, 1)."""
     return loss_at_rates(
-        solved, lambda patch: hysteresis_moment(patch, loss), motion.inner_roll, motion.outer_roll
+        solved, lambda race: hysteresis_moment(race, loss), motion.inner_roll, motion.outer_roll
     )
 
 

@@ -57,11 +57,14 @@ def rolling_force(
         flat = patch.semi_minor / patch.semi_major
         beta = patch.semi_minor * e / (np.pi * patch.max_pressure * radius)
         load = patch.load / (e * radius**2)
-        elastic = 1.8 * beta**-0.25
-        rigid = 0.77 * beta ** (-1.0 / 3.0) * flat**0.12 * rate ** (-1.0 / 12.0)
-        regime = beta**0.25 * flat * load * rate**-0.75
+        fourth = np.sqrt(np.sqrt(beta))
+        three_fourths = np.sqrt(rate * np.sqrt(rate))
+        elastic = 1.8 / fourth
+        powers = 0.12 * np.log(flat) - np.log(beta) / 3.0 - np.log(rate) / 12.0
+        rigid = 0.77 * np.exp(powers)
+        regime = fourth * flat * load / three_fourths
         mixed = (rigid - elastic) / (1.0 + regime / 6.6) + elastic
-        force = 2.0 * patch.semi_major * mixed * rate**0.75 * e * radius
+        force = 2.0 * patch.semi_major * mixed * three_fourths * e * radius
     return np.asarray(np.where(works, force, 0.0 * patch.load))
 
 
@@ -83,6 +86,8 @@ def _loss_of_race(solved: Solved, race: Race, viscosity: FloatArray) -> FloatArr
     """2 F_R u, with the speed u = ω_roll R_x of pure rolling."""
     contacts = solved.contacts[race]
     curvature = contacts.rolling_curvature
-    speed = np.abs(solved_motion(solved, race, yawing=False).roll) / curvature
+    yaws = solved.elements.yaw.any()
+    roll = solved_motion(solved, race, yawing=False).roll if yaws else contacts.roll
+    speed = np.abs(roll) / curvature
     force = rolling_force(Patch.of(contacts), curvature, contacts.modulus, viscosity, speed)
     return np.asarray(np.where(bears_on_both(solved), 2.0 * force * speed, 0.0))

@@ -31,6 +31,7 @@ from numpy.typing import ArrayLike
 
 from rolamento._reach import in_reach
 from rolamento.geometry import Race
+from rolamento.kinematics import spin_resistance
 from rolamento.numerics import FloatArray
 from rolamento.solved import Contacts, Solved
 
@@ -79,6 +80,13 @@ class Patch:
         """Radius R = 2 f D/(2 f + 1) of the deformed surface across rolling; m. Jones (1959)."""
         f = self.conformity
         return np.asarray(2.0 * f * self.ball_diameter / (2.0 * f + 1.0))
+
+    @property
+    def resistance_to_spin(self) -> FloatArray:
+        """Q a E(m); N·m, 0 without load."""
+        touching = self.load > 0.0
+        ratio = np.where(touching, self.semi_major, 1.0) / np.where(touching, self.semi_minor, 1.0)
+        return spin_resistance(self.load, self.semi_major, ratio)
 
     @property
     def max_pressure(self) -> FloatArray:

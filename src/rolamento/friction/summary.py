@@ -24,14 +24,12 @@ from rolamento.friction.model import (
     TorqueModel,
     checked_coefficient,
     checked_positive,
-    controlling_race,
     has_result,
     hysteresis_loss,
     over_cases,
     relative_speed,
     rolls_on_lines,
     torque_of_losses,
-    unit_motion,
     validity_of,
 )
 from rolamento.friction.models import CONTACT_MODELS, ROLLER_MODEL, TORQUE_MODELS
@@ -364,8 +362,7 @@ def _hysteresis(setting: Setting) -> Torque:
         lost = line_hysteresis_loss(solved, setting.hysteresis)
     else:
         with np.errstate(all="ignore" if rolls.any() else None):
-            motion = unit_motion(solved, controlling_race(solved, setting.control))
-            lost = hysteresis_loss(solved, motion, setting.hysteresis)
+            lost = hysteresis_loss(solved, setting.unit_motion, setting.hysteresis)
         if rolls.any():
             lost = lost.beside(line_hysteresis_loss(solved, setting.hysteresis))
     return torque_of_losses(HYSTERESIS, solved, {HYSTERESIS: lost}, has_result(solved))

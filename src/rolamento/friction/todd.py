@@ -31,6 +31,7 @@ from rolamento.friction.model import (
     torque_of_losses,
     unit_motion,
 )
+from rolamento.friction.slip import Patch
 from rolamento.solved import Solved
 from rolamento.words import marked
 
@@ -62,10 +63,10 @@ def todd(
     outer_roll = np.where(held > 0, motion.outer_roll, 0.0)
     losses = {
         "spin": loss_at_rates(
-            solved, lambda patch: spin_moment(patch, mu), motion.inner_spin, motion.outer_spin
+            solved, lambda race: spin_moment(race, mu), motion.inner_spin, motion.outer_spin
         ),
         "rolling_slip": loss_at_rates(
-            solved, lambda patch: rolling_moment(patch, mu), inner_roll, outer_roll
+            solved, lambda race: rolling_moment(Patch.of(race), mu), inner_roll, outer_roll
         ),
     }
     if hysteresis is not None:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Final
+from typing import Final, TypeVar
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from rolamento.errors import InputError
 from rolamento.life.conditions import LifeConditions
@@ -55,6 +55,7 @@ from rolamento.numerics import BoolArray, FloatArray
 from rolamento.solved import Rows, Solved
 from rolamento.words import said
 
+_T = TypeVar("_T", bound=np.generic)
 _SAME: Final = 1e-9
 _MOMENT: Final = 0.01
 """Moment over load times pitch diameter above which it is worth a note."""
@@ -372,7 +373,7 @@ class Basis:
     ) -> Life:
         """One theory's record; its factors, a_1 among them, multiply the basic life."""
         cases = len(self)
-        whole = {name: np.broadcast_to(value, cases) for name, value in factors.items()}
+        whole = {name: _repeated(value, cases) for name, value in factors.items()}
         known = [value for name, value in whole.items() if name.startswith("a_")]
         unloaded = self.unloaded
         refused = unloaded | notes.get("no_force", np.zeros(cases, dtype=np.bool_))
@@ -390,7 +391,7 @@ class Basis:
             life=result,
             hours=hours(result, self.speed),
             factors=whole,
-            notes={name: np.broadcast_to(where, cases) for name, where in kept.items()},
+            notes={name: _repeated(where, cases) for name, where in kept.items()},
             element=self.element,
         )
 
@@ -573,6 +574,11 @@ def _turning_rings(solved: Solved, given: LifeConditions) -> tuple[BoolArray, Bo
     if given.outer_turning is not None:
         outer = np.full(len(solved), given.outer_turning)
     return inner, outer
+
+
+def _repeated(values: NDArray[_T], cases: int) -> NDArray[_T]:
+    """The same for each case, (cases,), where it is not that already."""
+    return values if np.shape(values) == (cases,) else np.broadcast_to(values, (cases,))
 
 
 def over_cases(value: ArrayLike, name: str, cases: int) -> FloatArray:

@@ -12,6 +12,7 @@ The heat of shear in the inlet goes by the loading L = η b u²/k_f with b = -d 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Final
 
 import numpy as np
@@ -42,7 +43,7 @@ BEARING_TYPE: Final = {
 """K_z. As above; SKF has none of needle roller bearings, which take that of cylindrical ones."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class FilmGroups:
     """Dimensionless groups of a contact; arrays of one shape."""
 
@@ -54,6 +55,20 @@ class FilmGroups:
     """G"""
     ellipticity: FloatArray
     """k = a/b"""
+
+    def powers(self, speed: float, material: float, load: float) -> FloatArray:
+        """U, G and W to these powers, multiplied; NaN without load."""
+        u, g, w = self._logarithms
+        return np.asarray(np.exp(speed * u + material * g + load * w))
+
+    @cached_property
+    def _logarithms(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+        with np.errstate(divide="ignore"):
+            return (
+                np.log(self.speed),
+                np.log(self.material),
+                np.log(np.where(self.load > 0.0, self.load, np.nan)),
+            )
 
 
 def film_groups(
@@ -105,9 +120,7 @@ def central_film(groups: FilmGroups) -> FloatArray:
     NaN without load. Hamrock and Dowson (1977), part III.
     """
     shape = 1.0 - 0.61 * np.exp(-0.73 * groups.ellipticity)
-    return np.asarray(
-        2.69 * groups.speed**0.67 * groups.material**0.53 * _loaded(groups) ** -0.067 * shape
-    )
+    return 2.69 * groups.powers(0.67, 0.53, -0.067) * shape
 
 
 def minimum_film(groups: FilmGroups) -> FloatArray:
@@ -116,13 +129,7 @@ def minimum_film(groups: FilmGroups) -> FloatArray:
     NaN without load. Hamrock and Dowson (1977), part III.
     """
     shape = 1.0 - np.exp(-0.68 * groups.ellipticity)
-    return np.asarray(
-        3.63 * groups.speed**0.68 * groups.material**0.49 * _loaded(groups) ** -0.073 * shape
-    )
-
-
-def _loaded(groups: FilmGroups) -> FloatArray:
-    return np.where(groups.load > 0.0, groups.load, np.nan)
+    return 3.63 * groups.powers(0.68, 0.49, -0.073) * shape
 
 
 # --- heat of shear in the inlet ---------------------------------------------------------------

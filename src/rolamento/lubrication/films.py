@@ -171,14 +171,18 @@ class Film:
 
     def to_mapping(self, case: int = 0) -> dict[str, Any]:
         """Give one case as plain mappings and lists in SI units, NaN and infinity as None."""
-        names = [part.name for part in fields(self)]
-        whole = names[names.index("temperature") : names.index("row")]
         return {
             "lubricant": self.lubricant,
-            **{name: plain(getattr(self, name)[case]) for name in whole},
+            **self.whole(case),
             **self._entries(case),
             "notes": plain([note.to_mapping() for note in self.notes_of(case)]),
         }
+
+    def whole(self, case: int = 0) -> dict[str, Any]:
+        """The numbers of a case in `to_mapping` that are not of its elements."""
+        names = [part.name for part in fields(self)]
+        whole = names[names.index("temperature") : names.index("row")]
+        return {name: plain(float(getattr(self, name)[case])) for name in whole}
 
     def _entries(self, case: int) -> dict[str, list[dict[str, Any]]]:
         """The elements of one case: balls, and rollers where there are some."""

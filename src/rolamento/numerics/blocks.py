@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import fields, is_dataclass
+from functools import partial
 from typing import Any, Final, Protocol, Self, TypeVar
 
 import numpy as np
@@ -13,7 +14,7 @@ from rolamento.numerics.threads import thread_count
 
 __all__ = ["BLOCK", "in_blocks", "joined"]
 
-BLOCK: Final = 4096
+BLOCK: Final = 2048
 """Cases at a time."""
 
 
@@ -48,27 +49,33 @@ def in_blocks(function: Callable[[C], R], cases: C, threads: int | None = None) 
     if count == 1:
         return joined([function(cases[part]) for part in parts])
     with ThreadPoolExecutor(min(count, len(parts))) as pool:
-        return joined(list(pool.map(lambda part: function(cases[part]), parts)))
+        return joined(list(pool.map(lambda part: function(cases[part]), parts)), pool)
 
 
-def joined(parts: list[R]) -> R:
+def joined(parts: list[R], pool: ThreadPoolExecutor | None = None) -> R:
     """Put arrays over cases one after another, in records, mappings and tuples alike.
 
-    What is neither is the same in all parts.
+    What is neither is the same in all parts. A pool copies the arrays until it is shut down.
     """
-    whole: R = _joined(parts)
+    whole: R = _joined(parts, pool)
     return whole
 
 
-def _joined(parts: list[Any]) -> Any:
+def _joined(parts: list[Any], pool: ThreadPoolExecutor | None) -> Any:
     first = parts[0]
     if isinstance(first, np.ndarray):
-        return np.concatenate(parts)
+        count = sum(map(len, parts))
+        whole = np.empty((count, *first.shape[1:]), np.result_type(*parts))
+        copy = partial(np.concatenate, parts, out=whole)
+        copy() if pool is None else pool.submit(copy)
+        return whole
     if isinstance(first, Mapping):
-        return {key: _joined([part[key] for part in parts]) for key in first}
+        return {key: _joined([part[key] for part in parts], pool) for key in first}
     if isinstance(first, tuple):
-        return tuple(_joined(list(column)) for column in zip(*parts, strict=True))
+        return tuple(_joined(list(column), pool) for column in zip(*parts, strict=True))
     if is_dataclass(first) and not isinstance(first, type):
         names = [one.name for one in fields(first)]
-        return type(first)(*(_joined([getattr(part, name) for part in parts]) for name in names))
+        return type(first)(
+            *(_joined([getattr(part, name) for part in parts], pool) for name in names)
+        )
     return first

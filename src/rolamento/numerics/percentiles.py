@@ -1,4 +1,4 @@
-"""The one definition of a percentile of a sample that pages, figures and files share."""
+"""The one definition of a percentile of a sample that pages, figures and files share; a median."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import numpy as np
 
 from rolamento.numerics import FloatArray
 
-__all__ = ["percentile", "percentile_of_sorted"]
+__all__ = ["median", "percentile", "percentile_of_sorted"]
 
 _OFFSET = 1.0 / 3.0
 
@@ -34,6 +34,20 @@ def percentile(values: FloatArray, percent: float) -> float:
     """
     flat = np.asarray(values, dtype=np.float64).ravel()
     return percentile_of_sorted(np.sort(flat[np.isfinite(flat)]), percent)
+
+
+def median(values: FloatArray) -> FloatArray:
+    """Return the median along the last axis, (…,), of values without NaN.
+
+    It is that of `numpy.median`, which takes ten times as long: it parts the values at two places,
+    for which NumPy has no vector code, and looks for NaN.
+    """
+    middle = values.shape[-1] // 2
+    parted = np.partition(values, middle, axis=-1)
+    upper = parted[..., middle]
+    if values.shape[-1] % 2 == 1:
+        return np.asarray(upper)
+    return np.asarray(0.5 * (np.max(parted[..., :middle], axis=-1) + upper))
 
 
 def percentile_of_sorted(ordered: FloatArray, percent: float) -> float:

@@ -5,10 +5,10 @@ from __future__ import annotations
 import logging
 import operator
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from time import perf_counter
-from typing import Any, Final
+from typing import Any, Final, TypeVar
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from rolamento.errors import InputError
 from rolamento.numerics.compiled import Kernel
 from rolamento.words import said
 
-__all__ = ["share_out", "thread_count"]
+__all__ = ["share_out", "side_by_side", "thread_count"]
 
 _log = logging.getLogger("rolamento")
 
@@ -25,6 +25,9 @@ LONG: Final = 1.0
 _spent: Final = [0.0]
 _ready: Final[set[Kernel[..., None]]] = set()
 """What has been compiled or loaded: to ask each time takes as long as a small case."""
+
+T = TypeVar("T")
+R = TypeVar("R")
 
 
 def thread_count(threads: int | None) -> int:
@@ -84,3 +87,15 @@ def share_out(
         return
     with ThreadPoolExecutor(workers) as pool:
         list(pool.map(lambda first: run(compiled, first, min(first + chunk, cases)), starts))
+
+
+def side_by_side(function: Callable[[T], R], items: Sequence[T]) -> list[R]:
+    """Return what a function makes of each item; as many at a time as there are processors.
+
+    It pays for a function whose time goes into NumPy's and SciPy's loops, which let others run.
+    """
+    workers = min(thread_count(None), len(items))
+    if workers <= 1:
+        return [function(item) for item in items]
+    with ThreadPoolExecutor(workers) as pool:
+        return list(pool.map(function, items))

@@ -92,4 +92,5 @@ def line_contact(line: Line, effective_length: FloatArray, load: FloatArray) -> 
         mean_pressure=np.divide(load, area, where=area > 0.0, out=0.0 * load),
         stiffness=nothing,
         ellipticity=np.full(load.shape, np.inf),
+        second_integral=np.ones(load.shape),
     )

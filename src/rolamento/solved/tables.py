@@ -405,6 +405,11 @@ class Contacts:
         """a/b, of an unloaded contact too."""
         return self._hertz.ellipticity
 
+    @property
+    def resistance_to_spin(self) -> FloatArray:
+        """Q a E(m), as of `rolamento.kinematics.spin_resistance` (N·m)."""
+        return self.load * self.semi_major * self._hertz.second_integral
+
     @cached_property
     def max_pressure(self) -> FloatArray:
         """Hertz pressure in the middle (Pa)."""

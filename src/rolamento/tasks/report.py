@@ -206,7 +206,9 @@ class CaseReport:
         first, _, rest = path.partition(".")
         second, _, below = rest.partition(".")
         found: Any
-        if first == "analysis" and second in _WITHOUT_ELEMENTS:
+        if first == "analysis" and second == "film" and below in self._film:
+            found, rest = self._film, below
+        elif first == "analysis" and second in _WITHOUT_ELEMENTS:
             found, rest = self._part(second), below
         elif first == "extremes" and second in _BRIEF:
             found = self._brief
@@ -229,6 +231,11 @@ class CaseReport:
         if name not in self._parts:
             self._parts[name] = plain(self.analysis.part(name))
         return self._parts[name]
+
+    @cached_property
+    def _film(self) -> Mapping[str, Any]:
+        """Of the film's part what is not of its elements."""
+        return {} if self.analysis.film is None else self.analysis.film.whole()
 
     @cached_property
     def _parts(self) -> dict[str, Any]:

@@ -34,7 +34,6 @@ from typing import Final
 
 import numpy as np
 from scipy import fft
-from scipy import signal as scipy_signal
 
 from rolamento.errors import InputError
 from rolamento.numerics import ComplexArray, FloatArray
@@ -123,7 +122,9 @@ def cyclic_coherence(signal: Signal, highest: float, window: int = 256) -> Cycli
             field="highest",
             value=highest,
         )
-    taper = scipy_signal.get_window("hann", window)
+    from scipy.signal import get_window  # slow to import
+
+    taper = get_window("hann", window)
     centred = samples - np.mean(samples)
     transform = _short_time(centred, taper, step, blocks)
     size = fft.next_fast_len(blocks)

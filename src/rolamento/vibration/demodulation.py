@@ -39,17 +39,20 @@ cut-offs 0.2 and 0.2/1.5. They are short and wide, and neighbouring bands overla
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from functools import partial
+from itertools import chain
 from math import log2, sqrt
 from typing import Any, Final, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy import fft
-from scipy import signal as scipy_signal
 
 from rolamento.errors import InputError
 from rolamento.numerics import ComplexArray, FloatArray
+from rolamento.numerics.threads import side_by_side
 from rolamento.vibration._checks import Band, checked_band, checked_count, require_samples
 from rolamento.vibration.signal import Signal
 from rolamento.vibration.spectrum import EDGE, Spectrum, axis_of, one_sided_amplitudes
@@ -200,7 +203,7 @@ FILTER_ORDER: Final = 16
 CUTOFF: Final = 0.2
 """Of the prototype that halves; cycles per sample."""
 _ROUNDING: Final = 1e-24
-"""Of the square of the maximum sample: a band with less power has none."""
+"""Of the square of the maximum sample, which is 1: a band with less power has none."""
 _LEAST_VALUES: Final = 64
 """In a band: with fewer a kurtosis means nothing."""
 _MOST_LEVELS: Final = 12
@@ -208,6 +211,8 @@ _OUTPUTS: Final = 8
 """Of a filter in one row of a product; even, as every second one of some filters is turned."""
 _AT_ONCE: Final = 2**15
 """Values that are split together: half a megabyte."""
+_SHARED: Final = 2**17
+"""Values from which on threads share their splitting."""
 _MOST_PRODUCTS: Final = 2**16
 """Of numbers, in one product of matrices."""
 
@@ -326,14 +331,15 @@ def kurtogram(signal: Signal, levels: int | None = None) -> Kurtogram:
         if levels is None
         else checked_count(levels, "levels", least=1, most=max(possible, 1), example="levels = 5")
     )
-    samples = signal.samples - np.mean(signal.samples)
-    least = _ROUNDING * float(np.max(np.abs(signal.samples))) ** 2
-    found = [_level(signal.rate, [_Figures.of(samples[np.newaxis], least)])]
-    below: list[_Parts] = [([], []) for _ in range(depth)]
+    # a kurtosis has no scale, and fourth powers may have none that is a number
+    scale = float(np.max(np.abs(signal.samples))) or 1.0
+    samples = (signal.samples - np.mean(signal.samples)) / scale
+    found = [_level(signal.rate, [_Figures.of(samples[np.newaxis])])]
     # of the analytic signal, or noise that wide filters let in from below zero would be squared
     # with its own image, and look impulsive
-    whole = analytic_signal(signal)[np.newaxis]
-    _explore(whole, (_bank(2, FILTER_ORDER), _bank(3, 3 * FILTER_ORDER // 2)), least, below)
+    whole = analytic_signal(signal)[np.newaxis] / scale
+    banks = _bank(2, FILTER_ORDER), _bank(3, 3 * FILTER_ORDER // 2)
+    below = _explored(whole, banks, depth)
     found += [_level(signal.rate, figures) for parts in below for figures in parts]
     return Kurtogram(signal.rate, tuple(sorted(found, key=lambda level: level.level)))
 
@@ -363,13 +369,16 @@ class _Figures(NamedTuple):
     real: bool
 
     @classmethod
-    def of(cls, bands: Bands, least: float) -> _Figures:
+    def of(cls, bands: Bands) -> _Figures:
         real = not np.iscomplexobj(bands)
-        return cls(_kurtosis(bands, 3.0 if real else 2.0, least), bands.shape[1], real)
+        return cls(_kurtosis(bands, 3.0 if real else 2.0), bands.shape[1], real)
 
 
-_Parts = tuple[list[_Figures], list[_Figures]]
-"""Halves and thirds of the bands of a level, some bands after the other."""
+class _Parts(NamedTuple):
+    """Halves and thirds of the bands of a level, some bands after the other."""
+
+    halves: list[_Figures]
+    thirds: list[_Figures]
 
 
 def _bank(parts: int, order: int) -> _Bank:
@@ -378,8 +387,10 @@ def _bank(parts: int, order: int) -> _Bank:
     A part of an odd place has come down upside up but half a band off: what lies above half the
     new rate is turned back to where it belongs.
     """
-    prototype = scipy_signal.firwin(order + 1, 2.0 * CUTOFF / parts, fs=1.0)
     turns = np.arange(order + 1)
+    # `scipy.signal.firwin`, by Hamming's window, takes longer to import than all this
+    prototype = np.sinc(4.0 * CUTOFF / parts * (turns - 0.5 * order)) * np.hamming(order + 1)
+    prototype /= np.sum(prototype)
     matrix = np.zeros((parts * (_OUTPUTS - 1) + order + 1, parts, _OUTPUTS), dtype=np.complex128)
     for part, output in np.ndindex(parts, _OUTPUTS):
         taps = prototype * np.exp(2j * np.pi * (2 * part + 1) / (4 * parts) * turns)
@@ -388,24 +399,26 @@ def _bank(parts: int, order: int) -> _Bank:
     return _Bank(parts, order + 1, matrix.reshape(len(matrix), -1))
 
 
-def _explore(
-    bands: ComplexArray, banks: tuple[_Bank, _Bank], least: float, found: list[_Parts]
-) -> None:
-    """Add the figures of all that bands are split in, as many levels down as there are lists.
+def _explored(bands: ComplexArray, banks: tuple[_Bank, _Bank], depth: int) -> list[_Parts]:
+    """Return the figures of all that bands are split in, so many levels down.
 
     One band after the other goes all the way down as soon as they are many values: what one level
     leaves is still in the processor's cache at the next.
     """
-    if not found:
-        return
+    if depth == 0:
+        return []
+    side: Callable[..., Iterable[Any]] = side_by_side if bands.size >= _SHARED else map
     if len(bands) > 1 and bands.size > _AT_ONCE:
-        for band in bands:
-            _explore(band[np.newaxis], banks, least, found)
-        return
-    halves, thirds = (_split(bands, bank) for bank in banks)
-    found[0][0].append(_Figures.of(halves, least))
-    found[0][1].append(_Figures.of(thirds, least))
-    _explore(halves, banks, least, found[1:])
+        down = partial(_explored, banks=banks, depth=depth)
+        levels = zip(*side(down, list(bands[:, np.newaxis])), strict=True)
+        return [_Parts(*map(_in_a_row, zip(*parts, strict=True))) for parts in levels]
+    halves, thirds = side(partial(_split, bands), banks)
+    parts = _Parts([_Figures.of(halves)], [_Figures.of(thirds)])
+    return [parts, *_explored(halves, banks, depth - 1)]
+
+
+def _in_a_row(lists: Iterable[list[_Figures]]) -> list[_Figures]:
+    return list(chain.from_iterable(lists))
 
 
 def _split(bands: ComplexArray, bank: _Bank) -> ComplexArray:
@@ -448,18 +461,17 @@ def _level(rate: float, figures: list[_Figures]) -> KurtogramLevel:
     )
 
 
-def _kurtosis(bands: Bands, of_noise: float, least: float) -> FloatArray:
-    """Kurtosis of each band less that of Gaussian noise; 0 for a band of no more than some power.
+def _kurtosis(bands: Bands, of_noise: float) -> FloatArray:
+    """Kurtosis of each band less that of Gaussian noise; 0 for a band without power.
 
     What rounding leaves in a band is as impulsive as chance has it.
     """
+    values = bands.shape[1]
     centred = bands - np.mean(bands, axis=1, keepdims=True)
     power = np.square(centred.real)
     if np.iscomplexobj(centred):
         power += np.square(centred.imag)
-    maximum = np.max(power, axis=1)
-    there = maximum > least
-    power /= np.where(there, maximum, 1.0)[:, np.newaxis]
+    there = np.max(power, axis=1) > _ROUNDING
     mean = np.where(there, np.mean(power, axis=1), 1.0)
-    squares = np.einsum("ij,ij->i", power, power) / power.shape[1]
+    squares = np.einsum("ij,ij->i", power, power) / values
     return np.where(there, squares / np.square(mean) - of_noise, 0.0)

@@ -22,16 +22,16 @@ units, averages and the numbers of lines. The sum of n independent scores has th
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cache
 from math import nan
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
-from scipy import interpolate, ndimage, special
+from scipy import ndimage, special
 
 from rolamento.numerics import FloatArray, IntArray
 
-Table = tuple[FloatArray, FloatArray]
 HALF_WIDTH: Final = 250
 """Lines on either side whose median is the level."""
 LOWEST_LINE: Final = 8
@@ -40,13 +40,17 @@ _REACHES: Final = np.array(
     [4, 5, 6, 8, 10, 12, 15, 20, 25, 30, 40, 50, 65, 80, 100, 130, 160, 200, HALF_WIDTH]
 )
 """Half widths near zero frequency; few, as each has its tables."""
+_PLACE_OF_REACH: Final = np.searchsorted(_REACHES, np.arange(HALF_WIDTH + 1))
 _HIGHEST_RATIO: Final = 1e9
 _NEAR: Final = 25
 _FAR: Final = 50
 """Places of a table near T = 1 and far above."""
 _DENSER: Final = 7
 """Steps between two places, filled in by a spline, for quick look-up."""
+_CELLS_PER_UNIT: Final = 200.0
+"""Of ln(1 + T), in each of which it is known where a table's places begin."""
 _NODES: Final = 50
+_FEW: Final = 64
 _ENDS: Final = 1e-13
 """Of the distribution of the median, left out at either side."""
 
@@ -122,27 +126,64 @@ def mean_scores(
     The same shape; NaN where there are no lines, more than the median's reach, no level, or it is
     zero.
     """
-    with np.errstate(divide="ignore", invalid="ignore"):
-        place = np.log1p(np.minimum(mean / median, _HIGHEST_RATIO))
-    good = (median > 0.0) & (count > 0) & (count <= reach)
-    kinds = np.where(good, np.searchsorted(_REACHES, reach) + len(_REACHES) * count, 0)
-    flat, at = kinds.ravel(), place.ravel()
-    frequent = int(np.argmax(np.bincount(flat, minlength=1)))
-    found = np.full(at.shape, nan)
-    if frequent:
-        found = np.asarray(np.interp(at, *_scores_of_kind(frequent, averages)))
-    others = np.flatnonzero(flat != frequent)
-    others = others[np.argsort(flat[others], kind="stable")]
-    ends = np.flatnonzero(np.diff(flat[others], append=-1)) + 1
-    for alike in np.split(others, ends[:-1]):
-        kind = int(flat[alike[0]]) if len(alike) else 0
-        found[alike] = np.interp(at[alike], *_scores_of_kind(kind, averages)) if kind else nan
-    return found.reshape(mean.shape)
+    with np.errstate(invalid="ignore"):
+        good = (median > 0.0) & (count > 0) & (count <= reach)
+    ratio = np.divide(mean, median, out=np.zeros(good.shape), where=good)
+    kinds = np.where(good, _PLACE_OF_REACH[reach] + len(_REACHES) * count, 0)
+    present = np.flatnonzero(np.bincount(kinds.ravel()))
+    counts, places = np.divmod(present[present > 0], len(_REACHES))
+    tables: list[_Table] = []
+    for lines in np.unique(counts).tolist():  # `present` rises with the number of lines
+        alike = _REACHES[places[counts == lines]].tolist()
+        tables += _scores_by_ratio(alike, lines, averages)
+    if not tables:
+        return np.full(good.shape, nan)
+    number = np.zeros(int(present[-1]) + 1, dtype=np.int64)
+    number[present[present > 0]] = np.arange(len(tables))
+    found = _looked_up(tables, number[kinds], np.log1p(np.minimum(ratio, _HIGHEST_RATIO)))
+    return found if np.all(good) else np.where(good, found, nan)
 
 
-def _scores_of_kind(kind: int, averages: int) -> Table:
-    lines, place = divmod(kind, len(_REACHES))
-    return _scores_by_ratio(int(_REACHES[place]), lines, averages)
+class _Table(NamedTuple):
+    """Scores over ln(1 + T), straight between its places.
+
+    places, scores, slopes: (places,), slopes up to the next; before: (cells,), the last place at or
+    before the beginning of each of equal parts of the axis.
+    """
+
+    places: FloatArray
+    scores: FloatArray
+    slopes: FloatArray
+    before: IntArray
+
+    @classmethod
+    def of(cls, places: FloatArray, scores: FloatArray) -> _Table:
+        slopes = np.append(np.diff(scores) / np.diff(places), 0.0)
+        cells = np.arange(int(places[-1] * _CELLS_PER_UNIT) + 2) / _CELLS_PER_UNIT
+        return cls(places, scores, slopes, np.searchsorted(places, cells, side="right") - 1)
+
+
+def _looked_up(tables: Sequence[_Table], which: IntArray, at: FloatArray) -> FloatArray:
+    """What `numpy.interp` gives of tables of one range, each element of one of them; as `at`.
+
+    In no order, which it takes a search for of every single one.
+    """
+    ends = np.cumsum([len(table.places) for table in tables])
+    starts = np.append(0, ends[:-1])
+    places, scores, slopes = (
+        np.concatenate([table[part] for table in tables]) for part in range(3)
+    )
+    following = np.append(places[1:], np.inf)
+    following[ends - 1] = np.inf
+    before = np.stack([table.before + start for table, start in zip(tables, starts, strict=True)])
+    cells = (at * _CELLS_PER_UNIT).astype(np.int64)
+    found = before.ravel()[which * before.shape[1] + cells].ravel()
+    flat = at.ravel()
+    late = np.flatnonzero(flat >= following[found])
+    while len(late) > 0:
+        found[late] += 1
+        late = late[flat[late] >= following[found[late]]]
+    return np.asarray(slopes[found] * (flat - places[found]) + scores[found]).reshape(at.shape)
 
 
 def mean_over_median(averages: int) -> float:
@@ -151,27 +192,78 @@ def mean_over_median(averages: int) -> float:
 
 
 @cache
-def _scores_by_ratio(reach: int, count: int, averages: int) -> Table:
-    """Table of -ln p over ln(1 + T); densest about T = 1, where p falls fastest."""
-    width = 12.0 / np.sqrt(averages * count)
-    near = 1.0 + width * np.linspace(0.0, 1.0, _NEAR) ** 1.5
-    above = np.concatenate([near, np.geomspace(1.0 + width, _HIGHEST_RATIO, _FAR)[1:]])
-    low = max(0.0, 1.0 - width)
-    start = np.linspace(0.0, low, 6)[:-1] if low > 0.0 else np.zeros(0)
-    below = np.concatenate([start, np.linspace(low, 1.0, _NEAR)])
-    others = 2 * reach + 1 - count
-    middle = reach + 1 - count // 2
-    under = _dense(below, _score(below, others, middle - (count == 1), count, averages))
-    over = _dense(above, _score(above, others, middle, count, averages))
-    return np.concatenate([under[0][:-1], over[0]]), np.concatenate([under[1][:-1], over[1]])
+def _made(count: int, averages: int) -> dict[int, _Table]:
+    """Tables that have been made, by the reach of the median."""
+    return {}
 
 
-def _dense(ratio: FloatArray, score: FloatArray) -> Table:
-    """Scores between given ones, over ln(1 + T)."""
+def _scores_by_ratio(reaches: Sequence[int], count: int, averages: int) -> list[_Table]:
+    """Tables of -ln p over ln(1 + T), one a reach; densest about T = 1, where p falls fastest."""
+    made = _made(count, averages)
+    new = [reach for reach in reaches if reach not in made]
+    if new:
+        width = 12.0 / np.sqrt(averages * count)
+        near = 1.0 + width * np.linspace(0.0, 1.0, _NEAR) ** 1.5
+        above = np.concatenate([near, np.geomspace(1.0 + width, _HIGHEST_RATIO, _FAR)[1:]])
+        low = max(0.0, 1.0 - width)
+        start = np.linspace(0.0, low, 6)[:-1] if low > 0.0 else np.zeros(0)
+        below = np.concatenate([start, np.linspace(low, 1.0, _NEAR)])
+        under, over = [], []
+        for reach in new:
+            others, middle = 2 * reach + 1 - count, reach + 1 - count // 2
+            under.append(_score(below, others, middle - (count == 1), count, averages))
+            over.append(_score(above, others, middle, count, averages))
+        at_under, found_under = _dense(below, under)
+        at_over, found_over = _dense(above, over)
+        places = np.concatenate([at_under[:-1], at_over])
+        scores = np.concatenate([found_under[:-1], found_over])
+        made.update(
+            (reach, _Table.of(places, one)) for reach, one in zip(new, scores.T, strict=True)
+        )
+    return [made[reach] for reach in reaches]
+
+
+def _dense(ratio: FloatArray, scores: Sequence[FloatArray]) -> tuple[FloatArray, FloatArray]:
+    """Scores between given ones, over ln(1 + T); (places,) and (places, tables)."""
     places = np.log1p(ratio)
     steps = np.arange(_DENSER * (len(places) - 1) + 1) / _DENSER
     dense = np.interp(steps, np.arange(len(places)), places)
-    return dense, np.asarray(interpolate.CubicSpline(places, score)(dense))
+    return dense, _spline(places, np.stack(scores, axis=1), dense)
+
+
+def _spline(places: FloatArray, values: FloatArray, at: FloatArray) -> FloatArray:
+    """Cubic splines through some values, with the not-a-knot condition at the ends.
+
+    `scipy.interpolate` takes as long to import as all else that a diagnosis does.
+
+    values: (places, splines). Returns (at, splines).
+    """
+    steps = np.diff(places)
+    slopes = np.diff(values, axis=0) / steps[:, None]
+    matrix, right = np.zeros((len(places), len(places))), np.zeros_like(values)
+    inner = np.arange(1, len(places) - 1)
+    # of the slopes at the places: the second derivative is continuous at the inner ones,
+    matrix[inner, inner - 1] = steps[1:]
+    matrix[inner, inner] = 2.0 * (steps[1:] + steps[:-1])
+    matrix[inner, inner + 1] = steps[:-1]
+    right[1:-1] = 3.0 * (steps[1:, None] * slopes[:-1] + steps[:-1, None] * slopes[1:])
+    # and the third at the outermost of these
+    for end, neighbour, first, second in ((0, 1, 0, 1), (-1, -2, -1, -2)):
+        both = steps[first] + steps[second]
+        matrix[end, end], matrix[end, neighbour] = steps[second], both
+        right[end] = (
+            (steps[first] + 2.0 * both) * steps[second] * slopes[first]
+            + steps[first] ** 2 * slopes[second]
+        ) / both
+    tangents = np.linalg.solve(matrix, right)
+    piece = np.clip(np.searchsorted(places, at, side="right") - 1, 0, len(steps) - 1)
+    t = ((at - places[piece]) / steps[piece])[:, None]
+    h, below, above = steps[piece][:, None], values[piece], values[piece + 1]
+    return np.asarray(
+        below * (1.0 + 2.0 * t) * (1.0 - t) ** 2
+        + above * t**2 * (3.0 - 2.0 * t)
+        + h * t * (1.0 - t) * (tangents[piece] * (1.0 - t) - tangents[piece + 1] * t)
+    )
 
 
 @cache
@@ -202,7 +294,8 @@ def _score(ratio: FloatArray, others: int, rank: int, count: int, averages: int)
     )
     log_weight = np.log(weights * (high - low)) + log_density
     tails = log_gamma_tail(averages * count, count * ratio[:, None] * x[None]) + log_weight
-    return -np.asarray(special.logsumexp(tails, axis=1))
+    greatest = np.max(tails, axis=1)
+    return -np.asarray(greatest + np.log(np.sum(np.exp(tails - greatest[:, None]), axis=1)))
 
 
 def log_gamma_tail(shape: float, x: FloatArray) -> FloatArray:
@@ -212,11 +305,24 @@ def log_gamma_tail(shape: float, x: FloatArray) -> FloatArray:
     fraction.
     """
     x = np.asarray(x, dtype=np.float64)
-    tail = np.asarray(special.gammaincc(shape, x))
-    with np.errstate(divide="ignore", invalid="ignore"):
-        plain = np.log(tail)
-        # 1/(x + 1 - a - (1 - a)/(x + 3 - a - 2 (2 - a)/(x + 5 - a)))
-        last = x + 3.0 - shape - 2.0 * (2.0 - shape) / (x + 5.0 - shape)
-        fraction = x + 1.0 - shape - (1.0 - shape) / last
-        far = special.xlogy(shape, x) - x - special.gammaln(shape) - np.log(fraction)
-    return np.asarray(np.where(tail > 1e-280, plain, far))
+    tail = _gamma_tail(shape, x)
+    is_far = ~(tail > 1e-280)
+    found = np.log(tail, out=np.zeros_like(tail), where=~is_far)
+    far = x[is_far]
+    # 1/(x + 1 - a - (1 - a)/(x + 3 - a - 2 (2 - a)/(x + 5 - a)))
+    last = far + 3.0 - shape - 2.0 * (2.0 - shape) / (far + 5.0 - shape)
+    fraction = far + 1.0 - shape - (1.0 - shape) / last
+    found[is_far] = special.xlogy(shape, far) - far - special.gammaln(shape) - np.log(fraction)
+    return found
+
+
+def _gamma_tail(shape: float, x: FloatArray) -> FloatArray:
+    """Q(shape, x); of a small whole shape the quick sum e^-x Σ x^k/k!, NaN far out."""
+    if shape > _FEW or shape != int(shape):
+        return np.asarray(special.gammaincc(shape, x))
+    series = np.ones_like(x)
+    with np.errstate(over="ignore", under="ignore", invalid="ignore"):
+        for term in range(int(shape) - 1, 0, -1):
+            series *= x / term
+            series += 1.0
+        return np.asarray(np.exp(-x) * series)

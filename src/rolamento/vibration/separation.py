@@ -21,7 +21,6 @@ from typing import Final
 
 import numpy as np
 from scipy import fft
-from scipy import signal as scipy_signal
 
 from rolamento.errors import InputError
 from rolamento.numerics import ComplexArray, FloatArray
@@ -123,8 +122,14 @@ def _default_block(count: int) -> int:
     return int(2 ** max(4, min(16, int(np.log2(max(count / 30, 2))))))
 
 
+def _window(size: int) -> FloatArray:
+    from scipy.signal import get_window  # slow to import
+
+    return np.asarray(get_window("hann", size))
+
+
 def _gain_of_lines(samples: FloatArray, size: int, delay: int, false_alarm: float) -> ComplexArray:
-    window = scipy_signal.get_window("hann", size)
+    window = _window(size)
     starts = range(delay, len(samples) - size + 1, size // _OVERLAP)
     cross = np.zeros(size // 2 + 1, dtype=np.complex128)
     power, power_before = np.zeros(size // 2 + 1), np.zeros(size // 2 + 1)
@@ -145,7 +150,7 @@ def _gain_of_lines(samples: FloatArray, size: int, delay: int, false_alarm: floa
 
 def _predicted(samples: FloatArray, size: int, delay: int, gain: ComplexArray) -> FloatArray:
     """Sum of the blocks as predicted, each weighted by the window; blocks overhang both ends."""
-    window = scipy_signal.get_window("hann", size)
+    window = _window(size)
     overhang = size - size // _OVERLAP
     total = np.zeros(len(samples) + 2 * overhang + size)
     weight = np.zeros_like(total)

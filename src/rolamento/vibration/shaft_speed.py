@@ -27,8 +27,7 @@ from math import exp, log, pi
 from typing import Final, Literal
 
 import numpy as np
-from scipy import fft, interpolate
-from scipy import signal as scipy_signal
+from scipy import fft
 
 from rolamento.errors import InputError
 from rolamento.numerics import ComplexArray, FloatArray
@@ -108,6 +107,8 @@ def speed_from_pulses(
     InputError
         If there are fewer than four pulses, or one is missing or too many.
     """
+    from scipy.interpolate import CubicSpline, PchipInterpolator  # slow to import
+
     checked_count(
         pulses_per_revolution,
         "pulses_per_revolution",
@@ -119,9 +120,9 @@ def speed_from_pulses(
     _check_pulses(times)
     angle = np.arange(len(times)) * (2.0 * pi / pulses_per_revolution)
     at = np.clip(np.arange(len(tacho.samples)) / tacho.rate, times[0], times[-1])
-    speed = interpolate.CubicSpline(times, angle)(at, 1)
+    speed = CubicSpline(times, angle)(at, 1)
     if np.min(speed) <= 0.0:
-        speed = interpolate.PchipInterpolator(times, angle)(at, 1)
+        speed = PchipInterpolator(times, angle)(at, 1)
     first, last = np.diff(angle)[0] / np.diff(times)[[0, -1]]
     # a little inside the ends, where the slope of the spline is least sure
     speed = np.where(at <= times[1], first, np.where(at >= times[-2], last, speed))
@@ -333,12 +334,16 @@ class _Search:
 
     def at_samples(self, path: FloatArray) -> FloatArray:
         """Frequencies of the blocks' middles as a smooth curve over all samples."""
+        from scipy.interpolate import PchipInterpolator  # slow to import
+
         count = len(self.signal.samples)
         middles = np.linspace(0, count - self.block, len(path)) + 0.5 * self.block
         smooth = path
         if len(path) >= 5:
-            smooth = scipy_signal.savgol_filter(path, 5, 2, mode="interp")
-        curve = interpolate.PchipInterpolator(middles, smooth)
+            from scipy.signal import savgol_filter  # slow to import
+
+            smooth = savgol_filter(path, 5, 2, mode="interp")
+        curve = PchipInterpolator(middles, smooth)
         return np.asarray(curve(np.clip(np.arange(count), middles[0], middles[-1])))
 
     def _scores(self) -> FloatArray:
@@ -346,7 +351,9 @@ class _Search:
         samples, block = self.signal.samples, self.block
         blocks = max(2, 2 * len(samples) // block - 1)
         starts = np.linspace(0, len(samples) - block, blocks).astype(np.int64)
-        window = scipy_signal.get_window("hann", block)
+        from scipy.signal import get_window  # slow to import
+
+        window = get_window("hann", block)
         size = fft.next_fast_len(_PADDING * block, real=True)
         resolution = self.signal.rate / size
         orders = np.arange(1, self.harmonics + 1)

@@ -31,7 +31,6 @@ from typing import Final, Literal
 
 import numpy as np
 from scipy import fft
-from scipy import signal as scipy_signal
 
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.vibration._checks import (
@@ -135,13 +134,13 @@ def averaged_density(signal: Signal, resolution: float) -> Spectrum:
     InputError
         If the resolution is not positive, or there are fewer than two samples.
     """
+    from scipy.signal import welch  # slow to import
+
     require_samples(signal, _LEAST, marked("a spectrum"))
     checked_number(resolution, "resolution", above=0.0, example="resolution = 1.0")
     samples = len(signal.samples)
     count = int(min(max(round(signal.rate / resolution), _LEAST), samples))
-    frequency, density = scipy_signal.welch(
-        signal.samples, signal.rate, window="hann", nperseg=count
-    )
+    frequency, density = welch(signal.samples, signal.rate, window="hann", nperseg=count)
     return Spectrum(
         axis=np.asarray(frequency),
         values=np.asarray(density),

@@ -15,7 +15,6 @@ from math import inf, sqrt
 from typing import Final
 
 import numpy as np
-from scipy.signal import spectrogram
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
@@ -173,6 +172,8 @@ class _Total:
 
     def _squares_of(self, whole: Signal, band: Band) -> FloatArray:
         """Mean square of the velocity in a band, segment by segment."""
+        from scipy.signal import spectrogram  # slow to import
+
         axis, _, densities = spectrogram(
             whole.samples, whole.rate, window="hann", nperseg=self.size, noverlap=self.size // 2
         )

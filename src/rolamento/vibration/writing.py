@@ -1,8 +1,8 @@
 """Writing a signal as a file that the readers of signals take back with all that it can hold.
 
 A WAV file holds the rate, as a whole number, and 32-bit floats: seven digits of each sample, and
-neither unit nor speed. NumPy's archive holds samples to the last bit, rate and mean speed, a CSV
-table nine digits, rate, unit and mean speed.
+neither unit nor speed. NumPy's archive holds samples to the last bit, rate, unit and mean speed, a
+CSV table nine digits of each sample and the same.
 """
 
 from __future__ import annotations

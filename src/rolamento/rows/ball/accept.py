@@ -23,11 +23,12 @@ from rolamento.rows.ball.single import (
     direction,
     empty_ring,
     groove,
+    is_rounding,
     linearised,
     rounding,
     static_ball,
 )
-from rolamento.rows.ball.types import Array
+from rolamento.rows.ball.types import Array, Two
 from rolamento.status import (
     CONVERGED,
     NO_EQUILIBRIUM,
@@ -81,8 +82,7 @@ def judge(
             residual, _, force, stiffness, scale, touch, drive, before = linearised(
                 p, case, cage, control[j], a1, a2, x[j, 0], x[j, 1]
             )
-            error = sqrt(residual[0] ** 2 + residual[1] ** 2)
-            errors[j, 0] = max_with_nan(0.0, error - rounding(p, case, scale))
+            errors[j, 0] = sqrt(residual[0] ** 2 + residual[1] ** 2)
             placed = placed and in_place(p, case, a1, x[j, 0], x[j, 1])
             # a race that does not press on the ball has no friction for its gyroscopic moment
             if touch[0] == 0.0 and scale > 0.0:
@@ -108,21 +108,11 @@ def judge(
             inside = inside and c_o > p[layout.OUTER_EDGE, case]
             add_to_ring(ring, c, s, force, stiffness)
 
-    behind, left_out = 0.0, 0.0
-    if moving:
-        behind = cage_residual(p, case, lag, ring.pull[0])
-        condense_cage(ring)
-    else:
-        left_out = inertia_of(p, case) / heaviest if heaviest > 0.0 else inertia_of(p, case)
-    residual_of_all = max_with_nan(
-        max_with_nan(_ring_residual(p, case, ring.now, heaviest), behind + left_out),
-        _worst_ball(errors, heaviest),
-    )
+    residual_of_all, left_out = weigh(p, case, moving, lag, heaviest, ring, errors)
     if left_out > TOLERANCE and residual_of_all <= left_out:
         return NEEDS_INERTIA, residual_of_all, -1
     # a ball whose place is NaN is not in place; one without inertia has none but the ring's
-    finite = abs(u[0] + u[1] + u[2] + u[3] + u[4]) < inf
-    if not finite or not residual_of_all <= TOLERANCE or not placed:
+    if not is_finite(u) or not residual_of_all <= TOLERANCE or not placed:
         return NOT_CONVERGED, residual_of_all, -1
     if not held:
         return UNHELD_BALL, residual_of_all, -1
@@ -133,6 +123,31 @@ def judge(
     if not inside:
         return OVER_SHOULDER, residual_of_all, -1
     return CONVERGED, residual_of_all, -1
+
+
+@shared
+def weigh(
+    p: Array, case: int, moving: bool, lag: float, heaviest: float, ring: Ring, errors: Array
+) -> Two:
+    """The residual of a proposal, and the part of it that left out inertia is; see `judge`.
+
+    lag: what the cage is behind its drive; ring: the sums over the balls, of which the cage is
+    taken out; errors (balls, 2): size of each ball's residual and scale of its own loads.
+    """
+    behind, left_out = 0.0, 0.0
+    if moving:
+        behind = cage_residual(p, case, lag, ring.pull[0])
+        condense_cage(ring)
+    else:
+        left_out = inertia_of(p, case) / heaviest if heaviest > 0.0 else inertia_of(p, case)
+    residual = max_with_nan(_ring_residual(p, case, ring.now, heaviest), behind + left_out)
+    return _worst_ball(p, case, errors, heaviest, residual), left_out
+
+
+@inline_exact
+def is_finite(u: Array) -> bool:
+    """Whether the ring is anywhere."""
+    return bool(abs(u[0] + u[1] + u[2] + u[3] + u[4]) < inf)
 
 
 @inline_exact
@@ -162,12 +177,16 @@ def _ring_residual(p: Array, case: int, reaction: Array, heaviest: float) -> flo
 
 
 @shared
-def _worst_ball(errors: Array, heaviest: float) -> float:
-    """The greatest residual of a ball, each on the scale of its own loads."""
-    worst = 0.0
+def _worst_ball(p: Array, case: int, errors: Array, heaviest: float, worst: float) -> float:
+    """The greatest residual of a ball, each on the scale of its own loads, or what is worse."""
     for j in range(errors.shape[0]):
-        own = max(errors[j, 1], LOAD_FLOOR * heaviest)
-        worst = max_with_nan(worst, errors[j, 0] / own if own > 0.0 else errors[j, 0])
+        error, scale = errors[j, 0], errors[j, 1]
+        own = max(scale, LOAD_FLOOR * heaviest)
+        own = own if own > 0.0 else 1.0
+        # what rounding leaves of it is mostly nothing
+        if not error / own <= worst and not is_rounding(p, case, error, scale):
+            error = max_with_nan(0.0, error - rounding(p, case, scale))
+            worst = max_with_nan(worst, error / own)
     return worst
 
 

@@ -23,7 +23,8 @@ jumps when a ball touches. The speed of the cage is an unknown of the
 case, like the displacement of the ring.
 
 The formulas are written for scalars and without branches, so that the same text compiles to
-vector code over many cases (`_fast`) and to the plain form that checks it (`_exact`).
+vector code over many cases (`_fast`) and to the plain form that checks it (`_exact`), which is
+vector code too where seven coefficients make K (`_short`): to the last bit the same.
 """
 
 from __future__ import annotations
@@ -52,7 +53,6 @@ TINY: Final = 1e-300
 """So that grooves whose centres coincide have a direction, any, and no NaN."""
 
 
-@inline_fast
 def _short_polynomial(c: float, stiffness: Coefficients) -> Two:
     """K(cos a) and dK/d(cos a) from seven coefficients, by Horner's scheme."""
     k0, k1, k2, k3, k4, k5, k6 = stiffness
@@ -324,7 +324,10 @@ def _formulas(inline: Callable[..., Any], polynomial: Callable[..., Two]) -> tup
     return contact, inertia, polar, linearised
 
 
-contact_fast, inertia_fast, polar_fast, linearised_fast = _formulas(inline_fast, _short_polynomial)
+contact_fast, inertia_fast, polar_fast, linearised_fast = _formulas(
+    inline_fast, inline_fast(_short_polynomial)
+)
+_, _, _, linearised_short = _formulas(inline_exact, inline_exact(_short_polynomial))
 contact_exact, inertia_exact, polar_exact, linearised_exact = _formulas(
     inline_exact, stored_polynomial
 )

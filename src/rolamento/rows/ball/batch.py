@@ -8,18 +8,12 @@ from rolamento import status
 from rolamento.numerics.compiled import kernel, shared
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.accept import judge
-from rolamento.rows.ball.blocks import (
-    START_TOLERANCE,
-    TOLERANCE,
-    solve_moving,
-    solve_static,
-    start,
-)
+from rolamento.rows.ball.blocks import judge_blocks, solve_moving, solve_static, start
 from rolamento.rows.ball.continuation import heaviest_factor, put_factors, solve_by_steps
 from rolamento.rows.ball.edges import solve_off_groove
 from rolamento.rows.ball.robust import escaped, solve_robust
 from rolamento.rows.ball.single import direction, groove, ring_around
-from rolamento.rows.ball.types import Array, Output
+from rolamento.rows.ball.types import Array, Order, Output
 
 
 @shared
@@ -48,13 +42,12 @@ def solve_cases(
     cosines: Array,
     sines: Array,
     moving: bool,
-    first: int,
-    last: int,
+    order: Order,
     fast: bool,
     most_work: float,
     out: Output,
 ) -> None:
-    """Solve the cases first..last-1 and judge every one.
+    """Solve some of the cases, in the order given, and judge every one.
 
     p: parameters (layout.COLUMN or more, cases or 1); control: +1/-1 per ball (cases or 1, balls);
     moving: whether these cases have inertia; fast: whether to try the fast path; most_work: how
@@ -67,20 +60,28 @@ def solve_cases(
         displacement, cage, position, reaction, stiffness, residual, code, unsupported, iterations,
         safe,
     ) = out  # fmt: skip
-    if fast:
-        tolerance = START_TOLERANCE if moving else TOLERANCE
-        solve_static(p, control, cosines, sines, first, last, tolerance, displacement, iterations)
-        if moving:
-            solve_moving(
-                p, control, cosines, sines, first, last, displacement, cage, position, iterations
-            )
     errors, on_groove = np.zeros((cosines.size, 2)), np.zeros(cosines.size)
     ring = ring_around(np.zeros(5), np.zeros((5, 5)), np.zeros(1))
-    for case in range(first, last):
+    accepted = np.zeros(order.size, np.bool_)
+    if fast:
+        solve_static(p, control, cosines, sines, order, moving, displacement, position, iterations)
+    if fast and moving:
+        solve_moving(p, control, cosines, sines, order, displacement, cage, position, iterations)
+        judge_blocks(
+            p, control, cosines, sines, order, displacement, cage, position, ring, errors,
+            reaction, stiffness, residual, accepted,
+        )  # fmt: skip
+    for place in range(order.size):
+        case = order[place]
         column = case if p.shape[1] > 1 else 0
         balls = control[case if control.shape[0] > 1 else 0]
+        unsupported[case], safe[case] = -1, False
+        if accepted[place] and iterations[case] > 0:
+            code[case] = status.CONVERGED
+            continue
         u, x = displacement[case], position[case]
         code[case] = status.NOT_CONVERGED
+        iterations[case] = iterations[case] if fast else 0
         proposed = fast and iterations[case] != 0
         if proposed and iterations[case] > 0:
             code[case], residual[case], unsupported[case] = judge(

@@ -1,7 +1,7 @@
-"""The fast path, case by case: fill the lanes, start, iterate, hand over.
+"""The fast path, case by case: fill the lanes, start, iterate, hand over, judge.
 
-What comes out is a proposal: `accept` checks every case in exact arithmetic, and `robust`
-solves what was not proposed or not accepted.
+What comes out of the iteration is a proposal: `judge_blocks` checks every case in exact arithmetic,
+as `accept` does, and `robust` solves what was not proposed or not accepted.
 """
 
 from __future__ import annotations
@@ -10,18 +10,23 @@ from math import sqrt
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
+from rolamento import status
 from rolamento.numerics.compiled import inline_exact, shared
 from rolamento.rows.ball import lanes, layout
-from rolamento.rows.ball.types import Array, Three
+from rolamento.rows.ball.accept import is_finite, weigh
+from rolamento.rows.ball.single import FAR, Ring, empty_ring
+from rolamento.rows.ball.types import Array, Order, Three
 
 STATIC_STEPS: Final = 10
 MOVING_STEPS: Final = 30
 START_TOLERANCE: Final = 1e-2  # of a static start for a moving bearing
-TOLERANCE: Final = 1e-5  # before the last step, which squares it
+TOLERANCE: Final = 1e-6  # before the last step, which squares it, or less where a ball just touches
 
 _LANES: Final = layout.LANES
 _X: Final = layout.POSITION * _LANES
+_THREE, _FIVE = np.uintp(3), np.uintp(5)
 
 
 @inline_exact
@@ -70,6 +75,12 @@ def start(p: Array, case: int, ball_count: int, u: Array) -> None:
 
 
 @inline_exact
+def _put_displacement(w: Array, lane: int, u: Array) -> None:
+    for i in range(layout.DEGREES_OF_FREEDOM):
+        w[(layout.DISPLACEMENT + i) * _LANES + lane] = u[i]
+
+
+@inline_exact
 def fill(
     w: Array,
     b: Array,
@@ -85,11 +96,11 @@ def fill(
     column = case if p.shape[1] > 1 else 0
     for row in range(layout.PARAMETERS):
         w[row * _LANES + lane] = p[row, column]
-    for i in range(layout.DEGREES_OF_FREEDOM):
-        w[(layout.DISPLACEMENT + i) * _LANES + lane] = u[i]
+    _put_displacement(w, lane, u)
     series, outer = p[layout.SERIES_STIFFNESS, column], p[layout.OUTER_STIFFNESS, column]
     speed = p[layout.NOMINAL_ORBIT, column]
     w[layout.CAGE * _LANES + lane] = speed
+    w[layout.STEPS * _LANES + lane] = 0.0
     inertia = p[layout.CENTRIFUGAL, column] * speed * speed
     w[layout.OUTER_SHARE * _LANES + lane] = (series / outer) ** (2.0 / 3.0)
     w[layout.INERTIA_APPROACH * _LANES + lane] = (inertia / series) ** (2.0 / 3.0)
@@ -101,6 +112,7 @@ def fill(
         b[j, layout.SIN * _LANES + lane] = sines[j] * c0 + cosines[j] * s0
         b[j, layout.SIGMA * _LANES + lane] = sigma
         b[j, layout.LAMBDA * _LANES + lane] = p[layout.LAMBDA_INNER, column] if sigma > 0 else 2.0
+        b[j, layout.OFF * _LANES + lane] = 0.0
 
 
 @inline_exact
@@ -110,26 +122,42 @@ def _read_displacement(w: Array, lane: int, u: Array) -> None:
 
 
 @inline_exact
-def _unbalanced(w: Array, lane: int) -> float:
-    """The ring's greatest unbalanced load, over the scale of its loads; NaN stays NaN."""
-    worst = 0.0
-    scale = 0.0
-    for i in range(layout.DEGREES_OF_FREEDOM):
-        applied = w[(layout.APPLIED + i) * _LANES + lane]
-        reaction = w[(layout.REACTION + i) * _LANES + lane]
-        scale = max(scale, abs(applied), abs(reaction))
-        if w[(layout.FREE + i) * _LANES + lane] > 0.0:
-            miss = abs(applied - reaction)
-            worst = miss if not miss <= worst else worst
-    return worst / scale if scale > 0.0 else worst
+def _put_positions(b: Array, lane: int, x: Array) -> None:
+    for j in range(x.shape[0]):
+        b[j, _X + lane] = x[j, 0]
+        b[j, _X + _LANES + lane] = x[j, 1]
 
 
 @inline_exact
-def behind(w: Array, lane: int) -> float:
-    """What the cage is behind its drive, over the rings' speeds; NaN stays NaN."""
-    speed = abs(w[layout.INNER_SPEED * _LANES + lane]) + abs(w[layout.OUTER_SPEED * _LANES + lane])
-    lag = w[layout.LAG * _LANES + lane] / w[layout.LAG_BY_CAGE * _LANES + lane]
-    return float(abs(lag) / speed)
+def _read_positions(b: Array, lane: int, x: Array) -> None:
+    for j in range(x.shape[0]):
+        x[j, 0] = b[j, _X + lane]
+        x[j, 1] = b[j, _X + _LANES + lane]
+
+
+@inline_exact
+def _tilting(p: Array, order: Order) -> bool:
+    """Whether the ring of any case is free to tilt."""
+    for case in order:
+        column = case if p.shape[1] > 1 else 0
+        if p[layout.FREE + 3, column] + p[layout.FREE + 4, column] > 0.0:
+            return True
+    return False
+
+
+@shared
+def _regroup(w: Array, b: Array, lane: int) -> int:
+    """Take balls off the inner groove or put them on (see `edges`); how many changed."""
+    changed = 0
+    for j in range(b.shape[0]):
+        a1, a2 = lanes.groove_exact(w, b[j], lane)
+        beyond = a2 <= b[j, _X + _LANES + lane]
+        pressed = abs(a1 - b[j, _X + lane]) > w[layout.INNER_LENGTH * _LANES + lane]
+        off = b[j, layout.OFF * _LANES + lane] > 0.0
+        if (not off and beyond and pressed) or (off and not beyond):
+            b[j, layout.OFF * _LANES + lane] = 0.0 if off else FAR
+            changed += 1
+    return changed
 
 
 @inline_exact
@@ -156,23 +184,28 @@ def solve_static(
     control: Array,
     cosines: Array,
     sines: Array,
-    first: int,
-    last: int,
-    tolerance: float,
+    order: Order,
+    moving: bool,
     displacement: Array,
+    position: Array,
     iterations: Array,
 ) -> None:
     """Newton's method on the ring alone, every ball on the line of the groove centres.
 
-    Blocks of lanes run until the slowest has settled. Writes displacement (cases, 5) and
-    iterations (cases): zero, and the start unchanged, where a lane did not settle.
+    order: the cases to solve. Blocks of lanes run until the slowest has settled. Writes
+    displacement (cases, 5) and iterations (cases): zero, and the start unchanged, where a lane did
+    not settle. Loosely where the balls are moving: then it is a start, and position (cases, balls,
+    2) where they are put.
     """
     w = np.zeros(layout.RING_ROWS * _LANES)
     b = np.zeros((cosines.size, layout.BALL_ROWS * _LANES))
-    for block in range(first, last, _LANES):
-        count = min(_LANES, last - block)
+    tolerance = START_TOLERANCE if moving else TOLERANCE
+    tilting = _tilting(p, order)
+    axes = _FIVE if tilting else _THREE
+    for block in range(0, order.size, _LANES):
+        count = min(_LANES, order.size - block)
         for lane in range(_LANES):
-            case = min(block + lane, last - 1)
+            case = order[min(block + lane, order.size - 1)]
             start(p, case, cosines.size, displacement[case])
             iterations[case] = 0
             fill(w, b, lane, p, cosines, sines, control, case, displacement[case])
@@ -180,20 +213,32 @@ def solve_static(
         for step in range(STATIC_STEPS):
             lanes.reset_sums(w)
             for j in range(cosines.size):
-                lanes.add_static_ball(w, b[j])
+                if tilting:
+                    lanes.add_static_ball(w, b[j])
+                else:
+                    lanes.add_static_ball_untilted(w, b[j])
+            lanes.measure_ring(w, axes)
             for lane in range(count):
-                if iterations[block + lane] == 0 and _unbalanced(w, lane) <= tolerance:
-                    iterations[block + lane] = step + 1
+                unbalanced = w[layout.UNBALANCED * _LANES + lane]
+                case = order[block + lane]
+                if iterations[case] == 0 and unbalanced <= tolerance:
+                    iterations[case] = step + 1
                     open_lanes -= 1
-            lanes.step_ring(w)
+            lanes.step_ring(w, axes)
             if open_lanes == 0:
                 break
         for lane in range(count):
-            case = block + lane
+            case = order[block + lane]
             if iterations[case] > 0 and not _lost(w, lane):
                 _read_displacement(w, lane, displacement[case])
             else:
                 iterations[case] = 0
+                _put_displacement(w, lane, displacement[case])
+        if moving:
+            for j in range(cosines.size):
+                lanes.place_ball(w, b[j])
+            for lane in range(count):
+                _read_positions(b, lane, position[order[block + lane]])
 
 
 @shared
@@ -202,14 +247,13 @@ def solve_moving(
     control: Array,
     cosines: Array,
     sines: Array,
-    first: int,
-    last: int,
+    order: Order,
     displacement: Array,
     cage: Array,
     position: Array,
     iterations: Array,
 ) -> None:
-    """Newton's method on ring and balls together, from the static displacement.
+    """Newton's method on ring and balls together, from the displacement and position given.
 
     A lane that has settled, failed or run out of steps takes the next case. Writes displacement
     (cases, 5), cage (cases), position (cases, balls, 2) and iterations (cases): zero where a lane
@@ -219,40 +263,40 @@ def solve_moving(
     w = np.zeros(layout.RING_ROWS * _LANES)
     b = np.zeros((balls, layout.BALL_ROWS * _LANES))
     holds = np.full(_LANES, -1)  # the case in each lane
-    steps = np.zeros(_LANES, np.int64)
     settled = np.zeros(_LANES, np.bool_)
-    waiting = first
+    tilting = _tilting(p, order)
+    axes = _FIVE if tilting else _THREE
+    waiting = 0
     working = 0
     for lane in range(_LANES):
-        fill(w, b, lane, p, cosines, sines, control, first, displacement[first])
-    while waiting < last or working > 0:
-        fresh = False
+        case = order[0]
+        fill(w, b, lane, p, cosines, sines, control, case, displacement[case])
+        _put_positions(b, lane, position[case])
+    while waiting < order.size or working > 0:
         for lane in range(_LANES):
-            is_fresh = holds[lane] < 0 and waiting < last
-            w[layout.ASTRAY * _LANES + lane] = 1.0 if is_fresh else 0.0
-            if is_fresh:
-                fill(w, b, lane, p, cosines, sines, control, waiting, displacement[waiting])
-                holds[lane] = waiting
-                steps[lane] = 0
+            if holds[lane] < 0 and waiting < order.size:
+                case = order[waiting]
+                fill(w, b, lane, p, cosines, sines, control, case, displacement[case])
+                _put_positions(b, lane, position[case])
+                holds[lane] = case
                 waiting += 1
                 working += 1
-                fresh = True
-        if fresh:
-            for j in range(balls):
-                lanes.replace_ball(w, b[j])
 
         lanes.reset_sums(w)
         for j in range(balls):
-            lanes.add_moving_ball(w, b[j], TOLERANCE)
-        lanes.balance_cage(w)
+            if tilting:
+                lanes.add_moving_ball(w, b[j], TOLERANCE)
+            else:
+                lanes.add_moving_ball_untilted(w, b[j], TOLERANCE)
+        lanes.measure_ring(w, axes)
+        lanes.measure_cage(w)
         for lane in range(_LANES):
             at_rest = w[layout.FAULT * _LANES + lane] <= 0.0
-            settled[lane] = at_rest and _unbalanced(w, lane) <= TOLERANCE
-            settled[lane] = settled[lane] and behind(w, lane) <= TOLERANCE
-            steps[lane] += 1
-        lanes.condense_cage(w)
-        lanes.step_ring(w)
-        lanes.step_cage(w)
+            settled[lane] = at_rest and w[layout.UNBALANCED * _LANES + lane] <= TOLERANCE
+            settled[lane] = settled[lane] and w[layout.BEHIND * _LANES + lane] <= TOLERANCE
+        lanes.condense_cage(w, axes)
+        lanes.step_ring(w, axes)
+        lanes.step_cage(w, axes)
         for j in range(balls):
             lanes.follow_ring(w, b[j])
             if any_astray(w):
@@ -261,13 +305,93 @@ def solve_moving(
         for lane in range(_LANES):
             case = holds[lane]
             lost = _lost(w, lane)
-            if case < 0 or not (settled[lane] or lost or steps[lane] >= MOVING_STEPS):
+            if settled[lane] and not lost:
+                settled[lane] = _regroup(w, b, lane) == 0
+            steps = int(w[layout.STEPS * _LANES + lane])
+            if case < 0 or not (settled[lane] or lost or steps >= MOVING_STEPS):
                 continue
-            iterations[case] = 0 if lost else (steps[lane] if settled[lane] else -steps[lane])
+            iterations[case] = 0 if lost else (steps if settled[lane] else -steps)
             _read_displacement(w, lane, displacement[case])
             cage[case] = w[layout.CAGE * _LANES + lane]
-            for j in range(balls):
-                position[case, j, 0] = b[j, _X + lane]
-                position[case, j, 1] = b[j, _X + _LANES + lane]
+            _read_positions(b, lane, position[case])
             holds[lane] = -1
             working -= 1
+
+
+@shared
+def _read_sums(w: Array, b: Array, lane: int, ring: Ring, errors: Array) -> None:
+    """Copy what was summed in a lane to where `accept` looks for it."""
+    for i in range(layout.DEGREES_OF_FREEDOM):
+        ring.reaction[i] = w[(layout.REACTION + i) * _LANES + lane]
+        ring.now[i] = w[(layout.NOW + i) * _LANES + lane]
+        ring.by_cage[i] = w[(layout.BY_CAGE + i) * _LANES + lane]
+        ring.lag_by_ring[i] = w[(layout.LAG_BY_RING + i) * _LANES + lane]
+        for j in range(layout.DEGREES_OF_FREEDOM):
+            row = layout.MATRIX + layout.DEGREES_OF_FREEDOM * i + j
+            ring.matrix[i, j] = w[row * _LANES + lane]
+    ring.lag[0] = w[layout.LAG * _LANES + lane]
+    ring.lag_by_cage[0] = w[layout.LAG_BY_CAGE * _LANES + lane]
+    ring.pull[0] = w[layout.PULL * _LANES + lane]
+    for j in range(errors.shape[0]):
+        errors[j, 0] = b[j, layout.ERROR * _LANES + lane]
+        errors[j, 1] = b[j, layout.SCALE * _LANES + lane]
+
+
+@shared
+def judge_blocks(
+    p: Array,
+    control: Array,
+    cosines: Array,
+    sines: Array,
+    order: Order,
+    displacement: Array,
+    cage: Array,
+    position: Array,
+    ring: Ring,
+    errors: Array,
+    reaction: Array,
+    stiffness: Array,
+    residual: Array,
+    accepted: NDArray[np.bool_],
+) -> None:
+    """Judge proposals for moving balls as `accept.judge` does, many at a time.
+
+    Writes reaction (cases, 5), stiffness (cases, 5, 5) and residual (cases) where accepted, in
+    that order; what is not is left to be judged one by one.
+    """
+    w = np.zeros(layout.RING_ROWS * _LANES)
+    b = np.zeros((cosines.size, layout.BALL_ROWS * _LANES))
+    for block in range(0, order.size, _LANES):
+        count = min(_LANES, order.size - block)
+        for lane in range(_LANES):
+            case = order[min(block + lane, order.size - 1)]
+            fill(w, b, lane, p, cosines, sines, control, case, displacement[case])
+            _put_positions(b, lane, position[case])
+            _regroup(w, b, lane)
+            w[layout.CAGE * _LANES + lane] = cage[case]
+        lanes.reset_sums(w)
+        for lane in range(_LANES):
+            case = order[min(block + lane, order.size - 1)]
+            column = case if p.shape[1] > 1 else 0
+            empty_ring(p, column, cage[case], ring)
+            w[layout.LAG * _LANES + lane] = ring.lag[0]
+            w[layout.LAG_NOW * _LANES + lane] = ring.lag[0]
+            w[layout.LAG_BY_CAGE * _LANES + lane] = ring.lag_by_cage[0]
+            w[layout.PULL * _LANES + lane] = ring.pull[0]
+        for j in range(cosines.size):
+            lanes.judge_ball(w, b[j])
+        for lane in range(count):
+            case = order[block + lane]
+            column = case if p.shape[1] > 1 else 0
+            sound = w[layout.UNSOUND * _LANES + lane] == 0.0 and is_finite(displacement[case])
+            if not sound or p[layout.TERMS, column] > layout.COEFFICIENTS:
+                accepted[block + lane] = False
+                continue
+            _read_sums(w, b, lane, ring, errors)
+            lag, heaviest = w[layout.LAG_NOW * _LANES + lane], w[layout.HEAVIEST * _LANES + lane]
+            residual[case], _ = weigh(p, column, True, lag, heaviest, ring, errors)
+            accepted[block + lane] = residual[case] <= status.TOLERANCE
+            for i in range(layout.DEGREES_OF_FREEDOM):
+                reaction[case, i] = ring.reaction[i]
+                for j in range(layout.DEGREES_OF_FREEDOM):
+                    stiffness[case, i, j] = ring.matrix[i, j]

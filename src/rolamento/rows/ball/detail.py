@@ -17,7 +17,6 @@ from rolamento.kinematics import (
     grip,
     jones_control,
     orbital_speed,
-    spin_resistance,
 )
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.ball import TINY
@@ -197,8 +196,8 @@ def criterion(p: Floats, table: BallTable) -> NDArray[np.int64]:
     """Which race controls every ball by Jones's criterion: codes (cases, balls)."""
     inner, outer = hertz(p, table.inner, "inner"), hertz(p, table.outer, "outer")
     return jones_control(
-        spin_resistance(inner.load, inner.semi_major, inner.ellipticity),
-        spin_resistance(outer.load, outer.semi_major, outer.ellipticity),
+        inner.resistance_to_spin,
+        outer.resistance_to_spin,
         table.inner.contact_angle,
         table.outer.contact_angle,
     )

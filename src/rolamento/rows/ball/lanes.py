@@ -7,15 +7,19 @@ it is left for `robust`, and nothing here decides whether a result may be shown.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import sqrt
+from typing import Any, Final
 
 import numpy as np
 
-from rolamento.numerics.compiled import inline_fast, vector_loop
+from rolamento.numerics.compiled import inline_exact, inline_fast, shared, vector_loop
 from rolamento.rows.ball import layout
-from rolamento.rows.ball.ball import contact_fast, linearised_fast, polar_fast
+from rolamento.rows.ball.accept import FRICTION_SLACK, GREATEST_APPROACH, LOST_ANGLE
+from rolamento.rows.ball.ball import contact_fast, linearised_fast, linearised_short, polar_fast
 from rolamento.rows.ball.layout import lanes
-from rolamento.rows.ball.types import Array, Coefficients, Seven, Six, Three, Two
+from rolamento.rows.ball.settle import PLACE_SLACK
+from rolamento.rows.ball.types import Array, Coefficients, Motion, Seven, Six, Three, Two
 
 N = np.uintp(layout.LANES)
 
@@ -46,14 +50,44 @@ _BY_CAGE = tuple(lanes(layout.BY_CAGE + i) for i in range(5))
 _LAG_BY_RING = tuple(lanes(layout.LAG_BY_RING + i) for i in range(5))
 _LAG_BY_CAGE = lanes(layout.LAG_BY_CAGE)
 _FAULT, _ASTRAY = lanes(layout.FAULT), lanes(layout.ASTRAY)
+_NX, _NY, _NZ, _NP, _NQ = (lanes(layout.NOW + i) for i in range(5))
+_LAG_NOW, _PULL = lanes(layout.LAG_NOW), lanes(layout.PULL)
+_HEAVIEST, _UNSOUND = lanes(layout.HEAVIEST), lanes(layout.UNSOUND)
+_UNBALANCED, _BEHIND = lanes(layout.UNBALANCED), lanes(layout.BEHIND)
+_LOADED, _STEPS = lanes(layout.LOADED), lanes(layout.STEPS)
+_ERROR, _SCALE = lanes(layout.ERROR), lanes(layout.SCALE)
+_OFF = lanes(layout.OFF)
+_INNER_EDGE, _OUTER_EDGE = lanes(layout.INNER_EDGE), lanes(layout.OUTER_EDGE)
+_ONE_SIDED, _BALL_DIAMETER = lanes(layout.ONE_SIDED), lanes(layout.BALL_DIAMETER)
 _OUTER_SHARE, _INERTIA_APPROACH = lanes(layout.OUTER_SHARE), lanes(layout.INERTIA_APPROACH)
 _FIVE = np.uintp(layout.DEGREES_OF_FREEDOM)
 _ONE = np.uintp(1)
 _ROW = tuple(lanes(row) for row in range(layout.COEFFICIENTS))
-_RESET = lanes(layout.FAULT + 1 - layout.REACTION)
+_RESET = lanes(layout.SUMS)
+
+LOOSE_CAGE: Final = 0.1
+"""Unbalanced load, over the ring's loads, below which the cage's speed is free: it follows what the
+balls do, and far from balance they do what they will not."""
+NEAR_CAGE: Final = 0.02
+"""Of the rings' speeds: the longest step of the cage, and what it may lag if the ring's step is to
+reckon with it."""
+LEAST_APPROACH: Final = 1e-9
+"""Over the grooves' offsets: a ring has at least the stiffness of a contact so lightly pressed."""
+LONGEST_STEP: Final = 0.3
+"""Of the ring, over the grooves' offsets."""
+PATIENCE: Final = 6.0
+"""Steps after which a ball that goes astray is no longer put where it began, and ring and ball take
+none that is longer than"""
+LATE_STEP: Final = 0.03
+"""over the grooves' offsets."""
+SHORT_STEP: Final = 0.25
+"""Part of its step that such a ball takes at most."""
+LEAST_PRESSED: Final = 0.1
+"""Of the approach under its own centrifugal force, at the outer race: no ball is pressed less."""
+DRIVE: Final = -1e-30
+"""A cage that turns faster lags less, or all that is known of it is the direction to go."""
 
 
-@inline_fast
 def _groove(w: Array, b: Array, i: int) -> Two:
     """Where the inner groove's centre stands at this ball: A1, A2."""
     c = b[_COS + i]
@@ -63,7 +97,6 @@ def _groove(w: Array, b: Array, i: int) -> Two:
     return a1, a2
 
 
-@inline_fast
 def _coefficients(w: Array, first: np.uintp, i: int) -> Coefficients:
     """The seven coefficients of a contact's stiffness."""
     return (
@@ -72,57 +105,77 @@ def _coefficients(w: Array, first: np.uintp, i: int) -> Coefficients:
     )  # fmt: skip
 
 
-@inline_fast
-def _add_row(w: Array, i: int, row: int, by_a1: float, by_a2: float, c: float, s: float) -> None:
-    """Add a row of the ring's stiffness, given the derivatives by A1 and A2."""
-    w[_MATRIX[row] + i] += by_a1
-    w[_MATRIX[row + 1] + i] += s * by_a2
-    w[_MATRIX[row + 2] + i] += c * by_a2
-    w[_MATRIX[row + 3] + i] += c * by_a1
-    w[_MATRIX[row + 4] + i] -= s * by_a1
+def _motion(w: Array, i: int) -> Motion:
+    return (
+        w[_GAMMA + i], w[_C_F + i], w[_C_G + i], w[_OMEGA_I + i], w[_OMEGA_O + i],
+        w[_FRICTION_ARM + i],
+    )  # fmt: skip
 
 
-@inline_fast
-def _add_to_ring(w: Array, b: Array, i: int, force: Three, stiffness: Six) -> None:
-    """Add one ball's force and stiffness to the ring's.
+def _sums(inline: Callable[..., Any], tilting: bool) -> tuple[Any, Any, Any]:
+    """Build the sums over the balls: how to compile them, and whether the ring can tilt."""
 
-    With dA1 = dx + c dp - s dq and dA2 = s dy + c dz (p, q: the tilts times the arm), the rows
-    x, y, z, p, q of the ring take f1, s f2, c f2, c h and -s h.
-    """
-    c = b[_COS + i]
-    s = b[_SIN + i]
-    f1, f2, h = force
-    k11, k12, k21, k22, h1, h2 = stiffness
-    w[_FX + i] += f1
-    w[_FY + i] += s * f2
-    w[_FZ + i] += c * f2
-    w[_FP + i] += c * h
-    w[_FQ + i] -= s * h
-    _add_row(w, i, 0, k11, k12, c, s)
-    _add_row(w, i, 5, s * k21, s * k22, c, s)
-    _add_row(w, i, 10, c * k21, c * k22, c, s)
-    _add_row(w, i, 15, c * h1, c * h2, c, s)
-    _add_row(w, i, 20, -s * h1, -s * h2, c, s)
+    @inline
+    def add_force(w: Array, first: np.uintp, i: int, c: float, s: float, force: Three) -> None:
+        """Add one ball's force and moment to the ring's."""
+        f1, f2, h = force
+        w[first + i] += f1
+        w[first + _ROW[1] + i] += s * f2
+        w[first + _ROW[2] + i] += c * f2
+        if tilting:
+            w[first + _ROW[3] + i] += c * h
+            w[first + _ROW[4] + i] -= s * h
+
+    @inline
+    def add_row(w: Array, i: int, row: int, by_a1: float, by_a2: float, c: float, s: float) -> None:
+        """Add a row of the ring's stiffness, given the derivatives by A1 and A2."""
+        w[_MATRIX[row] + i] += by_a1
+        w[_MATRIX[row + 1] + i] += s * by_a2
+        w[_MATRIX[row + 2] + i] += c * by_a2
+        if tilting:
+            w[_MATRIX[row + 3] + i] += c * by_a1
+            w[_MATRIX[row + 4] + i] -= s * by_a1
+
+    @inline
+    def add_to_ring(w: Array, i: int, c: float, s: float, force: Three, stiffness: Six) -> None:
+        """Add one ball's force and stiffness to the ring's.
+
+        With dA1 = dx + c dp - s dq and dA2 = s dy + c dz (p, q: the tilts times the arm), the rows
+        x, y, z, p, q of the ring take f1, s f2, c f2, c h and -s h.
+        """
+        k11, k12, k21, k22, h1, h2 = stiffness
+        add_force(w, _FX, i, c, s, force)
+        add_row(w, i, 0, k11, k12, c, s)
+        add_row(w, i, 5, s * k21, s * k22, c, s)
+        add_row(w, i, 10, c * k21, c * k22, c, s)
+        if tilting:
+            add_row(w, i, 15, c * h1, c * h2, c, s)
+            add_row(w, i, 20, -s * h1, -s * h2, c, s)
+
+    @inline
+    def add_to_cage(w: Array, i: int, c: float, s: float, drive: Seven) -> None:
+        """Add what the cage's speed does to one ball, and the ball to the cage's balance."""
+        c1, c2, hc, lag, lag1, lag2, lag_c = drive
+        w[_BY_CAGE[0] + i] += c1
+        w[_BY_CAGE[1] + i] += s * c2
+        w[_BY_CAGE[2] + i] += c * c2
+        w[_LAG + i] += lag
+        w[_LAG_BY_RING[0] + i] += lag1
+        w[_LAG_BY_RING[1] + i] += s * lag2
+        w[_LAG_BY_RING[2] + i] += c * lag2
+        if tilting:
+            w[_BY_CAGE[3] + i] += c * hc
+            w[_BY_CAGE[4] + i] -= s * hc
+            w[_LAG_BY_RING[3] + i] += c * lag1
+            w[_LAG_BY_RING[4] + i] -= s * lag1
+        w[_LAG_BY_CAGE + i] += lag_c
+
+    return add_force, add_to_ring, add_to_cage
 
 
-@inline_fast
-def _add_to_cage(w: Array, b: Array, i: int, drive: Seven) -> None:
-    """Add what the cage's speed does to one ball, and the ball to the cage's balance."""
-    c = b[_COS + i]
-    s = b[_SIN + i]
-    c1, c2, hc, lag, lag1, lag2, lag_c = drive
-    w[_BY_CAGE[0] + i] += c1
-    w[_BY_CAGE[1] + i] += s * c2
-    w[_BY_CAGE[2] + i] += c * c2
-    w[_BY_CAGE[3] + i] += c * hc
-    w[_BY_CAGE[4] + i] -= s * hc
-    w[_LAG + i] += lag
-    w[_LAG_BY_RING[0] + i] += lag1
-    w[_LAG_BY_RING[1] + i] += s * lag2
-    w[_LAG_BY_RING[2] + i] += c * lag2
-    w[_LAG_BY_RING[3] + i] += c * lag1
-    w[_LAG_BY_RING[4] + i] -= s * lag1
-    w[_LAG_BY_CAGE + i] += lag_c
+_groove_fast, groove_exact = inline_fast(_groove), inline_exact(_groove)
+_coefficients_fast, _coefficients_exact = inline_fast(_coefficients), inline_exact(_coefficients)
+_motion_fast, _motion_exact = inline_fast(_motion), inline_exact(_motion)
 
 
 @vector_loop
@@ -132,41 +185,110 @@ def reset_sums(w: Array) -> None:
         w[i] = 0.0
 
 
-@vector_loop
-def add_static_ball(w: Array, b: Array) -> None:
-    """A ball without inertia: both contacts in series along the line of groove centres."""
-    for i in range(N):
-        a1, a2 = _groove(w, b, i)
-        stiffness = _coefficients(w, _K_S, i)
-        s, c, v, _, q, kn, ka = contact_fast(a1, a2, w[_L_I + i] + w[_L_O + i], stiffness)
-        k11, k12, k21, k22 = polar_fast(s, c, kn, ka * v, 0.0, q * v)
-        _add_to_ring(w, b, i, (q * s, q * c, q * s), (k11, k12, k21, k22, k11, k12))
+def _balls(tilting: bool) -> tuple[Any, Any]:
+    """Build the passes over one ball of every lane, for rings that tilt and rings that do not."""
+    _, add_to_ring, add_to_cage = _sums(inline_fast, tilting)
+
+    @vector_loop
+    def add_static_ball(w: Array, b: Array) -> None:
+        """A ball without inertia: both contacts in series along the line of groove centres."""
+        for i in range(N):
+            a1, a2 = _groove_fast(w, b, i)
+            stiffness = _coefficients_fast(w, _K_S, i)
+            s, c, v, _, q, kn, ka = contact_fast(a1, a2, w[_L_I + i] + w[_L_O + i], stiffness)
+            k11, k12, k21, k22 = polar_fast(s, c, kn, ka * v, 0.0, q * v)
+            force = (q * s, q * c, q * s)
+            add_to_ring(w, i, b[_COS + i], b[_SIN + i], force, (k11, k12, k21, k22, k11, k12))
+
+    @vector_loop
+    def add_moving_ball(w: Array, b: Array, tolerance: float) -> None:
+        """A ball in motion: its residual, its step, and the ring's view of it."""
+        for i in range(N):
+            a1, a2 = _groove_fast(w, b, i)
+            outer = (w[_L_O + i], _coefficients_fast(w, _K_O, i))
+            inner = (w[_L_I + i] + b[_OFF + i], _coefficients_fast(w, _K_I, i))
+            cage = (w[_CAGE + i], w[_HOLD_RATE + i], w[_HOLD_OFFSET + i], w[_OWN + i])
+            residual, follow, force, stiffness, scale, _, drive, _ = linearised_fast(
+                a1, a2, b[_X1 + i], b[_X2 + i], inner, outer, _motion_fast(w, i), cage,
+                b[_SIGMA + i], b[_LAMBDA + i],
+            )  # fmt: skip
+            r1, r2 = residual
+            allowed = tolerance * scale
+            w[_FAULT + i] = max(w[_FAULT + i], r1 * r1 + r2 * r2 - allowed * allowed)
+            q1, q2, w11, w12, w21, w22, z1, z2 = follow
+            b[_Q1 + i], b[_Q2 + i], b[_Z1 + i], b[_Z2 + i] = q1, q2, z1, z2
+            b[_W11 + i], b[_W12 + i], b[_W21 + i], b[_W22 + i] = w11, w12, w21, w22
+            add_to_ring(w, i, b[_COS + i], b[_SIN + i], force, stiffness)
+            add_to_cage(w, i, b[_COS + i], b[_SIN + i], drive)
+
+    return add_static_ball, add_moving_ball
 
 
-@vector_loop
-def add_moving_ball(w: Array, b: Array, tolerance: float) -> None:
-    """A ball in motion: its residual, its step, and the ring's view of it."""
+add_static_ball, add_moving_ball = _balls(tilting=True)
+add_static_ball_untilted, add_moving_ball_untilted = _balls(tilting=False)
+
+_add_force_exact, _add_to_ring_exact, _add_to_cage_exact = _sums(inline_exact, tilting=True)
+
+
+@inline_exact
+def _if(bears: float, value: float) -> float:
+    return value if bears > 0.0 else 0.0
+
+
+@shared
+def judge_ball(w: Array, b: Array) -> None:
+    """A ball in motion as `accept.judge` sees it, to the last bit; what is wrong is UNSOUND."""
     for i in range(N):
-        a1, a2 = _groove(w, b, i)
-        outer = (w[_L_O + i], _coefficients(w, _K_O, i))
-        inner = (w[_L_I + i], _coefficients(w, _K_I, i))
-        motion = (
-            w[_GAMMA + i], w[_C_F + i], w[_C_G + i], w[_OMEGA_I + i], w[_OMEGA_O + i],
-            w[_FRICTION_ARM + i],
-        )  # fmt: skip
+        a1, a2 = groove_exact(w, b, i)
+        x1, x2, l_o = b[_X1 + i], b[_X2 + i], w[_L_O + i]
+        outer = (l_o, _coefficients_exact(w, _K_O, i))
+        inner = (w[_L_I + i] + b[_OFF + i], _coefficients_exact(w, _K_I, i))
         cage = (w[_CAGE + i], w[_HOLD_RATE + i], w[_HOLD_OFFSET + i], w[_OWN + i])
-        residual, follow, force, stiffness, scale, _, drive, _ = linearised_fast(
-            a1, a2, b[_X1 + i], b[_X2 + i], inner, outer, motion, cage, b[_SIGMA + i],
-            b[_LAMBDA + i],
+        residual, _, force, stiffness, scale, touch, drive, before = linearised_short(
+            a1, a2, x1, x2, inner, outer, _motion_exact(w, i), cage, b[_SIGMA + i], b[_LAMBDA + i]
+        )
+        load, c_i, c_o, approach, s_i = touch
+        b[_ERROR + i] = sqrt(residual[0] ** 2 + residual[1] ** 2)
+        b[_SCALE + i] = scale
+        w[_HEAVIEST + i] = max(w[_HEAVIEST + i], scale)
+
+        # without a branch: each condition is a number
+        bears = 1.0 if scale > 0.0 else (0.0 if scale == scale else 1.0)
+        slack = PLACE_SLACK * l_o
+        side = 1.0 if a1 >= 0.0 else -1.0
+        wrong = 0.0 if min(side * x1, side * (a1 - x1)) >= -slack else 1.0
+        wrong = wrong if x2 > 0.0 else 1.0
+        wrong = wrong if approach <= GREATEST_APPROACH * w[_BALL_DIAMETER + i] else 1.0
+        unheld = 0.0 if abs(force[0]) + abs(force[1]) <= FRICTION_SLACK * scale else 1.0
+        unheld = unheld if scale > 0.0 else 0.0
+        unheld = unheld if load == 0.0 else 0.0
+        turned = 1.0 if s_i <= LOST_ANGLE else 0.0
+        turned *= w[_ONE_SIDED + i]
+        inner_edge = turned if c_i > w[_INNER_EDGE + i] else 1.0
+        inner_edge = inner_edge if load > 0.0 else 0.0
+        outer_edge = 0.0 if c_o > w[_OUTER_EDGE + i] else bears
+        w[_UNSOUND + i] = max(w[_UNSOUND + i], max(max(wrong, unheld), max(inner_edge, outer_edge)))
+
+        # a ball that nothing touches asks for nothing, and its derivatives are NaN
+        f1, f2, h = force
+        k11, k12, k21, k22, h1, h2 = stiffness
+        c1, c2, hc, lag, lag1, lag2, lag_c = drive
+        n1, n2, nh, lag_now, pull = before
+        c, s = b[_COS + i], b[_SIN + i]
+        drive = (
+            _if(bears, c1), _if(bears, c2), _if(bears, hc), _if(bears, lag), _if(bears, lag1),
+            _if(bears, lag2), _if(bears, lag_c),
         )  # fmt: skip
-        r1, r2 = residual
-        allowed = tolerance * scale
-        w[_FAULT + i] = max(w[_FAULT + i], r1 * r1 + r2 * r2 - allowed * allowed)
-        q1, q2, w11, w12, w21, w22, z1, z2 = follow
-        b[_Q1 + i], b[_Q2 + i], b[_Z1 + i], b[_Z2 + i] = q1, q2, z1, z2
-        b[_W11 + i], b[_W12 + i], b[_W21 + i], b[_W22 + i] = w11, w12, w21, w22
-        _add_to_ring(w, b, i, force, stiffness)
-        _add_to_cage(w, b, i, drive)
+        _add_to_cage_exact(w, i, c, s, drive)
+        w[_PULL + i] += _if(bears, pull)
+        _add_force_exact(w, _NX, i, c, s, (_if(bears, n1), _if(bears, n2), _if(bears, nh)))
+        w[_LAG_NOW + i] += _if(bears, lag_now)
+        force = (_if(bears, f1), _if(bears, f2), _if(bears, h))
+        stiffness = (
+            _if(bears, k11), _if(bears, k12), _if(bears, k21), _if(bears, k22), _if(bears, h1),
+            _if(bears, h2),
+        )  # fmt: skip
+        _add_to_ring_exact(w, i, c, s, force, stiffness)
 
 
 @vector_loop
@@ -182,26 +304,60 @@ def follow_ring(w: Array, b: Array) -> None:
         dx2 = b[_Q2 + i] + b[_W21 + i] * da1 + b[_W22 + i] * da2 + b[_Z2 + i] * dw
         x1 = b[_X1 + i] + dx1
         x2 = b[_X2 + i] + dx2
-        b[_X1 + i] = x1
-        b[_X2 + i] = x2
-        # a place between the axis plane and the line of groove centres, at the outer race
-        a1, a2 = _groove(w, b, i)
+        # a ball in motion presses on the outer race
         l_o = w[_L_O + i]
+        reach = sqrt(x1 * x1 + x2 * x2)
+        least = l_o + LEAST_PRESSED * w[_OUTER_SHARE + i] * w[_INERTIA_APPROACH + i]
+        stretch = least / reach if reach < least else 1.0
+        # where it was, for what comes after an astray ball
+        b[_Q1 + i], b[_Q2 + i] = b[_X1 + i], b[_X2 + i]
+        b[_X1 + i], b[_X2 + i] = stretch * x1, stretch * x2
+        # a place between the axis plane and the line of groove centres, at the outer race
+        a1, a2 = _groove_fast(w, b, i)
         side = 1.0 if a1 > 0.0 else -1.0
         inside = min(side * x1, side * (a1 * x2 - a2 * x1) / l_o) + 0.1 * l_o
-        reach = sqrt(x1 * x1 + x2 * x2)
         inside = min(inside, min(1.5 * l_o - reach, reach - 0.8 * l_o))
-        w[_ASTRAY + i] = 0.0 if inside > 0.0 else 1.0
+        lost = 1.0 if w[_STEPS + i] <= PATIENCE else 2.0
+        w[_ASTRAY + i] = 0.0 if inside > 0.0 else lost
 
 
 @vector_loop
-def _hold(w: Array) -> None:
+def measure_ring(w: Array, axes: np.uintp) -> None:
+    """How far the ring is from balance; NaN stays NaN."""
+    for i in range(N):
+        w[_UNBALANCED + i] = 0.0
+        w[_LOADED + i] = 0.0
+    for row in range(axes):
+        for i in range(N):
+            applied, reaction = w[_APPLIED + row * N + i], w[_FX + row * N + i]
+            worst, miss = w[_UNBALANCED + i], abs(applied - reaction)
+            miss = miss if w[_FREE + row * N + i] > 0.0 else 0.0
+            w[_UNBALANCED + i] = worst if miss <= worst else miss
+            w[_LOADED + i] = max(w[_LOADED + i], max(abs(applied), abs(reaction)))
+    for i in range(N):
+        scale = w[_LOADED + i]
+        w[_UNBALANCED + i] /= scale if scale > 0.0 else 1.0
+
+
+@vector_loop
+def measure_cage(w: Array) -> None:
+    """How far the cage is from balance, the nominal speed's pull taken in; counts the steps."""
+    for i in range(N):
+        w[_STEPS + i] += 1.0
+        w[_LAG + i] += w[_CAGE_WEIGHT + i] * (w[_NOMINAL + i] - w[_CAGE + i])
+        w[_LAG_BY_CAGE + i] -= w[_CAGE_WEIGHT + i]
+        speed = abs(w[_OMEGA_I + i]) + abs(w[_OMEGA_O + i])
+        w[_BEHIND + i] = abs(w[_LAG + i] / w[_LAG_BY_CAGE + i]) / speed
+
+
+@vector_loop
+def _hold(w: Array, axes: np.uintp) -> None:
     """Set up the ring's equations: the unbalanced load, and unit rows where it is held."""
-    for row in range(_FIVE):
+    for row in range(axes):
         for i in range(N):
             free = w[_FREE + row * N + i]
             w[_DX + row * N + i] = free * (w[_APPLIED + row * N + i] - w[_FX + row * N + i])
-        for column in range(_FIVE):
+        for column in range(axes):
             entry = _MATRIX[0] + (row * _FIVE + column) * N
             unit = 1.0 if row == column else 0.0
             for i in range(N):
@@ -210,24 +366,33 @@ def _hold(w: Array) -> None:
 
 
 @vector_loop
-def _eliminate(w: Array) -> None:
-    """Gauss's elimination and back substitution, the solution in place of the right side."""
-    for pivot in range(_FIVE):
+def _eliminate(w: Array, axes: np.uintp) -> None:
+    """Gauss's elimination and back substitution, the solution in place of the right side.
+
+    Where few balls bear the ring may move freely: no pivot is nearer to zero than the stiffness of
+    a light contact.
+    """
+    for pivot in range(axes):
         diagonal = _MATRIX[0] + (pivot * _FIVE + pivot) * N
-        for row in range(pivot + _ONE, _FIVE):
+        for i in range(N):
+            reach = LEAST_APPROACH * (w[_L_O + i] + w[_L_I + i])
+            stiffness = w[diagonal + i]
+            least = 1.5 * w[_K_S + i] * sqrt(reach)
+            w[diagonal + i] = least if abs(stiffness) < least else stiffness
+        for row in range(pivot + _ONE, axes):
             below = _MATRIX[0] + (row * _FIVE + pivot) * N
             for i in range(N):
                 w[below + i] /= w[diagonal + i]
-            for column in range(pivot + _ONE, _FIVE):
+            for column in range(pivot + _ONE, axes):
                 target = _MATRIX[0] + (row * _FIVE + column) * N
                 source = _MATRIX[0] + (pivot * _FIVE + column) * N
                 for i in range(N):
                     w[target + i] -= w[below + i] * w[source + i]
             for i in range(N):
                 w[_DX + row * N + i] -= w[below + i] * w[_DX + pivot * N + i]
-    for back in range(_FIVE):
-        up = _FIVE - _ONE - back
-        for column in range(up + _ONE, _FIVE):
+    for back in range(axes):
+        up = axes - _ONE - back
+        for column in range(up + _ONE, axes):
             entry = _MATRIX[0] + (up * _FIVE + column) * N
             for i in range(N):
                 w[_DX + up * N + i] -= w[entry + i] * w[_DX + column * N + i]
@@ -237,42 +402,50 @@ def _eliminate(w: Array) -> None:
 
 
 @vector_loop
-def step_ring(w: Array) -> None:
-    """One Newton step of the ring on its free degrees of freedom."""
-    _hold(w)
-    _eliminate(w)
+def step_ring(w: Array, axes: np.uintp) -> None:
+    """One Newton step of the ring on its free degrees of freedom, not too far."""
+    _hold(w, axes)
+    _eliminate(w, axes)
+    for i in range(N):
+        longest = LONGEST_STEP if w[_STEPS + i] <= PATIENCE else LATE_STEP
+        reach = longest * (w[_L_O + i] + w[_L_I + i])
+        step = max(max(abs(w[_DX + i]), abs(w[_DY + i])), abs(w[_DZ + i]))
+        part = reach / step if step > reach else 1.0
+        w[_DX + i] *= part
+        w[_DY + i] *= part
+        w[_DZ + i] *= part
+        w[_DP + i] *= part
+        w[_DQ + i] *= part
     for i in range(_FIVE * N):
         w[_UX + i] += w[_DX + i]
 
 
 @vector_loop
-def balance_cage(w: Array) -> None:
-    """Take the pull of the nominal speed into the cage's balance."""
-    for i in range(N):
-        w[_LAG + i] += w[_CAGE_WEIGHT + i] * (w[_NOMINAL + i] - w[_CAGE + i])
-        w[_LAG_BY_CAGE + i] -= w[_CAGE_WEIGHT + i]
+def condense_cage(w: Array, axes: np.uintp) -> None:
+    """Let the cage follow the ring: its speed drops out of the ring's force and stiffness.
 
-
-@vector_loop
-def condense_cage(w: Array) -> None:
-    """Let the cage follow the ring: its speed drops out of the ring's force and stiffness."""
-    for row in range(_FIVE):
+    As long as the ring is far from balance, or the cage is, its speed is taken as it is.
+    """
+    for row in range(axes):
         force, by_cage = _FX + row * N, _BY_CAGE[0] + row * N
         for i in range(N):
-            w[force + i] -= w[by_cage + i] * w[_LAG + i] / w[_LAG_BY_CAGE + i]
-        for column in range(_FIVE):
+            near = max(w[_UNBALANCED + i] / LOOSE_CAGE, w[_BEHIND + i] / NEAR_CAGE)
+            near = near if w[_LAG_BY_CAGE + i] < DRIVE else 2.0
+            w[by_cage + i] = w[by_cage + i] / w[_LAG_BY_CAGE + i] if near <= 1.0 else 0.0
+            w[force + i] -= w[by_cage + i] * w[_LAG + i]
+        for column in range(axes):
             entry = _MATRIX[0] + (row * _FIVE + column) * N
             lag = _LAG_BY_RING[0] + column * N
             for i in range(N):
-                w[entry + i] -= w[by_cage + i] * w[lag + i] / w[_LAG_BY_CAGE + i]
+                w[entry + i] -= w[by_cage + i] * w[lag + i]
 
 
 @vector_loop
-def step_cage(w: Array) -> None:
+def step_cage(w: Array, axes: np.uintp) -> None:
     """Take the cage's speed along with the ring's step."""
     for i in range(N):
         w[_DCAGE + i] = -w[_LAG + i]
-    for row in range(_FIVE):
+    for row in range(axes):
         lag, step = _LAG_BY_RING[0] + row * N, _DX + row * N
         for i in range(N):
             w[_DCAGE + i] -= w[lag + i] * w[step + i]
@@ -280,23 +453,26 @@ def step_cage(w: Array) -> None:
         # no ball orbits faster or slower than both rings turn
         slowest = min(w[_OMEGA_I + i], w[_OMEGA_O + i])
         fastest = max(w[_OMEGA_I + i], w[_OMEGA_O + i])
-        speed = w[_CAGE + i] + w[_DCAGE + i] / w[_LAG_BY_CAGE + i]
-        speed = min(max(speed, slowest), fastest)
+        longest = NEAR_CAGE * (abs(w[_OMEGA_I + i]) + abs(w[_OMEGA_O + i]))
+        longest = longest if w[_UNBALANCED + i] <= LOOSE_CAGE else 0.0
+        change = w[_DCAGE + i] / min(w[_LAG_BY_CAGE + i], DRIVE)
+        change = min(max(change, -longest), longest)
+        speed = min(max(w[_CAGE + i] + change, slowest), fastest)
         w[_DCAGE + i] = speed - w[_CAGE + i]
         w[_CAGE + i] = speed
 
 
 @inline_fast
-def _first_place(w: Array, b: Array, i: int) -> Two:
-    """A place near equilibrium for a moving ball, whatever its load: X1, X2.
+def _first_place(w: Array, b: Array, i: int) -> Three:
+    """A place near equilibrium for a moving ball, whatever its load: X1, X2, and if it is free.
 
     The two approaches and the distance |A| make a triangle. A ball that the groove centres hardly
     reach (|A| < L_o + L_i) is held up by its centrifugal force at its apex; a heavily loaded
     ball leaves the line of centres only by the turning of its load.
     """
-    a1, a2 = _groove(w, b, i)
+    a1, a2 = _groove_fast(w, b, i)
     c_f = w[_C_F + i]
-    stiffness = _coefficients(w, _K_S, i)
+    stiffness = _coefficients_fast(w, _K_S, i)
     l_o = w[_L_O + i]
     l_i = w[_L_I + i]
     s, c, inverse, _, q, _, _ = contact_fast(a1, a2, l_i + l_o, stiffness)
@@ -317,21 +493,36 @@ def _first_place(w: Array, b: Array, i: int) -> Two:
     s_o = s * cosine - c * sine
     c_o = c * cosine + s * sine
     beyond = s_o * s < 0.0
-    return l_o * (0.0 if beyond else s_o), l_o * (1.0 if beyond else c_o)
+    x1, x2 = l_o * (0.0 if beyond else s_o), l_o * (1.0 if beyond else c_o)
+    # one that the inner groove does not reach
+    out = w[_L_O + i] + share * alone
+    gap = max(a2 - out, 0.0)
+    free = 1.0 if a1 * a1 + gap * gap < w[_L_I + i] * w[_L_I + i] else 0.0
+    return 0.0 if free > 0.0 else x1, out if free > 0.0 else x2, free
 
 
 @vector_loop
 def place_ball(w: Array, b: Array) -> None:
     """Put a moving ball near its equilibrium."""
     for i in range(N):
-        b[_X1 + i], b[_X2 + i] = _first_place(w, b, i)
+        b[_X1 + i], b[_X2 + i], _ = _first_place(w, b, i)
 
 
 @vector_loop
 def replace_ball(w: Array, b: Array) -> None:
-    """Put a ball near its equilibrium again in the lanes where it has gone astray."""
+    """Bring a ball back in the lanes where it has gone astray.
+
+    Near its equilibrium again; where it has been long on its way, it goes round in a circle, and
+    takes only a part of its step.
+    """
     for i in range(N):
-        x1, x2 = _first_place(w, b, i)
-        astray = w[_ASTRAY + i] > 0.0
-        b[_X1 + i] = x1 if astray else b[_X1 + i]
-        b[_X2 + i] = x2 if astray else b[_X2 + i]
+        x1, x2, free = _first_place(w, b, i)
+        astray = w[_ASTRAY + i] - free
+        d1, d2 = b[_X1 + i] - b[_Q1 + i], b[_X2 + i] - b[_Q2 + i]
+        part = min(SHORT_STEP, LATE_STEP * w[_L_O + i] / sqrt(d1 * d1 + d2 * d2))
+        back1 = b[_Q1 + i] + part * d1
+        back2 = b[_Q2 + i] + part * d2
+        x1 = back1 if astray > 1.0 else x1
+        x2 = back2 if astray > 1.0 else x2
+        b[_X1 + i] = x1 if w[_ASTRAY + i] > 0.0 else b[_X1 + i]
+        b[_X2 + i] = x2 if w[_ASTRAY + i] > 0.0 else b[_X2 + i]

@@ -46,9 +46,9 @@ HOLD_OFFSET: Final = 53
 OWN_ORBIT: Final = 54  # 1 where a ball that is held has an orbit of its own, 0 in a rigid cage
 CAGE_WEIGHT: Final = 55  # load by which the cage keeps to the nominal speed
 NOMINAL_ORBIT: Final = 56  # its speed where no ball drives it
-PARAMETERS: Final = 57
 INNER_EDGE: Final = 57  # cosine of the angle at which a groove ends at its shoulder
 OUTER_EDGE: Final = 58
+PARAMETERS: Final = 59
 TERMS: Final = 59  # coefficients that K takes: COEFFICIENTS, or more from LONG on
 MODULUS: Final = 60  # E', which the kernels do not read: the contacts' ellipses need it
 COLUMN: Final = 61  # the whole column of a case
@@ -67,7 +67,17 @@ LAG: Final = BY_CAGE + 5  # what the cage is behind its drive: sum of Q_i (ω_ow
 LAG_BY_RING: Final = LAG + 1  # its derivatives by the ring's displacement
 LAG_BY_CAGE: Final = LAG_BY_RING + 5
 FAULT: Final = LAG_BY_CAGE + 1  # greatest residual of a ball beyond what is allowed
-ASTRAY: Final = FAULT + 1  # above zero where a ball has left the place where it can be
+NOW: Final = FAULT + 1  # the balls' forces on the ring before any step
+LAG_NOW: Final = NOW + 5
+PULL: Final = LAG_NOW + 1  # sum of h Q_i
+HEAVIEST: Final = PULL + 1  # greatest scale of a ball's own loads
+UNSOUND: Final = HEAVIEST + 1  # above zero where a ball stands or bears as none can
+SUMS: Final = UNSOUND + 1 - REACTION  # all of these, over the balls
+UNBALANCED: Final = REACTION + SUMS  # the ring's greatest unbalanced load, over its loads
+LOADED: Final = UNBALANCED + 1  # the greatest of its loads
+BEHIND: Final = LOADED + 1  # what the cage is behind its drive, over the rings' speeds
+STEPS: Final = BEHIND + 1  # taken
+ASTRAY: Final = STEPS + 1  # above zero where a ball has left the place where it can be
 OUTER_SHARE: Final = ASTRAY + 1  # of the outer contact in the approach of both
 INERTIA_APPROACH: Final = OUTER_SHARE + 1  # approach of both contacts under F_c alone
 RING_ROWS: Final = INERTIA_APPROACH + 1
@@ -78,8 +88,11 @@ SIN: Final = 1
 SIGMA: Final = 2  # +1 outer race control, -1 inner
 LAMBDA: Final = 3
 POSITION: Final = 4  # X1, X2
-FOLLOW: Final = 6  # dX = q + W dA + z dω
-BALL_ROWS: Final = 14
+FOLLOW: Final = 6  # dX = q + W dA + z dω; once it is taken, X before it in the first two
+ERROR: Final = 14  # size of its residual
+SCALE: Final = 15  # greatest of its own loads
+OFF: Final = 16  # 0 on the inner groove, far where the ball is off it and nothing presses
+BALL_ROWS: Final = 17
 
 
 def long_polynomial(row: int) -> int:

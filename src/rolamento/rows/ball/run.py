@@ -96,34 +96,17 @@ def solve_columns(
         return solution
     finite = np.isfinite(p).all(axis=0)
     moving = has_inertia(p)
+    p, control = np.ascontiguousarray(p), np.ascontiguousarray(control, dtype=np.float64)
     still = np.flatnonzero(finite & ~moving)
     if len(still):
-        _solve_some(still, p, control, balls, False, threads, fast, solution)
+        _run_threads(p, control, balls, still, False, threads, fast, solution)
         # what is left out of those is part of their residual: some have to be solved with it
         again = (solution.code == accept.NEEDS_INERTIA) | (solution.code == status.NOT_CONVERGED)
         moving |= again & turns(p)
-    _solve_some(np.flatnonzero(finite & moving), p, control, balls, True, threads, fast, solution)
+    in_motion = np.flatnonzero(finite & moving)
+    if len(in_motion):
+        _run_threads(p, control, balls, in_motion, True, threads, fast, solution)
     return solution
-
-
-def _solve_some(
-    which: NDArray[np.intp],
-    p: Floats,
-    control: Floats,
-    balls: int,
-    moving: bool,
-    threads: int | None,
-    fast: bool,
-    solution: Solution,
-) -> None:
-    """Solve some of the cases, with or without inertia, and put them in their places."""
-    if len(which) == p.shape[1]:
-        _run_threads(p, control, balls, moving, threads, fast, solution)
-    elif len(which):
-        part = Solution.empty(len(which), balls)
-        some = control if len(control) == 1 else control[which]
-        _run_threads(p[:, which], some, balls, moving, threads, fast, part)
-        solution.put(which, part)
 
 
 def turns(p: Floats) -> NDArray[np.bool_]:
@@ -149,31 +132,31 @@ def _run_threads(
     p: Floats,
     control: Floats,
     balls: int,
+    which: NDArray[np.intp],
     moving: bool,
     threads: int | None,
     fast: bool,
     solution: Solution,
 ) -> None:
-    """Share the cases out to threads, in chunks small enough to keep all of them busy."""
-    cases = p.shape[1]
-    p, control = np.ascontiguousarray(p), np.ascontiguousarray(control, dtype=np.float64)
+    """Share some of the cases out to threads, in chunks small enough to keep all of them busy."""
+    cases = len(which)
     (cosines, sines), out = directions(balls), solution.arrays()
     if not _ready.is_set():
         plain = not (_hard_cases.is_set() and solve_cases.is_cached)
         if cases <= FEW and not solve_cases.is_loaded and plain:
-            if _interpret(p, control, cosines, sines, moving, 0, cases, False, PLAIN_WORK, out):
+            if _interpret(p, control, cosines, sines, moving, which, False, PLAIN_WORK, out):
                 if solution.safe.any():
                     _hard_cases.set()
                 return
-            solution.put(np.arange(cases), Solution.empty(cases, balls))
+            solution.put(which, Solution.empty(cases, balls))
         if not solve_cases.is_cached:
             _log.warning(
                 "compiling the solver for this machine, once: this takes about half a minute"
             )
 
     def run(first: int) -> None:
-        last = min(first + CHUNK, cases)
-        solve_cases.compiled(p, control, cosines, sines, moving, first, last, fast, MOST_WORK, out)
+        chunk = which[first : first + CHUNK]
+        solve_cases.compiled(p, control, cosines, sines, moving, chunk, fast, MOST_WORK, out)
         _ready.set()
 
     workers = min(thread_count(threads), -(-cases // CHUNK))

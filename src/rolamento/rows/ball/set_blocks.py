@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from rolamento.numerics.compiled import inline_exact, kernel, shared
 from rolamento.rows.ball import lanes, layout, set_lanes
 from rolamento.rows.ball.accept import judge, max_with_nan
-from rolamento.rows.ball.blocks import any_astray, behind, fill
+from rolamento.rows.ball.blocks import any_astray, fill
 from rolamento.rows.ball.set_lanes import SLIDE, STAND_ROWS, TILT, UNKNOWNS, WAY
 from rolamento.rows.ball.single import FAR, Ring, ring_around
 from rolamento.rows.ball.types import Array
@@ -34,6 +34,7 @@ STANDING: Final = STAND_ROWS + 1  # numbers that say how a row stands on the rin
 _LANES: Final = layout.LANES
 _LEVER: Final = set_lanes.LEVER
 _X: Final = layout.POSITION * _LANES
+_FIVE: Final = np.uintp(layout.DEGREES_OF_FREEDOM)
 
 
 class Rows(NamedTuple):
@@ -144,6 +145,7 @@ def _fill(
             work.w[row], work.b[a:z], lane, rows.p[row], rows.cosines[a:z], rows.sines[a:z],
             rows.control[:, a:z], k, own,
         )  # fmt: skip
+        work.w[row, layout.UNBALANCED * _LANES + lane] = 1.0
 
 
 @inline_exact
@@ -261,23 +263,27 @@ def _settle_moving(
                 if fresh:
                     lanes.replace_ball(w[row], b[j])
                 lanes.add_moving_ball(w[row], b[j], TOLERANCE)
-            lanes.balance_cage(w[row])
+            lanes.measure_cage(w[row])
         for lane in range(_LANES):
             settled[lane] = True
             for row in range(w.shape[0]):
                 at_rest = w[row, layout.FAULT * _LANES + lane] <= 0.0
                 settled[lane] = settled[lane] and at_rest
-                settled[lane] = settled[lane] and behind(w[row], lane) <= TOLERANCE
+                behind = w[row, layout.BEHIND * _LANES + lane]
+                settled[lane] = settled[lane] and behind <= TOLERANCE
             steps[lane] += 1
         for row in range(w.shape[0]):
-            lanes.condense_cage(w[row])
+            lanes.condense_cage(w[row], _FIVE)
             set_lanes.add_row(s, v[row], w[row], room)
         for lane in range(_LANES):
-            settled[lane] = settled[lane] and _unbalanced(work, lane) <= TOLERANCE
+            unbalanced = _unbalanced(work, lane)
+            settled[lane] = settled[lane] and unbalanced <= TOLERANCE
+            for row in range(w.shape[0]):  # a row is as far from balance as its ring
+                w[row, layout.UNBALANCED * _LANES + lane] = unbalanced
         set_lanes.step_set(s)
         for row in range(w.shape[0]):
             set_lanes.move_row(s, v[row], w[row])
-            lanes.step_cage(w[row])
+            lanes.step_cage(w[row], _FIVE)
             for j in range(rows.ends[row], rows.ends[row + 1]):
                 lanes.follow_ring(w[row], b[j])
                 if any_astray(w[row]):

@@ -280,3 +280,12 @@ def rounding(p: Array, case: int, load: float) -> float:
     stiffness = p[layout.SERIES_STIFFNESS, case]
     slope: float = 1.5 * (stiffness * stiffness * load) ** (1.0 / 3.0)
     return 4.0 * EPSILON * length * slope
+
+
+@inline_exact
+def is_rounding(p: Array, case: int, error: float, load: float) -> bool:
+    """Whether `rounding` is all of a ball's residual, N, found without a root."""
+    length: float = p[layout.OUTER_LENGTH, case]
+    stiffness = p[layout.SERIES_STIFFNESS, case]
+    unit = 6.0 * EPSILON * length
+    return bool(error * error * error <= unit * unit * unit * stiffness * stiffness * load)

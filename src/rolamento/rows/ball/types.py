@@ -8,6 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array: TypeAlias = NDArray[np.float64]
+Order: TypeAlias = NDArray[np.int64]
+"""Numbers of cases, as they are taken."""
 Output: TypeAlias = tuple[NDArray[Any], ...]
 
 Two: TypeAlias = tuple[float, float]

@@ -29,6 +29,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from math import ceil, log
 from typing import Final, NamedTuple
 
@@ -37,10 +38,12 @@ from scipy import fft
 
 from rolamento.errors import InputError
 from rolamento.numerics import BoolArray, ComplexArray, FloatArray, IntArray
+from rolamento.numerics.percentiles import median
+from rolamento.numerics.threads import side_by_side
 from rolamento.vibration._checks import Band
 from rolamento.vibration.diagnosis.blocks import MOST_GAPS, Block, Watch
-from rolamento.vibration.diagnosis.lines import envelope_leakage, reach, runs, taper
-from rolamento.vibration.diagnosis.whitening import Comb, even_places, whitened
+from rolamento.vibration.diagnosis.lines import envelope_leakage, power_of, reach, runs, taper
+from rolamento.vibration.diagnosis.whitening import Comb, Whitening, even_places
 from rolamento.vibration.noise_floor import HALF_WIDTH
 from rolamento.vibration.order_tracking import interpolated
 from rolamento.words import said
@@ -212,44 +215,84 @@ def limited(squared: FloatArray) -> FloatArray:
     A few great shocks would otherwise weigh more than all the rest, and a few instants always have
     some period in common.
     """
-    level = float(np.median(squared)) / log(2.0)
-    return np.minimum(squared, level * log(len(squared) / _CHANCE)) if level > 0.0 else squared
+    highest = log(len(squared) / _CHANCE) / log(2.0)
+    # what is nowhere above that needs no median: half of it then are above their greatest over that
+    if 2 * np.count_nonzero(squared > np.max(squared) / highest) > len(squared) + 1:
+        return squared
+    level = float(median(squared))
+    return np.minimum(squared, level * highest) if level > 0.0 else squared
 
 
-def fastest_line(places: FloatArray | None, lines: int) -> int:
-    """Highest line over time that lines over the angle are made of, where the shaft is fastest."""
-    if places is None:
-        return int(_MARGIN * lines)
-    return int(_MARGIN * lines * float(np.max(np.diff(places))) * len(places))
+class Turning(NamedTuple):
+    """How a block's shaft turns, for a number of lines over its angle.
+
+    fastest: highest line over time that those are made of, where the shaft is fastest; steps: even
+    ones of the angle in which they are seen; times: (steps,), share of the block's time at each,
+    None for a steady shaft.
+    """
+
+    fastest: int
+    steps: int
+    times: FloatArray | None
+
+    @classmethod
+    def of(cls, places: FloatArray | None, lines: int) -> Turning:
+        """places: (samples,), share of the angle at each sample; None for a steady shaft."""
+        steps = steps_of(lines)
+        if places is None:
+            return cls(int(_MARGIN * lines), steps, None)
+        samples = len(places)
+        fastest = int(_MARGIN * lines * float(np.max(np.diff(places))) * samples)
+        at = np.interp(even_places(steps), places, np.arange(samples, dtype=np.float64))
+        return cls(fastest, steps, at / samples)
 
 
-def over_angle(squared: FloatArray, places: FloatArray | None, lines: int) -> FloatArray:
+def steps_of(lines: int) -> int:
+    """Even steps of the shaft's angle in which so many lines are seen."""
+    return int(fft.next_fast_len(_STEPS * lines, real=True))
+
+
+def over_angle(squared: FloatArray, turning: Turning) -> FloatArray:
     """A squared envelope, without what is too fast to matter, at even steps of the shaft's angle.
 
-    Parameters
-    ----------
-    squared
-        Evenly over the time of a block.
-    places
-        (samples of the block,), share of the block's angle at each; None for a steady shaft.
-    lines
-        Of its spectrum that are needed.
+    squared: evenly over the time of a block.
     """
     size = len(squared)
-    steps = fft.next_fast_len(_STEPS * lines, real=True)
-    spectrum = np.asarray(fft.rfft(squared))
-    highest = min(fastest_line(places, lines), size // 2)
-    if places is None:
-        return _at_steps(spectrum[: highest + 1], size, steps)
-    samples = len(places)
+    highest = min(turning.fastest, size // 2)
+    spectrum = np.asarray(fft.rfft(squared))[: highest + 1]
+    if turning.times is None:
+        return _at_steps(spectrum, size, turning.steps)
     narrow = fft.next_fast_len(max(6 * highest, 16), real=True)
-    smooth = _at_steps(spectrum[: highest + 1], size, narrow)
-    at = np.interp(even_places(steps), places, np.arange(samples, dtype=np.float64))
-    return interpolated(smooth, at * (narrow / samples))
+    return interpolated(_at_steps(spectrum, size, narrow), turning.times * narrow)
+
+
+class _Taper:
+    """The taper's square at even steps of a block: (steps,), and the lines of its spectrum."""
+
+    def __init__(self, steps: int) -> None:
+        self.window = np.square(taper(even_places(steps)))
+        self.sum = float(np.sum(self.window))
+        self.lines: ComplexArray = np.asarray(fft.rfft(self.window))
+        self._made: dict[int, FloatArray] = {}
+
+    def made_of(self, spread: int) -> FloatArray:
+        """What so many lines on either side of zero make; kept from zero at the block's ends."""
+        if spread not in self._made:
+            steps = len(self.window)
+            kept = np.zeros_like(self.lines)
+            kept[: spread + 1] = self.lines[: spread + 1]
+            least = _LEAST * float(self.lines[0].real) / steps
+            self._made[spread] = np.maximum(fft.irfft(kept, steps), least)
+        return self._made[spread]
 
 
 def modulation_powers(
-    envelope: FloatArray, slow: int, regular: Sequence[Place], lines: int, most: int
+    envelope: FloatArray,
+    window: _Taper,
+    slow: int,
+    regular: Sequence[Place],
+    lines: int,
+    most: int,
 ) -> ModulationPowers:
     """Powers of the lines of a squared envelope: as it is, and with its regular part divided out.
 
@@ -257,6 +300,8 @@ def modulation_powers(
     ----------
     envelope
         Over even steps of the shaft's angle.
+    window
+        Of as many steps.
     slow
         Lines up to which a modulation may be slow.
     regular
@@ -267,26 +312,27 @@ def modulation_powers(
         Lines on either side that are taken with a regular one at most.
     """
     steps = len(envelope)
-    window = np.square(taper(even_places(steps)))
-    spectrum, of_window = np.asarray(fft.rfft(envelope)), np.asarray(fft.rfft(window))
-    mean = float(spectrum[0].real / of_window[0].real)
-    plain = np.square(np.abs(spectrum - mean * of_window))[:lines]
+    spectrum: ComplexArray = np.asarray(fft.rfft(envelope))
+    mean = float(spectrum[0].real / window.lines[0].real)
+    plain = power_of(spectrum[:lines] - mean * window.lines[:lines])
     spreads = np.full(1 + len(regular), -1, dtype=np.int64)
     if mean <= 0.0:
         return ModulationPowers(plain, plain.copy(), np.zeros(lines), spreads)
     spreads[0] = min(slow, _slow_spread(plain, slow))
-    level = _made_of_lines(spectrum, 0, int(spreads[0]), steps) / _made_of_taper(
-        of_window, int(spreads[0]), steps
-    )
     for number, place in enumerate(regular, 1):
-        spread = _spread(plain, place, most)
-        if spread is not None:
-            part = _made_of_lines(spectrum, round(place.line), spread, steps)
-            level += part / _made_of_taper(of_window, spread, steps)
-            spreads[number] = spread
+        spreads[number] = _spread(plain, place, most)
+    # lines about all places that spread as far are made one sum
+    centres = np.array([0, *(round(place.line) for place in regular)])
+    level = np.zeros(steps)
+    for spread in np.unique(spreads[spreads >= 0]):
+        kept = np.zeros_like(spectrum)
+        for centre in centres[spreads == spread]:
+            about = slice(max(0, centre - spread), centre + spread + 1)
+            kept[about] += spectrum[about]
+        level += np.asarray(fft.irfft(kept, steps)) / window.made_of(int(spread))
     even = envelope / np.maximum(level / mean, _LEAST)
-    even -= window * (np.sum(even) / np.sum(window))
-    power = np.square(np.abs(fft.rfft(even)))[:lines]
+    even -= window.window * (np.sum(even) / window.sum)
+    power = power_of(np.asarray(fft.rfft(even))[:lines])
     return ModulationPowers(plain, power, plain * (2.0 / spectrum[0].real) ** 2, spreads)
 
 
@@ -296,24 +342,24 @@ def _at_steps(spectrum: ComplexArray, size: int, steps: int) -> FloatArray:
     return np.asarray(fft.irfft(spectrum[:count], steps)) * (steps / size)
 
 
-def _spread(power: FloatArray, place: Place, most: int) -> int | None:
-    """Lines on either side that a regular line rises above the noise; None if it does not."""
+def _spread(power: FloatArray, place: Place, most: int) -> int:
+    """Lines on either side that a regular line rises above the noise; -1 if it does not."""
     first = max(1, ceil(place.line - place.within))
     last = min(len(power), int(place.line + place.within) + 1)
     about = power[max(1, first - _NEIGHBOURS) : last + _NEIGHBOURS]
     if first >= last or len(about) < _NEIGHBOURS:
-        return None
-    noise = float(np.median(about)) / log(2.0)
+        return -1
+    noise = float(median(about)) / log(2.0)
     ratio = float(np.max(power[first:last])) / noise if noise > 0.0 else 0.0
     if ratio < log(len(power) / _CHANCE):
-        return None
+        return -1
     return min(reach(envelope_leakage(), ratio / _SPREAD_TO), most) + int(place.within)
 
 
 def _slow_spread(power: FloatArray, slow: int) -> int:
     """Lines from zero up to which the modulation rises above the noise; 0 if nowhere."""
     about = power[slow + 1 : slow + 1 + 2 * _NEIGHBOURS]
-    noise = float(np.median(about)) / log(2.0) if len(about) else 0.0
+    noise = float(median(about)) / log(2.0) if len(about) else 0.0
     if noise <= 0.0:
         return slow
     ratio = power[1 : slow + 1] / noise
@@ -323,24 +369,12 @@ def _slow_spread(power: FloatArray, slow: int) -> int:
     return int(rises[-1]) + 1 + reach(envelope_leakage(), float(ratio[rises[-1]]) / _SPREAD_TO)
 
 
-def _made_of_lines(spectrum: ComplexArray, centre: int, spread: int, steps: int) -> FloatArray:
-    """What the lines about a place make; without its mirror image below zero frequency."""
-    kept = np.zeros_like(spectrum)
-    lines = slice(max(0, centre - spread), centre + spread + 1)
-    kept[lines] = spectrum[lines]
-    return np.asarray(fft.irfft(kept, steps))
-
-
-def _made_of_taper(of_window: ComplexArray, spread: int, steps: int) -> FloatArray:
-    """What the same number of lines make of the taper; kept from zero at the block's ends."""
-    mean = float(of_window[0].real) / steps
-    return np.maximum(_made_of_lines(of_window, 0, spread, steps), _LEAST * mean)
-
-
 # --- all bands of all blocks ---------------------------------------------------------------------
 
 
 _DIVISIONS: Final = (1, 2, 3, 4, 6, 8)
+_LONG: Final = 2**17
+"""Samples of a block from which on threads share its bands."""
 _BANDWIDTH: Final = 2.5
 """Of the narrowest band, over the highest modulation frequency that is looked at in it."""
 
@@ -363,6 +397,8 @@ class Plan:
         of faults whose discrete lines stay: lowest and highest order of each, and its spacing
     speed_uncertainty
         part by which a steady speed may be off
+    speed_factor
+        speed of the shaft over that of the blocks
     """
 
     highest_order: float
@@ -371,6 +407,7 @@ class Plan:
     remove_tones: bool
     combs: tuple[tuple[float, float, float], ...]
     speed_uncertainty: float
+    speed_factor: float
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -437,7 +474,7 @@ class BandSpectra:
         return self.turns * self.blocks * self.rate / self.samples
 
 
-def band_spectra(blocks: Iterable[Block], plan: Plan) -> BandSpectra:
+def band_spectra(blocks: Iterable[Whitening], plan: Plan) -> BandSpectra:
     """Squared-envelope spectra of many bands, averaged over blocks.
 
     Raises
@@ -448,14 +485,15 @@ def band_spectra(blocks: Iterable[Block], plan: Plan) -> BandSpectra:
     watch = Watch()
     sums: _Sums | None = None
     length = 0
-    for block in blocks:
-        sums = _Sums(block, plan) if sums is None else sums
-        length = len(block.samples)
-        if watch.usable(block.samples):
-            sums.add(block)
+    for whitening in blocks:
+        samples = whitening.block.samples
+        sums = _Sums(whitening.block, plan) if sums is None else sums
+        length = len(samples)
+        if watch.usable(samples):
+            sums.add(whitening)
     if sums is None:
         raise InputError(said("has no samples"), field="signal")
-    number, samples = (sums.number, sums.samples) if sums.number else (1, length)
+    number, used = (sums.number, sums.samples) if sums.number else (1, length)
     return BandSpectra(
         plain=sums.powers[0] / number,
         power=sums.powers[1] / number,
@@ -466,7 +504,7 @@ def band_spectra(blocks: Iterable[Block], plan: Plan) -> BandSpectra:
         turns=sums.turns,
         blocks=number,
         still=watch.still,
-        samples=samples,
+        samples=used,
         rate=sums.rate,
         slow_order=plan.slow_order,
         bare=sums.bare,
@@ -480,7 +518,7 @@ class _Sums:
     """Sums over blocks that are all like the first."""
 
     def __init__(self, first: Block, plan: Plan) -> None:
-        turns, rate = first.turns, first.rate
+        turns, rate = first.turns * plan.speed_factor, first.rate
         lines = ceil(plan.highest_order * turns) + 1 + HALF_WIDTH
         self.turns, self.rate = turns, rate
         self.bands = _bands(rate, plan.highest_order * turns * rate / len(first.samples))
@@ -491,6 +529,7 @@ class _Sums:
             for low, high, spacing in plan.combs
         ]
         self.regular = tuple(shaft_places(plan.regular, turns, lines, uncertainty))
+        self._window = _Taper(steps_of(lines))
         self._slow = max(1, int(plan.slow_order * turns))
         self._remove_tones = plan.remove_tones
         self.powers = np.zeros((2, len(self.bands), lines))
@@ -498,35 +537,44 @@ class _Sums:
         self.spreads = np.full((len(self.bands), 1 + len(self.regular)), -1, dtype=np.int64)
         self.number = self.samples = self.bare = self.combs = 0
 
-    def add(self, block: Block) -> None:
+    def add(self, whitening: Whitening) -> None:
         """Add a block's powers, plain and with the regular part divided out."""
-        found = whitened(block, remove_tones=self._remove_tones, combs=self._combs)
+        block = whitening.block
+        found = whitening.white(remove_tones=self._remove_tones, combs=self._combs)
         if found is None:
             self.bare += 1
             return
-        white = found.spectrum
         self.combs += found.has_comb
-        lines = self.powers.shape[2]
-        per_hertz = len(white) / (0.5 * block.rate)
-        fastest = fastest_line(block.places, lines) + 1
-        for number, (low, high) in enumerate(self.bands):
-            carriers = white[max(1, round(low * per_hertz)) : round(high * per_hertz)]
-            # a squared envelope is twice as wide as its band; only what is looked at must not fold
-            size = fft.next_fast_len(min(2 * len(carriers), len(carriers) + fastest))
-            analytic = np.asarray(fft.ifft(carriers, size))
-            squared = np.square(analytic.real) + np.square(analytic.imag)
-            envelope = over_angle(limited(squared), block.places, lines)
-            # the sum over products of carriers, however many steps it was taken in
-            scale = float(size) ** 4 / float(len(envelope)) ** 2
-            powers = modulation_powers(
-                envelope, self._slow, self.regular, lines, most_spread(self.turns)
-            )
-            self.powers[0, number] += powers.plain * scale
+        turning = Turning.of(block.places, self.powers.shape[2])
+        of_band = partial(self._of_band, found.spectrum, 0.5 * block.rate, turning)
+        # of short blocks the interpreter's share is too large
+        side = side_by_side if len(block.samples) >= _LONG else map
+        for number, powers in enumerate(side(of_band, self.bands)):
+            self.powers[0, number] += powers.plain
+            self.powers[1, number] += powers.even
             self.depths[number] += powers.depth
-            self.powers[1, number] += powers.even * scale
             self.spreads[number] = np.maximum(self.spreads[number], powers.spreads)
         self.number += 1
         self.samples += len(block.samples)
+
+    def _of_band(
+        self, white: ComplexArray, half_rate: float, turning: Turning, band: Band
+    ) -> ModulationPowers:
+        """Powers of a band of a block, of the sums over products of carriers."""
+        lines = self.powers.shape[2]
+        per_hertz = len(white) / half_rate
+        carriers = white[max(1, round(band[0] * per_hertz)) : round(band[1] * per_hertz)]
+        # a squared envelope is twice as wide as its band; only what is looked at must not fold
+        needed = min(2 * len(carriers), len(carriers) + turning.fastest + 1)
+        size = fft.next_fast_len(needed)
+        squared = power_of(np.asarray(fft.ifft(carriers, size)))
+        envelope = over_angle(limited(squared), turning)
+        powers = modulation_powers(
+            envelope, self._window, self._slow, self.regular, lines, most_spread(self.turns)
+        )
+        # however many steps it was taken in
+        scale = float(size) ** 4 / float(len(envelope)) ** 2
+        return powers._replace(plain=powers.plain * scale, even=powers.even * scale)
 
 
 def _bands(rate: float, highest: float) -> tuple[Band, ...]:

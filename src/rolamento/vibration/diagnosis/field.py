@@ -58,6 +58,8 @@ class Field:
         that were measured
     medians
         (bands, lines), of the noise about each line
+    plain_medians
+        (bands, lines), likewise of the squared envelopes as they are
     left_out
         (bands, lines)
     shaft
@@ -70,6 +72,7 @@ class Field:
 
     spectra: BandSpectra
     medians: FloatArray
+    plain_medians: FloatArray
     left_out: BoolArray
     shaft: BoolArray
     orders: FaultOrders
@@ -97,8 +100,15 @@ class Field:
     @cached_property
     def _depth_levels(self) -> FloatArray:
         """Mean squares of the modulation depth that the noise about each line has."""
-        levels = running_medians(self.spectra.depth) * mean_over_median(self.spectra.blocks)
-        return np.asarray(np.nan_to_num(levels))
+        depth, plain = self.spectra.depth, self.spectra.plain
+        if self.spectra.blocks == 1:
+            # all lines of a band were divided by the same
+            highest = np.max(plain, axis=1, keepdims=True)
+            scale = np.max(depth, axis=1, keepdims=True) / np.where(highest > 0.0, highest, 1.0)
+            medians = self.plain_medians * scale
+        else:
+            medians = running_medians(depth)
+        return np.asarray(np.nan_to_num(medians * mean_over_median(self.spectra.blocks)))
 
     def window(self, component: Component) -> tuple[float, float]:
         """Orders between which a component's is looked for."""
@@ -137,7 +147,7 @@ class Field:
         return replace(
             self,
             spectra=spectra,
-            medians=running_medians(spectra.power),
+            medians=self.plain_medians,
             left_out=_too_fast(spectra),
             shaft=_too_fast(spectra),
         )
@@ -159,12 +169,15 @@ def field_of(
 ) -> Field:
     """Leave out lines of what turns and those too fast for a band, and take the noise's level."""
     lines = spectra.power.shape[1]
-    plain_level = mean_over_median(spectra.blocks) * running_medians(spectra.plain)
+    plain_medians = running_medians(spectra.plain)
+    plain_level = mean_over_median(spectra.blocks) * plain_medians
     shaft = lines_about(spectra.plain, plain_level, spectra.regular, most_spread(spectra.turns))
     left_out = shaft | lines_connected(spectra.spreads, spectra.regular, spectra.turns, lines)
     medians = running_medians(filled(spectra.power, left_out))
     fast = _too_fast(spectra)
-    return Field(spectra, medians, left_out | fast, shaft | fast, orders, settings, freedom)
+    return Field(
+        spectra, medians, plain_medians, left_out | fast, shaft | fast, orders, settings, freedom
+    )
 
 
 def _too_fast(spectra: BandSpectra) -> BoolArray:

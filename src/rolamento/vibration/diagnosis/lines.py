@@ -8,7 +8,7 @@ from typing import Final
 import numpy as np
 from scipy import fft
 
-from rolamento.numerics import BoolArray, FloatArray, IntArray
+from rolamento.numerics import BoolArray, ComplexArray, FloatArray, IntArray
 
 _TAPERED: Final = 0.1
 """Of a block, half at either end: enough that strong tones do not spread far, and little enough
@@ -24,6 +24,11 @@ def taper(places: FloatArray) -> FloatArray:
     sloping = edge < 1.0
     window[sloping] = 0.5 * (1.0 - np.cos(np.pi * np.clip(edge[sloping], 0.0, 1.0)))
     return window
+
+
+def power_of(spectrum: ComplexArray) -> FloatArray:
+    """Squares of the absolute values of lines; as `spectrum`."""
+    return np.asarray(np.square(spectrum.real) + np.square(spectrum.imag))
 
 
 @cache

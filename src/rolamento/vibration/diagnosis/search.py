@@ -21,11 +21,12 @@ at most that (Bonferroni).
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from itertools import pairwise
-from math import exp, log
-from typing import Final, TypeVar
+from math import exp, log, nan
+from typing import Final, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -162,8 +163,12 @@ def _hypothesis(
 # --- the search ----------------------------------------------------------------------------------
 
 
-Number = TypeVar("Number", np.int64, np.float64)
 _FAR: Final = 1e5
+_AT_ONCE: Final = 2**16
+"""Scores that are looked up together: they stay near the processor."""
+
+
+Number = TypeVar("Number", np.int64, np.float64)
 
 
 class Scores:
@@ -186,45 +191,90 @@ class Scores:
     ) -> None:
         usable = ~(left_out | np.isnan(medians))
         self.bands, self.lines = power.shape
+        # bands side by side: what is taken of a line is one piece of memory
         self._sums = _from_zero(np.where(usable, power, 0.0))
         self._counts = _from_zero(usable.astype(np.int64))
-        self._medians = medians
+        self._medians = np.ascontiguousarray(medians.T)
         self._averages = averages
-        self._rows: dict[int, tuple[FloatArray, BoolArray, BoolArray]] = {}
+        self._rows: dict[int, _Row] = {}
 
     def about(self, places: IntArray, width: int) -> tuple[FloatArray, BoolArray]:
         """Score of what lies within so many lines about each place, and whether any does.
 
         (bands, places) each; 0 and False where all lines are left out.
         """
-        # the lowest line is never scored: places outside count as it
-        inside = np.where((places > 0) & (places < self.lines), places, 0)
-        scores, there, known = self._row(width)
-        highest = int(np.max(inside))
-        asked = np.arange(np.min(inside, where=inside > 0, initial=highest), highest + 1)
-        new = asked[~known[asked]]
-        if len(new) > 0:
-            scores[:, new], there[:, new] = self._scored(new, width)
-            known[new] = True
-        return scores[:, inside], there[:, inside]
+        inside = self.inside(places)
+        self.want(inside[None], [width])
+        self.make()
+        row = self._rows[width]
+        return row.scores[inside].T, row.there[inside].T
 
-    def _row(self, width: int) -> tuple[FloatArray, BoolArray, BoolArray]:
-        """Scores of so many lines about every line, whether any is there, and which are known."""
-        if width not in self._rows:
-            size = (self.bands, self.lines)
-            rows = np.zeros(size), np.zeros(size, np.bool_), np.zeros(self.lines, np.bool_)
-            self._rows[width] = rows
-        return self._rows[width]
+    def inside(self, places: IntArray) -> IntArray:
+        """Places, and 0 for those outside: the lowest line is never scored."""
+        return np.where((places > 0) & (places < self.lines), places, 0)
+
+    def want(self, places: IntArray, widths: Sequence[int]) -> None:
+        """Note that scores about places `inside` will be taken; (lines, …) and (lines,)."""
+        for some, width in zip(places, widths, strict=True):
+            if width not in self._rows:
+                self._rows[width] = _Row.empty(self.lines, self.bands)
+            self._rows[width].wanted[some] = True
+
+    def make(self) -> None:
+        """Make the scores that are wanted and not known, many together."""
+        step = max(1, _AT_ONCE // self.bands)
+        for width, row in self._rows.items():
+            new = np.flatnonzero(row.wanted & ~row.known)
+            for some in (new[at : at + step] for at in range(0, len(new), step)):
+                row.scores[some], row.there[some] = self._scored(some, width)
+            row.whole[new] = np.all(row.there[new], axis=1)
+            row.known[new] = True
+
+    def take(self, places: IntArray, widths: Sequence[int]) -> tuple[FloatArray, IntArray | None]:
+        """Scores about places `inside` that are made, and at how many of them any line is.
+
+        places: (lines, …), widths: (lines,). Returns (lines, …, bands) and (…, bands); None in
+        place of the latter where all are.
+        """
+        rows = [self._rows[width] for width in widths]
+        found = np.empty((*places.shape, self.bands))
+        for row, some, into in zip(rows, places, found, strict=True):
+            np.take(row.scores, some, axis=0, out=into, mode="clip")
+        if all(np.all(row.whole[some]) for row, some in zip(rows, places, strict=True)):
+            return found, None
+        used = np.zeros(found.shape[1:], dtype=np.int64)
+        for row, some in zip(rows, places, strict=True):
+            used += row.there[some]
+        return found, used
 
     def _scored(self, lines: IntArray, width: int) -> tuple[FloatArray, BoolArray]:
         first = np.clip(lines - (width - 1) // 2, 1, None)
         last = np.clip(lines + width // 2 + 1, None, self.lines)
-        counts = self._counts[:, last] - self._counts[:, first]
-        means = (self._sums[:, last] - self._sums[:, first]) / np.maximum(counts, 1)
-        reach = np.broadcast_to(reaches(lines), counts.shape)
-        scores = mean_scores(means, self._medians[:, lines], counts, reach, self._averages)
+        counts = self._counts[last] - self._counts[first]
+        means = (self._sums[last] - self._sums[first]) / np.maximum(counts, 1)
+        reach = np.broadcast_to(reaches(lines)[:, None], counts.shape)
+        scores = mean_scores(means, self._medians[lines], counts, reach, self._averages)
         there = ~np.isnan(scores)
         return np.where(there, scores, 0.0), there
+
+
+class _Row(NamedTuple):
+    """Scores of one width about every line, and whether any line is there; (lines, bands) each.
+
+    whole: whether one is there in every band; wanted, known: whether all this is; (lines,) each.
+    """
+
+    scores: FloatArray
+    there: BoolArray
+    whole: BoolArray
+    wanted: BoolArray
+    known: BoolArray
+
+    @classmethod
+    def empty(cls, lines: int, bands: int) -> _Row:
+        size = (lines, bands)
+        none = (np.zeros(lines, np.bool_) for _ in range(3))
+        return cls(np.zeros(size), np.zeros(size, np.bool_), *none)
 
 
 @dataclass(frozen=True, slots=True)
@@ -287,54 +337,71 @@ def search(
     -------
     None if no line of any hypothesis is there to look at.
     """
+    tried = [
+        _Trials.of(
+            replace(plain, spacing=plain.spacing * turns),
+            low * turns,
+            high * turns,
+            spacing_freedom,
+            scores,
+        )
+        for plain in hypotheses
+    ]
+    tried = [one for one in tried if one.places.size > 0]
+    for one in tried:
+        scores.want(one.places, one.widths)
+    scores.make()
     best: Finding | None = None
     trials = 0
     per_band = np.zeros(scores.bands)
-    for plain in hypotheses:
-        hypothesis = replace(plain, spacing=plain.spacing * turns)
-        grid, spacings = trials_grid(low * turns, high * turns, hypothesis, spacing_freedom)
-        if len(grid) == 0:
-            continue
-        for spacing in spacings:
-            evidence, tried = _evidence(scores, hypothesis, grid, float(spacing))
-            trials += tried
-            per_band = np.maximum(per_band, np.max(evidence, axis=1, initial=0.0))
-            band, place = np.unravel_index(int(np.argmax(evidence)), evidence.shape)
-            value = float(evidence[band, place])
-            if best is None or value > best.evidence:
-                best = Finding(
-                    evidence=value,
-                    band=int(band),
-                    fundamental=float(grid[place]),
-                    spacing=float(spacing),
-                    low=low * turns,
-                    high=high * turns,
-                    hypothesis=hypothesis,
-                    trials=0,
-                    per_band=(),
-                )
+    for one in tried:
+        evidence, places, count = _evidence(scores, one)
+        trials += count
+        per_band = np.maximum(per_band, np.max(evidence, axis=0))
+        spacing, band = np.unravel_index(int(np.argmax(evidence)), evidence.shape)
+        value = float(evidence[spacing, band])
+        if best is None or value > best.evidence:
+            best = Finding(
+                evidence=value,
+                band=int(band),
+                fundamental=float(one.grid[places[spacing, band]]),
+                spacing=float(one.spacings[spacing]),
+                low=low * turns,
+                high=high * turns,
+                hypothesis=one.hypothesis,
+                trials=0,
+                per_band=(),
+            )
     if best is None or trials == 0:
         return None
     return replace(best, trials=trials, per_band=tuple(float(value) for value in per_band))
 
 
-def _evidence(
-    scores: Scores, hypothesis: Hypothesis, grid: FloatArray, spacing: float
-) -> tuple[FloatArray, int]:
-    """-ln of the probability of a hypothesis at each fundamental; (bands, grid). How many trials.
+class _Trials(NamedTuple):
+    """A hypothesis at fundamentals and spacings; its lines' places, (lines, spacings, grid)."""
 
-    0 where too few of its lines are there: of several, one alone means nothing.
-    """
-    if not _apart(hypothesis, float(grid[len(grid) // 2]), spacing):
-        return np.zeros((scores.bands, len(grid))), 0
-    found = np.zeros((len(hypothesis.lines), scores.bands, len(grid)))
-    used = np.zeros(found.shape[1:], dtype=np.int64)
-    for number, line in enumerate(hypothesis.lines):
-        places = np.rint(grid * line.multiple + line.sideband * spacing).astype(np.int64)
-        found[number], there = scores.about(places, line.width)
-        used += there
-    used[used < min(2, len(hypothesis.lines))] = 0
-    return combined(found, used), int(np.count_nonzero(used))
+    hypothesis: Hypothesis
+    grid: FloatArray
+    spacings: FloatArray
+    places: IntArray
+
+    @classmethod
+    def of(
+        cls, hypothesis: Hypothesis, low: float, high: float, freedom: float, scores: Scores
+    ) -> _Trials:
+        """Return all trials but those at spacings where lines would share any of the spectrum's."""
+        grid, spacings = trials_grid(low, high, hypothesis, freedom)
+        middle = grid[len(grid) // 2] if len(grid) > 0 else nan
+        spacings = spacings[[_apart(hypothesis, middle, spacing) for spacing in spacings]]
+        multiples = np.array([line.multiple for line in hypothesis.lines])[:, None, None]
+        sidebands = np.array([line.sideband for line in hypothesis.lines])[:, None, None]
+        places = np.rint(grid * multiples + sidebands * spacings[:, None]).astype(np.int64)
+        return cls(hypothesis, grid, spacings, scores.inside(places))
+
+    @property
+    def widths(self) -> list[int]:
+        """Of the lines."""
+        return [line.width for line in self.hypothesis.lines]
 
 
 def _apart(hypothesis: Hypothesis, fundamental: float, spacing: float) -> bool:
@@ -349,32 +416,73 @@ def _apart(hypothesis: Hypothesis, fundamental: float, spacing: float) -> bool:
     )
 
 
-def combined(scores: FloatArray, used: IntArray) -> FloatArray:
-    """-ln of the probability that independent scores, none counted above the median, do as well.
+def _evidence(scores: Scores, trials: _Trials) -> tuple[FloatArray, IntArray, int]:
+    """Greatest -ln of the probability of a hypothesis over its fundamentals.
 
-    Parameters
-    ----------
-    scores
-        (lines, …), not negative, 0 where a line is left out.
-    used
-        (…), how many lines are not.
+    0 where too few of its lines are there: of several, one alone means nothing.
 
     Returns
     -------
-    (…), 0 where none is used.
+    Greatest, its place in the grid: (spacings, bands) each; how many trials.
+    """
+    found, used = scores.take(trials.places, trials.widths)
+    least = min(2, len(found))
+    ordered = _descending(list(found))
+    numbers = [len(found)] if used is None else np.flatnonzero(np.bincount(used.ravel())).tolist()
+    size = (found.shape[1], found.shape[3])
+    greatest, at, tried = np.zeros(size), np.zeros(size, dtype=np.int64), 0
+    for number in numbers:
+        if number < least:
+            continue
+        totals = _total(ordered, number)
+        here = None if used is None else used == number
+        tried += totals.size if here is None else int(np.count_nonzero(here))
+        # the evidence rises with the total
+        place = np.argmax(totals if here is None else np.where(here, totals, -1.0), axis=1)
+        total = np.take_along_axis(totals, place[:, None], axis=1)[:, 0]
+        there = True if here is None else np.take_along_axis(here, place[:, None], axis=1)[:, 0]
+        evidence = np.where(there, _tail(total, number - number // 2), 0.0)
+        at = np.where(evidence > greatest, place, at)
+        greatest = np.maximum(greatest, evidence)
+    return greatest, at, tried
+
+
+def _total(ordered: list[FloatArray], used: int) -> FloatArray:
+    """Sum of independent scores, none counted above their median.
+
+    ordered: scores from great to small, 0 where a line is left out; used: how many are not.
     """
     above = used // 2
-    ordered = -np.sort(-scores, axis=0)
-    median = np.take_along_axis(ordered, np.minimum(above, len(scores) - 1)[None], axis=0)
-    totals = np.sum(np.minimum(scores, median), axis=0)
-    found = np.zeros(totals.shape)
-    for count in np.flatnonzero(np.bincount((used - above).ravel())):
-        if count > 0:
-            here = used - above == count
-            found[here] = (
-                totals[here] if count == 1 else np.interp(totals[here], *_gamma_tails(count))
-            )
-    return found
+    total = ordered[above] * (1 + above)
+    for score in ordered[above + 1 : used]:
+        total += score
+    return total
+
+
+def _tail(total: FloatArray, count: int) -> FloatArray:
+    """-ln of the probability that so many independent scores add up to a total."""
+    return total if count == 1 else np.interp(total, *_gamma_tails(count))
+
+
+def _descending(rows: list[FloatArray]) -> list[FloatArray]:
+    """Arrays ordered element by element, from great to small.
+
+    A network of comparisons, which are whole arrays': Batcher's merge exchange (Knuth, The Art of
+    Computer Programming 3, 5.2.2 M).
+    """
+    step = top = 1 << (len(rows) - 1).bit_length() >> 1
+    while step > 0:
+        merged, bit, distance = top, 0, step
+        while True:
+            for low in range(len(rows) - distance):
+                if low & step == bit:
+                    one, other = rows[low], rows[low + distance]
+                    rows[low], rows[low + distance] = np.maximum(one, other), np.minimum(one, other)
+            if merged == step:
+                break
+            distance, merged, bit = merged - step, merged >> 1, step
+        step >>= 1
+    return rows
 
 
 @cache
@@ -387,8 +495,8 @@ def _gamma_tails(count: int) -> tuple[FloatArray, FloatArray]:
 
 
 def _from_zero(values: NDArray[Number]) -> NDArray[Number]:
-    """Running sums along lines, of what lies before each; (bands, lines + 1)."""
-    return np.asarray(np.cumsum(np.pad(values, ((0, 0), (1, 0))), axis=1))
+    """Running sums along lines, of what lies before each; of (bands, lines), (lines + 1, bands)."""
+    return np.asarray(np.cumsum(np.pad(values.T, ((1, 0), (0, 0))), axis=0))
 
 
 def chance(evidence: float, trials: int) -> tuple[float, float]:

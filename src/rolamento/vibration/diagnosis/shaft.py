@@ -25,8 +25,8 @@ from scipy import fft
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.vibration.diagnosis.band_spectra import limited
 from rolamento.vibration.diagnosis.blocks import Block
-from rolamento.vibration.diagnosis.lines import MAINS, is_near_mains, taper
-from rolamento.vibration.diagnosis.whitening import even_places, local_level, whitened
+from rolamento.vibration.diagnosis.lines import MAINS, is_near_mains, power_of
+from rolamento.vibration.diagnosis.whitening import Whitening, local_level
 
 LOOKED_AT: Final = 0.1
 """Part by which the speed is looked for on either side of the given one."""
@@ -75,24 +75,27 @@ class ShaftLines:
     confirmed: bool
 
 
-def shaft_lines(block: Block, tolerance: float) -> ShaftLines:
+def shaft_lines(whitening: Whitening, tolerance: float) -> ShaftLines:
     """Compare the given speed of a block with what the shaft's own lines say.
 
     Parameters
     ----------
-    block
-        At a steady speed.
+    whitening
+        Of the block, at a steady speed.
     tolerance
         Part by which the speed may be off; 0 if it is certain. A clear comb farther off, up to
         `LOOKED_AT`, counts where there is none within.
     """
+    block = whitening.block
     if tolerance == 0.0 or block.places is not None:
         return ShaftLines(1.0, 0.0, True)
     if block.turns < _MULTIPLES or not np.any(np.diff(block.samples)):
         return ShaftLines(1.0, 0.0, False)
     factors = _factors(block.turns)
     on_mains = _on_mains(factors, block) & (np.abs(factors - 1.0) > _APART)
-    heights = [np.where(on_mains, 0.0, _heights(power, block, factors)) for power in _powers(block)]
+    heights = [
+        np.where(on_mains, 0.0, _heights(power, block, factors)) for power in _powers(whitening)
+    ]
     clearness = np.sum([_clearness(height, _HALF) for height in heights], axis=0)
     few = np.sum([_clearness(height, _FEW) for height in heights], axis=0)
     off = np.abs(factors - 1.0)
@@ -136,18 +139,14 @@ def _on_mains(factors: FloatArray, block: Block) -> BoolArray:
     return np.asarray(np.any(near, axis=0))
 
 
-def _powers(block: Block) -> tuple[FloatArray, FloatArray]:
+def _powers(whitening: Whitening) -> tuple[FloatArray, FloatArray]:
     """Of the lines of a block's samples, and of the squared envelope of what is whitened."""
-    count = len(block.samples)
-    spectrum = np.asarray(
-        fft.rfft((block.samples - np.mean(block.samples)) * taper(even_places(count)))
-    )
-    white = whitened(block, remove_tones=True, combs=[])
+    white = whitening.white(remove_tones=True)
     if white is None:
-        return np.square(np.abs(spectrum)), np.zeros(len(spectrum))
+        return whitening.power, np.zeros(len(whitening.power))
     lines = white.spectrum
-    squared = np.square(np.abs(fft.ifft(lines, fft.next_fast_len(2 * len(lines)))))
-    return np.square(np.abs(spectrum)), np.square(np.abs(fft.rfft(limited(squared))))
+    squared = power_of(fft.ifft(lines, fft.next_fast_len(2 * len(lines))))
+    return whitening.power, power_of(np.asarray(fft.rfft(limited(squared))))
 
 
 def _heights(power: FloatArray, block: Block, factors: FloatArray) -> FloatArray:

@@ -38,6 +38,7 @@ from rolamento.vibration.diagnosis.settings import (
 )
 from rolamento.vibration.diagnosis.shaft import ShaftLines, shaft_lines
 from rolamento.vibration.diagnosis.size import DAMAGE, grade_of
+from rolamento.vibration.diagnosis.whitening import Whitening
 from rolamento.vibration.signal import Signal
 from rolamento.words import Note, said
 from rolamento.words.naming import of_element
@@ -85,7 +86,8 @@ def diagnose(
     first = next(blocks, None)
     if first is None:
         raise InputError(said("has no samples"), field="signal")
-    shaft = shaft_lines(first, chosen.speed_tolerance)
+    begun = Whitening(first)
+    shaft = shaft_lines(begun, chosen.speed_tolerance)
     freedom = 0.0 if shaft.confirmed else chosen.speed_tolerance
     present = [part for part in COMPONENTS if orders.fundamental(part) is not None]
     plan = Plan(
@@ -96,11 +98,10 @@ def diagnose(
         remove_tones=chosen.remove_tones,
         combs=_combs(orders, chosen.tolerance, freedom),
         speed_uncertainty=chosen.speed_uncertainty,
+        speed_factor=shaft.factor,
     )
-    at_speed = (
-        replace(block, turns=block.turns * shaft.factor) for block in chain([first], blocks)
-    )
-    return judge(band_spectra(at_speed, plan), orders, chosen, shaft)
+    spectra = band_spectra(chain([begun], map(Whitening, blocks)), plan)
+    return judge(spectra, orders, chosen, shaft)
 
 
 def _combs(

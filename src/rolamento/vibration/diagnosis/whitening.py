@@ -17,6 +17,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from math import ceil, log, sqrt
 from typing import Final, NamedTuple
 
@@ -24,8 +25,9 @@ import numpy as np
 from scipy import fft
 
 from rolamento.numerics import BoolArray, ComplexArray, FloatArray, IntArray
+from rolamento.numerics.percentiles import median
 from rolamento.vibration.diagnosis.blocks import Block
-from rolamento.vibration.diagnosis.lines import reach, runs, taper, tone_leakage
+from rolamento.vibration.diagnosis.lines import power_of, reach, runs, taper, tone_leakage
 from rolamento.vibration.order_tracking import interpolated
 
 _CHANCE: Final = 0.01
@@ -54,13 +56,6 @@ class Comb:
     uncertainty: float
 
 
-class Discrete(NamedTuple):
-    """Lines of tones, and lines of combs of faults; (lines,) each."""
-
-    tones: BoolArray
-    teeth: BoolArray
-
-
 def local_level(power: FloatArray, resolution: float) -> FloatArray:
     """Mean power of the noise about each line, from medians, unmoved by tones; as `power`.
 
@@ -68,30 +63,47 @@ def local_level(power: FloatArray, resolution: float) -> FloatArray:
     """
     width = min(max(_LEVEL_LINES, int(_LEVEL_WIDTH / resolution)), max(1, len(power) // 2))
     stretches = len(power) // width
-    medians = np.median(power[: stretches * width].reshape(stretches, width), axis=1) / log(2.0)
+    medians = median(power[: stretches * width].reshape(stretches, width)) / log(2.0)
     least = float(np.max(medians)) * 1e-14
     middles = (np.arange(stretches) + 0.5) * width
     logs = np.log(np.maximum(medians, least if least > 0.0 else 1.0))
     return np.asarray(np.exp(np.interp(np.arange(len(power)), middles, logs)))
 
 
-def discrete_lines(
-    spectrum: ComplexArray, level: FloatArray, combs: Sequence[Comb] = ()
-) -> Discrete:
-    """Which lines of a tapered block's spectrum belong to discrete tones, and which to a comb.
+class Tones(NamedTuple):
+    """Discrete tones: power of each line over the noise (lines,), and the lines of their peaks."""
 
-    Each tone has all lines over which it rises from the noise.
+    ratio: FloatArray
+    peaks: IntArray
+
+    def parted(self, combs: Sequence[Comb]) -> tuple[BoolArray, BoolArray]:
+        """Which lines belong to tones, and which to combs of faults; (lines,) each.
+
+        Each tone has all lines over which it rises from the noise.
+        """
+        leakage = tone_leakage()
+        teeth = np.zeros(len(self.peaks), dtype=np.bool_)
+        for comb in combs:
+            teeth |= _teeth(self.peaks, comb)
+        of_tones, of_combs = (np.zeros(len(self.ratio), dtype=np.bool_) for _ in range(2))
+        for peak, is_tooth in zip(self.peaks, teeth, strict=True):
+            width = reach(leakage, self.ratio[peak])
+            lines = of_combs if is_tooth else of_tones
+            lines[max(0, peak - width) : peak + width + 1] = True
+        return of_tones, of_combs
+
+
+def tones_of(power: FloatArray, level: FloatArray) -> Tones:
+    """Return the discrete tones of a tapered block.
 
     Parameters
     ----------
-    spectrum
-        (lines,), of real samples.
+    power
+        (lines,), of the spectrum of real samples.
     level
         (lines,), of the noise's power.
-    combs
-        Of faults.
     """
-    ratio = np.square(np.abs(spectrum)) / level
+    ratio = power / level
     limit = log(len(ratio) / _CHANCE)
     starts, ends = runs(ratio > limit)
     peaks = np.array(
@@ -100,15 +112,7 @@ def discrete_lines(
     )
     leakage = tone_leakage()
     widths = np.array([2 * reach(leakage, ratio[peak] / limit) + 1 for peak in peaks])
-    tones = peaks[ends - starts <= widths + 2] if len(peaks) else peaks
-    teeth = np.zeros(len(tones), dtype=np.bool_)
-    for comb in combs:
-        teeth |= _teeth(tones, comb)
-    found = Discrete(*(np.zeros(len(ratio), dtype=np.bool_) for _ in range(2)))
-    for tone, of_comb in zip(tones, teeth, strict=True):
-        width = reach(leakage, ratio[tone])
-        found[1 if of_comb else 0][max(0, tone - width) : tone + width + 1] = True
-    return found
+    return Tones(ratio, peaks[ends - starts <= widths + 2] if len(peaks) else peaks)
 
 
 def _teeth(tones: IntArray, comb: Comb) -> BoolArray:
@@ -181,42 +185,97 @@ class Whitened(NamedTuple):
     has_comb: bool
 
 
-def whitened(block: Block, *, remove_tones: bool, combs: list[Comb]) -> Whitened | None:
-    """Spectrum of the tapered block over the level of its noise, and 0 where there were tones.
+class Whitening:
+    """A block on its way to a white spectrum; what shaft and bands both take of it is made once.
 
     No line is larger than one of noise hardly ever is, so that what is left of tones weighs little;
     and then no sample, so that a few great shocks do not weigh more than all the rest: a few
-    instants always have some period in common. None if there is nothing beside the tones: what is
-    left of a computed tone is rounding, and has any line.
-
-    combs: of faults, whose discrete lines stay and keep their size over the noise.
+    instants always have some period in common.
     """
-    count = len(block.samples)
-    samples = _limited(block.samples - np.median(block.samples), _SHOCK)
-    samples -= np.mean(samples)
-    resolution = block.rate / count
-    if block.places is None:
-        spectrum = np.asarray(fft.rfft(samples * taper(even_places(count))))
-    else:
-        tapered = samples * taper(block.places)
-        if remove_tones:
-            tapered -= _turning_tones(samples, block.places, resolution, combs)
-        spectrum = np.asarray(fft.rfft(tapered))
-    power = np.square(np.abs(spectrum))
-    level = local_level(power, resolution)
-    if float(np.median(level)) * len(level) < _BARE * float(np.sum(power)):
-        return None
-    teeth = None
-    if remove_tones and block.places is None:
-        tones, teeth = discrete_lines(spectrum, level, combs)
-    white = _even(spectrum, resolution, teeth)
-    if teeth is not None:
-        white[tones] = 0.0
-    even = np.asarray(fft.irfft(white, count))
-    limited = _limited(even, 1.0)
-    if limited is not even:
-        white = _even(np.asarray(fft.rfft(limited)), resolution, teeth)
-    return Whitened(white, teeth is not None and bool(np.any(teeth)))
+
+    def __init__(self, block: Block) -> None:
+        self.block = block
+        self._resolution = block.rate / len(block.samples)
+
+    def white(self, *, remove_tones: bool, combs: Sequence[Comb] = ()) -> Whitened | None:
+        """Spectrum over the level of its noise, and 0 where there were tones.
+
+        None if there is nothing beside the tones: what is left of a computed tone is rounding, and
+        has any line.
+
+        combs: of faults, whose discrete lines stay and keep their size over the noise.
+        """
+        places = self.block.places
+        if places is not None:
+            lines = self._lines_without_tones(places, combs) if remove_tones else self._lines
+            return None if lines.are_bare else Whitened(self._whitened(lines), has_comb=False)
+        if self._lines.are_bare:
+            return None
+        if not remove_tones:
+            return Whitened(self._whitened(self._lines), has_comb=False)
+        tones, teeth = self._tones.parted(combs)
+        if not np.any(teeth):
+            return Whitened(self._without_tones, has_comb=False)
+        return Whitened(self._whitened(self._lines, tones, teeth), has_comb=True)
+
+    @cached_property
+    def power(self) -> FloatArray:
+        """Of the lines of the tapered samples, great shocks and all; (lines,)."""
+        samples, without_shocks = self._samples
+        if without_shocks is samples:
+            return self._lines.power
+        return power_of(self._spectrum(samples - np.mean(samples)))
+
+    @cached_property
+    def _samples(self) -> tuple[FloatArray, FloatArray]:
+        """About their median: as they are, and without great shocks, the same where none are."""
+        samples = self.block.samples - median(self.block.samples)
+        return samples, _limited(samples, _SHOCK)
+
+    @cached_property
+    def _lines(self) -> _Lines:
+        _, samples = self._samples
+        return _Lines.of(self._spectrum(samples - np.mean(samples)), self._resolution)
+
+    @property
+    def _taper(self) -> FloatArray:
+        places = self.block.places
+        return taper(even_places(len(self.block.samples)) if places is None else places)
+
+    def _spectrum(self, samples: FloatArray) -> ComplexArray:
+        return np.asarray(fft.rfft(samples * self._taper))
+
+    def _lines_without_tones(self, places: FloatArray, combs: Sequence[Comb]) -> _Lines:
+        """Lines over time, without all that turns with a shaft of varying speed."""
+        _, limited = self._samples
+        samples = limited - np.mean(limited)
+        tones = _turning_tones(samples, places, self._resolution, combs)
+        if tones is None:
+            return self._lines
+        without = np.asarray(fft.rfft(samples * self._taper - tones))
+        return _Lines.of(without, self._resolution)
+
+    @cached_property
+    def _tones(self) -> Tones:
+        return tones_of(self._lines.power, self._lines.level)
+
+    @cached_property
+    def _without_tones(self) -> ComplexArray:
+        tones, _ = self._tones.parted(())
+        return self._whitened(self._lines, tones)
+
+    def _whitened(
+        self, lines: _Lines, tones: BoolArray | None = None, teeth: BoolArray | None = None
+    ) -> ComplexArray:
+        """Lines over the level of the noise, 0 at tones; limited, lines and samples."""
+        white = lines.even(teeth)
+        if tones is not None:
+            white[tones] = 0.0
+        even = np.asarray(fft.irfft(white, len(self.block.samples)))
+        limited = _limited(even, 1.0)
+        if limited is even:
+            return white
+        return _Lines.of(np.asarray(fft.rfft(limited)), self._resolution).even(teeth)
 
 
 def even_places(count: int) -> FloatArray:
@@ -224,22 +283,37 @@ def even_places(count: int) -> FloatArray:
     return (np.arange(count, dtype=np.float64) + 0.5) / count
 
 
-def _even(spectrum: ComplexArray, resolution: float, teeth: BoolArray | None) -> ComplexArray:
-    """The lines over the level of the noise, limited but for the teeth of combs."""
-    power = np.square(np.abs(spectrum))
-    level = local_level(power, resolution)
-    # of a line without power the phase is rounding
-    level = np.maximum(level, _NOTHING * float(np.max(level)))
-    white = spectrum / np.sqrt(np.maximum(level, power / _LARGEST))
-    if teeth is not None:
-        white[teeth] = spectrum[teeth] / np.sqrt(level[teeth])
-    white[0] = 0.0
-    return np.asarray(white)
+class _Lines(NamedTuple):
+    """A block's lines, their power, and the level of the noise about each; (lines,) each."""
+
+    spectrum: ComplexArray
+    power: FloatArray
+    level: FloatArray
+
+    @classmethod
+    def of(cls, spectrum: ComplexArray, resolution: float) -> _Lines:
+        power = power_of(spectrum)
+        return cls(spectrum, power, local_level(power, resolution))
+
+    @property
+    def are_bare(self) -> bool:
+        """Whether there is nothing beside tones."""
+        return bool(median(self.level) * len(self.level) < _BARE * np.sum(self.power))
+
+    def even(self, teeth: BoolArray | None) -> ComplexArray:
+        """The lines over the level of the noise, limited but for the teeth of combs."""
+        # of a line without power the phase is rounding
+        level = np.maximum(self.level, _NOTHING * float(np.max(self.level)))
+        white = self.spectrum / np.sqrt(np.maximum(level, self.power / _LARGEST))
+        if teeth is not None:
+            white[teeth] = self.spectrum[teeth] / np.sqrt(level[teeth])
+        white[0] = 0.0
+        return np.asarray(white)
 
 
 def _limited(samples: FloatArray, margin: float) -> FloatArray:
     """Samples no larger than a margin times what noise of their level hardly ever reaches."""
-    deviation = float(np.median(np.abs(samples))) / _MEDIAN_OF_NOISE
+    deviation = float(median(np.abs(samples))) / _MEDIAN_OF_NOISE
     largest = margin * deviation * sqrt(2.0 * log(len(samples) / _CHANCE_OF_LIMIT))
     if max(float(np.max(samples)), -float(np.min(samples))) <= largest:
         return samples
@@ -247,16 +321,19 @@ def _limited(samples: FloatArray, margin: float) -> FloatArray:
 
 
 def _turning_tones(
-    samples: FloatArray, places: FloatArray, resolution: float, combs: list[Comb]
-) -> FloatArray:
-    """The sum of all that turns with the shaft, tapered; (samples,)."""
+    samples: FloatArray, places: FloatArray, resolution: float, combs: Sequence[Comb]
+) -> FloatArray | None:
+    """The sum of all that turns with the shaft, tapered; (samples,), None if nothing does."""
     count = len(samples)
     slowest = float(np.min(np.diff(places)))
     steps = fft.next_fast_len(min(ceil(1.0 / slowest), 4 * count), real=True)
     even = even_places(steps)
     at = np.interp(even, places, np.arange(count, dtype=np.float64))
-    spectrum = np.asarray(fft.rfft(interpolated(samples, at) * taper(even)))
     # over time or over angle, lines are one over the block apart
-    level = local_level(np.square(np.abs(spectrum)), resolution)
-    spectrum[~discrete_lines(spectrum, level, combs).tones] = 0.0
-    return interpolated(np.asarray(fft.irfft(spectrum, steps)), places * steps - 0.5)
+    lines = _Lines.of(np.asarray(fft.rfft(interpolated(samples, at) * taper(even))), resolution)
+    tones, _ = tones_of(lines.power, lines.level).parted(combs)
+    if not np.any(tones):
+        return None
+    return interpolated(
+        np.asarray(fft.irfft(np.where(tones, lines.spectrum, 0.0), steps)), places * steps - 0.5
+    )

@@ -94,6 +94,20 @@ def sheet_for(balls: int) -> Sheet:
 
 
 @shared
+def start_amid_gaps(rig: Rig, place: Place) -> None:
+    """Set balls without inertia that nothing touches amid their gap, in place."""
+    inner, outer = rig.p[layout.INNER_LENGTH, rig.case], rig.p[layout.OUTER_LENGTH, rig.case]
+    if rig.k[MASS] != 0.0:
+        return
+    for j in range(rig.cosines.size):
+        c, s = direction(rig.p, rig.case, rig.cosines[j], rig.sines[j])
+        a1, a2 = groove(rig.p, rig.case, place.u, c, s)
+        if sqrt(a1 * a1 + a2 * a2) <= inner + outer:
+            place.x[j, 0] = a1 * outer / (inner + outer)
+            place.x[j, 1] = a2 * outer / (inner + outer)
+
+
+@shared
 def start_rolling(rig: Rig, place: Place) -> None:
     """Set the balls rolling as under outer raceway control, the cage as the loaded ones have it."""
     weight, orbit = 0.0, 0.0

@@ -23,7 +23,7 @@ from rolamento.kinematics import LEAST_COSINE
 from rolamento.numerics.compiled import shared
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.ball import contact_exact
-from rolamento.rows.ball.traction.contact import FORCES, add_friction
+from rolamento.rows.ball.traction.contact import FORCES, SUMS, add_friction
 from rolamento.rows.ball.types import Array, Two
 
 OUTPUTS = 6  # Fx, Fr, Fe on the ball, Mx, Me, Mr about its centre
@@ -82,7 +82,8 @@ class Race(NamedTuple):
 
     force (OUTPUTS,), slope (OUTPUTS, INPUTS); friction (FORCES,) and its derivatives by velocity
     (FORCES, FORCES), by the logarithms of the axes (FORCES, 2), by angle and by load (FORCES,);
-    least, v0² at the nodes of this contact; lift (1,), the film between ball and race.
+    least, v0² at the nodes of this contact; lift (1,), the film between ball and race; sums
+    (SUMS,), of the nodes.
     """
 
     force: Array
@@ -94,6 +95,7 @@ class Race(NamedTuple):
     by_load: Array
     least: Array
     lift: Array
+    sums: Array
 
 
 @shared
@@ -109,6 +111,7 @@ def race_room() -> Race:
         np.empty(FORCES),
         np.empty(MOST_NODES),
         np.zeros(1),
+        np.empty(SUMS),
     )
 
 
@@ -165,7 +168,7 @@ def contact_forces(
     g, n, grow = found.friction, found.by_velocity, found.growth
     power = add_friction(
         mesh.across, mesh.along, mesh.weight, spin, across, omega[1], w, -sign, k[FRICTION] * q,
-        a_1 * root, b_1 * root, groove, k[HALF], mesh.least, g, n, grow,
+        a_1 * root, b_1 * root, groove, k[HALF], mesh.least, g, n, grow, found.sums,
     )  # fmt: skip
     found.force[0] = sign * q * s + g[4] * c
     found.force[1] = sign * q * c - g[4] * s

@@ -22,7 +22,6 @@ from rolamento.rows.ball.detail import BallTable, ball_table
 from rolamento.rows.ball.problem import Floats, directions
 from rolamento.rows.ball.rolling import Rolling
 from rolamento.rows.ball.run import Solution, ball_azimuths, has_inertia
-from rolamento.rows.ball.single import direction, groove
 from rolamento.rows.ball.traction import balance, system
 from rolamento.rows.ball.traction.balance import Place
 from rolamento.rows.ball.traction.ball import (
@@ -159,12 +158,13 @@ class _Problem:
 def _solve_case(problem: _Problem, case: int, solution: Solution, rolling: Rolling) -> None:
     """Solve one case and put the result into its place, or the code of its failure."""
     rig, balls = problem.rig(case), problem.cosines.size
-    place = _start(rig, solution.displacement[case], solution.position[case])
-    sight, forces = np.zeros((balls, balance.SEEN)), np.zeros((balls, balance.FORCES))
-    tangent = np.zeros((5, 5))
+    u = np.append(solution.displacement[case], 0.0)
+    place = Place(u, solution.position[case].copy(), np.zeros((balls, 3)))
+    reaction, tangent = np.zeros(layout.DEGREES_OF_FREEDOM), np.zeros((5, 5))
+    forces = np.zeros((balls, balance.FORCES))
     coarse, fine = problem.mesh(problem.coarse, case), problem.mesh(problem.fine, case)
     code, solution.residual[case], steps = system.solve_with_friction.compiled(
-        rig, place, coarse, fine, SMOOTHEST, SMOOTHING, sight, forces, tangent
+        rig, place, coarse, fine, SMOOTHEST, SMOOTHING, reaction, forces, tangent
     )
     solution.iterations[case] += steps
     if code != system.CONVERGED:
@@ -177,7 +177,7 @@ def _solve_case(problem: _Problem, case: int, solution: Solution, rolling: Rolli
     rolling.inner[case] = forces[:, balance.OF_INNER : balance.OF_OUTER]
     rolling.outer[case] = forces[:, balance.OF_OUTER : balance.FORCES]
     solution.displacement[case], solution.position[case] = place.u[:5], place.x
-    solution.reaction[case] = _reaction(rig, sight)
+    solution.reaction[case] = reaction
     solution.stiffness[case] = tangent
 
 
@@ -194,33 +194,12 @@ def _check_power(p: Floats, drag: Floats, solution: Solution, rolling: Rolling) 
     rolling.forget(failed)
 
 
-def _start(rig: Rig, displacement: Floats, position: Floats) -> Place:
-    """Where raceway control leaves ring and balls; balls that nothing touches amid their gap."""
-    u, x = np.zeros(balance.RING), position.copy()
-    u[:5] = displacement
-    inner, outer = rig.p[layout.INNER_LENGTH, rig.case], rig.p[layout.OUTER_LENGTH, rig.case]
-    for j, (cosine, sine) in enumerate(zip(rig.cosines, rig.sines, strict=True)):
-        c, s = direction(rig.p, rig.case, cosine, sine)
-        grooves = np.array(groove(rig.p, rig.case, u, c, s))
-        if rig.k[MASS] == 0.0 and np.hypot(*grooves) <= inner + outer:
-            x[j] = grooves * outer / (inner + outer)
-    return Place(u, x, np.zeros((len(x), 3)))
-
-
 def _mean_orbit(table: BallTable) -> Floats:
     """The cage's speed under raceway control, the balls' mean weighted by their loads; (cases,)."""
     load = np.where(table.inner.load > 0.0, table.inner.load, 0.0)
     with np.errstate(invalid="ignore", divide="ignore"):
         mean = (load * np.nan_to_num(table.motion.orbital_speed)).sum(axis=1) / load.sum(axis=1)
     return np.asarray(mean)
-
-
-def _reaction(rig: Rig, sight: Floats) -> Floats:
-    """What the balls ask of the ring: x, y, z, ry R_i, rz R_i."""
-    total = np.zeros(layout.DEGREES_OF_FREEDOM)
-    for cosine, sine, ball in zip(rig.cosines, rig.sines, sight, strict=True):
-        balance.add_reaction(*direction(rig.p, rig.case, cosine, sine), ball, total)
-    return total
 
 
 def case_constants(p: Floats, friction: Floats) -> Floats:

@@ -10,16 +10,24 @@ from math import inf, sqrt
 from typing import Final
 
 from rolamento.numerics.compiled import kernel, shared
+from rolamento.rows.ball import layout
 from rolamento.rows.ball.settle import in_place
 from rolamento.rows.ball.single import direction, groove
-from rolamento.rows.ball.traction.balance import FORCES, SEEN, Place, sheet_for, start_rolling
+from rolamento.rows.ball.traction.balance import (
+    FORCES,
+    Place,
+    add_reaction,
+    sheet_for,
+    start_amid_gaps,
+    start_rolling,
+)
 from rolamento.rows.ball.traction.ball import Mesh, Rig, least_speed
 from rolamento.rows.ball.traction.newton import copy_place, relax, ring_stiffness, step_for
 from rolamento.rows.ball.types import Array
 
 TOLERANCE: Final = 1e-10
 ACCEPTED: Final = 5e-9
-ENOUGH: Final = 1e-4  # before the smoothing is lowered
+ENOUGH: Final = 1e-2  # before the smoothing is lowered
 STAGES: Final = 60
 BOLDEST: Final = 0.1  # of the smoothing before
 TIMIDEST: Final = 0.95
@@ -38,7 +46,7 @@ def solve_with_friction(
     fine: Mesh,
     smoothest: float,
     smoothing: float,
-    sight: Array,
+    reaction: Array,
     forces: Array,
     tangent: Array,
 ) -> tuple[int, float, int]:
@@ -47,11 +55,13 @@ def solve_with_friction(
     The smoothing, v0 over |ω_i - ω_o| D, falls from the first to the last of the two given, by a
     tenth at a time, or by less where that fails; the last is solved on the fine nodes as well.
     place holds the start, all but the motions, and takes the result; the nodes' least is filled
-    in here. Fills sight (balls, SEEN) and forces (balls, FORCES) as of `Sheet`, and tangent (5, 5),
-    the derivative of the ring's load by its displacement with balls and cage following.
+    in here. Fills reaction (5,), what the balls ask of the ring, forces (balls, FORCES) as of
+    `Sheet`, and tangent (5, 5), the derivative of the ring's load by its displacement with balls
+    and cage following.
     """
     balls = rig.cosines.size
     sheet, step = sheet_for(balls), step_for(balls)
+    start_amid_gaps(rig, place)
     start_rolling(rig, place)
     good = Place(place.u.copy(), place.x.copy(), place.omega.copy())
     origin = Place(place.u.copy(), place.x.copy(), place.omega.copy())
@@ -62,7 +72,7 @@ def solve_with_friction(
         mesh = fine if last else coarse
         for node in range(mesh.least.size):
             mesh.least[node] = (wanted * speed) ** 2
-        enough = TOLERANCE if wanted == smoothing else ENOUGH
+        enough = TOLERANCE if last else ENOUGH
         worst, evaluations = relax(rig, place, origin, mesh, enough, sheet, step)
         total += evaluations
         if last:
@@ -87,9 +97,11 @@ def solve_with_friction(
     if not finished:
         return NOT_CONVERGED, worst, total
     ring_stiffness(rig, sheet, step, tangent)
+    for i in range(layout.DEGREES_OF_FREEDOM):
+        reaction[i] = 0.0
     for j in range(balls):
-        for i in range(SEEN):
-            sight[j, i] = sheet.sight[j, i]
+        c, s = direction(rig.p, rig.case, rig.cosines[j], rig.sines[j])
+        add_reaction(c, s, sheet.sight[j], reaction)
         for i in range(FORCES):
             forces[j, i] = sheet.forces[j, i]
     return CONVERGED if _all_in_place(rig, place, forces) else STRAYED, worst, total
