@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 import numpy as np
 
 from rolamento import status
@@ -14,6 +16,9 @@ from rolamento.rows.ball.edges import solve_off_groove
 from rolamento.rows.ball.robust import escaped, solve_robust
 from rolamento.rows.ball.single import direction, groove, ring_around
 from rolamento.rows.ball.types import Array, Order, Output
+
+SHARE: Final = 0.4
+"""Part of the work that is left that one more attempt may take."""
 
 
 @shared
@@ -63,20 +68,29 @@ def solve_cases(
     errors, on_groove = np.zeros((cosines.size, 2)), np.zeros(cosines.size)
     ring = ring_around(np.zeros(5), np.zeros((5, 5)), np.zeros(1))
     accepted = np.zeros(order.size, np.bool_)
-    if fast:
-        solve_static(p, control, cosines, sines, order, moving, displacement, position, iterations)
-    if fast and moving:
-        solve_moving(p, control, cosines, sines, order, displacement, cage, position, iterations)
+    for cautious in (True, False):
+        left = np.flatnonzero(~accepted)
+        if not fast or left.size == 0:
+            break
+        cases, done = order[left], np.zeros(left.size, np.bool_)
+        solve_static(p, control, cosines, sines, cases, moving, displacement, position, iterations)
+        if not moving:
+            break
+        solve_moving(
+            p, control, cosines, sines, cases, cautious, displacement, cage, position, iterations
+        )
         judge_blocks(
-            p, control, cosines, sines, order, displacement, cage, position, ring, errors,
-            reaction, stiffness, residual, accepted,
+            p, control, cosines, sines, cases, displacement, cage, position, ring, errors,
+            reaction, stiffness, residual, done,
         )  # fmt: skip
+        for k in range(left.size):
+            accepted[left[k]] = done[k] and iterations[cases[k]] > 0
     for place in range(order.size):
         case = order[place]
         column = case if p.shape[1] > 1 else 0
         balls = control[case if control.shape[0] > 1 else 0]
         unsupported[case], safe[case] = -1, False
-        if accepted[place] and iterations[case] > 0:
+        if accepted[place]:
             code[case] = status.CONVERGED
             continue
         u, x = displacement[case], position[case]
@@ -88,17 +102,18 @@ def solve_cases(
                 p, column, moving, balls, cosines, sines, u, cage[case], x, ring, errors
             )
         # a proposal that is not quite there is a start; failing that, begin anew
-        escaping, fate = -1, status.NO_EQUILIBRIUM
+        escaping, fate, work = -1, status.NO_EQUILIBRIUM, most_work
         for attempt in range(3):
             if code[case] != status.NOT_CONVERGED or (attempt == 0 and not proposed):
                 continue
             if attempt > 0:
                 _start_safely(p, column, cosines, sines, u, x, attempt == 1)
                 cage[case] = p[layout.NOMINAL_ORBIT, column]
-            ring.work[0] = 0.1 * most_work
+            ring.work[0] = SHARE * work
             _, steps, escaping, cage[case] = solve_robust(
                 p, column, moving, balls, cosines, sines, u, cage[case], x, ring
             )
+            work -= SHARE * work - ring.work[0]
             fate = escaped(p, column, cosines.size, ring)
             safe[case] = True
             iterations[case] = abs(iterations[case]) + steps
@@ -112,14 +127,15 @@ def solve_cases(
             heavy = np.empty((p.shape[0], 1))
             put_factors(p, column, heaviest_factor(p, column, cosines.size), 0.0, heavy)
             _start_safely(heavy, 0, cosines, sines, u, x, True)
-            ring.work[0] = 0.8 * most_work
+            ring.work[0] = 0.8 * work
             code[case], residual[case], unsupported[case], steps, cage[case] = solve_by_steps(
                 p, column, moving, balls, cosines, sines, u, x, ring, errors
             )
+            work -= 0.8 * work - ring.work[0]
             iterations[case] += steps
         if code[case] == status.OVER_SHOULDER:
             on_groove[:] = balls
-            ring.work[0] = 0.2 * most_work
+            ring.work[0] = work
             code[case], residual[case], unsupported[case], steps, cage[case] = solve_off_groove(
                 p, column, moving, on_groove, cosines, sines, u, cage[case], x, ring, errors
             )

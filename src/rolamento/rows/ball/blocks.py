@@ -102,6 +102,7 @@ def fill(
     speed = p[layout.NOMINAL_ORBIT, column]
     w[layout.CAGE * _LANES + lane] = speed
     w[layout.STEPS * _LANES + lane] = 0.0
+    w[layout.CAUTION * _LANES + lane] = 1.0
     inertia = p[layout.CENTRIFUGAL, column] * speed * speed
     w[layout.OUTER_SHARE * _LANES + lane] = (series / outer) ** (2.0 / 3.0)
     w[layout.INERTIA_APPROACH * _LANES + lane] = (inertia / series) ** (2.0 / 3.0)
@@ -259,6 +260,7 @@ def solve_moving(
     cosines: Array,
     sines: Array,
     order: Order,
+    cautious: bool,
     displacement: Array,
     cage: Array,
     position: Array,
@@ -266,6 +268,8 @@ def solve_moving(
 ) -> None:
     """Newton's method on ring and balls together, from the displacement and position given.
 
+    cautious: whether the cage is held back until the ring is near balance, late steps are short and
+    balls that leave the inner groove are taken off it; a few cases settle only without.
     A lane that has settled, failed or run out of steps takes the next case. Writes displacement
     (cases, 5), cage (cases), position (cases, balls, 2) and iterations (cases): zero where a lane
     failed, negative where it ran out of steps.
@@ -290,6 +294,7 @@ def solve_moving(
                 case = order[waiting]
                 fill(w, b, lane, p, cosines, sines, control, case, displacement[case])
                 _put_positions(b, lane, position[case])
+                w[layout.CAUTION * _LANES + lane] = 1.0 if cautious else 0.0
                 holds[lane] = case
                 groupings[lane] = 0
                 waiting += 1
@@ -318,7 +323,7 @@ def solve_moving(
         for lane in range(_LANES):
             case = holds[lane]
             lost = _lost(w, lane)
-            if settled[lane] and not lost and _regroup(w, b, lane) > 0:
+            if cautious and settled[lane] and not lost and _regroup(w, b, lane) > 0:
                 settled[lane] = False
                 groupings[lane] += 1
                 if groupings[lane] <= TRIALS:

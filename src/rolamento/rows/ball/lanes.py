@@ -55,6 +55,7 @@ _LAG_NOW, _PULL = lanes(layout.LAG_NOW), lanes(layout.PULL)
 _HEAVIEST, _UNSOUND = lanes(layout.HEAVIEST), lanes(layout.UNSOUND)
 _UNBALANCED, _BEHIND = lanes(layout.UNBALANCED), lanes(layout.BEHIND)
 _LOADED, _STEPS = lanes(layout.LOADED), lanes(layout.STEPS)
+_CAUTION = lanes(layout.CAUTION)
 _ERROR, _SCALE = lanes(layout.ERROR), lanes(layout.SCALE)
 _OFF = lanes(layout.OFF)
 _INNER_EDGE, _OUTER_EDGE = lanes(layout.INNER_EDGE), lanes(layout.OUTER_EDGE)
@@ -316,7 +317,8 @@ def follow_ring(w: Array, b: Array) -> None:
         a1, a2 = _groove_fast(w, b, i)
         side = 1.0 if a1 > 0.0 else -1.0
         inside = min(side * x1, side * (a1 * x2 - a2 * x1) / l_o) + 0.1 * l_o
-        late = w[_STEPS + i] > PATIENCE  # then only how far it is off the race
+        # late, only how far it is off the race
+        late = w[_CAUTION + i] * w[_STEPS + i] > PATIENCE
         inside = min(l_o if late else inside, min(1.5 * l_o - reach, reach - 0.8 * l_o))
         w[_ASTRAY + i] = 0.0 if inside > 0.0 else (2.0 if late else 1.0)
 
@@ -407,7 +409,7 @@ def step_ring(w: Array, axes: np.uintp) -> None:
     _hold(w, axes)
     _eliminate(w, axes)
     for i in range(N):
-        longest = LONGEST_STEP if w[_STEPS + i] <= PATIENCE else LATE_STEP
+        longest = LATE_STEP if w[_CAUTION + i] * w[_STEPS + i] > PATIENCE else LONGEST_STEP
         reach = longest * (w[_L_O + i] + w[_L_I + i])
         step = max(max(abs(w[_DX + i]), abs(w[_DY + i])), abs(w[_DZ + i]))
         part = reach / step if step > reach else 1.0
@@ -430,7 +432,7 @@ def condense_cage(w: Array, axes: np.uintp) -> None:
         force, by_cage = _FX + row * N, _BY_CAGE[0] + row * N
         for i in range(N):
             near = max(w[_UNBALANCED + i] / LOOSE_CAGE, w[_BEHIND + i] / NEAR_CAGE)
-            near = near if w[_LAG_BY_CAGE + i] < DRIVE else 2.0
+            near = w[_CAUTION + i] * (near if w[_LAG_BY_CAGE + i] < DRIVE else 2.0)
             w[by_cage + i] = w[by_cage + i] / w[_LAG_BY_CAGE + i] if near <= 1.0 else 0.0
             w[force + i] -= w[by_cage + i] * w[_LAG + i]
         for column in range(axes):
@@ -455,8 +457,9 @@ def step_cage(w: Array, axes: np.uintp) -> None:
         fastest = max(w[_OMEGA_I + i], w[_OMEGA_O + i])
         longest = NEAR_CAGE * (abs(w[_OMEGA_I + i]) + abs(w[_OMEGA_O + i]))
         longest = longest if w[_UNBALANCED + i] <= LOOSE_CAGE else 0.0
+        whole = w[_DCAGE + i] / w[_LAG_BY_CAGE + i]
         change = w[_DCAGE + i] / min(w[_LAG_BY_CAGE + i], DRIVE)
-        change = min(max(change, -longest), longest)
+        change = min(max(change, -longest), longest) if w[_CAUTION + i] > 0.0 else whole
         speed = min(max(w[_CAGE + i] + change, slowest), fastest)
         w[_DCAGE + i] = speed - w[_CAGE + i]
         w[_CAGE + i] = speed
