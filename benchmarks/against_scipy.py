@@ -35,7 +35,7 @@ def measure(name: str, sample: int, repeats: int) -> Findings:
     sides = _Sample(case, duty_sets.some(everything, sample), tilting)
     runs = (
         ("cold", sides.cold, True, None),
-        ("warm", sides.warm, False, at_least(500.0)),
+        ("warm", sides.warm, False, at_least(1000.0)),
         ("warm, exact Jacobian given", sides.warm, True, None),
     )
     findings = Findings.none()

@@ -22,9 +22,9 @@ from rolamento.solved import Solved
 PROMISED_RESIDUAL: Final = 1e-8
 
 SETS: Final[dict[str, tuple[Callable[[int], duty_sets.Duties], Target, bool]]] = {
-    "duty set, tilts held": (duty_sets.tilts_held, at_least(400e3, 150e3), True),
-    "duty set, moments given": (duty_sets.moments_given, at_least(280e3, 100e3), True),
-    "hard set": (duty_sets.hard, at_least(60e3), False),
+    "duty set, tilts held": (duty_sets.tilts_held, at_least(1e6, 500e3), True),
+    "duty set, moments given": (duty_sets.moments_given, at_least(700e3, 350e3), True),
+    "hard set": (duty_sets.hard, at_least(300e3, 150e3), False),
 }
 """The set, its target in cases/s on two threads, and whether every case has a solution."""
 

@@ -20,6 +20,7 @@ __all__ = ["share_out", "side_by_side", "thread_count"]
 
 _log = logging.getLogger("rolamento")
 
+COMPILING: Final = "compiling the solver for this machine, once: this takes a minute or two"
 LONG: Final = 1.0
 """Seconds of plain Python in this process after which the compiler is worth loading."""
 _spent: Final = [0.0]
@@ -76,7 +77,7 @@ def share_out(
         _spent[0] += perf_counter() - start
         return
     if kernel not in _ready and cases and not kernel.is_cached:
-        _log.warning("compiling the solver for this machine, once: this takes about half a minute")
+        _log.warning(COMPILING)
     compiled = kernel.compiled
     _ready.add(kernel)
     starts = range(0, cases, chunk)

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento import status
-from rolamento.numerics.threads import thread_count
+from rolamento.numerics.threads import COMPILING, thread_count
 from rolamento.rows.ball import accept, layout
 from rolamento.rows.ball.batch import solve_cases
 from rolamento.rows.ball.detail import ball_table, criterion
@@ -158,9 +158,7 @@ def _run_threads(
                 return
             solution.put(which, Solution.empty(cases, balls))
         if not solve_cases.is_cached:
-            _log.warning(
-                "compiling the solver for this machine, once: this takes about half a minute"
-            )
+            _log.warning(COMPILING)
 
     def run(first: int) -> None:
         chunk = which[first : first + CHUNK]

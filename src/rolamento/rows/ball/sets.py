@@ -13,7 +13,7 @@ import numpy as np
 
 from rolamento import status
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.numerics.threads import thread_count
+from rolamento.numerics.threads import COMPILING, thread_count
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.accept import NEEDS_INERTIA
 from rolamento.rows.ball.problem import directions, ring_arms
@@ -104,7 +104,7 @@ def settle(
     if not _ready.is_set() and not solve_sets.is_cached:
         if len(which) <= FEW:
             return None
-        _log.warning("compiling the solver for this machine, once: this takes about half a minute")
+        _log.warning(COMPILING)
     run = _Run.of(rows, which, control, stand, asked)
     inertia = np.stack([has_inertia(p) for p in run.columns])
     still = sound & ~inertia.any(axis=0)
