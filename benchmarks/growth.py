@@ -96,7 +96,8 @@ def _bearing(balls: int, **more: Any) -> rolamento.Case:
             "outer_conformity": 0.53,
             "contact_angle": "25 deg",
             **more,
-        }
+        },
+        "duty": {},
     }
     return rolamento.Case.model_validate(mapping)
 
