@@ -81,21 +81,18 @@ def share_out(
     compiled = kernel.compiled
     _ready.add(kernel)
     starts = range(0, cases, chunk)
-    workers = min(thread_count(threads), len(starts))
-    if workers <= 1:
-        for first in starts:
-            run(compiled, first, min(first + chunk, cases))
-        return
-    with ThreadPoolExecutor(workers) as pool:
-        list(pool.map(lambda first: run(compiled, first, min(first + chunk, cases)), starts))
+    side_by_side(lambda first: run(compiled, first, min(first + chunk, cases)), starts, threads)
 
 
-def side_by_side(function: Callable[[T], R], items: Sequence[T]) -> list[R]:
-    """Return what a function makes of each item; as many at a time as there are processors.
+def side_by_side(
+    function: Callable[[T], R], items: Sequence[T], threads: int | None = None
+) -> list[R]:
+    """Return what a function makes of each item; by default as many at a time as processors.
 
-    It pays for a function whose time goes into NumPy's and SciPy's loops, which let others run.
+    It pays for a function whose time goes into kernels, or NumPy's and SciPy's loops, which let
+    others run.
     """
-    workers = min(thread_count(None), len(items))
+    workers = min(thread_count(threads), len(items))
     if workers <= 1:
         return [function(item) for item in items]
     with ThreadPoolExecutor(workers) as pool:

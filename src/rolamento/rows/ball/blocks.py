@@ -16,7 +16,7 @@ from rolamento import status
 from rolamento.numerics.compiled import inline_exact, shared
 from rolamento.rows.ball import lanes, layout
 from rolamento.rows.ball.accept import is_finite, weigh
-from rolamento.rows.ball.single import FAR, Ring, empty_ring
+from rolamento.rows.ball.single import FAR, Ring, changes_groove, empty_ring
 from rolamento.rows.ball.types import Array, Order, Three
 
 STATIC_STEPS: Final = 10
@@ -131,7 +131,8 @@ def _put_positions(b: Array, lane: int, x: Array) -> None:
 
 
 @inline_exact
-def _read_positions(b: Array, lane: int, x: Array) -> None:
+def read_positions(b: Array, lane: int, x: Array) -> None:
+    """Write where the balls of a lane are; x (balls, 2)."""
     for j in range(x.shape[0]):
         x[j, 0] = b[j, _X + lane]
         x[j, 1] = b[j, _X + _LANES + lane]
@@ -150,13 +151,12 @@ def _tilting(p: Array, order: Order) -> bool:
 @shared
 def _regroup(w: Array, b: Array, lane: int) -> int:
     """Take balls off the inner groove or put them on (see `edges`); how many changed."""
-    changed = 0
+    changed, length = 0, w[layout.INNER_LENGTH * _LANES + lane]
     for j in range(b.shape[0]):
         a1, a2 = lanes.groove_exact(w, b[j], lane)
-        beyond = a2 <= b[j, _X + _LANES + lane]
-        pressed = abs(a1 - b[j, _X + lane]) > w[layout.INNER_LENGTH * _LANES + lane]
+        x1, x2 = b[j, _X + lane], b[j, _X + _LANES + lane]
         off = b[j, layout.OFF * _LANES + lane] > 0.0
-        if (not off and beyond and pressed) or (off and not beyond):
+        if changes_groove(off, a1, a2, x1, x2, length):
             b[j, layout.OFF * _LANES + lane] = 0.0 if off else FAR
             changed += 1
     return changed
@@ -250,7 +250,7 @@ def solve_static(
             for j in range(cosines.size):
                 lanes.place_ball(w, b[j])
             for lane in range(count):
-                _read_positions(b, lane, position[order[block + lane]])
+                read_positions(b, lane, position[order[block + lane]])
 
 
 @shared
@@ -335,7 +335,7 @@ def solve_moving(
             iterations[case] = 0 if lost else (steps if settled[lane] else -steps)
             _read_displacement(w, lane, displacement[case])
             cage[case] = w[layout.CAGE * _LANES + lane]
-            _read_positions(b, lane, position[case])
+            read_positions(b, lane, position[case])
             holds[lane] = -1
             working -= 1
 

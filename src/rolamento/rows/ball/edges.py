@@ -16,7 +16,7 @@ from rolamento.numerics.compiled import shared
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.accept import judge
 from rolamento.rows.ball.robust import solve_robust
-from rolamento.rows.ball.single import OFF_GROOVE, Ring, direction, groove
+from rolamento.rows.ball.single import OFF_GROOVE, Ring, changes_groove, direction, groove
 from rolamento.rows.ball.types import Array
 
 TRIALS: Final = 8
@@ -32,13 +32,9 @@ def _regroup(
     for j in range(cosines.size):
         c, s = direction(p, case, cosines[j], sines[j])
         a1, a2 = groove(p, case, u, c, s)
-        beyond = a2 <= x[j, 1]
-        pressed = abs(a1 - x[j, 0]) > p[layout.INNER_LENGTH, case]
-        if abs(control[j]) < OFF_GROOVE and pressed and beyond:
-            control[j] *= OFF
-            changed += 1
-        elif abs(control[j]) >= OFF_GROOVE and not beyond:
-            control[j] /= OFF
+        off = abs(control[j]) >= OFF_GROOVE
+        if changes_groove(off, a1, a2, x[j, 0], x[j, 1], p[layout.INNER_LENGTH, case]):
+            control[j] = control[j] / OFF if off else control[j] * OFF
             changed += 1
     return changed
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import logging
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from threading import Event
 from typing import Any, Final, Self
@@ -12,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento import status
-from rolamento.numerics.threads import COMPILING, thread_count
+from rolamento.numerics.threads import COMPILING, side_by_side
 from rolamento.rows.ball import accept, layout
 from rolamento.rows.ball.batch import solve_cases
 from rolamento.rows.ball.detail import ball_table, criterion
@@ -165,13 +164,7 @@ def _run_threads(
         solve_cases.compiled(p, control, cosines, sines, moving, chunk, fast, most_work, out)
         _ready.set()
 
-    workers = min(thread_count(threads), -(-cases // CHUNK))
-    if workers == 1:
-        for first in range(0, cases, CHUNK):
-            run(first)
-    else:
-        with ThreadPoolExecutor(workers) as pool:
-            list(pool.map(run, range(0, cases, CHUNK)))
+    side_by_side(run, range(0, cases, CHUNK), threads)
 
 
 def _interpret(*arguments: Any) -> bool:

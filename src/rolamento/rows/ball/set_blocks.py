@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from rolamento.numerics.compiled import inline_exact, kernel, shared
 from rolamento.rows.ball import lanes, layout, set_lanes
 from rolamento.rows.ball.accept import judge, max_with_nan
-from rolamento.rows.ball.blocks import any_astray, fill
+from rolamento.rows.ball.blocks import any_astray, fill, read_positions
 from rolamento.rows.ball.set_lanes import SLIDE, STAND_ROWS, TILT, UNKNOWNS, WAY
 from rolamento.rows.ball.single import FAR, Ring, ring_around
 from rolamento.rows.ball.types import Array
@@ -234,7 +234,6 @@ def _settle_moving(
     rings, cages and balls, and the steps: zero where a lane failed.
     """
     s, v, w, b, room = work
-    balls = b.shape[0]
     own = np.empty(layout.DEGREES_OF_FREEDOM)
     holds = np.full(_LANES, -1)  # the case in each lane
     steps = np.zeros(_LANES, np.int64)
@@ -300,9 +299,7 @@ def _settle_moving(
                 found.place[case, i] = s[(set_lanes.PLACE + i) * _LANES + lane]
             for row in range(w.shape[0]):
                 found.cage[row, case] = w[row, layout.CAGE * _LANES + lane]
-            for j in range(balls):
-                found.position[case, j, 0] = b[j, _X + lane]
-                found.position[case, j, 1] = b[j, _X + _LANES + lane]
+            read_positions(b, lane, found.position[case])
             holds[lane] = -1
             working -= 1
 

@@ -12,10 +12,10 @@ from typing import Final
 
 import numpy as np
 
-from rolamento.numerics.compiled import vector_loop
+from rolamento.numerics.compiled import inline_fast, vector_loop
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.layout import lanes
-from rolamento.rows.ball.types import Array
+from rolamento.rows.ball.types import Array, Five, Six
 
 UNKNOWNS: Final = 6
 
@@ -42,7 +42,8 @@ _FREE, _TARGET, _PLACE, _MOVE = lanes(FREE), lanes(TARGET), lanes(PLACE), lanes(
 _FORCE, _MATRIX = lanes(FORCE), lanes(MATRIX)
 _FIRM, _REACH = lanes(FIRM), lanes(REACH)
 _WAY, _LEVER, _TILT, _SLIDE = (lanes(row) for row in (WAY, LEVER, TILT, SLIDE))
-_SIX, _FIVE, _ONE = np.uintp(UNKNOWNS), np.uintp(layout.DEGREES_OF_FREEDOM), np.uintp(1)
+_SIX, _FIVE = np.uintp(UNKNOWNS), np.uintp(layout.DEGREES_OF_FREEDOM)
+_ONE, _TWO = np.uintp(1), np.uintp(2)
 _AT = tuple(lanes(row) for row in range(UNKNOWNS * UNKNOWNS))
 _LINE = lanes(UNKNOWNS)
 _ROW_U, _ROW_STEP = lanes(layout.DISPLACEMENT), lanes(layout.STEP)
@@ -57,40 +58,53 @@ def empty_set(s: Array) -> None:
         s[i] = 0.0
 
 
+@inline_fast
+def _on_ring(v: Array, i: int, row: Five) -> Six:
+    """T' times five numbers of a row: what they are to the ring's unknowns."""
+    r0, r1, r2, r3, r4 = row
+    way, lever, tilt, slide = v[_WAY + i], v[_LEVER + i], v[_TILT + i], v[_SLIDE + i]
+    return way * r0, r1, r2, tilt * r3 - lever * r2, tilt * r4 + lever * r1, slide * r0
+
+
+@inline_fast
+def _five(a: Array, first: np.uintp, stride: np.uintp, i: int) -> Five:
+    """Five numbers that stand a stride apart."""
+    second = first + stride
+    third, fourth = second + stride, second + _TWO * stride
+    return a[first + i], a[second + i], a[third + i], a[fourth + i], a[fourth + stride + i]
+
+
 @vector_loop
 def add_row(s: Array, v: Array, w: Array, t: Array) -> None:
     """Add a row's force and stiffness to the ring's; t: room for k T."""
     for i in range(_N):
-        f0, f1, f2 = w[_ROW_F + i], w[_ROW_F + _AT[1] + i], w[_ROW_F + _AT[2] + i]
-        f3, f4 = w[_ROW_F + _AT[3] + i], w[_ROW_F + _AT[4] + i]
-        s[_FORCE + i] += v[_WAY + i] * f0
+        f0, f1, f2, f3, f4, f5 = _on_ring(v, i, _five(w, _ROW_F, _N, i))
+        s[_FORCE + i] += f0
         s[_FORCE + _AT[1] + i] += f1
         s[_FORCE + _AT[2] + i] += f2
-        s[_FORCE + _AT[3] + i] += v[_TILT + i] * f3 - v[_LEVER + i] * f2
-        s[_FORCE + _AT[4] + i] += v[_TILT + i] * f4 + v[_LEVER + i] * f1
-        s[_FORCE + _AT[5] + i] += v[_SLIDE + i] * f0
+        s[_FORCE + _AT[3] + i] += f3
+        s[_FORCE + _AT[4] + i] += f4
+        s[_FORCE + _AT[5] + i] += f5
     for row in range(_FIVE):
         own, to = _ROW_K + row * _OF_ROW, row * _LINE
         for i in range(_N):
-            k0, k1, k2 = w[own + i], w[own + _AT[1] + i], w[own + _AT[2] + i]
-            k3, k4 = w[own + _AT[3] + i], w[own + _AT[4] + i]
-            t[to + i] = v[_WAY + i] * k0
+            k0, k1, k2, k3, k4, k5 = _on_ring(v, i, _five(w, own, _N, i))
+            t[to + i] = k0
             t[to + _AT[1] + i] = k1
             t[to + _AT[2] + i] = k2
-            t[to + _AT[3] + i] = v[_TILT + i] * k3 - v[_LEVER + i] * k2
-            t[to + _AT[4] + i] = v[_TILT + i] * k4 + v[_LEVER + i] * k1
-            t[to + _AT[5] + i] = v[_SLIDE + i] * k0
+            t[to + _AT[3] + i] = k3
+            t[to + _AT[4] + i] = k4
+            t[to + _AT[5] + i] = k5
     for column in range(_SIX):
-        own, to = column * _N, _MATRIX + column * _N
+        to = _MATRIX + column * _N
         for i in range(_N):
-            k0, k1, k2 = t[own + i], t[own + _AT[6] + i], t[own + _AT[12] + i]
-            k3, k4 = t[own + _AT[18] + i], t[own + _AT[24] + i]
-            s[to + i] += v[_WAY + i] * k0
+            k0, k1, k2, k3, k4, k5 = _on_ring(v, i, _five(t, column * _N, _LINE, i))
+            s[to + i] += k0
             s[to + _AT[6] + i] += k1
             s[to + _AT[12] + i] += k2
-            s[to + _AT[18] + i] += v[_TILT + i] * k3 - v[_LEVER + i] * k2
-            s[to + _AT[24] + i] += v[_TILT + i] * k4 + v[_LEVER + i] * k1
-            s[to + _AT[30] + i] += v[_SLIDE + i] * k0
+            s[to + _AT[18] + i] += k3
+            s[to + _AT[24] + i] += k4
+            s[to + _AT[30] + i] += k5
 
 
 @vector_loop

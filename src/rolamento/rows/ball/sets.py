@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from threading import Event
 from typing import Final, cast
@@ -13,7 +12,7 @@ import numpy as np
 
 from rolamento import status
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.numerics.threads import COMPILING, thread_count
+from rolamento.numerics.threads import COMPILING, side_by_side
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.accept import NEEDS_INERTIA
 from rolamento.rows.ball.problem import directions, ring_arms
@@ -209,13 +208,7 @@ class _Run:
             _ready.set()
 
         chunks = [chosen[first : first + CHUNK] for first in range(0, len(chosen), CHUNK)]
-        workers = min(thread_count(self.rows[0].threads), len(chunks))
-        if workers == 1:
-            for some in chunks:
-                run(some)
-        else:
-            with ThreadPoolExecutor(workers) as pool:
-                list(pool.map(run, chunks))
+        side_by_side(run, chunks, self.rows[0].threads)
 
     def proposal(self) -> Proposal:
         """What was found, row by row."""

@@ -270,6 +270,16 @@ def cage_residual(p: Array, case: int, lag: float, pull: float) -> float:
 
 
 @inline_exact
+def changes_groove(
+    off: bool, a1: float, a2: float, x1: float, x2: float, inner_length: float
+) -> bool:
+    """Whether a ball leaves the inner groove, pressed beyond its end, or comes back to it."""
+    beyond = a2 <= x2
+    pressed = abs(a1 - x1) > inner_length
+    return not beyond if off else beyond and pressed
+
+
+@inline_exact
 def rounding(p: Array, case: int, load: float) -> float:
     """What rounding leaves of a ball's load Q, N.
 

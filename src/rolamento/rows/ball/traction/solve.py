@@ -7,8 +7,6 @@ motions and its loads; a case that does not settle is left without a result.
 from __future__ import annotations
 
 import logging
-import os
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Final, Protocol
 
@@ -17,6 +15,7 @@ import numpy as np
 from rolamento import status
 from rolamento.contact.hertz import elliptical_contact
 from rolamento.geometry import Race, race_curvature
+from rolamento.numerics.threads import side_by_side
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.detail import BallTable, ball_table
 from rolamento.rows.ball.problem import Floats, directions
@@ -85,13 +84,7 @@ def solve_rolling(
         _log.warning("compiling the friction solver for this machine, once: %s", _PATIENCE)
     turning = p[layout.INNER_SPEED] != p[layout.OUTER_SPEED]
     wanted = np.flatnonzero((start.code == status.CONVERGED) & turning).tolist()
-    workers = min(threads or os.cpu_count() or 1, max(len(wanted), 1))
-    if workers == 1:
-        for case in wanted:
-            _solve_case(problem, case, solution, rolling)
-    else:
-        with ThreadPoolExecutor(workers) as pool:
-            list(pool.map(lambda case: _solve_case(problem, case, solution, rolling), wanted))
+    side_by_side(lambda case: _solve_case(problem, case, solution, rolling), wanted, threads)
     _check_power(p, drag, solution, rolling)
     return solution, rolling
 
