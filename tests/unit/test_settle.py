@@ -41,7 +41,7 @@ def test_one_place_from_every_start(parameters: np.ndarray) -> None:
     for a1, a2 in grooves(parameters):
         places = []
         for part in (0.3, 0.5, 0.7):
-            found, x1, x2 = settle.compiled(
+            found, x1, x2, _ = settle.compiled(
                 parameters, 0, cage(parameters), 1.0, a1, a2, part * a1, part * a2, work()
             )
             assert found
@@ -61,7 +61,7 @@ def test_brackets_agree_with_newton(parameters: np.ndarray) -> None:
             continue
         found, x1, x2 = _bracketed.compiled(parameters, 0, cage(parameters), 1.0, a1, a2, work())
         assert found
-        _, y1, y2 = settle.compiled(
+        _, y1, y2, _ = settle.compiled(
             parameters, 0, cage(parameters), 1.0, a1, a2, 0.5 * a1, 0.5 * a2, work()
         )
         np.testing.assert_allclose([x1, x2], [y1, y2], atol=1e-8 * l_o)
@@ -69,10 +69,10 @@ def test_brackets_agree_with_newton(parameters: np.ndarray) -> None:
 
 def test_a_ball_on_the_other_side_is_the_mirror_image(parameters: np.ndarray) -> None:
     for a1, a2 in grooves(parameters):
-        _, x1, x2 = settle.compiled(
+        _, x1, x2, _ = settle.compiled(
             parameters, 0, cage(parameters), 1.0, a1, a2, 0.5 * a1, 0.5 * a2, work()
         )
-        _, y1, y2 = settle.compiled(
+        _, y1, y2, _ = settle.compiled(
             parameters, 0, cage(parameters), 1.0, -a1, a2, -0.5 * a1, 0.5 * a2, work()
         )
         np.testing.assert_allclose([-y1, y2], [x1, x2], rtol=1e-9, atol=1e-12)

@@ -141,7 +141,7 @@ def weigh(
     else:
         left_out = inertia_of(p, case) / heaviest if heaviest > 0.0 else inertia_of(p, case)
     residual = max_with_nan(_ring_residual(p, case, ring.now, heaviest), behind + left_out)
-    return _worst_ball(p, case, errors, heaviest, residual), left_out
+    return worst_ball(p, case, errors, heaviest, residual), left_out
 
 
 @inline_exact
@@ -176,15 +176,25 @@ def _ring_residual(p: Array, case: int, reaction: Array, heaviest: float) -> flo
     return error / scale if scale > 0.0 else error
 
 
+@inline_exact
+def own_scale(scale: float, heaviest: float) -> float:
+    """The load that a ball's residual is measured by: its own, or the floor; 1 N if none."""
+    own = max(scale, LOAD_FLOOR * heaviest)
+    return own if own > 0.0 else 1.0
+
+
 @shared
-def _worst_ball(p: Array, case: int, errors: Array, heaviest: float, worst: float) -> float:
-    """The greatest residual of a ball, each on the scale of its own loads, or what is worse."""
+def worst_ball(p: Array, case: int, errors: Array, heaviest: float, worst: float) -> float:
+    """The greatest residual of a ball, each on the scale of its own loads, or what is worse.
+
+    errors (balls, 2): size of each ball's residual and scale of its own loads.
+    """
+    length, stiffness = p[layout.OUTER_LENGTH, case], p[layout.SERIES_STIFFNESS, case]
     for j in range(errors.shape[0]):
         error, scale = errors[j, 0], errors[j, 1]
-        own = max(scale, LOAD_FLOOR * heaviest)
-        own = own if own > 0.0 else 1.0
+        own = own_scale(scale, heaviest)
         # what rounding leaves of it is mostly nothing
-        if not error / own <= worst and not is_rounding(p, case, error, scale):
+        if not error / own <= worst and not is_rounding(length, stiffness, error, scale):
             error = max_with_nan(0.0, error - rounding(p, case, scale))
             worst = max_with_nan(worst, error / own)
     return worst

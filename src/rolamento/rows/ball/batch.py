@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rolamento import status
 from rolamento.numerics.compiled import kernel, shared
@@ -17,6 +18,8 @@ from rolamento.rows.ball.robust import escaped, solve_robust
 from rolamento.rows.ball.single import direction, groove, ring_around
 from rolamento.rows.ball.types import Array, Order, Output
 
+SEVERAL: Final = 8
+"""Cases from which on the lanes are worth a second attempt: they take as long for one."""
 SHARE: Final = 0.4
 """Part of the work that is left that one more attempt may take."""
 
@@ -38,6 +41,34 @@ def _start_safely(
         c, s = direction(p, column, cosines[j], sines[j])
         a1, a2 = groove(p, column, u, c, s)
         x[j, 0], x[j, 1] = 0.5 * a1, 0.5 * a2
+
+
+@shared
+def _propose(
+    p: Array,
+    control: Array,
+    cosines: Array,
+    sines: Array,
+    moving: bool,
+    order: Order,
+    cautious: bool,
+    accepted: NDArray[np.bool_],
+    out: Output,
+) -> None:
+    """Take cases along the fast path; what moves is judged there, and accepted or not."""
+    displacement, cage, position, reaction, stiffness, residual, _, _, iterations, _ = out
+    solve_static(p, control, cosines, sines, order, moving, displacement, position, iterations)
+    if not moving:
+        return
+    solve_moving(
+        p, control, cosines, sines, order, cautious, displacement, cage, position, iterations
+    )
+    judge_blocks(
+        p, control, cosines, sines, order, displacement, cage, position, reaction, stiffness,
+        residual, accepted,
+    )  # fmt: skip
+    for k in range(order.size):
+        accepted[k] = accepted[k] and iterations[order[k]] > 0
 
 
 @kernel
@@ -66,25 +97,16 @@ def solve_cases(
         safe,
     ) = out  # fmt: skip
     errors, on_groove = np.zeros((cosines.size, 2)), np.zeros(cosines.size)
-    ring = ring_around(np.zeros(5), np.zeros((5, 5)), np.zeros(1))
-    accepted = np.zeros(order.size, np.bool_)
-    for cautious in (True, False):
+    ring = ring_around(cosines.size)
+    accepted, few = np.zeros(order.size, np.bool_), False
+    if fast:
+        _propose(p, control, cosines, sines, moving, order, True, accepted, out)
         left = np.flatnonzero(~accepted)
-        if not fast or left.size == 0:
-            break
-        cases, done = order[left], np.zeros(left.size, np.bool_)
-        solve_static(p, control, cosines, sines, cases, moving, displacement, position, iterations)
-        if not moving:
-            break
-        solve_moving(
-            p, control, cosines, sines, cases, cautious, displacement, cage, position, iterations
-        )
-        judge_blocks(
-            p, control, cosines, sines, cases, displacement, cage, position, ring, errors,
-            reaction, stiffness, residual, done,
-        )  # fmt: skip
-        for k in range(left.size):
-            accepted[left[k]] = done[k] and iterations[cases[k]] > 0
+        few = left.size < SEVERAL
+        if not few:
+            done = np.zeros(left.size, np.bool_)
+            _propose(p, control, cosines, sines, moving, order[left], False, done, out)
+            accepted[left] = done
     for place in range(order.size):
         case = order[place]
         column = case if p.shape[1] > 1 else 0
@@ -123,6 +145,13 @@ def solve_cases(
         if code[case] == status.NOT_CONVERGED and escaping >= 0:
             code[case] = fate
             unsupported[case] = escaping if fate == status.NO_EQUILIBRIUM else -1
+        if code[case] == status.NOT_CONVERGED and few and moving:
+            alone, steps = order[place : place + 1], iterations[case]
+            _propose(p, control, cosines, sines, True, alone, False, accepted[place:], out)
+            iterations[case] = steps + abs(iterations[case])
+            if accepted[place]:
+                code[case] = status.CONVERGED
+                continue
         if code[case] == status.NOT_CONVERGED:
             heavy = np.empty((p.shape[0], 1))
             put_factors(p, column, heaviest_factor(p, column, cosines.size), 0.0, heavy)

@@ -15,14 +15,14 @@ from numpy.typing import NDArray
 from rolamento import status
 from rolamento.numerics.compiled import inline_exact, shared
 from rolamento.rows.ball import lanes, layout
-from rolamento.rows.ball.accept import is_finite, weigh
-from rolamento.rows.ball.single import FAR, Ring, changes_groove, empty_ring
+from rolamento.rows.ball.accept import is_finite, worst_ball
+from rolamento.rows.ball.single import FAR, changes_groove
 from rolamento.rows.ball.types import Array, Order, Three
 
 STATIC_STEPS: Final = 10
 MOVING_STEPS: Final = 30
 TRIALS: Final = 8  # of which balls are on the groove
-START_TOLERANCE: Final = 1e-2  # of a static start for a moving bearing
+START_TOLERANCE: Final = 0.2  # of a static start for a moving bearing
 TOLERANCE: Final = 1e-6  # before the last step, which squares it, or less where a ball just touches
 
 _LANES: Final = layout.LANES
@@ -249,6 +249,7 @@ def solve_static(
         if moving:
             for j in range(cosines.size):
                 lanes.place_ball(w, b[j])
+                lanes.settle_ball(w, b[j])
             for lane in range(count):
                 read_positions(b, lane, position[order[block + lane]])
 
@@ -341,22 +342,13 @@ def solve_moving(
 
 
 @shared
-def _read_sums(w: Array, b: Array, lane: int, ring: Ring, errors: Array) -> None:
-    """Copy what was summed in a lane to where `accept` looks for it."""
-    for i in range(layout.DEGREES_OF_FREEDOM):
-        ring.reaction[i] = w[(layout.REACTION + i) * _LANES + lane]
-        ring.now[i] = w[(layout.NOW + i) * _LANES + lane]
-        ring.by_cage[i] = w[(layout.BY_CAGE + i) * _LANES + lane]
-        ring.lag_by_ring[i] = w[(layout.LAG_BY_RING + i) * _LANES + lane]
-        for j in range(layout.DEGREES_OF_FREEDOM):
-            row = layout.MATRIX + layout.DEGREES_OF_FREEDOM * i + j
-            ring.matrix[i, j] = w[row * _LANES + lane]
-    ring.lag[0] = w[layout.LAG * _LANES + lane]
-    ring.lag_by_cage[0] = w[layout.LAG_BY_CAGE * _LANES + lane]
-    ring.pull[0] = w[layout.PULL * _LANES + lane]
+def _worst_ball(w: Array, b: Array, lane: int, p: Array, column: int, errors: Array) -> float:
+    """The residual of a lane's case, where a ball's may be worse than the ring's."""
     for j in range(errors.shape[0]):
         errors[j, 0] = b[j, layout.ERROR * _LANES + lane]
         errors[j, 1] = b[j, layout.SCALE * _LANES + lane]
+    heaviest = w[layout.HEAVIEST * _LANES + lane]
+    return worst_ball(p, column, errors, heaviest, w[layout.UNBALANCED * _LANES + lane])
 
 
 @shared
@@ -369,8 +361,6 @@ def judge_blocks(
     displacement: Array,
     cage: Array,
     position: Array,
-    ring: Ring,
-    errors: Array,
     reaction: Array,
     stiffness: Array,
     residual: Array,
@@ -383,25 +373,26 @@ def judge_blocks(
     """
     w = np.zeros(layout.RING_ROWS * _LANES)
     b = np.zeros((cosines.size, layout.BALL_ROWS * _LANES))
+    errors = np.zeros((cosines.size, 2))
     for block in range(0, order.size, _LANES):
         count = min(_LANES, order.size - block)
         for lane in range(_LANES):
             case = order[min(block + lane, order.size - 1)]
             fill(w, b, lane, p, cosines, sines, control, case, displacement[case])
             _put_positions(b, lane, position[case])
-            _regroup(w, b, lane)
             w[layout.CAGE * _LANES + lane] = cage[case]
         lanes.reset_sums(w)
-        for lane in range(_LANES):
-            case = order[min(block + lane, order.size - 1)]
-            column = case if p.shape[1] > 1 else 0
-            empty_ring(p, column, cage[case], ring)
-            w[layout.LAG * _LANES + lane] = ring.lag[0]
-            w[layout.LAG_NOW * _LANES + lane] = ring.lag[0]
-            w[layout.LAG_BY_CAGE * _LANES + lane] = ring.lag_by_cage[0]
-            w[layout.PULL * _LANES + lane] = ring.pull[0]
+        for j in range(cosines.size):
+            lanes.mark_regrouped(w, b[j])
+        for lane in range(count):
+            if w[layout.REGROUPED * _LANES + lane] > 0.0:
+                _regroup(w, b, lane)
+        lanes.start_cage(w)
         for j in range(cosines.size):
             lanes.judge_ball(w, b[j])
+        lanes.weigh_ring(w)
+        for j in range(cosines.size):
+            lanes.weigh_ball(w, b[j])
         for lane in range(count):
             case = order[block + lane]
             column = case if p.shape[1] > 1 else 0
@@ -409,11 +400,12 @@ def judge_blocks(
             if not sound or p[layout.TERMS, column] > layout.COEFFICIENTS:
                 accepted[block + lane] = False
                 continue
-            _read_sums(w, b, lane, ring, errors)
-            lag, heaviest = w[layout.LAG_NOW * _LANES + lane], w[layout.HEAVIEST * _LANES + lane]
-            residual[case], _ = weigh(p, column, True, lag, heaviest, ring, errors)
+            residual[case] = w[layout.UNBALANCED * _LANES + lane]
+            if w[layout.DOUBTFUL * _LANES + lane] > 0.0:
+                residual[case] = _worst_ball(w, b, lane, p, column, errors)
             accepted[block + lane] = residual[case] <= status.TOLERANCE
             for i in range(layout.DEGREES_OF_FREEDOM):
-                reaction[case, i] = ring.reaction[i]
+                reaction[case, i] = w[(layout.REACTION + i) * _LANES + lane]
                 for j in range(layout.DEGREES_OF_FREEDOM):
-                    stiffness[case, i, j] = ring.matrix[i, j]
+                    row = layout.MATRIX + layout.DEGREES_OF_FREEDOM * i + j
+                    stiffness[case, i, j] = w[row * _LANES + lane]

@@ -15,11 +15,27 @@ import numpy as np
 
 from rolamento.numerics.compiled import inline_exact, inline_fast, shared, vector_loop
 from rolamento.rows.ball import layout
-from rolamento.rows.ball.accept import FRICTION_SLACK, GREATEST_APPROACH, LOST_ANGLE
+from rolamento.rows.ball.accept import (
+    FRICTION_SLACK,
+    GREATEST_APPROACH,
+    LOST_ANGLE,
+    max_with_nan,
+    own_scale,
+)
 from rolamento.rows.ball.ball import contact_fast, linearised_fast, linearised_short, polar_fast
 from rolamento.rows.ball.layout import lanes
 from rolamento.rows.ball.settle import PLACE_SLACK
-from rolamento.rows.ball.types import Array, Coefficients, Motion, Seven, Six, Three, Two
+from rolamento.rows.ball.single import cage_part, changes_groove, is_rounding
+from rolamento.rows.ball.types import (
+    Array,
+    Coefficients,
+    Linearised,
+    Motion,
+    Seven,
+    Six,
+    Three,
+    Two,
+)
 
 N = np.uintp(layout.LANES)
 
@@ -53,6 +69,7 @@ _FAULT, _ASTRAY = lanes(layout.FAULT), lanes(layout.ASTRAY)
 _NX, _NY, _NZ, _NP, _NQ = (lanes(layout.NOW + i) for i in range(5))
 _LAG_NOW, _PULL = lanes(layout.LAG_NOW), lanes(layout.PULL)
 _HEAVIEST, _UNSOUND = lanes(layout.HEAVIEST), lanes(layout.UNSOUND)
+_REGROUPED, _DOUBTFUL = lanes(layout.REGROUPED), lanes(layout.DOUBTFUL)
 _UNBALANCED, _BEHIND = lanes(layout.UNBALANCED), lanes(layout.BEHIND)
 _LOADED, _STEPS = lanes(layout.LOADED), lanes(layout.STEPS)
 _CAUTION = lanes(layout.CAUTION)
@@ -186,6 +203,19 @@ def reset_sums(w: Array) -> None:
         w[i] = 0.0
 
 
+@inline_fast
+def _linearised(w: Array, b: Array, i: int, a1: float, a2: float) -> Linearised:
+    """`ball.linearised` for a ball of the lane, the inner groove's centre at A."""
+    outer = (w[_L_O + i], _coefficients_fast(w, _K_O, i))
+    inner = (w[_L_I + i] + b[_OFF + i], _coefficients_fast(w, _K_I, i))
+    cage = (w[_CAGE + i], w[_HOLD_RATE + i], w[_HOLD_OFFSET + i], w[_OWN + i])
+    ball: Linearised = linearised_fast(
+        a1, a2, b[_X1 + i], b[_X2 + i], inner, outer, _motion_fast(w, i), cage,
+        b[_SIGMA + i], b[_LAMBDA + i],
+    )  # fmt: skip
+    return ball
+
+
 def _balls(tilting: bool) -> tuple[Any, Any]:
     """Build the passes over one ball of every lane, for rings that tilt and rings that do not."""
     _, add_to_ring, add_to_cage = _sums(inline_fast, tilting)
@@ -206,13 +236,7 @@ def _balls(tilting: bool) -> tuple[Any, Any]:
         """A ball in motion: its residual, its step, and the ring's view of it."""
         for i in range(N):
             a1, a2 = _groove_fast(w, b, i)
-            outer = (w[_L_O + i], _coefficients_fast(w, _K_O, i))
-            inner = (w[_L_I + i] + b[_OFF + i], _coefficients_fast(w, _K_I, i))
-            cage = (w[_CAGE + i], w[_HOLD_RATE + i], w[_HOLD_OFFSET + i], w[_OWN + i])
-            residual, follow, force, stiffness, scale, _, drive, _ = linearised_fast(
-                a1, a2, b[_X1 + i], b[_X2 + i], inner, outer, _motion_fast(w, i), cage,
-                b[_SIGMA + i], b[_LAMBDA + i],
-            )  # fmt: skip
+            residual, follow, force, stiffness, scale, _, drive, _ = _linearised(w, b, i, a1, a2)
             r1, r2 = residual
             allowed = tolerance * scale
             w[_FAULT + i] = max(w[_FAULT + i], r1 * r1 + r2 * r2 - allowed * allowed)
@@ -234,6 +258,27 @@ _add_force_exact, _add_to_ring_exact, _add_to_cage_exact = _sums(inline_exact, t
 @inline_exact
 def _if(bears: float, value: float) -> float:
     return value if bears > 0.0 else 0.0
+
+
+@shared
+def mark_regrouped(w: Array, b: Array) -> None:
+    """Mark the lanes where a ball leaves the inner groove, or comes back to it (see `edges`)."""
+    for i in range(N):
+        a1, a2 = groove_exact(w, b, i)
+        off, x1, x2 = b[_OFF + i] > 0.0, b[_X1 + i], b[_X2 + i]
+        changes = 1.0 if changes_groove(off, a1, a2, x1, x2, w[_L_I + i]) else 0.0
+        w[_REGROUPED + i] = max(w[_REGROUPED + i], changes)
+
+
+@shared
+def start_cage(w: Array) -> None:
+    """What the nominal speed pulls at the cage, before any ball does (see `single.empty_ring`)."""
+    for i in range(N):
+        pull = w[_CAGE_WEIGHT + i]
+        w[_LAG + i] = pull * (w[_NOMINAL + i] - w[_CAGE + i])
+        w[_LAG_NOW + i] = w[_LAG + i]
+        w[_LAG_BY_CAGE + i] = -pull
+        w[_PULL + i] = pull
 
 
 @shared
@@ -292,6 +337,82 @@ def judge_ball(w: Array, b: Array) -> None:
         _add_to_ring_exact(w, i, c, s, force, stiffness)
 
 
+@shared
+def weigh_ring(w: Array) -> None:
+    """Measure ring and cage as `accept.weigh` does, to the last bit: UNBALANCED.
+
+    The cage is taken out of the ring's reaction and matrix.
+    """
+    for i in range(N):
+        w[_UNBALANCED + i] = 0.0
+        w[_LOADED + i] = w[_HEAVIEST + i]
+    for row in range(_FIVE):
+        force, by_cage = _FX + row * N, _BY_CAGE[0] + row * N
+        for i in range(N):
+            free, applied = w[_FREE + row * N + i], w[_APPLIED + row * N + i]
+            worse = max_with_nan(w[_UNBALANCED + i], abs(applied - w[_NX + row * N + i]))
+            more = max(w[_LOADED + i], abs(applied))
+            w[_UNBALANCED + i] = worse if free > 0.0 else w[_UNBALANCED + i]
+            w[_LOADED + i] = more if free > 0.0 else w[_LOADED + i]
+            part = w[by_cage + i] / w[_LAG_BY_CAGE + i]
+            w[by_cage + i] = 0.0 if w[_LAG_BY_CAGE + i] == 0.0 else part
+            w[force + i] -= w[by_cage + i] * w[_LAG + i]
+        for column in range(_FIVE):
+            entry = _MATRIX[0] + (row * _FIVE + column) * N
+            lag = _LAG_BY_RING[0] + column * N
+            for i in range(N):
+                w[entry + i] -= w[by_cage + i] * w[lag + i]
+    for i in range(N):
+        behind = cage_part(w[_LAG_NOW + i], w[_PULL + i], w[_OMEGA_I + i], w[_OMEGA_O + i])
+        scale = w[_LOADED + i]
+        part = w[_UNBALANCED + i] / (scale if scale > 0.0 else 1.0)
+        w[_UNBALANCED + i] = max_with_nan(part, behind)
+
+
+@shared
+def weigh_ball(w: Array, b: Array) -> None:
+    """Mark the lanes where this ball's residual might be worse than UNBALANCED."""
+    for i in range(N):
+        error, scale = b[_ERROR + i], b[_SCALE + i]
+        doubtful = 0.0 if error / own_scale(scale, w[_HEAVIEST + i]) <= w[_UNBALANCED + i] else 1.0
+        rounds = is_rounding(w[_L_O + i], w[_K_S + i], error, scale)
+        w[_DOUBTFUL + i] = max(w[_DOUBTFUL + i], 0.0 if rounds else doubtful)
+
+
+@inline_fast
+def _pressed(w: Array, i: int, x1: float, x2: float) -> Three:
+    """A ball's place where it presses on the outer race, as one in motion does; its distance."""
+    reach = sqrt(x1 * x1 + x2 * x2)
+    least = w[_L_O + i] + LEAST_PRESSED * w[_OUTER_SHARE + i] * w[_INERTIA_APPROACH + i]
+    stretch = least / reach if reach < least else 1.0
+    return stretch * x1, stretch * x2, reach
+
+
+@inline_fast
+def _inside(w: Array, i: int, a1: float, a2: float, x1: float, x2: float, reach: float) -> Two:
+    """How far a ball is inside its place, and how far off the race; below zero outside.
+
+    Its place is between the axis plane and the line of groove centres, at the outer race.
+    """
+    l_o = w[_L_O + i]
+    side = 1.0 if a1 > 0.0 else -1.0
+    between = min(side * x1, side * (a1 * x2 - a2 * x1) / l_o) + 0.1 * l_o
+    return between, min(1.5 * l_o - reach, reach - 0.8 * l_o)
+
+
+@vector_loop
+def settle_ball(w: Array, b: Array) -> None:
+    """Move a ball by its own step, ring and cage at rest; not where it would go astray."""
+    for i in range(N):
+        a1, a2 = _groove_fast(w, b, i)
+        _, step, _, _, _, _, _, _ = _linearised(w, b, i, a1, a2)
+        x1, x2, reach = _pressed(w, i, b[_X1 + i] + step[0], b[_X2 + i] + step[1])
+        between, near = _inside(w, i, a1, a2, x1, x2, reach)
+        stays = min(between, near) > 0.0
+        b[_X1 + i] = x1 if stays else b[_X1 + i]
+        b[_X2 + i] = x2 if stays else b[_X2 + i]
+
+
 @vector_loop
 def follow_ring(w: Array, b: Array) -> None:
     """Move a ball by its own step and with the ring's."""
@@ -303,23 +424,15 @@ def follow_ring(w: Array, b: Array) -> None:
         dw = w[_DCAGE + i]
         dx1 = b[_Q1 + i] + b[_W11 + i] * da1 + b[_W12 + i] * da2 + b[_Z1 + i] * dw
         dx2 = b[_Q2 + i] + b[_W21 + i] * da1 + b[_W22 + i] * da2 + b[_Z2 + i] * dw
-        x1 = b[_X1 + i] + dx1
-        x2 = b[_X2 + i] + dx2
-        # a ball in motion presses on the outer race
-        l_o = w[_L_O + i]
-        reach = sqrt(x1 * x1 + x2 * x2)
-        least = l_o + LEAST_PRESSED * w[_OUTER_SHARE + i] * w[_INERTIA_APPROACH + i]
-        stretch = least / reach if reach < least else 1.0
+        x1, x2, reach = _pressed(w, i, b[_X1 + i] + dx1, b[_X2 + i] + dx2)
         # where it was, for what comes after an astray ball
         b[_Q1 + i], b[_Q2 + i] = b[_X1 + i], b[_X2 + i]
-        b[_X1 + i], b[_X2 + i] = stretch * x1, stretch * x2
-        # a place between the axis plane and the line of groove centres, at the outer race
+        b[_X1 + i], b[_X2 + i] = x1, x2
         a1, a2 = _groove_fast(w, b, i)
-        side = 1.0 if a1 > 0.0 else -1.0
-        inside = min(side * x1, side * (a1 * x2 - a2 * x1) / l_o) + 0.1 * l_o
+        between, near = _inside(w, i, a1, a2, x1, x2, reach)
         # late, only how far it is off the race
         late = w[_CAUTION + i] * w[_STEPS + i] > PATIENCE
-        inside = min(l_o if late else inside, min(1.5 * l_o - reach, reach - 0.8 * l_o))
+        inside = min(w[_L_O + i] if late else between, near)
         w[_ASTRAY + i] = 0.0 if inside > 0.0 else (2.0 if late else 1.0)
 
 

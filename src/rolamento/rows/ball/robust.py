@@ -27,7 +27,6 @@ from rolamento.rows.ball.single import (
     direction,
     empty_ring,
     groove,
-    linearised,
     static_ball,
 )
 from rolamento.rows.ball.types import Array
@@ -39,6 +38,13 @@ PRECISION: Final = 1e-11
 CAGE_STEPS: Final = 40
 LEAST_DAMPING: Final = 1e-10
 MOST_DAMPING: Final = 1e4
+NEAR_CAGE: Final = 1e-4
+"""Residual of the cage that is left to its step along with the ring's."""
+BALANCED_CAGE: Final = 1e-6
+"""And at the end: the step squares it."""
+FOLLOWS, FOLLOWS_TIMIDLY = 0.2, 0.02
+"""Of the ring's longest step: a ball that would go farther is settled from where it was. Where the
+rings turn against each other there are several equilibria, and it might end up in another."""
 
 
 @shared
@@ -65,17 +71,17 @@ def _settle_balls(
         c, s = direction(p, case, cosines[j], sines[j])
         a1, a2 = groove(p, case, u, c, s)
         if moving:
-            found, x[j, 0], x[j, 1] = settle(
+            found, x[j, 0], x[j, 1], ball = settle(
                 p, case, cage, control[j], a1, a2, x[j, 0], x[j, 1], ring.work
             )
-            ring.work[0] -= 1.0
             if not found or ring.work[0] < 0.0:
                 return False, greatest
-            _, _, force, stiffness, scale, touch, drive, before = linearised(
-                p, case, cage, control[j], a1, a2, x[j, 0], x[j, 1]
-            )
+            _, follow, force, stiffness, scale, touch, drive, before = ball
             if not scale > 0.0:
+                ring.follow[j] = 0.0
                 continue  # a ball that nothing touches
+            for k in range(6):
+                ring.follow[j, k] = follow[2 + k]
             add_to_cage(ring, c, s, before[4], drive)
         else:
             ring.work[0] -= 0.5
@@ -100,38 +106,38 @@ def evaluate(
     cage: float,
     x: Array,
     ring: Ring,
-) -> tuple[bool, float, float]:
+) -> tuple[bool, float, float, float]:
     """Bring balls and cage into balance at the ring's place u; sum up what they ask of the ring.
 
-    Returns (whether they are, the greatest load of a ball, the cage's speed). The ring's force and
-    stiffness are those with balls and cage following.
+    Returns (whether they are, the greatest load of a ball, the cage's speed, its residual before
+    the last step). The ring's force and stiffness are those with balls and cage following.
     """
-    if not moving:
-        settled, greatest = _settle_balls(
-            p, case, moving, control, cosines, sines, u, cage, x, ring
-        )
-        return settled, greatest, cage
     slowest = min(p[layout.INNER_SPEED, case], p[layout.OUTER_SPEED, case])
     fastest = max(p[layout.INNER_SPEED, case], p[layout.OUTER_SPEED, case])
-    for _ in range(CAGE_STEPS):
+    greatest, behind = 0.0, np.inf
+    for _ in range(CAGE_STEPS if moving else 1):
         settled, greatest = _settle_balls(
             p, case, moving, control, cosines, sines, u, cage, x, ring
         )
-        if not settled:
-            return False, greatest, cage
-        if (
-            cage_residual(p, case, ring.lag[0], ring.pull[0]) <= PRECISION
-            or ring.lag_by_cage[0] == 0.0
-        ):
-            condense_cage(ring)
-            return True, greatest, cage
+        if not (settled and moving) or ring.lag_by_cage[0] == 0.0:
+            return settled, greatest, cage, 0.0
+        behind = cage_residual(p, case, ring.lag[0], ring.pull[0])
         if ring.lag[0] > 0.0:
             slowest = cage
         else:
             fastest = cage
         speed = cage - ring.lag[0] / ring.lag_by_cage[0]
-        cage = speed if slowest < speed < fastest else 0.5 * (slowest + fastest)
-    return False, greatest, cage
+        near = behind <= NEAR_CAGE
+        if not (slowest < speed < fastest or near):
+            speed = 0.5 * (slowest + fastest)
+        for j in range(cosines.size):
+            x[j, 0] += ring.follow[j, 4] * (speed - cage)
+            x[j, 1] += ring.follow[j, 5] * (speed - cage)
+        cage = speed
+        if near:
+            condense_cage(ring)
+            return True, greatest, cage, behind
+    return False, greatest, cage, behind
 
 
 @shared
@@ -215,7 +221,7 @@ def _line_search(
     slope: float,
     ring: Ring,
     unbalanced: Array,
-) -> tuple[bool, float, float]:
+) -> tuple[bool, float, float, float]:
     """Move the ring along the step until it does not overshoot by much, balls and cage with it.
 
     slope: the unbalanced load along the step, at its start. A ring that has lost all its balls
@@ -225,15 +231,31 @@ def _line_search(
     part = min(1.0, reach / sqrt(_dot(step, step)))
     touched = ring.load[0] > 0.0
     near, ahead_near = 0.0, slope
-    from_u, from_x, from_cage = u.copy(), x.copy(), cage
-    settled, greatest = False, 0.0
+    from_u, from_x, from_cage, follow = u.copy(), x.copy(), cage, ring.follow.copy()
+    slowest = min(p[layout.INNER_SPEED, case], p[layout.OUTER_SPEED, case])
+    fastest = max(p[layout.INNER_SPEED, case], p[layout.OUTER_SPEED, case])
+    against = p[layout.INNER_SPEED, case] * p[layout.OUTER_SPEED, case] < 0.0
+    farthest = reach * (FOLLOWS_TIMIDLY if against else FOLLOWS)
+    drift = 0.0  # of the cage, along with the ring
+    if moving and ring.lag_by_cage[0] != 0.0:
+        drift = -_dot(ring.lag_by_ring, step) / ring.lag_by_cage[0]
+    settled, greatest, behind = False, 0.0, 0.0
     for _ in range(SHORTENINGS):
         for i in range(u.size):
             u[i] = from_u[i] + part * step[i]
+        change = part * drift
+        change = change if slowest < from_cage + change < fastest else 0.0
         for j in range(x.shape[0]):
-            x[j, 0], x[j, 1] = from_x[j, 0], from_x[j, 1]
-        settled, greatest, cage = evaluate(
-            p, case, moving, control, cosines, sines, u, from_cage, x, ring
+            c, s = direction(p, case, cosines[j], sines[j])
+            da1 = part * (step[0] + c * step[3] - s * step[4])
+            da2 = part * (c * step[2] + s * step[1])
+            dx1 = follow[j, 0] * da1 + follow[j, 1] * da2 + follow[j, 4] * change
+            dx2 = follow[j, 2] * da1 + follow[j, 3] * da2 + follow[j, 5] * change
+            follows = moving and sqrt(dx1 * dx1 + dx2 * dx2) < farthest
+            x[j, 0] = from_x[j, 0] + (dx1 if follows else 0.0)
+            x[j, 1] = from_x[j, 1] + (dx2 if follows else 0.0)
+        settled, greatest, cage, behind = evaluate(
+            p, case, moving, control, cosines, sines, u, from_cage + change, x, ring
         )
         if ring.work[0] < 0.0:
             break
@@ -249,7 +271,7 @@ def _line_search(
             break
         share = 0.5 if lost else min(max(ahead_near / (ahead_near - ahead), 0.1), 0.6)
         part = near + share * (part - near)
-    return settled, greatest, cage
+    return settled, greatest, cage, behind
 
 
 @shared
@@ -273,13 +295,21 @@ def solve_robust(
     """
     unbalanced, step = np.zeros(5), np.zeros(5)
     damping = 0.0
-    settled, greatest, cage = evaluate(p, case, moving, control, cosines, sines, u, start, x, ring)
+    settled, greatest, cage, behind = evaluate(
+        p, case, moving, control, cosines, sines, u, start, x, ring
+    )
     for iteration in range(1, RING_STEPS + 1):
         error, scale = _unbalance(p, case, ring.reaction, greatest, unbalanced)
-        if settled and error <= PRECISION * scale:
+        balanced = settled and error <= PRECISION * scale
+        if balanced and behind <= BALANCED_CAGE:
             return True, iteration, -1, cage
         if not error < np.inf or damping > MOST_DAMPING or ring.work[0] < 0.0:
             break
+        if balanced:  # but for the cage
+            settled, greatest, cage, behind = evaluate(
+                p, case, moving, control, cosines, sines, u, cage, x, ring
+            )
+            continue
         for i in range(layout.DEGREES_OF_FREEDOM):
             if abs(u[i]) > p[layout.BALL_DIAMETER, case]:
                 return False, iteration, i, cage
@@ -288,7 +318,7 @@ def solve_robust(
         if not (solvable and slope > 0.0):
             damping = max(100.0 * damping, LEAST_DAMPING)
             continue
-        settled, greatest, cage = _line_search(
+        settled, greatest, cage, behind = _line_search(
             p, case, moving, control, cosines, sines, u, cage, x, step, slope, ring, unbalanced
         )
         if not settled:

@@ -22,8 +22,8 @@ _log = logging.getLogger("rolamento")
 CHUNK: Final = 2048
 FEW: Final = 1
 """Cases that are solved without the compiler, if it has not been loaded yet."""
-MOST_WORK: Final = 2.5e5
-"""Evaluations of a ball that a case may cost beside the fast path: some 50 ms."""
+MOST_WORK: Final = 1.5e5
+"""Evaluations of a ball that a case may cost beside the fast path: some 30 ms."""
 PLAIN_WORK: Final = 1e4
 """The same without the compiler: a second or so, then it is worth loading."""
 _hard_cases: Final = Event()

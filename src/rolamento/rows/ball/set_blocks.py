@@ -376,7 +376,7 @@ def solve_sets(
     _settle_static(work, rows, asked, chosen, moving, found)
     if moving:
         _settle_moving(work, rows, asked, chosen, found)
-    ring = ring_around(np.zeros(5), np.zeros((5, 5)), np.zeros(1))
+    ring = ring_around(rows.cosines.size)
     room, errors = np.zeros((rows.p.shape[1], 1)), np.zeros((rows.cosines.size, 2))
     for k in range(chosen.size):
         case = chosen[k]

@@ -16,9 +16,10 @@ from rolamento.numerics.compiled import inline_exact, shared
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.ball import stored_polynomial
 from rolamento.rows.ball.single import OFF_GROOVE, balance_along, linearised, rounding
-from rolamento.rows.ball.types import Array, Found, Two
+from rolamento.rows.ball.types import Array, Found, Settled, Two
 
-PRECISION: Final = 1e-12
+NEAR: Final = 1e-7
+"""Residual of a ball over its loads that one more step settles."""
 PLACE_SLACK: Final = 1e-6
 """rad: a ball that hardly anything holds does not stand more exactly than this."""
 NEWTON_STEPS: Final = 20
@@ -49,12 +50,6 @@ def free_ball(p: Array, case: int, cage: float, control: float, a1: float, a2: f
     return abs(control) >= OFF_GROOVE or gap <= p[layout.INNER_LENGTH, case], 0.0, x2
 
 
-@inline_exact
-def _allowed(p: Array, case: int, scale: float) -> float:
-    """The residual that counts as none: of the ball's loads, or what rounding leaves of it."""
-    return PRECISION * scale + rounding(p, case, scale)
-
-
 @shared
 def _newton(
     p: Array,
@@ -66,32 +61,32 @@ def _newton(
     x1: float,
     x2: float,
     work: Array,
-) -> Found:
-    """Newton's method with shortened steps: (whether it settled in place, X1, X2)."""
+) -> Settled:
+    """Newton's method with shortened steps; returns what `settle` does."""
     longest = 0.2 * p[layout.OUTER_LENGTH, case]
-    residual, follow, _, _, scale, _, _, _ = linearised(p, case, cage, control, a1, a2, x1, x2)
-    error = sqrt(residual[0] ** 2 + residual[1] ** 2)
+    ball = linearised(p, case, cage, control, a1, a2, x1, x2)
+    work[0] -= 1.0
+    error = sqrt(ball[0][0] ** 2 + ball[0][1] ** 2)
     for _ in range(NEWTON_STEPS):
-        if error <= _allowed(p, case, scale):
-            return in_place(p, case, a1, x1, x2), x1, x2
-        length = sqrt(follow[0] ** 2 + follow[1] ** 2)
+        step1, step2, scale = ball[1][0], ball[1][1], ball[4]
+        if error <= NEAR * scale + rounding(p, case, scale):
+            y1, y2 = x1 + step1, x2 + step2
+            return in_place(p, case, a1, y1, y2), y1, y2, ball
+        length = sqrt(step1 * step1 + step2 * step2)
         part = min(1.0, longest / length) if length > 0.0 else 1.0
         for _ in range(4):
-            y1 = x1 + part * follow[0]
-            y2 = x2 + part * follow[1]
-            residual, ahead, _, _, scale, _, _, _ = linearised(
-                p, case, cage, control, a1, a2, y1, y2
-            )
+            y1 = x1 + part * step1
+            y2 = x2 + part * step2
+            ahead = linearised(p, case, cage, control, a1, a2, y1, y2)
             work[0] -= 1.0
-            trial = sqrt(residual[0] ** 2 + residual[1] ** 2)
+            trial = sqrt(ahead[0][0] ** 2 + ahead[0][1] ** 2)
             if trial < error:
                 break
             part *= 0.3
         if not trial < error:
-            near = error <= 100.0 * _allowed(p, case, scale)
-            return near and in_place(p, case, a1, x1, x2), x1, x2
-        x1, x2, follow, error = y1, y2, ahead, trial
-    return False, x1, x2
+            return False, x1, x2, ball
+        x1, x2, ball, error = y1, y2, ahead, trial
+    return False, x1, x2, ball
 
 
 @inline_exact
@@ -173,7 +168,7 @@ def _bracketed(
         else:
             high = middle
         x1, x2 = reach * sin(middle), reach * cos(middle)
-        found, y1, y2 = _newton(p, case, cage, control, a1, a2, x1, x2, work)
+        found, y1, y2, _ = _newton(p, case, cage, control, a1, a2, x1, x2, work)
         if found:
             return True, y1, y2
         if high - low <= 1e-15 or work[0] < 0.0:
@@ -192,17 +187,18 @@ def settle(
     x1: float,
     x2: float,
     work: Array,
-) -> Found:
-    """Find a moving ball's place from a first guess: (whether found, X1, X2).
+) -> Settled:
+    """Find a moving ball's place from a first guess: whether found, X1, X2, the ball there.
 
-    work (1,): evaluations of a ball that may still be spent, counted down.
+    The ball is as it was before the last step, which leaves next to nothing of its residual. work
+    (1,): evaluations of a ball that may still be spent, counted down.
     """
-    found, y1, y2 = _newton(p, case, cage, control, a1, a2, x1, x2, work)
+    found, y1, y2, ball = _newton(p, case, cage, control, a1, a2, x1, x2, work)
     if found:
-        return True, y1, y2
-    free, y1, y2 = free_ball(p, case, cage, control, a1, a2)
-    if free:
-        return True, y1, y2
-    side = 1.0 if a1 >= 0.0 else -1.0
-    found, y1, y2 = _bracketed(p, case, cage, control, side * a1, a2, work)
-    return found, side * y1, y2
+        return True, y1, y2, ball
+    found, y1, y2 = free_ball(p, case, cage, control, a1, a2)
+    if not found:
+        side = 1.0 if a1 >= 0.0 else -1.0
+        found, y1, y2 = _bracketed(p, case, cage, control, side * a1, a2, work)
+        y1 *= side
+    return found, y1, y2, linearised(p, case, cage, control, a1, a2, y1, y2)

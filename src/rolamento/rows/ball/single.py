@@ -48,6 +48,7 @@ class Ring(NamedTuple):
     cage's speed. lag (1,): how far the
     cage is behind its drive, the sum of h Q_i (ω_own - ω); lag_by_ring (5,), lag_by_cage (1,): its
     derivatives; pull (1,): the sum of h Q_i. load (1,): the sum of Q_i.
+    follow (balls, 6): W by rows and z, with which a ball follows its groove and the cage.
     work (1,): evaluations of a ball that may still be spent.
     """
 
@@ -60,15 +61,16 @@ class Ring(NamedTuple):
     pull: Array
     load: Array
     now: Array
+    follow: Array
     work: Array
 
 
 @shared
-def ring_around(reaction: Array, matrix: Array, work: Array) -> Ring:
-    """Make room for the sums, the force and the matrix given."""
+def ring_around(balls: int) -> Ring:
+    """Make room for the sums over so many balls."""
     return Ring(
-        reaction, matrix, np.zeros(5), np.zeros(1), np.zeros(5), np.zeros(1), np.zeros(1),
-        np.zeros(1), np.zeros(5), work,
+        np.zeros(5), np.zeros((5, 5)), np.zeros(5), np.zeros(1), np.zeros(5), np.zeros(1),
+        np.zeros(1), np.zeros(1), np.zeros(5), np.zeros((balls, 6)), np.zeros(1),
     )  # fmt: skip
 
 
@@ -261,12 +263,17 @@ def condense_cage(ring: Ring) -> None:
             ring.matrix[i, j] -= part * ring.lag_by_ring[j]
 
 
-@shared
-def cage_residual(p: Array, case: int, lag: float, pull: float) -> float:
+@inline_exact
+def cage_part(lag: float, pull: float, inner_speed: float, outer_speed: float) -> float:
     """How far the cage is from the mean of its drives, as a part of a ball's F_c, about."""
-    speed = 0.1 * (abs(p[layout.INNER_SPEED, case]) + abs(p[layout.OUTER_SPEED, case]))
-    scale = pull * speed
+    scale = pull * (0.1 * (abs(inner_speed) + abs(outer_speed)))
     return abs(lag) / scale if scale > 0.0 else 0.0
+
+
+@inline_exact
+def cage_residual(p: Array, case: int, lag: float, pull: float) -> float:
+    """`cage_part` for a case."""
+    return cage_part(lag, pull, p[layout.INNER_SPEED, case], p[layout.OUTER_SPEED, case])
 
 
 @inline_exact
@@ -293,9 +300,10 @@ def rounding(p: Array, case: int, load: float) -> float:
 
 
 @inline_exact
-def is_rounding(p: Array, case: int, error: float, load: float) -> bool:
-    """Whether `rounding` is all of a ball's residual, N, found without a root."""
-    length: float = p[layout.OUTER_LENGTH, case]
-    stiffness = p[layout.SERIES_STIFFNESS, case]
+def is_rounding(length: float, stiffness: float, error: float, load: float) -> bool:
+    """Whether `rounding` is all of a ball's residual, N, found without a root.
+
+    length: L_o; stiffness: of both contacts in series.
+    """
     unit = 6.0 * EPSILON * length
-    return bool(error * error * error <= unit * unit * unit * stiffness * stiffness * load)
+    return error * error * error <= unit * unit * unit * stiffness * stiffness * load

@@ -37,5 +37,7 @@ Linearised: TypeAlias = tuple[Two, Eight, Three, Six, float, Five, Seven, Five]
 
 See `ball.linearised`.
 """
+Settled: TypeAlias = tuple[bool, float, float, Linearised]
+"""Whether a ball's place was found, X1, X2, and the ball there."""
 StaticBall: TypeAlias = tuple[float, float, Three, Six, float, Five]
 """X1, X2, force, stiffness, scale and touch of a ball without inertia."""
