@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import sys
 from collections.abc import Iterator, Mapping
 from functools import cache
@@ -33,6 +34,9 @@ COMMANDS: Final[Groups] = {
 
 _MODULES: Final = {"app": "browser", "demo": "solve", "examples": "new"}
 """Of commands that have none of their own name."""
+
+_LITTLE_GARBAGE: Final = 100_000
+"""Objects made between two looks for garbage: nearly all that a start makes stay."""
 
 
 class _Commands(Mapping[str, Any]):
@@ -89,6 +93,7 @@ app = typer.Typer(
 
 def main() -> None:
     """Run the command line."""
+    gc.set_threshold(_LITTLE_GARBAGE)
     try:
         app(prog_name="rolamento")
     except OSError as error:
