@@ -125,6 +125,7 @@ def _numba() -> Any:
     import llvmlite.binding
     import numba
 
+    _without_linear_algebra()
     llvmlite.binding.set_option("rolamento", "--memory-check-merge-threshold=1000")
     from numba.core import types
     from numba.extending import typeof_impl
@@ -190,17 +191,14 @@ def _checked_cache() -> Any:
             runtime.rtsys.initialize(target_context)
             try:
                 with self._guard_against_spurious_io_errors():
-                    found = self._load_overload(sig, target_context)
+                    return self._load_overload(sig, target_context)
             except Exception:  # whatever the bytes led to
                 _log.warning(
                     "the compiled solver that is kept in %s is damaged: compiling it anew",
                     self.cache_path,
                 )
                 self._discard()
-                found = None
-            if found is None:
-                _without_linear_algebra()
-            return found
+                return None
 
         def save_overload(self, sig: Any, data: Any) -> None:
             try:
