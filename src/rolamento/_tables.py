@@ -88,6 +88,8 @@ class Numerals:
         text = cell
         if len(text) > _LONGEST_NUMBER:
             return None
+        if not self.commas and _PLAIN.fullmatch(text):
+            return text
         if grouped := _GROUPED.match(text):
             text = "".join(grouped[0].split()) + text[grouped.end() :]
         if self.commas and self.mark == "comma":
@@ -246,7 +248,7 @@ class Table:
         """
         given = self.said.get(_MARK) if mark is None else mark
         chosen = None if given is None else checked_mark(given, self.source)
-        leads = [_lead(row[column]) for row in self.rows for column in columns]
+        leads = (_lead(row[column]) for row in self.rows for column in columns)
         apart = self.separator != ","
         asked = apart or chosen is not None or self._has_decimal_commas()
         found = numerals_of(leads, commas=asked, mark=chosen, ask_of_commas=self.separator == "\t")
@@ -272,13 +274,14 @@ class Table:
 
         alone: and none has a decimal point.
         """
-        leads = [_lead(cell) for row in self.rows for cell in row if "," in cell or "." in cell]
+        cells = [cell for row in self.rows for cell in row]
         if alone and any(
-            "." in lead and _PLAIN.fullmatch(lead) and not _IN_THOUSANDS.fullmatch(lead)
-            for lead in leads
+            _PLAIN.fullmatch(lead) and not _IN_THOUSANDS.fullmatch(lead)
+            for lead in (_lead(cell) for cell in cells if "." in cell)
+            if "." in lead
         ):
             return False
-        return any(_DECIMAL_COMMA.fullmatch(lead) for lead in leads)
+        return any(_DECIMAL_COMMA.fullmatch(_lead(cell)) for cell in cells if "," in cell)
 
     def plain(self, mark: object = None) -> Table:
         """Return the table with decimal points, and no marks in thousands, in all its numbers.

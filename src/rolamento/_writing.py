@@ -8,7 +8,6 @@ Devices and pipes have no place to take, and are written to as they are.
 from __future__ import annotations
 
 import os
-import secrets
 import shutil
 import stat
 from collections.abc import Iterator
@@ -55,6 +54,8 @@ def written_whole(
         if not _takes_a_place(target, new):
             yield target
             return
+        import secrets  # which takes longer to load than most files to write
+
         unfinished = target.with_name(f".rolamento-{secrets.token_hex(8)}.unfinished")
         with open(unfinished, "xb"):
             pass

@@ -11,7 +11,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.assembly import solve_cases, spread
-from rolamento.assembly.preload import preload_of
 from rolamento.case import Case, load_case
 from rolamento.case.varied import DutyFields, bounded, varied_arrays
 from rolamento.errors import InputError
@@ -152,6 +151,8 @@ def _solve_one(case: Case, loss: bool) -> Solved:
         case = operating_case(case, found)
     solved = _solve_many(case, {}, threads=1)
     if case.bearing.preload is not None and solved.converged[0]:
+        from rolamento.assembly.preload import preload_of
+
         solved = replace(solved, preload=preload_of(case, loss=loss))
     if given.mounting is not None:
         solved = replace(solved, before_mounting=_delivered(solved, given, {}))
@@ -160,6 +161,7 @@ def _solve_one(case: Case, loss: bool) -> Solved:
 
 def _solve_mounted_set(case: Case, loss: bool) -> Solved:
     from rolamento.assembly.mounted import LIMITS, notes_on_set, preload_stages, running_set
+    from rolamento.assembly.preload import preload_of
 
     mounting = case.mounting
     assert mounting is not None

@@ -741,6 +741,26 @@ def test_version_waits_for_nothing() -> None:
     assert done.stdout == f"rolamento {rolamento.__version__}\n\n"
 
 
+def modules_of(*arguments: str) -> set[str]:
+    """What a command has imported at its end."""
+    code = (
+        "import sys; from rolamento.cli.app import app\n"
+        f"try: app({list(arguments)!r})\n"
+        "except SystemExit: print(*sys.modules, file=sys.stderr)\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    return set(done.stderr.split())
+
+
+def test_a_command_waits_only_for_what_it_needs() -> None:
+    loaded = modules_of("solve", str(EXAMPLE))
+    assert "rolamento.rows.ball.row" in loaded
+    assert not loaded & {"numba", "scipy", "matplotlib", "xarray", "fastapi"}
+    others = {"catalogue", "clearance", "friction", "life", "vibration", "cli.weibull"}
+    others |= {"assembly.ring", "rows.grooves", "rows.roller.row"}
+    assert not loaded & {f"rolamento.{name}" for name in others}
+
+
 # --- what the front pages show ----------------------------------------------
 
 

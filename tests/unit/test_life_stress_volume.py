@@ -58,8 +58,10 @@ def test_field_has_the_orthogonal_shear_at_its_depth() -> None:
 
 
 def test_field_is_the_greatest_along_x() -> None:
-    x = np.linspace(0.0, 8.0, 40_001)
-    for eta, zeta, k in ((0.0, 0.05, 8.0), (0.9, 0.3, 8.0), (1.2, 0.5, 2.0), (0.3, 4.0, 1.0)):
+    x = np.linspace(0.0, 32.0, 320_001)
+    points = ((0.0, 0.05, 8.0), (0.9, 0.3, 8.0), (1.2, 0.5, 2.0), (0.3, 4.0, 1.0))
+    far = ((1.45, 1.8, 17.0), (1.0, 0.01, 5.0), (1.5, 0.2, 60.0))
+    for eta, zeta, k in (*points, *far):
         scan = np.abs(point_stresses(x, eta * k, zeta, 1.0, k, 1.0).shear).max()
         assert passing_shear(eta, zeta, k) == pytest.approx(float(scan), rel=1e-5)
 

@@ -25,14 +25,11 @@ from rolamento.case.roller_bearing import (
     roller_clearance_fits,
 )
 from rolamento.case.rolling_bearing import RollingBearing, elements_fit
-from rolamento.case.varied import bounded, varied_arrays
-from rolamento.clearance.batch import MOUNTED_FIELDS
+from rolamento.case.varied import bounded, is_of_mounting, varied_arrays
 from rolamento.errors import InputError
 from rolamento.geometry import apex_half_angle, sphere_conformity
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.rows.ball.row import BallRow, Traction, ball_row
-from rolamento.rows.grooves import GrooveRow, four_point_row, thrust_row
-from rolamento.rows.roller.row import roller_row
 from rolamento.rows.row import Row
 from rolamento.rows.sphere import SphereRow
 from rolamento.words import said
@@ -41,16 +38,6 @@ __all__ = ["Cases", "PlacedRow", "RowState", "spread"]
 
 _PRELOADS: Final = ("force", "offset", "spring")
 _ROUNDING: Final = 1e-12
-
-ROWS: Final[Mapping[str, Any]] = {
-    "ball": ball_row,
-    "cylindrical": roller_row,
-    "tapered": roller_row,
-    "needle": roller_row,
-}
-"""How a row is made, by its kind of element."""
-OTHER_GROOVES: Final = {"four_point": four_point_row, "thrust": thrust_row}
-"""How a row on other grooves is made, by the bearing's kind."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -172,8 +159,8 @@ def spread(
             example="rolamento.solve(case)",
         )
     given = varied_arrays(values)
-    for name in MOUNTED_FIELDS:
-        if name in given:
+    for name in given:
+        if is_of_mounting(name):
             raise InputError(
                 said("takes effect through [mounting], which this case lacks"),
                 field=name,
@@ -200,9 +187,7 @@ def spread(
             continue
         position = _position(case.bearing, place, arrays, cases)
         if case.bearing.kind is not None:
-            grooved = OTHER_GROOVES[case.bearing.kind](
-                case, place, common, arrays, cases, threads=threads
-            )
+            grooved = _on_other_grooves(case, place, common, arrays, cases, threads)
             placed.append(PlacedRow(grooved, place.sign, position))
             continue
         bearing = _varied(case.bearing, place.bearing, _own_fields(case.bearing, place), arrays)
@@ -212,9 +197,7 @@ def spread(
             bearing = SimpleNamespace(**{**vars(bearing), **own})
             varied = {**arrays, **{f"bearing.{k}": v for k, v in own.items() if v is not None}}
         valid &= _consistent(bearing, place.bearing)
-        row = ROWS[place.bearing.element](
-            case, place, bearing, varied, cases, threads=threads, fast=fast
-        )
+        row = _row_of(case, place, bearing, varied, cases, threads, fast)
         press = _own_press(case, place, row, cases) if states is None else states[index].press
         placed.append(PlacedRow(row, place.sign, position, press))
     for part in placed:
@@ -245,10 +228,46 @@ def _unheld(bearing: RollingBearing, row: Row, free: BoolArray, load: FloatArray
     the axial load be zero.
     """
     unheld = np.zeros(len(free), np.bool_)
-    if bearing.kind == "thrust" and isinstance(row, GrooveRow):
+    if bearing.kind != "thrust":
+        return unheld
+    from rolamento.rows.grooves import GrooveRow
+
+    if isinstance(row, GrooveRow):
         acts = (load[:, 1:] != 0.0).any(axis=1) | row.driven
         unheld = free[:, 0] & ((load[:, 0] < 0.0) | ((load[:, 0] == 0.0) & acts))
     return unheld
+
+
+def _row_of(
+    case: Case,
+    place: RowPlace,
+    bearing: Any,
+    varied: Mapping[str, FloatArray],
+    cases: int,
+    threads: int | None,
+    fast: bool,
+) -> Row:
+    """A row of balls on two grooves, or of rollers; bearing: its own, with arrays."""
+    if place.bearing.element == "ball":
+        return ball_row(case, place, bearing, varied, cases, threads=threads, fast=fast)
+    from rolamento.rows.roller.row import roller_row
+
+    return roller_row(case, place, bearing, varied, cases, threads=threads, fast=fast)
+
+
+def _on_other_grooves(
+    case: Case,
+    place: RowPlace,
+    common: Any,
+    arrays: Mapping[str, FloatArray],
+    cases: int,
+    threads: int | None,
+) -> Row:
+    """A row of balls of a four-point or a thrust bearing."""
+    from rolamento.rows.grooves import four_point_row, thrust_row
+
+    row = four_point_row if case.bearing.kind == "four_point" else thrust_row
+    return row(case, place, common, arrays, cases, threads=threads)
 
 
 def _own_press(case: Case, place: RowPlace, row: Row, cases: int) -> FloatArray | None:

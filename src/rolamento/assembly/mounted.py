@@ -15,6 +15,7 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 
 from rolamento.assembly.cases import Cases, RowState, spread
+from rolamento.assembly.preload import between_rows
 from rolamento.assembly.ring import pressed_in
 from rolamento.assembly.solve import solve_cases
 from rolamento.case import Case
@@ -22,19 +23,18 @@ from rolamento.case.arrangement import Preload
 from rolamento.case.bearing import Bearing, RowPlace
 from rolamento.case.duty import Duty
 from rolamento.case.roller_bearing import RollerBearing
-from rolamento.clearance.batch import MOUNTED_FIELDS
+from rolamento.case.varied import is_of_mounting
 from rolamento.clearance.operating import OperatingClearance, operating_clearance
 from rolamento.clearance.sets import RunningRow, Stage, running_rows, width_of
 from rolamento.clearance.standards import Limit
 from rolamento.errors import InputError
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.solved import PreloadStage, Solved
+from rolamento.solved import PreloadStage
 from rolamento.units import from_si
 from rolamento.words import Note, said
 
 __all__ = [
     "LIMITS",
-    "between_rows",
     "clearances_of_set",
     "mounted_cases",
     "notes_on_set",
@@ -83,16 +83,6 @@ class _Unmounted(NamedTuple):
     springs: bool
 
 
-def between_rows(solved: Solved) -> FloatArray:
-    """Axial force that the rows put on each other: what those that carry toward +x carry; N.
-
-    (cases,), of cases without external load; NaN without a result.
-    """
-    axial = solved.rows.load[:, :, 0]
-    force = np.where(axial > 0.0, axial, 0.0).sum(axis=1)
-    return np.where(solved.converged, force, np.nan)
-
-
 def mounted_cases(
     case: Case, values: Mapping[str, FloatArray], *, threads: int | None = None
 ) -> Cases:
@@ -113,7 +103,7 @@ def mounted_cases(
     """
     arrays = {name: np.asarray(array, np.float64) for name, array in values.items()}
     plain = _plain(case)
-    of_set = {name: array for name, array in arrays.items() if name not in MOUNTED_FIELDS}
+    of_set = {name: array for name, array in arrays.items() if not is_of_mounting(name)}
     cases = max((array.size for array in arrays.values() if array.ndim), default=1)
     of_set.setdefault("duty.inner_speed", np.full(cases, case.duty.inner_speed))
     of_set = {name: np.broadcast_to(array, cases) for name, array in of_set.items()}
@@ -319,7 +309,7 @@ def _unmounted(
 ) -> _Unmounted:
     """The rows before anything is mounted, and how far they are pressed in then."""
     rows = [row.over(cases) for row in running_rows(case, arrays, "unmounted", limit)]
-    given = {name: array for name, array in arrays.items() if name not in MOUNTED_FIELDS}
+    given = {name: array for name, array in arrays.items() if not is_of_mounting(name)}
     elements = [place.bearing.element for place in case.bearing.places]
     angular = [_angular(case, index, arrays) for index in range(len(rows))]
     start = [

@@ -18,15 +18,14 @@ from typing import Any, Final
 import numpy as np
 
 from rolamento.assembly.cases import spread
-from rolamento.assembly.mounted import between_rows, mounted_cases
 from rolamento.assembly.solve import solve_cases
 from rolamento.case import Case
 from rolamento.case.duty import AXES, LOADS, Duty
-from rolamento.clearance.batch import MOUNTED_FIELDS
+from rolamento.case.varied import is_of_mounting
 from rolamento.numerics import BoolArray, FloatArray, IntArray
 from rolamento.solved import Preloading, Solved
 
-__all__ = ["Lost", "first_lift_off", "preload_at", "preload_loss", "preload_of"]
+__all__ = ["Lost", "between_rows", "first_lift_off", "preload_at", "preload_loss", "preload_of"]
 
 PRECISION: Final = 1e-6
 """Relative width of the two multiples of the load between which contact is lost."""
@@ -198,15 +197,27 @@ class _Given:
 def _given_by(solved: Solved) -> _Given:
     values = dict(solved.varied)
     if solved.case.mounting is None:
-        values = {name: array for name, array in values.items() if name not in MOUNTED_FIELDS}
+        values = {name: array for name, array in values.items() if not is_of_mounting(name)}
     return _Given(solved.case, values, len(solved))
 
 
 def _solved(case: Case, values: Mapping[str, FloatArray]) -> Solved:
     """Solve cases; those of a mounted set with the geometry that each of them runs with."""
     if case.mounting is not None:
+        from rolamento.assembly.mounted import mounted_cases
+
         return solve_cases(mounted_cases(case, values, threads=1))
     return solve_cases(spread(case, values, threads=1))
+
+
+def between_rows(solved: Solved) -> FloatArray:
+    """Axial force that the rows put on each other: what those that carry toward +x carry; N.
+
+    (cases,), of cases without external load; NaN without a result.
+    """
+    axial = solved.rows.load[:, :, 0]
+    force = np.where(axial > 0.0, axial, 0.0).sum(axis=1)
+    return np.where(solved.converged, force, np.nan)
 
 
 def _at(given: _Given, *, running: bool) -> FloatArray:

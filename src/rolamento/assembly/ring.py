@@ -27,8 +27,7 @@ from rolamento.assembly.cases import Cases, PlacedRow
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.newton import Balance, balance
 from rolamento.rows.ball import sets
-from rolamento.rows.roller.row import RollerRow
-from rolamento.rows.row import Held, Indices, IntArray, Knowing, Row
+from rolamento.rows.row import Held, Indices, IntArray, Knowing
 from rolamento.rows.sphere import SphereRow, from_outside, from_ring
 from rolamento.status import (
     CONVERGED,
@@ -444,14 +443,14 @@ def pressed_in(cases: Cases) -> tuple[FloatArray, ...]:
     rows that face the same way, and acts at rest; the force of a pair is that of two such rows.
     Rows that float carry none of it.
     """
-    held = [placed for placed in cases.rows if not floats(placed.row)]
+    held = [placed for placed in cases.rows if not placed.row.floats]
     shares = {sign: sum(placed.sign == sign for placed in held) for sign in (1.0, -1.0)}
     press = []
     for placed in cases.rows:
         if placed.press is not None:
             press.append(placed.press)
             continue
-        if floats(placed.row):
+        if placed.row.floats:
             press.append(np.zeros(len(cases)))
             continue
         touch = placed.row.first_contact()
@@ -463,11 +462,6 @@ def pressed_in(cases: Cases) -> tuple[FloatArray, ...]:
         else:
             press.append(touch if cases.preload == "spring" else np.zeros(len(cases)))
     return tuple(press)
-
-
-def floats(row: Row) -> bool:
-    """Whether a row moves along the shaft without resistance: rollers without opposed ribs."""
-    return isinstance(row, RollerRow) and row.floats
 
 
 def condensed(stiffness: FloatArray, sprung: bool) -> FloatArray:

@@ -10,7 +10,6 @@ import numpy as np
 
 from rolamento.assembly.cases import Cases
 from rolamento.assembly.guidance import S, System, solve_by_jones
-from rolamento.assembly.ring import RowsOnRing, condensed, transform
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.rows.ball.row import BallRow, HeldBalls
 from rolamento.rows.row import Held, Indices, IntArray, RowGeometry
@@ -79,6 +78,8 @@ def balance(cases: Cases, film: Film | None = None) -> Balanced:
 
 
 def _on_ring(cases: Cases) -> Balanced:
+    from rolamento.assembly.ring import RowsOnRing, condensed
+
     system = RowsOnRing.of(cases)
     solution, control, shown = _guided(system, cases.case.model.raceway_control)
     status = Status(
@@ -171,6 +172,8 @@ def _carried(cases: Cases, balanced: Balanced, load: FloatArray) -> FloatArray:
     """What the ring carries through each row; (cases, rows, 5), in the bearing's frame."""
     if cases.alone is not None:
         return load[:, np.newaxis]
+    from rolamento.assembly.ring import transform
+
     parts = [
         np.einsum("nij,nfi->nfj", transform(placed, sprung=False)[:, :, :5], held.face_forces)
         for placed, held in zip(cases.rows, balanced.rows, strict=True)

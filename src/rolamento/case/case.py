@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import AbstractContextManager, nullcontext
 from math import isclose
 from typing import TYPE_CHECKING, Annotated, Any, Final, Self
 
@@ -120,9 +121,7 @@ class Case(Record):
         """Fill in sizes that a designation tells, and tell it the ratings that are given."""
         if not isinstance(given, Mapping):
             return handler(given)
-        from rolamento.catalogue import listed
-
-        with listed(_rated_bearing(given)):
+        with _known(_rated_bearing(given)):
             filled = dict(_with_catalogue_sizes(given, in_file=at_the_border(info.context)))
             bearing = filled.get("bearing")
             if isinstance(bearing, RollingBearing) and bearing.from_given_ratings:
@@ -590,8 +589,6 @@ def _rated_bearing(given: Mapping[str, Any]) -> Sequence[CatalogueBearing]:
 
     Nothing of what is wrong: others refuse it.
     """
-    from rolamento.catalogue import with_ratings
-
     bearing, life = given.get("bearing"), given.get("life")
     if isinstance(bearing, RollingBearing) and not bearing.from_given_ratings:
         return ()  # it knows its balls
@@ -599,10 +596,21 @@ def _rated_bearing(given: Mapping[str, Any]) -> Sequence[CatalogueBearing]:
     ratings = [_force(_entry(life, name)) for name in ("dynamic_rating", "static_rating")]
     if designation is None:
         return ()
+    from rolamento.catalogue import with_ratings
+
     try:
         return with_ratings(designation, *ratings)
     except InputError:
         return ()
+
+
+def _known(rated: Sequence[CatalogueBearing]) -> AbstractContextManager[object]:
+    """Look up designations among some bearings too; the catalogue is not read for none."""
+    if not rated:
+        return nullcontext()
+    from rolamento.catalogue import listed
+
+    return listed(rated)
 
 
 def _entry(table: Any, name: str) -> Any:

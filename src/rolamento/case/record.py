@@ -70,7 +70,8 @@ class Record(BaseModel):
         From the constructor, naming the field, the value, the rule and an example.
     """
 
-    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+    # most records are only ever read as parts of a case, whose schema holds theirs
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, defer_build=True)
 
     def __init__(self, /, **fields: Any) -> None:
         try:

@@ -22,6 +22,7 @@ __all__ = [
     "DutyFields",
     "batch_fields",
     "bounded",
+    "is_of_mounting",
     "refuse_rivals",
     "varied_arrays",
 ]
@@ -60,6 +61,11 @@ class DutyFields(TypedDict, total=False):
 def batch_fields() -> tuple[str, ...]:
     """Return the dotted names of the fields that a batch may vary as arrays, in SI units."""
     return tuple(name for name, field in Case.fields().items() if field.varies)
+
+
+def is_of_mounting(field: str) -> bool:
+    """Tell whether a field of a batch takes effect through a mounting alone."""
+    return field.startswith(("temperature.", "mounting.")) and field != "temperature.lubricant"
 
 
 def varied_arrays(values: Any = None, /, **short: Any) -> dict[str, Floats]:

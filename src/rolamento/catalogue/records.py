@@ -11,7 +11,7 @@ import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from itertools import pairwise
-from math import degrees, isfinite, pi, radians
+from math import degrees, pi, radians
 from typing import Any, Final, Literal, cast, get_args
 
 import numpy as np
@@ -27,6 +27,7 @@ Kind = Literal[
     "deep_groove", "angular_contact", "double_row", "four_point", "self_aligning", "thrust",
     "cylindrical", "tapered", "needle", "drawn_cup",
 ]  # fmt: skip
+_KINDS: Final = get_args(Kind)
 ROLLER_KINDS: Final = ("cylindrical", "tapered", "needle", "drawn_cup")
 """Of those, the roller bearings."""
 
@@ -249,22 +250,23 @@ def records_of_csv(text: str, source: str) -> tuple[CatalogueBearing, ...]:
         With the line, if a column is not known, a figure is missing or out of range.
     """
     table = parse_table(text, source, most_rows=MAX_BEARINGS, example=_EXAMPLE, least_rows=0)
-    defaults = {name: table.said[name] for name in _TEXTS[1:] if name in table.said}
+    defaults: dict[str, str] = {name: table.said[name] for name in _TEXTS[1:] if name in table.said}
     try:
         _check_header(table.header)
     except InputError as error:
         raise table.placed(error) from None
-    columns = [place for place, name in enumerate(table.header) if name in _COLUMNS]
-    numerals = table.numerals(columns, argument=False)
+    places = {name: place for place, name in enumerate(table.header)}
+    words: list[tuple[str, int]] = [(name, places[name]) for name in _TEXTS if name in places]
+    columns = [(name, place, *_COLUMNS[name]) for name, place in places.items() if name in _COLUMNS]
+    numerals = table.numerals([place for _, place, _, _ in columns], argument=False)
     found: list[CatalogueBearing] = []
     for number, cells in enumerate(table.rows):
-        given = {name: cells[place] for place, name in enumerate(table.header)}
         try:
-            texts = defaults | {name: given[name] for name in _TEXTS if given.get(name)}
+            texts = defaults | {name: cells[place] for name, place in words if cells[place]}
             figures = {
-                _COLUMNS[name][0]: _number_of_cell(cell, name, numerals) * _COLUMNS[name][1]
-                for name, cell in given.items()
-                if name in _COLUMNS and cell
+                figure: _number_of_cell(cells[place], name, numerals) * factor
+                for name, place, figure, factor in columns
+                if cells[place]
             }
             found.append(_bearing_within_reason(texts, figures, source))
         except InputError as error:
@@ -323,26 +325,28 @@ def _bearing_within_reason(
             raise InputError(said("is missing"), field=name)
     for name, value in figures.items():
         low, high = _LIMITS[name]
-        if not (isfinite(value) and low <= value <= high):
+        if not low <= value <= high:
             raise InputError(
                 said("must be between {low:.6g} and {high:.6g} in SI units", low=low, high=high),
                 field=name,
             )
-    counts = {name: figures[name] for name in _COUNTS if name in figures}
-    for name, count in counts.items():
+    values: dict[str, Any] = {**figures}
+    for name in _COUNTS:
+        if (count := figures.get(name)) is None:
+            continue
         if count != int(count):
             raise InputError(said("must be an integer"), field=name, value=count)
+        values[name] = int(count)
     if figures["outside_diameter"] <= figures["bore"]:
         raise InputError(said("must be greater than the bore"), field="outside_diameter")
     _check_raceways(figures)
     kind = texts.get("kind") or ("angular_contact" if "contact_angle" in figures else "deep_groove")
-    if kind not in get_args(Kind):
+    if kind not in _KINDS:
         raise InputError(
-            said("must be one of {known}", known=", ".join(get_args(Kind))),
+            said("must be one of {known}", known=", ".join(_KINDS)),
             field="kind",
             value=kind,
         )
-    values: dict[str, Any] = {**figures, **{name: int(count) for name, count in counts.items()}}
     return CatalogueBearing(
         designation=texts["designation"],
         maker=texts.get("maker", ""),

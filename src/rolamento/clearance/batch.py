@@ -16,6 +16,7 @@ from rolamento.case import Case
 from rolamento.case.bearing import Bearing, clearance_fits
 from rolamento.case.mounting import Mounting
 from rolamento.case.roller_bearing import RollerBearing, roller_clearance_fits
+from rolamento.case.varied import is_of_mounting
 from rolamento.clearance.chain import (
     Chain,
     PartTemperatures,
@@ -33,10 +34,7 @@ from rolamento.words import said
 
 _PARTS: Final = tuple(PartTemperatures.__dataclass_fields__)
 MOUNTED_FIELDS: Final = tuple(
-    name
-    for name, field in Case.fields().items()
-    if field.varies and name.startswith(("temperature.", "mounting."))
-    if name != "temperature.lubricant"
+    name for name, field in Case.fields().items() if field.varies and is_of_mounting(name)
 )
 """What a batch may vary of a mounted bearing beside its geometry and its duty."""
 

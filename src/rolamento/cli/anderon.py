@@ -48,6 +48,14 @@ class AnderonCommand(JsonCommand):
     }
 
 
+app = typer.Typer()
+
+
+@app.command(
+    cls=AnderonCommand,
+    epilog="Examples: anderon noise.wav --unit um/s --full-scale low=30,medium=60,high=60;"
+    " anderon t060.csv t120.csv --hours 60,120 --plot trend.png.",
+)
 @with_outputs
 def anderon(
     signals: Annotated[

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Final
 import typer
 
 from rolamento.cli.common import SOLVED, plain_endings
+from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import LanguageOption
 from rolamento.cli.streams import print_text
 from rolamento.cli.waiting import silenced
@@ -22,7 +23,7 @@ from rolamento.words import said
 if TYPE_CHECKING:
     from rolamento.web.server import Settings
 
-__all__ = ["browser"]
+__all__ = ["app", "browser"]
 
 _HOST: Final = "127.0.0.1"
 _PORT: Final = 8000
@@ -32,6 +33,14 @@ _HIGHEST_PORT: Final = 65535
 _SHORTEST_TOKEN: Final = 8
 
 
+app = typer.Typer()
+
+
+@app.command(
+    "app",
+    cls=JsonCommand,
+    epilog="Examples: app; app --port 9000 --no-browser; app --host 0.0.0.0 --lang pt.",
+)
 def browser(
     host: Annotated[
         str,

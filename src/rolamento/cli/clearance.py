@@ -9,6 +9,7 @@ import typer
 import rolamento
 from rolamento.cli.case_options import NOTHING_GIVEN, CaseOptions, with_case
 from rolamento.cli.common import SOLVED, plain_endings
+from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import JsonOption, LanguageOption, SeedOption
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.streams import put_json
@@ -18,6 +19,10 @@ from rolamento.words import said
 _SCHEMA: Final = 2
 
 
+app = typer.Typer()
+
+
+@app.command(cls=JsonCommand, epilog="Example: clearance case.toml --samples 10000.")
 @with_outputs
 @with_case
 def clearance(

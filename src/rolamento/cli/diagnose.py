@@ -58,6 +58,14 @@ class DiagnoseCommand(JsonCommand):
     }
 
 
+app = typer.Typer()
+
+
+@app.command(
+    cls=DiagnoseCommand,
+    epilog="Examples: diagnose signal.wav --bearing 6205 --speed '1797 rpm' --plot signal.png; "
+    "diagnose run.npz --bearing case.toml --speed-channel rpm.",
+)
 @with_outputs
 @with_case
 def diagnose(

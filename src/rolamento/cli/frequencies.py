@@ -9,6 +9,7 @@ import typer
 from rolamento.cli.case_options import NOTHING_GIVEN, CaseOptions, with_case
 from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings
 from rolamento.cli.option_names import in_options
+from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import (
     BearingArgument,
     JsonOption,
@@ -38,6 +39,13 @@ _TOLERANCES: Final[dict[str, Any]] = {
 """What a tolerance may be of, by its dimension; parts have none."""
 
 
+app = typer.Typer()
+
+
+@app.command(
+    cls=JsonCommand,
+    epilog="Examples: frequencies 6205 --speed '1797 rpm'; frequencies case.toml --json.",
+)
 @with_outputs
 @with_case
 def frequencies(

@@ -15,6 +15,7 @@ from rolamento.cli.common import (
     complain_of,
     plain_endings,
 )
+from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import (
     CaseArgument,
     JsonOption,
@@ -43,7 +44,7 @@ if TYPE_CHECKING:
 
     from rolamento.studies.friction_curves import FrictionCurve
 
-__all__ = ["friction"]
+__all__ = ["app", "friction"]
 
 _HYSTERESIS: Final = 0.01
 _COEFFICIENT: Final = "lubricant.friction_coefficient"
@@ -51,6 +52,15 @@ _DRY: Final = ("lubricant.kind=dry", "lubricant.name=dry")
 """The lubricant of a case that has none, if the coefficient is an option."""
 
 
+app = typer.Typer()
+
+
+@app.command(
+    cls=JsonCommand,
+    epilog="Examples: friction 6310 --fr '5 kN' --speed '1480 rpm' --lubricant 'ISO VG 68'"
+    " --temperature '70 degC' --coefficient 0.1; friction case.toml --over duty.load.fx=10..200N"
+    " --plot friction.png.",
+)
 @with_outputs
 @with_case
 def friction(

@@ -16,6 +16,7 @@ from rolamento.cli.common import (
     complain_of_points,
     plain_endings,
 )
+from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import LanguageOption, VariantsOption, json_option
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.over_field import (
@@ -41,9 +42,18 @@ if TYPE_CHECKING:
 
     from rolamento.tasks.life_over import LifeCurve
 
-__all__ = ["life"]
+__all__ = ["app", "life"]
 
 
+app = typer.Typer()
+
+
+@app.command(
+    cls=JsonCommand,
+    epilog="Examples: life 6310/C3 --fr '5 kN' --speed '1480 rpm'; life case.toml"
+    " --reliability 0.95; life left.toml right.toml;"
+    " life case.toml --spectrum steps.csv; life case.toml --over duty.load.fz=1..8kN.",
+)
 @with_outputs
 @with_case
 def life(

@@ -9,16 +9,24 @@ import typer
 
 from rolamento._writing import write_text
 from rolamento.cli.common import plain_endings
+from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import CataloguesOption, LanguageOption
 from rolamento.cli.streams import STANDARD_STREAM, print_text, put
 from rolamento.errors import InputError
 from rolamento.words import said
 
-__all__ = ["examples", "new"]
+__all__ = ["app", "examples", "new"]
 
 ForceOption = Annotated[bool, typer.Option("--force", help="Overwrite files that are there.")]
 
 
+app = typer.Typer()
+
+
+@app.command(
+    cls=JsonCommand,
+    epilog="Examples: new 6310/C3; new 'S 6012 C' --lang pt -o spindle.toml.",
+)
 def new(
     designation: Annotated[
         str | None,
@@ -61,6 +69,10 @@ def new(
         print_text(said("Wrote {path}; now try: {command}", path=path, command=command) + "\n")
 
 
+@app.command(
+    cls=JsonCommand,
+    epilog="Examples: examples; examples 6310_motor; examples all -o gallery.",
+)
 def examples(
     name: Annotated[
         str | None,

@@ -12,6 +12,7 @@ from rolamento.cli.common import (
     SOLVED,
     plain_endings,
 )
+from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import LanguageOption, VariantsOption
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text
@@ -19,7 +20,14 @@ from rolamento.cli.waiting import waiting
 from rolamento.tasks.drawing import Kind, draw
 from rolamento.words import marked, said
 
+app = typer.Typer()
 
+
+@app.command(
+    cls=JsonCommand,
+    epilog="Examples: plot state.json --kind ellipses -o ellipses.pdf;"
+    " plot sweep.nc --variable stiffness_zz.",
+)
 def plot(
     results: Annotated[
         list[str],

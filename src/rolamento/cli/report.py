@@ -9,15 +9,24 @@ import typer
 
 from rolamento.cli.case_options import NOTHING_GIVEN, CaseOptions, with_case
 from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings
+from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import JsonOption, LanguageOption
 from rolamento.cli.outputs import check_outputs
 from rolamento.cli.streams import STANDARD_STREAM, print_text, put
 from rolamento.cli.waiting import progress_of
 from rolamento.words import said
 
-__all__ = ["report"]
+__all__ = ["app", "report"]
 
 
+app = typer.Typer()
+
+
+@app.command(
+    cls=JsonCommand,
+    epilog="Examples: report case.toml -o report.pdf --author 'A. Souza';"
+    " report old.toml new.toml -o comparison.html; report 6305 --fr '2 kN'.",
+)
 @with_case
 def report(
     cases: Annotated[

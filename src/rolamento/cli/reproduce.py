@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Final, Protocol
 import typer
 
 from rolamento.cli.common import plain_endings
+from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import LanguageOption
 from rolamento.cli.streams import print_text
 from rolamento.cli.waiting import silenced
@@ -46,6 +47,12 @@ class Pictures(StrEnum):
     both = "both"
 
 
+app = typer.Typer()
+
+
+@app.command(
+    cls=JsonCommand, epilog="Example: reproduce radaelli-2013 --output radaelli --lang pt."
+)
 def reproduce(
     name: Annotated[
         str | None,

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from rolamento.numerics.growth import Law
     from rolamento.tasks.severity import SeverityResult
 
-__all__ = ["GrowthLawOption", "SeverityCommand", "checked_growth", "severity"]
+__all__ = ["GrowthLawOption", "SeverityCommand", "app", "checked_growth", "severity"]
 
 _ASKED: Final = by_name(SIGNAL)
 _LAWS = ("linear", "exponential")
@@ -59,6 +59,14 @@ GrowthLawOption = Annotated[
 ]
 
 
+app = typer.Typer()
+
+
+@app.command(
+    cls=SeverityCommand,
+    epilog="Examples: severity motor.csv --unit g --speed '1480 rpm' --power '45 kW' --support"
+    " rigid; severity jan.wav feb.wav mar.wav --unit mm/s --hours 0,700,1400 --plot trend.png.",
+)
 @with_outputs
 def severity(
     signals: Annotated[

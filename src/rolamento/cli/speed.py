@@ -8,15 +8,25 @@ import typer
 
 from rolamento.cli.case_options import NOTHING_GIVEN, CaseOptions, with_case
 from rolamento.cli.common import SOLVED, plain_endings
+from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import CaseArgument, JsonOption, LanguageOption
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.streams import put_json
 
-__all__ = ["speed_command"]
+__all__ = ["app", "speed_command"]
 
 _SCHEMA: Final = 1
 
 
+app = typer.Typer()
+
+
+@app.command(
+    "speed",
+    cls=JsonCommand,
+    epilog="Examples: speed 6210 --fr '2 kN' --speed '6000 rpm' --lubricant 'ISO VG 32'"
+    " --temperature '70 degC'; speed case.toml --json.",
+)
 @with_outputs
 @with_case
 def speed_command(

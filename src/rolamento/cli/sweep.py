@@ -14,6 +14,7 @@ from rolamento.cli.common import (
     SOLVED,
     plain_endings,
 )
+from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import LanguageOption, VariantsOption
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.streams import complain, print_text
@@ -28,6 +29,12 @@ class Listed(StrEnum):
     outputs = "outputs"
 
 
+app = typer.Typer()
+
+
+@app.command(
+    cls=JsonCommand, epilog="Examples: sweep study.toml -o result.nc; sweep --list fields."
+)
 @with_outputs
 @with_case
 def sweep(

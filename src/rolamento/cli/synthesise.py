@@ -130,6 +130,14 @@ class SynthesiseCommand(JsonCommand):
     }
 
 
+app = typer.Typer()
+
+
+@app.command(
+    cls=SynthesiseCommand,
+    epilog="Example: synthesise 6205 --speed '1797 rpm' --fault inner_race --load radial --snr -8"
+    " --rate '12 kHz' --output inner.npz --truth inner.json.",
+)
 @with_case
 def synthesise(
     bearing: BearingArgument,

@@ -11,6 +11,7 @@ from rolamento.cli.common import (
     SOLVED,
     plain_endings,
 )
+from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import JsonOption, LanguageOption, PlotOption
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.streams import put
@@ -21,9 +22,13 @@ from rolamento.words import marked, said
 if TYPE_CHECKING:
     from rolamento.studies.sensitivity import ToleranceStudy
 
-__all__ = ["tolerance"]
+__all__ = ["app", "tolerance"]
 
 
+app = typer.Typer()
+
+
+@app.command(cls=JsonCommand, epilog="Example: tolerance scatter.nc --plot bands.png.")
 @with_outputs
 def tolerance(
     result: Annotated[

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Final
 import typer
 
 from rolamento.cli.common import SOLVED, plain_endings
+from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import LanguageOption, PlotOption, json_option
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.severity import GrowthLawOption, checked_growth
@@ -26,7 +27,7 @@ from rolamento.words import marked, said
 if TYPE_CHECKING:
     from rolamento.clearance import WearLaw
 
-__all__ = ["trend"]
+__all__ = ["app", "trend"]
 
 EXAMPLES: Final = ("campanha-2008-clearance", "campanha-2008-anderon")
 LAWS: Final[dict[str, WearLaw]] = {
@@ -36,6 +37,13 @@ LAWS: Final[dict[str, WearLaw]] = {
 }
 
 
+app = typer.Typer()
+
+
+@app.command(
+    cls=JsonCommand,
+    epilog="Example: trend --example campanha-2008-clearance --plot clearance.png.",
+)
 @with_outputs
 def trend(
     data: Annotated[

@@ -15,6 +15,7 @@ from rolamento.cli.common import (
     complain_of_points,
     plain_endings,
 )
+from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import (
     CaseArgument,
     JsonOption,
@@ -28,11 +29,15 @@ from rolamento.cli.waiting import waiting
 if TYPE_CHECKING:
     from rolamento.studies.cage_turn import CageTurn
 
-__all__ = ["turn"]
+__all__ = ["app", "turn"]
 
 _POINTS: Final = 256
 
 
+app = typer.Typer()
+
+
+@app.command(cls=JsonCommand, epilog="Example: turn case.toml --plot turn.png.")
 @with_outputs
 @with_case
 def turn(

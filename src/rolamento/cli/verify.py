@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings
+from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import LanguageOption, json_option
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, put
@@ -20,6 +21,10 @@ if TYPE_CHECKING:
     from rolamento.verification import Progress, Source, Verification
 
 
+app = typer.Typer()
+
+
+@app.command(cls=JsonCommand)
 @with_outputs
 def verify(
     source: Annotated[

@@ -31,7 +31,7 @@ from rolamento.words import marked, said
 if TYPE_CHECKING:
     from rolamento.weibull import LifeTestSummary
 
-__all__ = ["WeibullCommand", "weibull"]
+__all__ = ["WeibullCommand", "app", "weibull"]
 
 _ASKED: Final = by_name(LIFE_TEST)
 EXAMPLES: Final = ("campanha-2008", "lieblein-zelen-1956")
@@ -60,6 +60,14 @@ class WeibullCommand(JsonCommand):
     }
 
 
+app = typer.Typer()
+
+
+@app.command(
+    cls=WeibullCommand,
+    epilog="Examples: weibull tests.csv --plot paper.png; weibull tests.csv --shape 1.5;"
+    " weibull --example campanha-2008 --calculated-life 'ISO 281=58 h'.",
+)
 @with_outputs
 def weibull(
     data: Annotated[

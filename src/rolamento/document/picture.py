@@ -43,11 +43,28 @@ def picture_bytes(figure: Figure, kind: str, *, transparent: bool = False) -> by
     with rc_context(_SETTINGS), warnings.catch_warnings():
         # A title may hold letters that the font lacks; a box stands for them.
         warnings.filterwarnings("ignore", "Glyph .* missing from font")
-        figure.savefig(content, format=kind, metadata=_METADATA[kind], transparent=transparent)
+        if kind == "png" and not transparent:
+            _draw_once(figure, content)
+        else:
+            figure.savefig(content, format=kind, metadata=_METADATA[kind], transparent=transparent)
     if kind != "svg":
         return content.getvalue()
     # Matplotlib says in comments which text it has drawn, whatever its characters
     return _NOT_XML.sub("?", content.getvalue().decode("utf-8", "replace")).encode()
+
+
+def _draw_once(figure: Figure, content: io.BytesIO) -> None:
+    """Write a figure as PNG; `Figure.savefig` draws it twice, first for its layout alone."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+    canvas, dpi = figure.canvas, figure.dpi
+    try:
+        figure.dpi = _SETTINGS["savefig.dpi"]
+        drawn: Any = FigureCanvasAgg(figure)
+        drawn.print_png(content, metadata=_METADATA["png"])
+    finally:
+        figure.dpi = dpi
+        figure.set_canvas(canvas)
 
 
 @dataclass(frozen=True, slots=True)

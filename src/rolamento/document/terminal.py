@@ -238,20 +238,14 @@ class _Setter:
             return []
         lines: Lines = []
         for heading, part in broken(block, lambda table: self._fits(table, width)):
-            part = self._closer(part, width)
             table = self._set_columns(part)
+            part = _closer(table, part, width)
             bars = len(part.columns) < len(shown(block)) or not block.breaks
             table = self._with_bars(table, part, width) if bars else table
             lines += [Text()] if lines else []
             lines += [self._text(heading, _HEADING)] if heading else []
             lines += self._assembled(table, part, width)
         return lines
-
-    def _closer(self, block: Table, width: int) -> Table:
-        """Set the columns closer to each other, and to the margin, where there is no room."""
-        if not self._fits(block, width):
-            block = replace(block, gap=1)
-        return block if self._fits(block, width) else replace(block, indent=0)
 
     def _fits(self, block: Table, width: int) -> bool:
         return _width(self._set_columns(block), block) <= width
@@ -403,6 +397,13 @@ def _style_of(cell: Text) -> str:
 def _width(columns: Sequence[Lines], block: Table) -> int:
     widths = [max(map(len, column), default=0) for column in columns]
     return block.indent + sum(widths) + block.gap * max(len(widths) - 1, 0)
+
+
+def _closer(columns: Sequence[Lines], block: Table, width: int) -> Table:
+    """Set the columns closer to each other, and to the margin, where there is no room."""
+    if _width(columns, block) > width:
+        block = replace(block, gap=1)
+    return replace(block, indent=0) if _width(columns, block) > width else block
 
 
 def _least_width(sections: Sequence[Section]) -> int:

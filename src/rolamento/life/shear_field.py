@@ -22,7 +22,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento._reach import numbers
-from rolamento.contact.subsurface import point_stresses
 from rolamento.numerics import FloatArray
 
 MAXIMUM_ELLIPTICITY: Final = 60.0
@@ -32,9 +31,11 @@ _WIDTH: Final = 1.5
 """Of the region, over a: beyond it the shear is below a tenth of the greatest."""
 _DEPTH: Final = 6.0
 """Of the region, over b."""
-_SCAN: Final = 24
-_GOLDEN: Final = 0.5 * (np.sqrt(5.0) - 1.0)
-_NARROWINGS: Final = 34
+_NEAREST: Final = 1e-3
+_FURTHEST: Final = 100.0
+"""Where the peak of the shear is looked for: λ - λ_0 over ζ, and over k (1 + ζ)²."""
+_HALVINGS: Final = 36
+"""Of the logarithm: the place to 1e-9, the peak itself to rounding."""
 _BLOCK: Final = 1024
 
 
@@ -73,28 +74,40 @@ def passing_shear(across: ArrayLike, depth: ArrayLike, ellipticity: ArrayLike) -
     ----------
     across, depth, ellipticity : arrays that broadcast, η, ζ > 0 and k ≥ 1.
 
-    A scan along x, narrowed by the golden section.
+    Every x has its λ of `contact.subsurface.point_stresses`, from λ_0 at x = 0 on, and with it
+
+        x² = (1 + λ) (1 - y²/(k²+λ) - z²/λ):
+
+    the shear is a plain function of λ, and has one peak, which is halved in on by ln(λ - λ_0).
     """
     eta, zeta, k = np.broadcast_arrays(
         *(np.asarray(value, dtype=np.float64) for value in (across, depth, ellipticity))
     )
+    y2, z2, k2 = (eta * k) ** 2, zeta**2, k * k
+    inside = k2 - y2 - z2
+    twice = np.hypot(inside, 2.0 * zeta * k) + np.abs(inside)
+    least = np.where(inside < 0.0, 0.5 * twice, 2.0 * z2 * k2 / twice)
+    by_y, by_z = y2 / (k2 + least), z2 / least
 
-    def shear(x: FloatArray) -> FloatArray:
-        with np.errstate(divide="ignore"):  # of a start value that is not taken there
-            return np.abs(point_stresses(x, eta * k, zeta, 1.0, k, 1.0).shear)
+    def parts(log_beyond: FloatArray) -> tuple[FloatArray, ...]:
+        """λ, 1 + λ and k² + λ; y²/(k²+λ)², z²/λ² and x²/(1+λ)."""
+        beyond = np.exp(log_beyond)
+        by_root = least + beyond
+        by_major = k2 + by_root
+        x2 = beyond * (by_y / by_major + by_z / by_root)  # without its cancellation near λ_0
+        return by_root, 1.0 + by_root, by_major, y2 / by_major**2, z2 / by_root**2, x2
 
-    reach = 1.2 + 1.5 * zeta
-    places = np.linspace(0.0, 1.0, _SCAN + 2)[1:-1]
-    found = np.stack([shear(place * reach) for place in places])
-    best = places[np.argmax(found, axis=0)]
-    step = places[0]
-    low, high = (best - step) * reach, (best + step) * reach
-    for _ in range(_NARROWINGS):
-        width = high - low
-        left, right = high - _GOLDEN * width, low + _GOLDEN * width
-        rising = shear(left) < shear(right)
-        low, high = np.where(rising, left, low), np.where(rising, high, right)
-    return np.asarray(shear(0.5 * (low + high)))
+    low, high = np.log(_NEAREST * zeta), np.log(_FURTHEST * k * (1.0 + zeta) ** 2)
+    for _ in range(_HALVINGS):
+        middle = 0.5 * (low + high)
+        r, minor, major, p, q, x2 = parts(middle)
+        h = x2 / minor + p + q
+        slope_of_h = (p + q - x2 / minor) / minor - 2.0 * (p / major + q / r)
+        # of the logarithm of the shear, by λ
+        slope = 0.5 * (p + q) / x2 - 1.5 / r - 0.5 / major - 1.0 / minor - slope_of_h / h
+        low, high = np.where(slope > 0.0, middle, low), np.where(slope > 0.0, high, middle)
+    r, minor, major, p, q, x2 = parts(0.5 * (low + high))
+    return np.asarray(k * z2 * np.sqrt(x2 / (r * major)) / (r * minor * (x2 / minor + p + q)))
 
 
 def shear_integrals(

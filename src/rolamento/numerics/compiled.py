@@ -18,11 +18,11 @@ import io
 import logging
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
-from functools import cache, cached_property, update_wrapper
+from functools import cache, cached_property, partial, update_wrapper
 from hashlib import sha256
 from importlib import import_module
 from pathlib import Path
-from typing import Any, Generic, ParamSpec, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, ParamSpec, Self, TypeVar
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -39,17 +39,24 @@ _FAMILIES = (  # where kernels live, each with the formulas that they are compil
 _CONSTANTS = frozenset({"compiled", "layout", "newton"})  # files without kernels that shape them
 
 
-class Kernel(Generic[P, R]):
-    """A function that runs as it is written, or compiled."""
+class Kernel(partial[R], Generic[P, R]):
+    """A function that runs as it is written, or compiled.
+
+    A `partial` without arguments: one case calls kernels in kernels ten thousands of times.
+    """
+
+    def __new__(cls, function: Callable[P, R], **options: Any) -> Self:
+        """Bind nothing: the options are how to compile."""
+        return super().__new__(cls, function)
 
     def __init__(self, function: Callable[P, R], **options: Any) -> None:
         self.python = function
         self._options = options
         update_wrapper(self, function)
 
-    def __call__(self, *args: P.args, **kwargs: P.kwargs) -> R:
-        """Run the function as plain Python."""
-        return self.python(*args, **kwargs)
+    if TYPE_CHECKING:
+
+        def __call__(self, *args: P.args, **kwargs: P.kwargs) -> R: ...
 
     @cached_property
     def compiled(self) -> Callable[P, R]:
@@ -131,7 +138,7 @@ def _numba() -> Any:
 
 
 def _without_linear_algebra() -> None:
-    """Load what Numba knows of arrays without SciPy's linear algebra, which takes as long again.
+    """Load what Numba compiles of arrays without SciPy's linear algebra, which takes as long again.
 
     Numba imports that only to say whether it is there, and anew where a kernel would call it.
     """
@@ -153,6 +160,7 @@ def _checked_cache() -> Any:
     the process, and one that cannot be written is an error of the function that was called.
     """
     caching: Any = import_module("numba.core.caching")
+    runtime: Any = import_module("numba.core.runtime")
 
     class CheckedFiles(caching.IndexDataCacheFile):  # type: ignore[misc]
         @contextmanager
@@ -179,8 +187,11 @@ def _checked_cache() -> Any:
             )
 
         def load_overload(self, sig: Any, target_context: Any) -> Any:
+            # what is compiled needs Numba's memory, not all that Numba knows how to compile
+            runtime.rtsys.initialize(target_context)
             try:
-                return super().load_overload(sig, target_context)
+                with self._guard_against_spurious_io_errors():
+                    return self._load_overload(sig, target_context)
             except Exception:  # whatever the bytes led to
                 _log.warning(
                     "the compiled solver that is kept in %s is damaged: compiling it anew",

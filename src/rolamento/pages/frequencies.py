@@ -22,13 +22,13 @@ from rolamento.document import (
 )
 from rolamento.pages.data import in_files
 from rolamento.pages.given import reason
-from rolamento.solved import Solved
 from rolamento.vibration.frequencies import ABBREVIATIONS, FAULTS, FaultFrequencies, LineName
 from rolamento.vibration.frequency_band import Alternative
 from rolamento.words import marked, said, said_in, worded
 from rolamento.words.naming import PARTS, part_name
 
 if TYPE_CHECKING:
+    from rolamento.solved import Solved
     from rolamento.tasks.frequencies import FrequencyResult
 
 __all__ = ["balls_of", "contact_angle", "failure", "frequencies_page", "line_name"]

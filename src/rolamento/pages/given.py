@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import nan
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from rolamento.case import Case
 from rolamento.case.arrangement import Preload
@@ -14,10 +14,12 @@ from rolamento.case.profile import Profile
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.case.rolling_bearing import RollingBearing
 from rolamento.document import Entry, KeyValues, Section, Title
-from rolamento.solved import Solved
 from rolamento.units import Dimension, readable
 from rolamento.words import manner, said, said_in
 from rolamento.words.reasons import reason
+
+if TYPE_CHECKING:
+    from rolamento.solved import Solved
 
 __all__ = ["BOTH", "facing", "head", "model_text", "quantity", "reason", "untitled"]
 

@@ -24,7 +24,7 @@ from numpy.typing import ArrayLike
 from rolamento._data import toml_of
 from rolamento._reach import numbers
 from rolamento.numerics import FloatArray
-from rolamento.numerics.elliptic import complete
+from rolamento.numerics.ellipse import ellipse_of_log_ratio
 
 __all__ = [
     "MAXIMUM_GAMMA",
@@ -74,7 +74,6 @@ _PRESSURE_SELF_ALIGNING: Final = 4600.0
 _RIGHT: Final = np.pi / 2
 _YOUNGS_MODULUS: Final = 207e3
 _POISSON_RATIO: Final = 0.3
-_HALVINGS: Final = 60
 _TINY: Final = 1e-9
 
 
@@ -323,29 +322,13 @@ def _load_at_pressure(curvature: FloatArray, conformity: FloatArray, pressure: f
     p_0 = 3kQ/(2πa²) with a³ = 6k²E Q/(πS E′) gives Q = (2πp_0/3k)³ (6k²E/(πS E′))².
     """
     rolling, across = 2.0 * curvature, 2.0 - 1.0 / conformity
-    total = rolling + across
-    complement, e = _ellipse((rolling - across) / total)
+    # a race may be as hollow as the ball is round, to rounding
+    ellipse = ellipse_of_log_ratio(np.minimum(np.log(across / rolling), 0.0))
+    k = ellipse.ellipticity
     modulus = _YOUNGS_MODULUS / (1.0 - _POISSON_RATIO**2)
-    k_squared = 1.0 / complement
-    size = 6.0 * k_squared * e / (np.pi * total * modulus)
-    load = (2.0 * np.pi * pressure / 3.0) ** 3 * complement**1.5 * size**2
+    size = 6.0 * k * k * ellipse.second / (np.pi * (rolling + across) * modulus)
+    load = (2.0 * np.pi * pressure / (3.0 * k)) ** 3 * size**2
     return np.asarray(load)
-
-
-def _ellipse(difference: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return (b/a)² and E for F = ((k² + 1)E − 2K)/((k² − 1)E), by halving in log k."""
-    shape = np.shape(difference)
-    low, high = np.zeros(shape), np.full(shape, np.log(1e6))
-    for _ in range(_HALVINGS):
-        middle = 0.5 * (low + high)
-        complement = np.exp(-2.0 * middle)
-        K, E = complete(complement)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            found = ((1.0 + complement) * E - 2.0 * complement * K) / ((1.0 - complement) * E)
-        too_flat = found > difference
-        low, high = np.where(too_flat, low, middle), np.where(too_flat, middle, high)
-    complement = np.where(np.isnan(difference), np.nan, np.exp(-(low + high)))
-    return complement, complete(complement)[1]
 
 
 def _interpolated(name: str, gamma: ArrayLike) -> FloatArray:

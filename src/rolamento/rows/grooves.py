@@ -155,6 +155,11 @@ class GrooveRow:
         return self.flanks
 
     @property
+    def floats(self) -> bool:
+        """Its grooves hold it along the shaft."""
+        return False
+
+    @property
     def valid(self) -> BoolArray:
         """Which cases have numbers that can be solved; (cases,)."""
         n = self.numbers

@@ -122,6 +122,11 @@ class Row(Protocol):
         ...
 
     @property
+    def floats(self) -> bool:
+        """Whether it moves along the shaft without resistance: rollers without opposed ribs."""
+        ...
+
+    @property
     def sizes(self) -> RowSizes:
         """For the assembly."""
         ...

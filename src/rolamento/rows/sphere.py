@@ -90,6 +90,11 @@ class SphereRow:
         return self.row.faces
 
     @property
+    def floats(self) -> bool:
+        """Its grooves hold it along the shaft."""
+        return False
+
+    @property
     def sizes(self) -> RowSizes:
         """For the assembly."""
         return self.row.sizes

@@ -6,7 +6,6 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
-from html import escape
 from math import isfinite
 from typing import TYPE_CHECKING, Any, Final, TypeVar
 
@@ -284,6 +283,8 @@ class Solved:
         return "\n".join(_summary(self))
 
     def _repr_html_(self) -> str:
+        from html import escape
+
         lines = (line.partition(":") for line in _summary(self)[1:])
         cells = "".join(
             f"<tr><th>{escape(name.strip())}</th><td>{escape(value.strip())}</td></tr>"

@@ -9,15 +9,13 @@ from dataclasses import asdict, dataclass, replace
 from functools import cached_property
 from itertools import product
 from math import ceil, inf, isfinite, pi
-from typing import Any, Final, Literal, Unpack
+from typing import TYPE_CHECKING, Any, Final, Literal, Unpack
 
 from rolamento.case import Case
 from rolamento.case.bearing import Bearing
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.catalogue import catalogue, rolling_bearings
 from rolamento.errors import InputError
-from rolamento.solution import solve
-from rolamento.solved import Solved
 from rolamento.tasks.bearing import BearingLike, angle_of, at_speeds, case_of, has_load, name_of
 from rolamento.tasks.parameters import Stages, quietly, speed_of
 from rolamento.tasks.shaft_speed import AskedSpeed, KnownSpeed, ShaftSpeed, known_speed
@@ -41,6 +39,9 @@ from rolamento.vibration.signal import Signal
 from rolamento.vibration.spectrum import Indicators, indicators
 from rolamento.words import Note, said
 from rolamento.words.naming import of_element
+
+if TYPE_CHECKING:
+    from rolamento.solved import Solved
 
 SCHEMA: Final = 2
 Conclusion = Literal["fault", "undecided", "watch", "nothing_found", "no_verdict"]
@@ -522,11 +523,15 @@ def _frequencies_sought(
             value=f"{rpm_of(outer):.6g} rpm",
             example='outer_speed="0 rpm"',
         )
-    solved = solve(case) if loaded else None
-    if solved is not None and solved.converged[0]:
-        found = frequencies_of(solved)
-        if isfinite(found.cage.order):
-            return found, solved
+    solved: Solved | None = None
+    if loaded:
+        from rolamento.solution import solve
+
+        solved = solve(case)
+        if solved.converged[0]:
+            found = frequencies_of(solved)
+            if isfinite(found.cage.order):
+                return found, solved
     choice = angle_of("zero" if angle is None else angle, case.bearing)
     return nominal_frequencies(case.bearing, inner, outer, contact_angle=choice), solved
 

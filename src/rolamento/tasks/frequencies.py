@@ -5,14 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from math import isfinite
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from rolamento.case import Case, is_designation
 from rolamento.case.bearing import Bearing
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.errors import InputError
-from rolamento.solution import solve
-from rolamento.solved import Solved
 from rolamento.tasks.bearing import (
     BearingLike,
     angle_of,
@@ -35,6 +33,9 @@ from rolamento.vibration.frequency_band import (
     open_counts,
 )
 from rolamento.words import Note, said
+
+if TYPE_CHECKING:
+    from rolamento.solved import Solved
 
 SCHEMA: Final = 2
 _SPEEDS: Final = frozenset({"inner_speed", "outer_speed"})
@@ -169,7 +170,11 @@ def fault_frequencies(
     speeds = None if has_no_duty and not told else duty.inner_speed, duty.outer_speed
     contact_angle = angle_of(angle, case.bearing)
     own = case.bearing
-    solved = solve(case) if has_load(case) else None
+    solved: Solved | None = None
+    if has_load(case):
+        from rolamento.solution import solve
+
+        solved = solve(case)
     return FrequencyResult(
         title=name_of(bearing, case),
         bearing=own,

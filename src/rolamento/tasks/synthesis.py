@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, replace
 from functools import cached_property
 from math import isfinite, log10, nan, pi, sqrt
-from typing import Any, Final, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple
 
 import numpy as np
 
@@ -17,8 +17,6 @@ from rolamento._writing import write_text
 from rolamento.case.bearing import Bearing
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.errors import InputError
-from rolamento.solution import solve
-from rolamento.solved import Solved
 from rolamento.tasks.bearing import BearingLike, case_of, has_load, name_of
 from rolamento.tasks.parameters import speed_of
 from rolamento.units import rpm_of
@@ -43,6 +41,9 @@ from rolamento.vibration.synthesis import synthesise as signal_of
 from rolamento.vibration.writing import check_signal_name, write_signal
 from rolamento.words import Note, said
 from rolamento.words.naming import of_element
+
+if TYPE_CHECKING:
+    from rolamento.solved import Solved
 
 SCHEMA: Final = 2
 _MOST_IMPACTS: Final = 1_000_000
@@ -303,7 +304,11 @@ def synthesise(
             field="speed",
             example='speed="1797 rpm"',
         )
-    solved = solve(case) if has_load(case) else None
+    solved: Solved | None = None
+    if has_load(case):
+        from rolamento.solution import solve
+
+        solved = solve(case)
     if solved is None:
         frequencies = nominal_frequencies(case.bearing, inner, outer, slip=slip)
     elif not solved.converged[0]:

@@ -22,7 +22,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, replace
 from math import cos, isfinite, nan, pi, sin
-from typing import Any, Final, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple
 
 import numpy as np
 
@@ -34,9 +34,11 @@ from rolamento.geometry import apex_half_angle, ring_geometry
 from rolamento.kinematics import ball_motion
 from rolamento.numerics import FloatArray
 from rolamento.roller_kinematics import apex_mismatch, roller_motion
-from rolamento.solved import Solved, refuse_other
 from rolamento.words import Note, said
 from rolamento.words.naming import of_element
+
+if TYPE_CHECKING:
+    from rolamento.solved import Solved
 
 FaultKind = Literal["outer_race", "inner_race", "ball", "cage"]
 RollingElement = Literal["ball", "roller"]
@@ -415,6 +417,8 @@ def frequencies_of(solved: Solved, *, slip: float = 0.0) -> FaultFrequencies:
     InputError
         If these are several cases, or the slip is out of range.
     """
+    from rolamento.solved import refuse_other
+
     refuse_other(solved, "vibration.frequencies_of")
     if len(solved) != 1:
         raise InputError(

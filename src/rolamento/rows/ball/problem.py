@@ -137,7 +137,7 @@ def bearing_columns(bearing: Any, shape: tuple[int, ...]) -> Floats:
     p[layout.OUTER_EDGE] = edge_cosine(bearing, "outer")
     p[layout.TERMS] = terms
     _put_polynomials(p, bearing, layout.COEFFICIENTS)
-    for count in np.unique(terms[terms > layout.COEFFICIENTS]).tolist():
+    for count in {*terms[terms > layout.COEFFICIENTS].tolist()}:
         _put_polynomials(p, bearing, int(count), where=p[layout.TERMS] == count)
     return p
 

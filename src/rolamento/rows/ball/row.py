@@ -138,6 +138,11 @@ class BallRow:
         return (1.0,)
 
     @property
+    def floats(self) -> bool:
+        """Its grooves hold it along the shaft."""
+        return False
+
+    @property
     def sizes(self) -> RowSizes:
         """For the assembly."""
         p = self.p

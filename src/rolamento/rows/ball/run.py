@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+from collections import Counter
 from dataclasses import dataclass
 from threading import Event
 from typing import Any, Final, Self
@@ -26,9 +27,11 @@ MOST_WORK: Final = 1.5e5
 """Evaluations of a ball that a case may cost beside the fast path: some 30 ms."""
 PLAIN_WORK: Final = 1e4
 """The same without the compiler: a second or so, then it is worth loading."""
-_hard_cases: Final = Event()
-"""Set where a case took the safe path in plain Python: the next may be as slow, so that compiled
-kernels are loaded if they are on disk."""
+LOADING: Final = 400
+"""Steps of balls that plain Python takes in the time that it takes to load the compiler."""
+_taken: Final[Counter[str]] = Counter()
+"""Steps of balls in plain Python so far: after `LOADING` compiled kernels are loaded, if there are
+any on disk, so that few single cases wait neither for them nor long without."""
 _ready: Final = Event()
 """Set once the compiled kernels have run: to ask for them takes as long as a small case."""
 LEAST_INERTIA: Final = 1e-7
@@ -149,11 +152,10 @@ def _run_threads(
     cases = len(which)
     (cosines, sines), out = directions(balls), solution.arrays()
     if not _ready.is_set():
-        plain = not (_hard_cases.is_set() and solve_cases.is_cached)
+        plain = _taken["steps"] < LOADING or not solve_cases.is_cached
         if cases <= FEW and not solve_cases.is_loaded and plain:
             if _interpret(p, control, cosines, sines, moving, which, False, PLAIN_WORK, out):
-                if solution.safe.any():
-                    _hard_cases.set()
+                _taken["steps"] += balls * int(solution.iterations[which].sum())
                 return
             solution.put(which, Solution.empty(cases, balls))
         if not solve_cases.is_cached:

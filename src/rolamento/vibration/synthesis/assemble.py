@@ -8,13 +8,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from math import isfinite
-from typing import Any, Final, Literal
+from typing import TYPE_CHECKING, Any, Final, Literal
 
 import numpy as np
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
-from rolamento.solved import Solved
 from rolamento.vibration._checks import check_count, check_within
 from rolamento.vibration.frequencies import FaultFrequencies, FaultKind, frequencies_of
 from rolamento.vibration.signal import Signal
@@ -43,6 +42,9 @@ from rolamento.vibration.synthesis.waviness import (
     waviness_lines,
 )
 from rolamento.words import said
+
+if TYPE_CHECKING:
+    from rolamento.solved import Solved
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Final, Literal, NamedTuple, Self
+from typing import TYPE_CHECKING, Final, Literal, NamedTuple, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -23,7 +23,6 @@ from rolamento.contact.line import EXPONENT
 from rolamento.errors import InputError
 from rolamento.geometry import Race
 from rolamento.numerics import FloatArray
-from rolamento.solved import Solved, refuse_other
 from rolamento.vibration._checks import check_within
 from rolamento.vibration.frequencies import (
     FAULTS,
@@ -34,6 +33,9 @@ from rolamento.vibration.frequencies import (
 from rolamento.vibration.signal import real_numbers
 from rolamento.vibration.synthesis.transfer import TransferPath
 from rolamento.words import said
+
+if TYPE_CHECKING:
+    from rolamento.solved import Solved
 
 _TURN: Final = 2.0 * np.pi
 _POINTS: Final = 720
@@ -144,6 +146,8 @@ class LoadDistribution:
         InputError
             If these are several cases, there is no result, or no ball of the row is pressed.
         """
+        from rolamento.solved import refuse_other
+
         refuse_other(solved, "vibration.LoadDistribution.of_solved")
         check_within("positions", positions, 1, _MOST_POSITIONS, "positions = 8")
         own = solved.elements.row == row
