@@ -41,6 +41,9 @@ GRADIENT: Final = 1
 HESSIAN: Final = 4
 SCALE: Final = 10
 SUMS: Final = 13
+# rows of what is small: V, the sums of a contact, gradient, its scale, the Hessian, the step, y, a
+# trial of it
+V, OF_CONTACT, DOWN, SIZE, CURVED, STEP, AT, TRIAL, SMALL = 0, 1, 2, 3, 4, 7, 8, 9, 10
 
 STEPS: Final = 60
 HALVINGS: Final = 30
@@ -48,7 +51,9 @@ ARMIJO: Final = 1e-4
 TOLERANCE: Final = 1e-9
 """Of the gradient, over the sum of what it is made of."""
 NEARLY: Final = 1e-3
-"""The same of a stage that is not the last."""
+"""The same on the coarse mesh."""
+ROUGHLY: Final = 5e-2
+"""The same at a rounding that is not the last."""
 DAMPING: Final = 1e-12
 
 
@@ -143,166 +148,135 @@ def _add_sharp(
 
 
 @filling
-def _rates(c: FloatArray, ball: int, rate: FloatArray) -> None:
-    """Fill the derivatives of V by the motion (ball_x, ball_z, orbit); (VELOCITIES, 3)."""
-    cosine, sine = c[COSINE, ball], c[SINE, ball]
-    rate[0, 0], rate[0, 1], rate[0, 2] = 0.0, 0.0, c[PITCH, ball]
-    rate[1, 0], rate[1, 1], rate[1, 2] = cosine, -sine, 0.0
-    rate[2, 0], rate[2, 1], rate[2, 2] = sine, cosine, 0.0
-
-
-@filling
-def _velocity(
-    c: FloatArray, ball: int, ring: float, rate: FloatArray, motion: FloatArray,
-    velocity: FloatArray,
+def _relative_motion(
+    c: FloatArray, ball: int, ring: float, motion: FloatArray, allowed: FloatArray,
+    velocity: FloatArray, rate: FloatArray,
 ) -> None:  # fmt: skip
-    """Fill V of a contact whose ring turns at a speed."""
-    x, z, orbit = motion[0], motion[1], motion[2]
-    velocity[0] = c[PITCH, ball] * (orbit - ring)
-    velocity[1] = rate[1, 0] * (x - ring) + rate[1, 1] * z
-    velocity[2] = rate[2, 0] * (x - ring) + rate[2, 1] * z
+    """Put V of a contact whose ring turns at a speed, and its derivatives by what is allowed.
+
+    motion (3,): ball_x, ball_z, orbit; allowed (3, k): changes of it; velocity (VELOCITIES,), rate
+    (VELOCITIES, k).
+    """
+    cosine, sine, radius = c[COSINE, ball], c[SINE, ball], c[PITCH, ball]
+    velocity[0] = radius * (motion[2] - ring)
+    velocity[1] = cosine * (motion[0] - ring) - sine * motion[1]
+    velocity[2] = sine * (motion[0] - ring) + cosine * motion[1]
+    for i in range(allowed.shape[1]):
+        rate[0, i] = radius * allowed[2, i]
+        rate[1, i] = cosine * allowed[0, i] - sine * allowed[1, i]
+        rate[2, i] = sine * allowed[0, i] + cosine * allowed[1, i]
 
 
 @filling
 def _evaluate(
-    v2: FloatArray, weight: FloatArray, contacts: FloatArray, ball: int, motion: FloatArray,
-    allowed: FloatArray, v0: float, rates: FloatArray, velocity: FloatArray, room: FloatArray,
-    sums: FloatArray, system: FloatArray,
+    v2: FloatArray, weight: FloatArray, contacts: FloatArray, ball: int, v0: float,
+    y: FloatArray, start: FloatArray, rates: FloatArray, room: FloatArray, small: FloatArray,
 ) -> tuple[float, float]:  # fmt: skip
-    """Power per load, and the gradient over its own scale, of a motion.
+    """Power per load at coordinates y, and the gradient over its own scale.
 
-    allowed (3, k): changes of the motion; system (3 k + k k): fills the gradient and the Hessian by
-    them.
+    start (2, VELOCITIES), rates (2, VELOCITIES, k): of both contacts, as of `_relative_motion`.
+    Fills rows of small: V, sums, the gradient, its scale, and the Hessian in three.
     """
-    k = allowed.shape[1]
+    k = rates.shape[2]
+    velocity, sums, gradient, scale = small[V], small[OF_CONTACT], small[DOWN], small[SIZE]
     power, worst = 0.0, 0.0
     for i in range(k):
-        system[i], system[3 + i] = 0.0, 0.0
-        for j in range(k):
-            system[6 + 3 * i + j] = 0.0
+        gradient[i], scale[i] = 0.0, 0.0
+        for j in range(i + 1):
+            small[CURVED + i, j] = 0.0
     total = contacts[0, LOAD, ball] + contacts[1, LOAD, ball]
     for race in range(2):
-        c, rate = contacts[race], rates[race]
-        _velocity(c, ball, 1.0 - race, rate, motion, velocity)
-        _add_power(
-            v2, weight, c[LOAD, ball] / total, c[SEMI_MINOR, ball], velocity, v0, room[race], sums
-        )
+        rate = rates[race]
+        for i in range(VELOCITIES):
+            velocity[i] = start[race, i]
+            for j in range(k):
+                velocity[i] += rate[i, j] * y[j]
+        share, b = contacts[race, LOAD, ball] / total, contacts[race, SEMI_MINOR, ball]
+        _add_power(v2, weight, share, b, velocity, v0, room[race], sums)
         power += sums[POWER]
+        dd, dr, dt = sums[HESSIAN], sums[HESSIAN + 1], sums[HESSIAN + 2]
+        rr, rt, tt = sums[HESSIAN + 3], sums[HESSIAN + 4], sums[HESSIAN + 5]
         for i in range(k):
-            d_i, r_i, t_i = _along(rate, allowed, i)
-            system[i] += d_i * sums[GRADIENT] + r_i * sums[GRADIENT + 1] + t_i * sums[GRADIENT + 2]
-            system[3 + i] += (
-                abs(d_i) * sums[SCALE] + abs(r_i) * sums[SCALE + 1] + abs(t_i) * sums[SCALE + 2]
-            )
+            d, r, t = rate[0, i], rate[1, i], rate[2, i]
+            gradient[i] += d * sums[GRADIENT] + r * sums[GRADIENT + 1] + t * sums[GRADIENT + 2]
+            scale[i] += abs(d) * sums[SCALE] + abs(r) * sums[SCALE + 1] + abs(t) * sums[SCALE + 2]
+            by_d, by_r = d * dd + r * dr + t * dt, d * dr + r * rr + t * rt
+            by_t = d * dt + r * rt + t * tt
             for j in range(i + 1):
-                d_j, r_j, t_j = _along(rate, allowed, j)
-                system[6 + 3 * i + j] += (
-                    d_i * d_j * sums[HESSIAN]
-                    + (d_i * r_j + r_i * d_j) * sums[HESSIAN + 1]
-                    + (d_i * t_j + t_i * d_j) * sums[HESSIAN + 2]
-                    + r_i * r_j * sums[HESSIAN + 3]
-                    + (r_i * t_j + t_i * r_j) * sums[HESSIAN + 4]
-                    + t_i * t_j * sums[HESSIAN + 5]
-                )
+                small[CURVED + i, j] += by_d * rate[0, j] + by_r * rate[1, j] + by_t * rate[2, j]
     for i in range(k):
-        part = abs(system[i]) / system[3 + i]
+        part = abs(gradient[i]) / scale[i]
         worst = part if not part <= worst else worst
     return power, worst
 
 
 @filling
-def _along(rate: FloatArray, allowed: FloatArray, i: int) -> tuple[float, float, float]:
-    """How drift, roll and twist change with an allowed change of the motion."""
-    x, z, orbit = allowed[0, i], allowed[1, i], allowed[2, i]
-    return (
-        rate[0, 2] * orbit,
-        rate[1, 0] * x + rate[1, 1] * z,
-        rate[2, 0] * x + rate[2, 1] * z,
-    )
-
-
-@filling
-def _newton_step(k: int, system: FloatArray, step: FloatArray) -> float:
+def _newton_step(k: int, small: FloatArray) -> float:
     """Solve for the step in coordinates that make the diagonal one: the descent along it.
 
     By Cholesky's method in place, with a touch of damping.
     """
+    gradient, step, unit = small[DOWN], small[STEP], small[SIZE]
     for i in range(k):
-        step[i] = -system[i] / sqrt(system[6 + 4 * i])
+        unit[i] = 1.0 / sqrt(small[CURVED + i, i])
+        step[i] = -gradient[i] * unit[i]
         for j in range(i):
-            system[6 + 3 * i + j] /= sqrt(system[6 + 4 * i] * system[6 + 4 * j])
-    for i in range(k):
-        for j in range(i + 1):
-            value = system[6 + 3 * i + j] if j < i else 1.0 + DAMPING
+            value = small[CURVED + i, j] * unit[i] * unit[j]
             for m in range(j):
-                value -= system[15 + 3 * i + m] * system[15 + 3 * j + m]
-            system[15 + 3 * i + j] = value / system[15 + 4 * j] if j < i else sqrt(value)
+                value -= small[CURVED + i, m] * small[CURVED + j, m]
+            small[CURVED + i, j] = value * small[CURVED + j, j]
+        value = 1.0 + DAMPING
         for m in range(i):
-            step[i] -= system[15 + 3 * i + m] * step[m]
-        step[i] /= system[15 + 4 * i]
+            value -= small[CURVED + i, m] * small[CURVED + i, m]
+            step[i] -= small[CURVED + i, m] * step[m]
+        small[CURVED + i, i] = 1.0 / sqrt(value)
+        step[i] *= small[CURVED + i, i]
+    descent = 0.0
     for i in range(k - 1, -1, -1):
         for m in range(i + 1, k):
-            step[i] -= system[15 + 3 * m + i] * step[m]
-        step[i] /= system[15 + 4 * i]
-    descent = 0.0
+            step[i] -= small[CURVED + m, i] * step[m]
+        step[i] *= small[CURVED + i, i]
     for i in range(k):
-        step[i] /= sqrt(system[6 + 4 * i])
-        descent += system[i] * step[i]
+        step[i] *= unit[i]
+        descent += gradient[i] * step[i]
     return descent
 
 
 @filling
 def _minimise(
-    v2: FloatArray, weight: FloatArray, contacts: FloatArray, ball: int, motion: FloatArray,
-    allowed: FloatArray, v0: float, enough: float, rates: FloatArray, room: FloatArray,
-    small: FloatArray,
+    v2: FloatArray, weight: FloatArray, contacts: FloatArray, ball: int, v0: float, enough: float,
+    y: FloatArray, start: FloatArray, rates: FloatArray, room: FloatArray, small: FloatArray,
 ) -> float:  # fmt: skip
-    """Newton's method at one rounding, in place, the step shortened until the power falls.
+    """Newton's method at one rounding, y in place, the step shortened until the power falls.
 
     Returns the gradient over its own scale before the last step, which is taken all the same.
     """
-    k = allowed.shape[1]
-    velocity, step, origin, system, sums = small[0], small[1], small[2], small[3], small[4]
-    value, worst = _evaluate(
-        v2, weight, contacts, ball, motion, allowed, v0, rates, velocity, room, sums, system
-    )
+    k = rates.shape[2]
+    trial, step = small[TRIAL], small[STEP]
+    value, worst = _evaluate(v2, weight, contacts, ball, v0, y, start, rates, room, small)
     for _ in range(STEPS):
-        descent = _newton_step(k, system, step)
-        for i in range(3):
-            origin[i] = motion[i]
-        length, lower = 1.0, False
-        last = worst <= enough
+        descent = _newton_step(k, small)
+        if worst <= enough:
+            for i in range(k):
+                y[i] += step[i]
+            break
+        length, lower, found, near = 1.0, False, value, worst
         for _ in range(HALVINGS):
-            for i in range(3):
-                motion[i] = origin[i]
-                for j in range(k):
-                    motion[i] += length * allowed[i, j] * step[j]
-            if last:
-                return worst
-            trial, near = _evaluate(
-                v2, weight, contacts, ball, motion, allowed, v0, rates, velocity, room, sums, system
+            for i in range(k):
+                trial[i] = y[i] + length * step[i]
+            found, near = _evaluate(
+                v2, weight, contacts, ball, v0, trial, start, rates, room, small
             )
-            lower = trial <= value + ARMIJO * length * descent + 1e-15 * value
+            lower = found <= value + ARMIJO * length * descent + 1e-15 * value
             if lower:
-                value, worst = trial, near
                 break
             length *= 0.5
         if not lower:
-            for i in range(3):
-                motion[i] = origin[i]
-            return worst
+            break
+        value, worst = found, near
+        for i in range(k):
+            y[i] = trial[i]
     return worst
-
-
-@filling
-def _unit_slip(contacts: FloatArray, ball: int, rates: FloatArray, motion: FloatArray) -> float:
-    """Slip that the curvature of the contacts makes in rolling, the smaller of both; m/s."""
-    least = inf
-    for race in range(2):
-        c, rate = contacts[race], rates[race]
-        roll = rate[1, 0] * (motion[0] - (1.0 - race)) + rate[1, 1] * motion[1]
-        least = min(least, abs(roll) * c[SEMI_MAJOR, ball] ** 2 / (2.0 * c[RADIUS, ball]))
-    return least
 
 
 @kernel
@@ -327,20 +301,22 @@ def move_free_balls(
     and the gradient over its own scale; sharp (balls, 2, 2): by race the power by the sharp law and
     that of the twist, over μ Q.
     """
-    places = max(coarse[0].size, fine[0].size)
-    room, wide = np.empty((2, 7, places)), np.empty((2, 7, places))
-    rates, small, allowed = np.empty((2, 3, 3)), np.empty((5, 24)), np.empty(directions.shape[1:])
+    k, places = directions.shape[2], max(coarse[0].size, fine[0].size)
+    rooms, small = np.empty((2, 2, 7, places)), np.empty((SMALL, SUMS))
+    velocities, rates = np.empty((2, VELOCITIES)), np.empty((2, VELOCITIES, k))
     for ball in range(first, beyond):
-        _move_ball(
-            ball, ball > first, coarse, fine, contacts, start, directions, roundings, motion, found,
-            sharp, room, wide, rates, small, allowed,
-        )  # fmt: skip
+        if ball > first and _alike(contacts, start, directions, ball):
+            _copy(motion, found, sharp, ball)
+        else:
+            _move_ball(
+                ball, coarse, fine, contacts, start, directions, roundings, motion, found, sharp,
+                rooms, velocities, rates, small,
+            )  # fmt: skip
 
 
 @filling
 def _move_ball(
     ball: int,
-    has_neighbour: bool,
     coarse: tuple[FloatArray, FloatArray, FloatArray],
     fine: tuple[FloatArray, FloatArray, FloatArray],
     contacts: FloatArray,
@@ -350,57 +326,69 @@ def _move_ball(
     motion: FloatArray,
     found: FloatArray,
     sharp: FloatArray,
-    room: FloatArray,
-    wide: FloatArray,
+    rooms: FloatArray,
+    velocities: FloatArray,
     rates: FloatArray,
     small: FloatArray,
-    allowed: FloatArray,
 ) -> None:
-    """One ball of `move_free_balls`, unless it is like the one before.
+    """One ball of `move_free_balls`.
 
     Nearly to the end on the coarse mesh; if that leads astray, from the start on the fine one.
     """
-    if has_neighbour and _alike(contacts, start, directions, ball):
-        for i in range(3):
-            motion[ball, i] = motion[ball - 1, i]
-        for i in range(2):
-            found[ball, i] = found[ball - 1, i]
-            sharp[ball, i, 0], sharp[ball, i, 1] = sharp[ball - 1, i, 0], sharp[ball - 1, i, 1]
-        return
-    own, k = motion[ball], allowed.shape[1]
-    for i in range(3):
-        own[i] = start[ball, i]
-        for j in range(k):
-            allowed[i, j] = directions[ball, i, j]
+    k, y, unit, residual = rates.shape[2], small[AT], inf, inf
+    room, wide = rooms[0], rooms[1]
     for race in range(2):
-        _rates(contacts[race], ball, rates[race])
-        _place_across(coarse[0], 2.0 * race - 1.0, contacts[race], ball, room[race])
-        _place_across(fine[0], 2.0 * race - 1.0, contacts[race], ball, wide[race])
-    unit, residual = _unit_slip(contacts, ball, rates, own), inf
-    for stage in range(roundings.size):
-        v0 = roundings[stage] * unit
-        _minimise(
-            coarse[1], coarse[2], contacts, ball, own, allowed, v0, NEARLY, rates, room, small
+        c, side = contacts[race], 2.0 * race - 1.0
+        _relative_motion(
+            c, ball, 1.0 - race, start[ball], directions[ball], velocities[race], rates[race]
         )
+        _place_across(coarse[0], side, c, ball, room[race])
+        _place_across(fine[0], side, c, ball, wide[race])
+        # what the curvature of the contact makes in rolling
+        slip = abs(velocities[race, 1]) * c[SEMI_MAJOR, ball] ** 2 / (2.0 * c[RADIUS, ball])
+        unit = min(unit, slip)
+    for i in range(k):
+        y[i] = 0.0
+    for stage in range(roundings.size):
+        _minimise(
+            coarse[1], coarse[2], contacts, ball, roundings[stage] * unit,
+            NEARLY if stage == roundings.size - 1 else ROUGHLY, y, velocities, rates, room, small,
+        )  # fmt: skip
     last = roundings[roundings.size - 1] * unit
     residual = _minimise(
-        fine[1], fine[2], contacts, ball, own, allowed, last, TOLERANCE, rates, wide, small
+        fine[1], fine[2], contacts, ball, last, TOLERANCE, y, velocities, rates, wide, small
     )
     if not residual <= TOLERANCE:
-        for i in range(3):
-            own[i] = start[ball, i]
+        for i in range(k):
+            y[i] = 0.0
         for stage in range(roundings.size):
-            v0 = roundings[stage] * unit
             residual = _minimise(
-                fine[1], fine[2], contacts, ball, own, allowed, v0, TOLERANCE, rates, wide, small
-            )
+                fine[1], fine[2], contacts, ball, roundings[stage] * unit, TOLERANCE, y,
+                velocities, rates, wide, small,
+            )  # fmt: skip
     found[ball, 0], found[ball, 1] = last, residual
+    for i in range(3):
+        motion[ball, i] = start[ball, i]
+        for j in range(k):
+            motion[ball, i] += directions[ball, i, j] * y[j]
     for race in range(2):
-        _velocity(contacts[race], ball, 1.0 - race, rates[race], own, small[0])
+        for i in range(VELOCITIES):
+            for j in range(k):
+                velocities[race, i] += rates[race, i, j] * y[j]
         _add_sharp(
-            fine[1], fine[2], contacts[race, SEMI_MINOR, ball], small[0], wide[race],
+            fine[1], fine[2], contacts[race, SEMI_MINOR, ball], velocities[race], wide[race],
             sharp[ball, race],
         )  # fmt: skip
+
+
+@filling
+def _copy(motion: FloatArray, found: FloatArray, sharp: FloatArray, ball: int) -> None:
+    """Give a ball what the one before has."""
+    for i in range(3):
+        motion[ball, i] = motion[ball - 1, i]
+    for i in range(2):
+        found[ball, i] = found[ball - 1, i]
+        sharp[ball, i, 0], sharp[ball, i, 1] = sharp[ball - 1, i, 0], sharp[ball - 1, i, 1]
 
 
 @filling
