@@ -31,7 +31,8 @@ SEMI_MINOR: Final = 4
 RADIUS: Final = 5  # of the deformed surface
 LIFT: Final = 6  # from the arc's centre to the ball's
 PITCH: Final = 7  # d_m / 2
-NUMBERS: Final = 8
+HALF: Final = 8  # D / 2
+NUMBERS: Final = 9
 
 VELOCITIES: Final = 3  # drift, roll, twist
 # of `sums` of one contact: power, its gradient by V, its Hessian (upper half), and the gradient

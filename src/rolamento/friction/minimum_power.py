@@ -173,7 +173,7 @@ def minimum_power_motion(
     fine = mesh.rows
     # one row stays one: it is the model of no slip across rolling
     coarse = ellipse_mesh(COARSE_PLACES, min(3, len(fine[1]))).folded()
-    contacts = np.stack([_numbers(patch) for patch in (inner, outer)])
+    contacts = np.stack([contact_numbers(patch) for patch in (inner, outer)])
     share_out(
         free_ball.move_free_balls, run, balls, chunk=max(balls, 1), threads=1, little=balls <= FEW
     )
@@ -185,13 +185,13 @@ def minimum_power_motion(
     )  # fmt: skip
 
 
-def _numbers(patch: Patch) -> FloatArray:
+def contact_numbers(patch: Patch) -> FloatArray:
     """What `free_ball` reads of the contacts of a race; (NUMBERS, balls)."""
     lift = patch.rolling_radius(np.zeros_like(patch.load)) - patch.deformed_radius
     angle = patch.contact_angle
     return np.stack(
         [patch.load, np.cos(angle), np.sin(angle), patch.semi_major, patch.semi_minor,
-         patch.deformed_radius, lift, 0.5 * patch.pitch_diameter]
+         patch.deformed_radius, lift, 0.5 * patch.pitch_diameter, 0.5 * patch.ball_diameter]
     )  # fmt: skip
 
 

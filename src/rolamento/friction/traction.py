@@ -49,7 +49,7 @@ class EllipseMesh:
 
     @property
     def rows(self) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """u of the places across, (places,), and v² and the weight, (rows along, places)."""
+        """Places across, u (places,), with v² and weight of their points, (rows along, places)."""
         u, count = np.unique(self.across, return_counts=True)
         shape = (u.size, int(count[0]))
         return (

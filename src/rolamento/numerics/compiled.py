@@ -6,10 +6,10 @@ wants. Its attribute `compiled` is the same text through Numba, for everything e
 imported before that.
 
 `kernel` is for what is compiled and called as a whole: cached on disk, free of the interpreter
-lock. `shared` functions are called by kernels; `filling` ones make no arrays. `inline_fast` and `inline_exact` are for formulas,
-compiled into every caller: fast ones may be re-associated, so that they turn into vector code;
-exact ones follow IEEE 754 to the letter and serve to check the fast ones. No formula may assume
-that NaN does not happen: a NaN is how a case says that it has failed.
+lock. `shared` functions are called by kernels; `filling` ones make no arrays. `inline_fast` and
+`inline_exact` are for formulas, compiled into every caller: fast ones may be re-associated, so that
+they turn into vector code; exact ones follow IEEE 754 to the letter and serve to check the fast
+ones. No formula may assume that NaN does not happen: a NaN is how a case says that it has failed.
 """
 
 from __future__ import annotations

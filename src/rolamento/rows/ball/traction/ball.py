@@ -141,7 +141,8 @@ def contact_forces(
     """Forces and moments of one race on the ball, and their derivatives: (Q, dissipated power).
 
     y1, y2: from the groove's centre to the ball's (outer), or from the ball's to the groove's
-    (inner). omega (3,), orbit: ω_b and ω_m; least: v0² at the nodes of this contact. Fills found.force and found.slope.
+    (inner). omega (3,), orbit: ω_b and ω_m; least: v0² at the nodes of this contact. Fills
+    found.force and found.slope.
     """
     p, case, k = rig.p, rig.case, rig.k
     if inner:

@@ -72,8 +72,9 @@ def solve_with_friction(
     for share, enough in ATTEMPTS:
         copy_place(start, place)
         worst, evaluations = _sharpen(
-            rig, place, coarse, fine, share * smoothest, smoothing, enough, good, origin, sheet, step
-        )
+            rig, place, coarse, fine, share * smoothest, smoothing, enough, good, origin, sheet,
+            step,
+        )  # fmt: skip
         total += evaluations
         if worst <= ACCEPTED:
             break
