@@ -12,13 +12,21 @@ Harris (1971), with Ricci and Fleury's equations 15 to 19 as corrected in docs/t
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento.friction.minimum_power import loaded_contacts, minimum_power_motion, start_of
+from rolamento.friction.line_balance import balance_balls
+from rolamento.friction.minimum_power import (
+    FEW,
+    contact_numbers,
+    loaded_contacts,
+    minimum_power_motion,
+    start_of,
+)
 from rolamento.friction.model import (
     ContactLoss,
     Torque,
@@ -38,16 +46,11 @@ from rolamento.friction.slip import (
 )
 from rolamento.friction.traction import ellipse_mesh
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.numerics.threads import share_out
 from rolamento.solved import Solved
 from rolamento.words import marked
 
 _POINTS = 120
-_STEPS = 60
-_TOLERANCE = 1e-8
-"""Of the balance of forces, over friction itself: what stands of a closed form in doubles."""
-_MINIMUM_DAMPING = 1e-14
-_REACH = 1e6
-"""Of the ring's speed: no ball turns faster."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -155,35 +158,14 @@ def _balanced(inner: Patch, outer: Patch, start: FloatArray) -> tuple[FloatArray
     found = minimum_power_motion(inner, outer, start, free, ellipse_mesh(_POINTS, 1))
     motion = np.stack([found.ball_x, found.ball_z, found.orbit], axis=-1)
     motion = np.where(found.converged[:, np.newaxis], motion, start)
-    error, hessian, scale = _imbalance(inner, outer, motion)
-    damping = np.full(len(start), 1e-6)
-    for _ in range(_STEPS):
-        size = np.max(np.abs(error) / scale, axis=1)
-        if np.all((size <= 1e-3 * _TOLERANCE) | (damping > 1e6)):
-            break
-        trial = motion - _damped_step(error, hessian, damping)
-        # a ball that hardly anything holds is sent away by its first steps: shorter ones do
-        far = np.abs(trial).max(axis=1, keepdims=True) > _REACH
-        trial = np.where(far, motion, trial)
-        new_error, new_hessian, _ = _imbalance(inner, outer, trial)
-        better = np.max(np.abs(new_error) / scale, axis=1) < size
-        motion = np.where(better[:, np.newaxis], trial, motion)
-        error = np.where(better[:, np.newaxis], new_error, error)
-        hessian = np.where(better[:, np.newaxis, np.newaxis], new_hessian, hessian)
-        damping = np.maximum(np.where(better, 0.01 * damping, 30.0 * damping), _MINIMUM_DAMPING)
-    return motion, np.max(np.abs(error) / scale, axis=1) <= _TOLERANCE
+    balls, converged = len(start), np.empty(len(start), np.bool_)
+    contacts = np.stack([contact_numbers(patch) for patch in (inner, outer)])
 
+    def run(function: Callable[..., None], first: int, beyond: int) -> None:
+        function(first, beyond, contacts, motion, converged)
 
-def _damped_step(error: FloatArray, hessian: FloatArray, damping: FloatArray) -> FloatArray:
-    stiffness = np.einsum("bii->bi", hessian)
-    # where nothing resists a turn, a little does: the step stays finite
-    maximum = stiffness.max(axis=1, keepdims=True)
-    diagonal = np.sqrt(np.maximum(stiffness, np.where(maximum > 0.0, 1e-12 * maximum, 1.0)))
-    scaled = hessian / (diagonal[:, :, np.newaxis] * diagonal[:, np.newaxis, :])
-    scaled = scaled + damping[:, np.newaxis, np.newaxis] * np.eye(3)
-    return np.asarray(
-        np.linalg.solve(scaled, (error / diagonal)[..., np.newaxis])[..., 0] / diagonal
-    )
+    share_out(balance_balls, run, balls, chunk=max(balls, 1), threads=1, little=balls <= FEW)
+    return motion, converged
 
 
 def _motion_at(patch: Patch, motion: FloatArray) -> RelativeMotion:
@@ -191,54 +173,6 @@ def _motion_at(patch: Patch, motion: FloatArray) -> RelativeMotion:
     ring = 1.0 if patch.race == "inner" else 0.0
     ball = BallVelocity(ball_x - orbit, np.zeros_like(orbit), ball_z)
     return relative_motion(patch, ball, ring - orbit)
-
-
-def _imbalance(
-    inner: Patch, outer: Patch, motion: FloatArray
-) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Gradient of the power per μ by the motion, its Hessian, and the gradient's own scale."""
-    gradient, scale = np.zeros_like(motion), np.zeros_like(motion)
-    hessian = np.zeros((*motion.shape, 3))
-    for patch in (inner, outer):
-        seen = _motion_at(patch, motion)
-        sums = line_friction(patch, seen)
-        cosine, sine = np.cos(patch.contact_angle), np.sin(patch.contact_angle)
-        roll = patch.side * sums.roll
-        arm = 0.5 * patch.pitch_diameter
-        gradient += np.stack(
-            [roll * cosine - sums.twist * sine, -roll * sine - sums.twist * cosine,
-             sums.force * arm], axis=-1,
-        )  # fmt: skip
-        scale += np.stack(
-            [0.5 * patch.load * patch.ball_diameter] * 2 + [patch.load * arm], axis=-1
-        )
-        hessian += _curvature(patch, seen)
-    return gradient, hessian, scale
-
-
-def _curvature(patch: Patch, motion: RelativeMotion) -> FloatArray:
-    """Second derivatives of the power: 2 q/|v'| at every line of pure rolling; (balls, 3, 3)."""
-    lines = rolling_lines(patch, motion)
-    there = np.isfinite(lines)
-    s = np.where(there, lines, 0.0)
-    points = patch.at_points()
-    radius = patch.side * points.rolling_radius(s)
-    x0 = points.semi_major * s
-    bend = np.sqrt(points.deformed_radius**2 - x0**2)
-    slope = -patch.side * motion.roll[..., np.newaxis] * x0 / bend - motion.twist[..., np.newaxis]
-    density = 0.75 * points.load * (1.0 - s**2) / points.semi_major
-    with np.errstate(divide="ignore", invalid="ignore"):
-        weight = np.where(there & (slope != 0.0), 2.0 * density / np.abs(slope), 0.0)
-    cosine, sine = np.cos(points.contact_angle), np.sin(points.contact_angle)
-    rate = np.stack(
-        np.broadcast_arrays(
-            radius * cosine - x0 * sine,
-            -radius * sine - x0 * cosine,
-            0.5 * points.pitch_diameter,
-        ),
-        axis=-1,
-    )
-    return np.asarray(np.einsum("bl,bli,blj->bij", weight, rate, rate))
 
 
 MODEL: Final = TorqueModel(

@@ -6,31 +6,40 @@ along its orbit: the minimum is the equilibrium. With fewer motions allowed (rac
 is the equilibrium of what remains, and takes no less power.
 
 Newton's method on the rounded law, from a wide rounding to a narrow one, each step shortened
-until the power falls; many balls at a time. Jones's full model and his model with raceway control
-take their torque from the motion that is found.
+until the power falls: compiled (`free_ball`), or in NumPy for so few balls that loading the
+compiler would take longer. Jones's full model and his model with raceway control take their torque
+from the motion that is found.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rolamento.friction import free_ball
 from rolamento.friction.model import ContactLoss, bears_on_both, has_result
 from rolamento.friction.slip import BallVelocity, Patch, RelativeMotion, relative_motion
 from rolamento.friction.slip import slip_velocity as slip_at
-from rolamento.friction.traction import EllipseMesh, contact_friction
+from rolamento.friction.traction import EllipseMesh, contact_friction, ellipse_mesh
 from rolamento.kinematics import BallMotion
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.numerics.threads import share_out
 from rolamento.solved import Solved
 
 ROUNDINGS = (0.1, 0.01)
 """v0 over the slip that rolling alone makes in the smaller contact, stage by stage."""
 
-GRADIENT_TOLERANCE = 1e-9
+GRADIENT_TOLERANCE = free_ball.TOLERANCE
 """Of the sum of what the gradient is made of, without cancellation."""
+
+FEW = 1000
+"""Balls that take NumPy less time than loading the compiler."""
+
+COARSE_PLACES = 20
+"""Across the ellipses, on which the motion is nearly found."""
 
 _STEPS = 60
 _HALVINGS = 30
@@ -39,11 +48,24 @@ _CHUNK = 64
 
 
 @dataclass(frozen=True, slots=True)
+class SharpPower:
+    """Power of the friction in the contacts of a race over μ Q; (balls,), m/s.
+
+    total: of the slip, spin: the part that the twisting moment takes.
+    """
+
+    total: FloatArray
+    spin: FloatArray
+
+
+@dataclass(frozen=True, slots=True)
 class FreeMotion:
     """The motion found, for a unit speed of the inner ring relative to the outer.
 
     Seen from the outer ring. ball_x, ball_z and orbit: (balls,), rad/s; rounding: v0 of the last
-    stage, m/s; converged: (balls,); residual: the maximum gradient over its own scale.
+    stage, m/s; converged: (balls,); residual: the maximum gradient over its own scale. inner,
+    outer: the power by Coulomb's sharp law at this motion, which near a minimum of the rounded one
+    is off by the square only.
     """
 
     ball_x: FloatArray
@@ -52,6 +74,8 @@ class FreeMotion:
     rounding: FloatArray
     converged: BoolArray
     residual: FloatArray
+    inner: SharpPower
+    outer: SharpPower
 
     def at_cage(self) -> BallVelocity:
         """The ball's angular velocity seen from the cage; rad/s."""
@@ -101,12 +125,11 @@ def minimum_power_losses(
     mesh = mesh.folded()  # nothing tumbles, so the power is even along rolling
     found = minimum_power_motion(inner, outer, start_of(motion, chosen), directions[chosen], mesh)
     coefficient = np.broadcast_to(mu, chosen.shape)[chosen]
-    for patch in (inner, outer):
-        # Coulomb's sharp law at the motion found with the rounded one: near a minimum that is off
-        # by the square only
-        friction = contact_friction(patch, found.relative_motion(patch), coefficient, mesh=mesh)
-        getattr(losses["spin"], patch.race)[chosen] = friction.spin_power
-        getattr(losses["rolling_slip"], patch.race)[chosen] = friction.power - friction.spin_power
+    for patch, sharp in ((inner, found.inner), (outer, found.outer)):
+        force = coefficient * patch.load
+        spin = force * sharp.spin
+        getattr(losses["spin"], patch.race)[chosen] = spin
+        getattr(losses["rolling_slip"], patch.race)[chosen] = force * sharp.total - spin
     converged = np.ones(chosen.shape, np.bool_)
     converged[chosen] = found.converged
     return losses, np.all(converged, axis=-1), found
@@ -134,18 +157,63 @@ def minimum_power_motion(
     -------
     FreeMotion. Balls whose numbers are alike are solved once.
     """
+    balls = len(start)
+    motion, found, sharp = np.empty((balls, 3)), np.empty((balls, 2)), np.empty((balls, 2, 2))
+
+    def run(function: Callable[..., None], first: int, beyond: int) -> None:
+        if function is free_ball.move_free_balls:  # not compiled
+            motion[:], found[:], sharp[:] = _moved(inner, outer, start, directions, mesh, roundings)
+            return
+        function(
+            first, beyond, coarse.rows, fine,
+            contacts, start, np.ascontiguousarray(directions), np.array(roundings),
+            motion, found, sharp,
+        )  # fmt: skip
+
+    fine = mesh.rows
+    # one row stays one: it is the model of no slip across rolling
+    coarse = ellipse_mesh(COARSE_PLACES, min(3, len(fine[1]))).folded()
+    contacts = np.stack([contact_numbers(patch) for patch in (inner, outer)])
+    share_out(
+        free_ball.move_free_balls, run, balls, chunk=max(balls, 1), threads=1, little=balls <= FEW
+    )
+    converged = found[:, 1] <= GRADIENT_TOLERANCE
+    motion[~converged] = np.nan
+    return FreeMotion(
+        motion[:, 0], motion[:, 1], motion[:, 2], found[:, 0], converged, found[:, 1],
+        *(SharpPower(sharp[:, race, 0], sharp[:, race, 1]) for race in range(2)),
+    )  # fmt: skip
+
+
+def contact_numbers(patch: Patch) -> FloatArray:
+    """What `free_ball` reads of the contacts of a race; (NUMBERS, balls)."""
+    lift = patch.rolling_radius(np.zeros_like(patch.load)) - patch.deformed_radius
+    angle = patch.contact_angle
+    return np.stack(
+        [patch.load, np.cos(angle), np.sin(angle), patch.semi_major, patch.semi_minor,
+         patch.deformed_radius, lift, 0.5 * patch.pitch_diameter, 0.5 * patch.ball_diameter]
+    )  # fmt: skip
+
+
+def _moved(
+    inner: Patch,
+    outer: Patch,
+    start: FloatArray,
+    directions: FloatArray,
+    mesh: EllipseMesh,
+    roundings: tuple[float, ...],
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """What `free_ball.move_free_balls` finds of all balls: motion, found and sharp, by NumPy."""
     key = np.column_stack([*inner.arrays, *outer.arrays, start, directions.reshape(len(start), -1)])
     _, first, back = np.unique(key, axis=0, return_index=True, return_inverse=True)
-    back = back.reshape(-1)
     parts = [
         _solved(_picked(inner, c), _picked(outer, c), start[c], directions[c], mesh, roundings)
         for c in np.array_split(first, max(1, -(-first.size // _CHUNK)))
     ]
-    joined = (np.concatenate(arrays)[back] for arrays in zip(*parts, strict=True))
-    motion, rounding, converged, residual = joined
-    return FreeMotion(
-        motion[:, 0], motion[:, 1], motion[:, 2], rounding, converged.astype(np.bool_), residual
+    motion, rounding, residual, sharp = (
+        np.concatenate(arrays)[back.reshape(-1)] for arrays in zip(*parts, strict=True)
     )
+    return motion, np.stack([rounding, residual], axis=-1), sharp
 
 
 def _picked(patch: Patch, chosen: BoolArray | NDArray[np.intp]) -> Patch:
@@ -186,7 +254,7 @@ def _solved(
     directions: FloatArray,
     mesh: EllipseMesh,
     roundings: tuple[float, ...],
-) -> tuple[FloatArray, FloatArray, BoolArray, FloatArray]:
+) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
     problem = _problem(inner, outer, start, directions, mesh)
     unit = _slip_scale(inner, outer, start)
     y = np.zeros(directions.shape[::2])
@@ -194,9 +262,14 @@ def _solved(
     for stage in roundings:
         y, residual = _newton(problem, y, (stage * unit)[:, np.newaxis])
     motion = start + np.einsum("bik,bk->bi", directions, y)
-    converged = residual <= GRADIENT_TOLERANCE
-    motion = np.where(converged[:, np.newaxis], motion, np.nan)
-    return motion, roundings[-1] * unit, converged, residual
+    sharp = [_sharp(inner, motion, 1.0, mesh), _sharp(outer, motion, 0.0, mesh)]
+    return motion, roundings[-1] * unit, residual, np.stack(sharp, axis=1)
+
+
+def _sharp(patch: Patch, motion: FloatArray, ring: float, mesh: EllipseMesh) -> FloatArray:
+    """Power by the sharp law and that of the twist, over μ Q; (balls, 2)."""
+    friction = contact_friction(patch, _motion(patch, motion, ring), 1.0, mesh=mesh)
+    return np.stack([friction.power, friction.spin_power], axis=-1) / patch.load[:, np.newaxis]
 
 
 def _problem(

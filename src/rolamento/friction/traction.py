@@ -47,6 +47,17 @@ class EllipseMesh:
         share = np.where(np.abs(self.along[kept]) < _MIDDLE, 1.0, 2.0)
         return EllipseMesh(self.across[kept], self.along[kept], self.weight[kept] * share)
 
+    @property
+    def rows(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Places across, u (places,), with v² and weight of their points, (rows along, places)."""
+        u, count = np.unique(self.across, return_counts=True)
+        shape = (u.size, int(count[0]))
+        return (
+            self.across.reshape(shape)[:, 0].copy(),
+            np.ascontiguousarray(np.square(self.along).reshape(shape).T),
+            np.ascontiguousarray(self.weight.reshape(shape).T),
+        )
+
 
 @lru_cache(maxsize=32)
 def ellipse_mesh(across: int = 80, along: int = 5) -> EllipseMesh:

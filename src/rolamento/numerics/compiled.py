@@ -6,10 +6,10 @@ wants. Its attribute `compiled` is the same text through Numba, for everything e
 imported before that.
 
 `kernel` is for what is compiled and called as a whole: cached on disk, free of the interpreter
-lock. `shared` functions are called by kernels. `inline_fast` and `inline_exact` are for formulas,
-compiled into every caller: fast ones may be re-associated, so that they turn into vector code;
-exact ones follow IEEE 754 to the letter and serve to check the fast ones. No formula may assume
-that NaN does not happen: a NaN is how a case says that it has failed.
+lock. `shared` functions are called by kernels; `filling` ones make no arrays. `inline_fast` and
+`inline_exact` are for formulas, compiled into every caller: fast ones may be re-associated, so that
+they turn into vector code; exact ones follow IEEE 754 to the letter and serve to check the fast
+ones. No formula may assume that NaN does not happen: a NaN is how a case says that it has failed.
 """
 
 from __future__ import annotations
@@ -35,6 +35,7 @@ _FAMILIES = (  # where kernels live, each with the formulas that they are compil
     ("numerics", "rows/ball", "rows/ball/traction"),
     ("numerics", "contact", "rows/roller"),
     ("numerics", "rows"),
+    ("numerics", "friction"),
 )
 _CONSTANTS = frozenset({"compiled", "layout", "newton"})  # files without kernels that shape them
 
@@ -100,6 +101,15 @@ def shared(function: Callable[P, R]) -> Kernel[P, R]:
     return Kernel(function, nogil=True)
 
 
+def filling(function: Callable[P, R]) -> Kernel[P, R]:
+    """Make a function that kernels call, which only reads and fills the arrays that it is given.
+
+    It makes none, returns none, and calls nothing that does. So it need not be counted who holds
+    them, which takes longer than a short function, and threads that share an array wait for it.
+    """
+    return Kernel(function, nogil=True, _nrt=False)
+
+
 def inline_exact(function: Callable[P, R]) -> Kernel[P, R]:
     """Make a formula that is compiled into its callers, as it is written."""
     return Kernel(function, forceinline=True)
@@ -111,8 +121,8 @@ def inline_fast(function: Callable[P, R]) -> Kernel[P, R]:
 
 
 def vector_loop(function: Callable[P, R]) -> Kernel[P, R]:
-    """Make a loop over lanes, compiled on its own so that it can become vector code."""
-    return Kernel(function, nogil=True, fastmath=_VECTORISABLE)
+    """Make a loop over lanes that fills arrays, compiled on its own to become vector code."""
+    return Kernel(function, nogil=True, fastmath=_VECTORISABLE, _nrt=False)
 
 
 @cache

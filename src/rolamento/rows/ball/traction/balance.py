@@ -17,7 +17,7 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from rolamento.numerics.compiled import shared
+from rolamento.numerics.compiled import filling, shared
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.single import direction, groove
 from rolamento.rows.ball.traction.ball import (
@@ -66,6 +66,7 @@ class Sheet(NamedTuple):
     and slope (balls, SEEN + 1, BALL + 3), its derivatives, those of both races' force along the
     orbit in the last row. forces (balls, FORCES): Q_i, Q_o, F_c, friction along the orbit, power
     at the inner and the outer race, forces and moments of each race as of `contact_forces`.
+    reaction (5,), what the balls ask of the ring.
     """
 
     residual: Array
@@ -74,6 +75,7 @@ class Sheet(NamedTuple):
     sight: Array
     slope: Array
     forces: Array
+    reaction: Array
     inner: Race
     outer: Race
 
@@ -88,12 +90,13 @@ def sheet_for(balls: int) -> Sheet:
         np.empty((balls, SEEN)),
         np.empty((balls, SEEN + 1, BALL + 3)),
         np.empty((balls, FORCES)),
+        np.empty(layout.DEGREES_OF_FREEDOM),
         race_room(),
         race_room(),
     )
 
 
-@shared
+@filling
 def start_amid_gaps(rig: Rig, place: Place) -> None:
     """Set balls without inertia that nothing touches amid their gap, in place."""
     inner, outer = rig.p[layout.INNER_LENGTH, rig.case], rig.p[layout.OUTER_LENGTH, rig.case]
@@ -107,7 +110,7 @@ def start_amid_gaps(rig: Rig, place: Place) -> None:
             place.x[j, 1] = a2 * outer / (inner + outer)
 
 
-@shared
+@filling
 def start_rolling(rig: Rig, place: Place) -> None:
     """Set the balls rolling as under outer raceway control, the cage as the loaded ones have it."""
     weight, orbit = 0.0, 0.0
@@ -127,7 +130,7 @@ def start_rolling(rig: Rig, place: Place) -> None:
     u[CAGE] = orbit / weight if weight > 0.0 else u[CAGE]
 
 
-@shared
+@filling
 def evaluate(rig: Rig, place: Place, mesh: Mesh, sheet: Sheet) -> Two:
     """Residuals and derivatives everywhere: (merit, greatest residual), both relative."""
     orbit = place.u[CAGE]
@@ -141,8 +144,13 @@ def evaluate(rig: Rig, place: Place, mesh: Mesh, sheet: Sheet) -> Two:
         for inner in range(2):  # one call, so that the compiler has one to look at
             race = sheet.inner if inner == 1 else sheet.outer
             y1, y2 = (a1 - x1, a2 - x2) if inner == 1 else (x1, x2)
-            own = _with_film(mesh, race, j, 1 - inner)
-            q, power = contact_forces(rig, inner == 1, y1, y2, omega, orbit, own, race)
+            least = mesh.least
+            if mesh.film.size > 0:
+                _add_film(mesh, race, j, 1 - inner)
+                least = race.least
+            if mesh.lift.size > 0:
+                race.lift[0] = mesh.lift[j, 1 - inner]
+            q, power = contact_forces(rig, inner == 1, y1, y2, omega, orbit, mesh, least, race)
             forces[j, 1 - inner], forces[j, OUTER_POWER - inner] = q, power
         _put_ball(rig, omega, orbit, sheet, j)
         _put_sight(rig, a1 - x1, a2 - x2, sheet, j)
@@ -150,19 +158,14 @@ def evaluate(rig: Rig, place: Place, mesh: Mesh, sheet: Sheet) -> Two:
     return _measured(rig, place.u, sheet, heaviest)
 
 
-@shared
-def _with_film(mesh: Mesh, race: Race, j: int, side: int) -> Mesh:
-    """The mesh of one contact: with the film of the ball's inner (0) or outer (1) side, if any."""
-    if mesh.lift.size > 0:
-        race.lift[0] = mesh.lift[j, side]
-    if mesh.film.size == 0:
-        return mesh
+@filling
+def _add_film(mesh: Mesh, race: Race, j: int, side: int) -> None:
+    """Make v0² at one contact: with the film of the ball's inner (0) or outer (1) side."""
     for node in range(mesh.least.size):
         race.least[node] = mesh.least[node] + mesh.film[j, side, node]
-    return Mesh(mesh.across, mesh.along, mesh.weight, race.least, mesh.film, mesh.lift)
 
 
-@shared
+@filling
 def _put_ball(rig: Rig, omega: Array, orbit: float, sheet: Sheet, j: int) -> None:
     """Forces, residual and derivatives of one ball."""
     k = rig.k
@@ -196,7 +199,7 @@ def _put_ball(rig: Rig, omega: Array, orbit: float, sheet: Sheet, j: int) -> Non
         forces[OF_INNER + i], forces[OF_OUTER + i] = inner.force[i], outer.force[i]
 
 
-@shared
+@filling
 def _put_sight(rig: Rig, y1: float, y2: float, sheet: Sheet, j: int) -> None:
     """What ring and cage see of one ball, with its derivatives."""
     sight, slope, d_i, d_o = sheet.sight[j], sheet.slope[j], sheet.inner.slope, sheet.outer.slope
@@ -220,7 +223,7 @@ def _put_sight(rig: Rig, y1: float, y2: float, sheet: Sheet, j: int) -> None:
         slope[BOTH, column] = along + outer
 
 
-@shared
+@filling
 def _measured(rig: Rig, u: Array, sheet: Sheet, heaviest: float) -> Two:
     """Sum of squares and greatest of all residuals, each over the scale of its own loads."""
     merit, worst = 0.0, 0.0
@@ -232,7 +235,7 @@ def _measured(rig: Rig, u: Array, sheet: Sheet, heaviest: float) -> Two:
             part = abs(sheet.residual[j, row]) / (load if row < 2 else grip * load)
             merit += part * part
             worst = part if not part <= worst else worst
-    ring = _ring_residual(rig, sheet.sight, heaviest)
+    ring = _ring_residual(rig, sheet.sight, heaviest, sheet.reaction)
     cage, total = cage_residual(rig, u[CAGE], sheet.forces)
     if total > 0.0:
         ring = max(ring, abs(cage) / (rig.k[FRICTION] * total))
@@ -240,10 +243,11 @@ def _measured(rig: Rig, u: Array, sheet: Sheet, heaviest: float) -> Two:
     return merit + ring * ring, worst
 
 
-@shared
-def _ring_residual(rig: Rig, sight: Array, heaviest: float) -> float:
+@filling
+def _ring_residual(rig: Rig, sight: Array, heaviest: float, reaction: Array) -> float:
     """The ring's greatest unbalanced load over the greatest load on it or in it."""
-    reaction = np.zeros(layout.DEGREES_OF_FREEDOM)
+    for i in range(layout.DEGREES_OF_FREEDOM):
+        reaction[i] = 0.0
     for j in range(rig.cosines.size):
         c, s = direction(rig.p, rig.case, rig.cosines[j], rig.sines[j])
         add_reaction(c, s, sight[j], reaction)
@@ -257,7 +261,7 @@ def _ring_residual(rig: Rig, sight: Array, heaviest: float) -> float:
     return error / scale if scale > 0.0 else error
 
 
-@shared
+@filling
 def add_reaction(c: float, s: float, sight: Array, total: Array) -> None:
     """Add what a ball at azimuth (c, s) asks of the ring: x, y, z, ry R_i, rz R_i."""
     total[0] += sight[0]
@@ -267,7 +271,7 @@ def add_reaction(c: float, s: float, sight: Array, total: Array) -> None:
     total[4] += c * sight[4] - s * sight[2]
 
 
-@shared
+@filling
 def cage_residual(rig: Rig, orbit: float, forces: Array) -> Two:
     """Friction along the orbit that the cage's drag does not balance; and all loads together."""
     along, total = 0.0, 0.0

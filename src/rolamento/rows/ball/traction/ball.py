@@ -20,7 +20,7 @@ from typing import NamedTuple
 import numpy as np
 
 from rolamento.kinematics import LEAST_COSINE
-from rolamento.numerics.compiled import shared
+from rolamento.numerics.compiled import filling, shared
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.ball import contact_exact
 from rolamento.rows.ball.traction.contact import FORCES, SUMS, add_friction
@@ -115,7 +115,7 @@ def race_room() -> Race:
     )
 
 
-@shared
+@filling
 def polynomial(c: Array, first: int, x: float) -> Two:
     """A polynomial of `layout.COEFFICIENTS` terms and its slope, by Horner's scheme."""
     value = c[first + layout.COEFFICIENTS - 1]
@@ -126,7 +126,7 @@ def polynomial(c: Array, first: int, x: float) -> Two:
     return value, slope
 
 
-@shared
+@filling
 def contact_forces(
     rig: Rig,
     inner: bool,
@@ -135,12 +135,14 @@ def contact_forces(
     omega: Array,
     orbit: float,
     mesh: Mesh,
+    least: Array,
     found: Race,
 ) -> tuple[float, float]:
     """Forces and moments of one race on the ball, and their derivatives: (Q, dissipated power).
 
     y1, y2: from the groove's centre to the ball's (outer), or from the ball's to the groove's
-    (inner). omega (3,), orbit: ω_b and ω_m. Fills found.force and found.slope.
+    (inner). omega (3,), orbit: ω_b and ω_m; least: v0² at the nodes of this contact. Fills
+    found.force and found.slope.
     """
     p, case, k = rig.p, rig.case, rig.k
     if inner:
@@ -168,7 +170,7 @@ def contact_forces(
     g, n, grow = found.friction, found.by_velocity, found.growth
     power = add_friction(
         mesh.across, mesh.along, mesh.weight, spin, across, omega[1], w, -sign, k[FRICTION] * q,
-        a_1 * root, b_1 * root, groove, k[HALF], mesh.least, g, n, grow, found.sums,
+        a_1 * root, b_1 * root, groove, k[HALF], least, g, n, grow, found.sums,
     )  # fmt: skip
     found.force[0] = sign * q * s + g[4] * c
     found.force[1] = sign * q * c - g[4] * s
@@ -185,7 +187,7 @@ def contact_forces(
     return q, power
 
 
-@shared
+@filling
 def _slope_by_place(
     found: Race, sign: float, q: float, s: float, c: float, v: float, kn: float, ka: float
 ) -> None:
@@ -207,7 +209,7 @@ def _slope_by_place(
         slope[5, column] = m_a * c - m_t * s - (g[0] * s + g[1] * c) * turn
 
 
-@shared
+@filling
 def _slope_by_motion(found: Race, s: float, c: float, radius: float) -> None:
     """Derivatives by ω_x, ω_e, ω_r of the ball and by ω_m."""
     n, h, slope = found.by_velocity, found.by_angle, found.slope
@@ -229,7 +231,7 @@ def _slope_by_motion(found: Race, s: float, c: float, radius: float) -> None:
         slope[5, column] = h[0] * c - h[1] * s
 
 
-@shared
+@filling
 def rolling_start(
     rig: Rig, s_i: float, c_i: float, s_o: float, c_o: float
 ) -> tuple[float, float, float]:
@@ -247,7 +249,7 @@ def rolling_start(
     return outer + tau * c_o, -tau * s_o, orbit
 
 
-@shared
+@filling
 def least_speed(rig: Rig) -> Two:
     """The scale of slip, |ω_i - ω_o| D, and of angular velocity."""
     relative = abs(rig.p[layout.INNER_SPEED, rig.case] - rig.p[layout.OUTER_SPEED, rig.case])

@@ -6,7 +6,7 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from rolamento.numerics.compiled import shared
+from rolamento.numerics.compiled import filling, shared
 from rolamento.numerics.dense import solve_dense
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.single import direction
@@ -61,7 +61,7 @@ def step_for(balls: int) -> Step:
     )
 
 
-@shared
+@filling
 def eliminate_balls(rig: Rig, sheet: Sheet, step: Step) -> bool:
     """Let every ball follow ring and cage; False where a ball's matrix is singular.
 
@@ -85,7 +85,7 @@ def eliminate_balls(rig: Rig, sheet: Sheet, step: Step) -> bool:
     return True
 
 
-@shared
+@filling
 def _follow(rig: Rig, sheet: Sheet, step: Step, j: int) -> bool:
     """How a ball follows A1, A2 and ω_m, and what ring and cage then see of it."""
     half = rig.k[HALF]
@@ -113,7 +113,7 @@ def _follow(rig: Rig, sheet: Sheet, step: Step, j: int) -> bool:
     return True
 
 
-@shared
+@filling
 def _solve_ball(system: Array) -> bool:
     """Solve for all right sides at once, in place; False where the matrix is singular."""
     greatest = 0.0
@@ -140,7 +140,7 @@ def _solve_ball(system: Array) -> bool:
     return True
 
 
-@shared
+@filling
 def _add_to_ring(sight: Array, step: Step, c: float, s: float) -> None:
     """Add to the equations of ring and cage what they see of one ball, at azimuth (c, s)."""
     seen, matrix, right = step.seen, step.matrix, step.right
@@ -165,7 +165,7 @@ def _add_to_ring(sight: Array, step: Step, c: float, s: float) -> None:
                 matrix[row, unknown] += told[row]
 
 
-@shared
+@filling
 def _share(unknown: int, asked: int, c: float, s: float) -> float:
     """The derivative of A1, A2 or ω_m by an unknown of ring and cage."""
     if unknown < 0 or asked == 0:
@@ -177,7 +177,7 @@ def _share(unknown: int, asked: int, c: float, s: float) -> float:
     return 1.0 if unknown == CAGE else 0.0
 
 
-@shared
+@filling
 def find_step(rig: Rig, orbit: float, sheet: Sheet, step: Step) -> bool:
     """Solve for the steps of ring, cage (into step.right) and balls; False where it cannot be."""
     if not eliminate_balls(rig, sheet, step):
@@ -212,7 +212,7 @@ def find_step(rig: Rig, orbit: float, sheet: Sheet, step: Step) -> bool:
     return True
 
 
-@shared
+@filling
 def relax(
     rig: Rig, place: Place, origin: Place, mesh: Mesh, enough: float, sheet: Sheet, step: Step
 ) -> tuple[float, int]:
@@ -243,7 +243,7 @@ def relax(
     return worst, evaluations
 
 
-@shared
+@filling
 def copy_place(source: Place, target: Place) -> None:
     """Copy all unknowns."""
     for i in range(RING):  # element by element: slices take a compiler long
@@ -255,7 +255,7 @@ def copy_place(source: Place, target: Place) -> None:
             target.omega[j, i] = source.omega[j, i]
 
 
-@shared
+@filling
 def _longest_part(steps: Array, reach: float) -> float:
     """The part of a step that moves no ball too far."""
     longest = 0.0
@@ -264,7 +264,7 @@ def _longest_part(steps: Array, reach: float) -> float:
     return min(1.0, reach / longest) if longest > 0.0 else 1.0
 
 
-@shared
+@filling
 def _move(origin: Place, step: Step, part: float, place: Place) -> None:
     """Go a part of the step from the origin."""
     for i in range(RING):
@@ -276,7 +276,7 @@ def _move(origin: Place, step: Step, part: float, place: Place) -> None:
             place.omega[j, i] = origin.omega[j, i] + part * step.balls[j, 2 + i]
 
 
-@shared
+@filling
 def ring_stiffness(rig: Rig, sheet: Sheet, step: Step, tangent: Array) -> None:
     """The ring's load by its displacement, balls and cage following; (5, 5), NaN if singular."""
     found = eliminate_balls(rig, sheet, step)

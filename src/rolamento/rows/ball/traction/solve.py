@@ -41,12 +41,13 @@ from rolamento.rows.ball.traction.contact import ellipse_nodes
 
 _log = logging.getLogger("rolamento")
 
-SMOOTHEST: Final = 1e-1
+SMOOTHEST: Final = 1.0
 """Where the friction begins: the smoothing speed over |ω_i - ω_o| D."""
 SMOOTHING: Final = 1e-4
 """Where it ends; the power changes by less than 1 in 10^3 from there to Coulomb's law."""
 MESHES: Final = {"coarse": (40, 5), "fine": (120, 9)}
-COARSE: Final = MESHES["coarse"]
+COARSEST: Final = (40, 3)
+"""Until the friction is sharp."""
 MOST_IMBALANCE: Final = 1e-6
 """Of the power: what may be missing between the rings' work and the losses."""
 _PATIENCE: Final = "some half a minute"
@@ -131,7 +132,7 @@ class _Problem:
         """Prepare the arrays of a batch."""
         return cls(
             np.ascontiguousarray(p), constants, drag, *directions(balls),
-            ellipse_nodes(*COARSE), ellipse_nodes(*MESHES[mesh]), film,
+            ellipse_nodes(*COARSEST), ellipse_nodes(*MESHES[mesh]), film,
         )  # fmt: skip
 
     def rig(self, case: int) -> Rig:
