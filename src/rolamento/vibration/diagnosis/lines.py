@@ -43,9 +43,9 @@ def envelope_leakage() -> FloatArray:
     return _spread(np.square(taper((np.arange(_LENGTH) + 0.5) / _LENGTH)))
 
 
-def reach(leakage: FloatArray, ratio: float) -> int:
-    """Lines from a peak within which it leaves more than 1 over a ratio of its power."""
-    return int(np.searchsorted(-leakage, -1.0 / max(ratio, 1.0)))
+def reach(leakage: FloatArray, ratio: FloatArray) -> IntArray:
+    """Lines from a peak within which it leaves more than 1 over a ratio of its power; as `ratio`."""
+    return np.asarray(np.searchsorted(-leakage, -1.0 / np.maximum(ratio, 1.0)))
 
 
 def _spread(window: FloatArray) -> FloatArray:
