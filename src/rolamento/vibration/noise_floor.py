@@ -25,6 +25,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import cache
 from math import nan
+from threading import Lock
 from typing import Final, NamedTuple
 
 import numpy as np
@@ -69,7 +70,7 @@ def line_scores(power: FloatArray, *, averages: int) -> FloatArray:
     -------
     (spectra, lines); NaN where there is no level, and where that is zero.
     """
-    reach = np.broadcast_to(reaches(np.arange(power.shape[1])), power.shape)
+    reach = reaches(np.arange(power.shape[1]))
     count = np.ones(power.shape, dtype=np.int64)
     return mean_scores(power, running_medians(power), count, reach, averages)
 
@@ -117,7 +118,7 @@ def mean_scores(
     count
         How many lines are in each mean; same shape.
     reach
-        Of the medians; same shape.
+        Of the medians; of a shape that broadcasts to theirs.
     averages
         K.
 
@@ -126,10 +127,12 @@ def mean_scores(
     The same shape; NaN where there are no lines, more than the median's reach, no level, or it is
     zero.
     """
-    with np.errstate(invalid="ignore"):
+    with np.errstate(all="ignore"):
         good = (median > 0.0) & (count > 0) & (count <= reach)
-    ratio = np.divide(mean, median, out=np.zeros(good.shape), where=good)
-    kinds = np.where(good, _PLACE_OF_REACH[reach] + len(_REACHES) * count, 0)
+        ratio = mean / median
+    kinds = _PLACE_OF_REACH[reach] + len(_REACHES) * count
+    if not np.all(good):
+        ratio[~good], kinds[~good] = 0.0, 0
     present = np.flatnonzero(np.bincount(kinds.ravel()))
     counts, places = np.divmod(present[present > 0], len(_REACHES))
     tables: list[_Table] = []
@@ -140,7 +143,9 @@ def mean_scores(
         return np.full(good.shape, nan)
     number = np.zeros(int(present[-1]) + 1, dtype=np.int64)
     number[present[present > 0]] = np.arange(len(tables))
-    found = _looked_up(tables, number[kinds], np.log1p(np.minimum(ratio, _HIGHEST_RATIO)))
+    np.minimum(ratio, _HIGHEST_RATIO, out=ratio)
+    ratio += 1.0
+    found = _looked_up(tables, number[kinds], np.log(ratio, out=ratio))  # quicker than log1p
     return found if np.all(good) else np.where(good, found, nan)
 
 
@@ -191,36 +196,47 @@ def mean_over_median(averages: int) -> float:
     return float(averages / special.gammaincinv(averages, 0.5))
 
 
-@cache
-def _made(count: int, averages: int) -> dict[int, _Table]:
-    """Tables that have been made, by the reach of the median."""
-    return {}
+class _Made(NamedTuple):
+    """Tables that have been made, by the reach of the median; held by who makes more."""
+
+    tables: dict[int, _Table]
+    held: Lock
+
+    @classmethod
+    @cache
+    def of(cls, count: int, averages: int) -> _Made:
+        return cls({}, Lock())
 
 
 def _scores_by_ratio(reaches: Sequence[int], count: int, averages: int) -> list[_Table]:
-    """Tables of -ln p over ln(1 + T), one a reach; densest about T = 1, where p falls fastest."""
-    made = _made(count, averages)
-    new = [reach for reach in reaches if reach not in made]
-    if new:
-        width = 12.0 / np.sqrt(averages * count)
-        near = 1.0 + width * np.linspace(0.0, 1.0, _NEAR) ** 1.5
-        above = np.concatenate([near, np.geomspace(1.0 + width, _HIGHEST_RATIO, _FAR)[1:]])
-        low = max(0.0, 1.0 - width)
-        start = np.linspace(0.0, low, 6)[:-1] if low > 0.0 else np.zeros(0)
-        below = np.concatenate([start, np.linspace(low, 1.0, _NEAR)])
-        under, over = [], []
-        for reach in new:
-            others, middle = 2 * reach + 1 - count, reach + 1 - count // 2
-            under.append(_score(below, others, middle - (count == 1), count, averages))
-            over.append(_score(above, others, middle, count, averages))
-        at_under, found_under = _dense(below, under)
-        at_over, found_over = _dense(above, over)
-        places = np.concatenate([at_under[:-1], at_over])
-        scores = np.concatenate([found_under[:-1], found_over])
-        made.update(
-            (reach, _Table.of(places, one)) for reach, one in zip(new, scores.T, strict=True)
-        )
-    return [made[reach] for reach in reaches]
+    """Tables of -ln p over ln(1 + T), one a reach."""
+    made = _Made.of(count, averages)
+    with made.held:
+        new = [reach for reach in reaches if reach not in made.tables]
+        made.tables.update(zip(new, _new_tables(new, count, averages), strict=True))
+    return [made.tables[reach] for reach in reaches]
+
+
+def _new_tables(reaches: Sequence[int], count: int, averages: int) -> list[_Table]:
+    """Tables that are densest about T = 1, where p falls fastest."""
+    if not reaches:
+        return []
+    width = 12.0 / np.sqrt(averages * count)
+    near = 1.0 + width * np.linspace(0.0, 1.0, _NEAR) ** 1.5
+    above = np.concatenate([near, np.geomspace(1.0 + width, _HIGHEST_RATIO, _FAR)[1:]])
+    low = max(0.0, 1.0 - width)
+    start = np.linspace(0.0, low, 6)[:-1] if low > 0.0 else np.zeros(0)
+    below = np.concatenate([start, np.linspace(low, 1.0, _NEAR)])
+    under, over = [], []
+    for reach in reaches:
+        others, middle = 2 * reach + 1 - count, reach + 1 - count // 2
+        under.append(_score(below, others, middle - (count == 1), count, averages))
+        over.append(_score(above, others, middle, count, averages))
+    at_under, found_under = _dense(below, under)
+    at_over, found_over = _dense(above, over)
+    places = np.concatenate([at_under[:-1], at_over])
+    scores = np.concatenate([found_under[:-1], found_over])
+    return [_Table.of(places, one) for one in scores.T]
 
 
 def _dense(ratio: FloatArray, scores: Sequence[FloatArray]) -> tuple[FloatArray, FloatArray]:

@@ -21,10 +21,10 @@ at most that (Bonferroni).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import cache
-from itertools import pairwise
+from functools import cache, partial
+from itertools import chain, pairwise
 from math import exp, log, nan
 from typing import Final, NamedTuple, TypeVar
 
@@ -32,6 +32,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.numerics import BoolArray, FloatArray, IntArray
+from rolamento.numerics.threads import side_by_side
 from rolamento.vibration.diagnosis.settings import Component, FaultOrders
 from rolamento.vibration.noise_floor import log_gamma_tail, mean_scores, reaches
 
@@ -164,8 +165,10 @@ def _hypothesis(
 
 
 _FAR: Final = 1e5
-_AT_ONCE: Final = 2**16
+_AT_ONCE: Final = 2**15
 """Scores that are looked up together: they stay near the processor."""
+_SHARED: Final = 2**18
+"""Scores from which on threads share what is made of them."""
 
 
 Number = TypeVar("Number", np.int64, np.float64)
@@ -195,6 +198,7 @@ class Scores:
         self._sums = _from_zero(np.where(usable, power, 0.0))
         self._counts = _from_zero(usable.astype(np.int64))
         self._medians = np.ascontiguousarray(medians.T)
+        self._reaches = reaches(np.arange(self.lines))[:, None]
         self._averages = averages
         self._rows: dict[int, _Row] = {}
 
@@ -222,13 +226,19 @@ class Scores:
 
     def make(self) -> None:
         """Make the scores that are wanted and not known, many together."""
+        new = {width: row.new() for width, row in self._rows.items()}
         step = max(1, _AT_ONCE // self.bands)
-        for width, row in self._rows.items():
-            new = np.flatnonzero(row.wanted & ~row.known)
-            for some in (new[at : at + step] for at in range(0, len(new), step)):
-                row.scores[some], row.there[some] = self._scored(some, width)
-            row.whole[new] = np.all(row.there[new], axis=1)
-            row.known[new] = True
+        some = [
+            (width, lines[at : at + step])
+            for width, lines in new.items()
+            for at in range(0, len(lines), step)
+        ]
+        # the first ones of all widths first: who makes a width's tables does not hold up others
+        some.sort(key=lambda one: one[1][0])
+        count = self.bands * sum(map(len, new.values()))
+        side: Callable[..., Iterable[None]] = side_by_side if count >= _SHARED else map
+        for _ in side(self._make, some):
+            pass
 
     def take(self, places: IntArray, widths: Sequence[int]) -> tuple[FloatArray, IntArray | None]:
         """Scores about places `inside` that are made, and at how many of them any line is.
@@ -247,15 +257,24 @@ class Scores:
             used += row.there[some]
         return found, used
 
-    def _scored(self, lines: IntArray, width: int) -> tuple[FloatArray, BoolArray]:
+    def _make(self, some: tuple[int, IntArray]) -> None:
+        width, lines = some
+        row = self._rows[width]
+        where: IntArray | slice = lines
+        if lines[-1] - lines[0] + 1 == len(lines):
+            where = slice(lines[0], lines[-1] + 1)  # which copies nothing
         first = np.clip(lines - (width - 1) // 2, 1, None)
         last = np.clip(lines + width // 2 + 1, None, self.lines)
         counts = self._counts[last] - self._counts[first]
         means = (self._sums[last] - self._sums[first]) / np.maximum(counts, 1)
-        reach = np.broadcast_to(reaches(lines)[:, None], counts.shape)
-        scores = mean_scores(means, self._medians[lines], counts, reach, self._averages)
-        there = ~np.isnan(scores)
-        return np.where(there, scores, 0.0), there
+        medians, reach = self._medians[where], self._reaches[where]
+        scores = mean_scores(means, medians, counts, reach, self._averages)
+        missing = np.isnan(scores)
+        scores[missing] = 0.0
+        row.scores[where] = scores
+        row.there[where] = ~missing
+        row.whole[where] = ~np.any(missing, axis=1)
+        row.known[where] = True
 
 
 class _Row(NamedTuple):
@@ -275,6 +294,10 @@ class _Row(NamedTuple):
         size = (lines, bands)
         none = (np.zeros(lines, np.bool_) for _ in range(3))
         return cls(np.zeros(size), np.zeros(size, np.bool_), *none)
+
+    def new(self) -> IntArray:
+        """Lines that are wanted and not known."""
+        return np.flatnonzero(self.wanted & ~self.known)
 
 
 @dataclass(frozen=True, slots=True)
@@ -310,71 +333,85 @@ class Finding:
     per_band: tuple[float, ...]
 
 
-def search(
-    scores: Scores,
-    hypotheses: tuple[Hypothesis, ...],
-    turns: float,
-    low: float,
-    high: float,
-    spacing_freedom: float,
-) -> Finding | None:
+@dataclass(frozen=True, slots=True)
+class Look:
+    """What is looked for, and where.
+
+    Attributes
+    ----------
+    hypotheses
+        to try
+    low, high
+        of the fundamental; orders
+    spacing_freedom
+        part by which the spacing of sidebands may be off
+    """
+
+    hypotheses: tuple[Hypothesis, ...]
+    low: float
+    high: float
+    spacing_freedom: float
+
+
+def search(scores: Scores, looks: Sequence[Look], turns: float) -> list[Finding | None]:
     """Find what stands out most of all that hypotheses, orders and bands allow.
 
     Parameters
     ----------
     scores
         Of the lines.
-    hypotheses
-        To try.
+    looks
+        What for.
     turns
         Revolutions in a block: lines per order.
-    low, high
-        Of the fundamental; orders.
-    spacing_freedom
-        Part by which the spacing of sidebands may be off.
 
     Returns
     -------
-    None if no line of any hypothesis is there to look at.
+    The best of each look; None if no line of any of its hypotheses is there.
     """
-    tried = [
-        _Trials.of(
-            replace(plain, spacing=plain.spacing * turns),
-            low * turns,
-            high * turns,
-            spacing_freedom,
-            scores,
-        )
-        for plain in hypotheses
-    ]
-    tried = [one for one in tried if one.places.size > 0]
-    for one in tried:
+    tried = [[one for one in _trials_of(look, turns, scores) if one.places.size] for look in looks]
+    together = list(chain.from_iterable(tried))
+    for one in together:
         scores.want(one.places, one.widths)
     scores.make()
-    best: Finding | None = None
-    trials = 0
-    per_band = np.zeros(scores.bands)
-    for one in tried:
-        evidence, places, count = _evidence(scores, one)
-        trials += count
-        per_band = np.maximum(per_band, np.max(evidence, axis=0))
-        spacing, band = np.unravel_index(int(np.argmax(evidence)), evidence.shape)
-        value = float(evidence[spacing, band])
-        if best is None or value > best.evidence:
-            best = Finding(
-                evidence=value,
-                band=int(band),
-                fundamental=float(one.grid[places[spacing, band]]),
-                spacing=float(one.spacings[spacing]),
-                low=low * turns,
-                high=high * turns,
-                hypothesis=one.hypothesis,
-                trials=0,
-                per_band=(),
-            )
-    if best is None or trials == 0:
+    count = scores.bands * sum(one.places.size for one in together)
+    side: Callable[..., Iterable[_Best]] = side_by_side if count >= _SHARED else map
+    best = iter(list(side(partial(_evidence, scores), together)))
+    return [
+        _finding(look, turns, ones, [next(best) for _ in ones])
+        for look, ones in zip(looks, tried, strict=True)
+    ]
+
+
+def _finding(
+    look: Look, turns: float, tried: Sequence[_Trials], found: Sequence[_Best]
+) -> Finding | None:
+    """Return the best of all trials of a look."""
+    trials = sum(one.trials for one in found)
+    if trials == 0:
         return None
-    return replace(best, trials=trials, per_band=tuple(float(value) for value in per_band))
+    number = int(np.argmax([np.max(one.evidence) for one in found]))
+    one, best = tried[number], found[number]
+    spacing, band = np.unravel_index(int(np.argmax(best.evidence)), best.evidence.shape)
+    per_band = np.max([np.max(one.evidence, axis=0) for one in found], axis=0, initial=0.0)
+    return Finding(
+        evidence=float(best.evidence[spacing, band]),
+        band=int(band),
+        fundamental=float(one.grid[best.at[spacing, band]]),
+        spacing=float(one.spacings[spacing]),
+        low=look.low * turns,
+        high=look.high * turns,
+        hypothesis=one.hypothesis,
+        trials=trials,
+        per_band=tuple(float(value) for value in per_band),
+    )
+
+
+def _trials_of(look: Look, turns: float, scores: Scores) -> Iterator[_Trials]:
+    for plain in look.hypotheses:
+        hypothesis = replace(plain, spacing=plain.spacing * turns)
+        freedom = look.spacing_freedom
+        yield _Trials.of(hypothesis, look.low * turns, look.high * turns, freedom, scores)
 
 
 class _Trials(NamedTuple):
@@ -416,14 +453,21 @@ def _apart(hypothesis: Hypothesis, fundamental: float, spacing: float) -> bool:
     )
 
 
-def _evidence(scores: Scores, trials: _Trials) -> tuple[FloatArray, IntArray, int]:
+class _Best(NamedTuple):
+    """Greatest evidence over the fundamentals, its place in the grid, and how many were tried.
+
+    evidence, at: (spacings, bands).
+    """
+
+    evidence: FloatArray
+    at: IntArray
+    trials: int
+
+
+def _evidence(scores: Scores, trials: _Trials) -> _Best:
     """Greatest -ln of the probability of a hypothesis over its fundamentals.
 
     0 where too few of its lines are there: of several, one alone means nothing.
-
-    Returns
-    -------
-    Greatest, its place in the grid: (spacings, bands) each; how many trials.
     """
     found, used = scores.take(trials.places, trials.widths)
     least = min(2, len(found))
@@ -444,7 +488,7 @@ def _evidence(scores: Scores, trials: _Trials) -> tuple[FloatArray, IntArray, in
         evidence = np.where(there, _tail(total, number - number // 2), 0.0)
         at = np.where(evidence > greatest, place, at)
         greatest = np.maximum(greatest, evidence)
-    return greatest, at, tried
+    return _Best(greatest, at, tried)
 
 
 def _total(ordered: list[FloatArray], used: int) -> FloatArray:
