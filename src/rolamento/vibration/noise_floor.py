@@ -25,7 +25,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import cache
 from math import nan
-from threading import Lock
 from typing import Final, NamedTuple
 
 import numpy as np
@@ -116,9 +115,9 @@ def mean_scores(
     mean, median
         Arrays of one shape.
     count
-        How many lines are in each mean; same shape.
+        How many lines are in each mean; of a shape that broadcasts to theirs.
     reach
-        Of the medians; of a shape that broadcasts to theirs.
+        Of the medians; likewise.
     averages
         K.
 
@@ -127,12 +126,8 @@ def mean_scores(
     The same shape; NaN where there are no lines, more than the median's reach, no level, or it is
     zero.
     """
-    with np.errstate(all="ignore"):
-        good = (median > 0.0) & (count > 0) & (count <= reach)
-        ratio = mean / median
-    kinds = _PLACE_OF_REACH[reach] + len(_REACHES) * count
-    if not np.all(good):
-        ratio[~good], kinds[~good] = 0.0, 0
+    served = (count > 0) & (count <= reach)
+    kinds = np.where(served, _PLACE_OF_REACH[reach] + len(_REACHES) * count, 0)
     present = np.flatnonzero(np.bincount(kinds.ravel()))
     counts, places = np.divmod(present[present > 0], len(_REACHES))
     tables: list[_Table] = []
@@ -140,12 +135,16 @@ def mean_scores(
         alike = _REACHES[places[counts == lines]].tolist()
         tables += _scores_by_ratio(alike, lines, averages)
     if not tables:
-        return np.full(good.shape, nan)
+        return np.full(mean.shape, nan)
     number = np.zeros(int(present[-1]) + 1, dtype=np.int64)
     number[present[present > 0]] = np.arange(len(tables))
-    np.minimum(ratio, _HIGHEST_RATIO, out=ratio)
-    ratio += 1.0
-    found = _looked_up(tables, number[kinds], np.log(ratio, out=ratio))  # quicker than log1p
+    good = served & (median > 0.0)
+    with np.errstate(all="ignore"):
+        ratio = mean / median
+    if not np.all(good):
+        ratio[~good] = 0.0
+    at = np.log(1.0 + np.minimum(ratio, _HIGHEST_RATIO))  # quicker than log1p
+    found = _looked_up(tables, number[kinds], at)
     return found if np.all(good) else np.where(good, found, nan)
 
 
@@ -170,6 +169,8 @@ class _Table(NamedTuple):
 
 def _looked_up(tables: Sequence[_Table], which: IntArray, at: FloatArray) -> FloatArray:
     """What `numpy.interp` gives of tables of one range, each element of one of them; as `at`.
+
+    which: the table's number, of a shape that broadcasts.
 
     In no order, which it takes a search for of every single one.
     """
@@ -196,25 +197,18 @@ def mean_over_median(averages: int) -> float:
     return float(averages / special.gammaincinv(averages, 0.5))
 
 
-class _Made(NamedTuple):
-    """Tables that have been made, by the reach of the median; held by who makes more."""
-
-    tables: dict[int, _Table]
-    held: Lock
-
-    @classmethod
-    @cache
-    def of(cls, count: int, averages: int) -> _Made:
-        return cls({}, Lock())
+@cache
+def _made(count: int, averages: int) -> dict[int, _Table]:
+    """Tables that have been made, by the reach of the median."""
+    return {}
 
 
 def _scores_by_ratio(reaches: Sequence[int], count: int, averages: int) -> list[_Table]:
     """Tables of -ln p over ln(1 + T), one a reach."""
-    made = _Made.of(count, averages)
-    with made.held:
-        new = [reach for reach in reaches if reach not in made.tables]
-        made.tables.update(zip(new, _new_tables(new, count, averages), strict=True))
-    return [made.tables[reach] for reach in reaches]
+    made = _made(count, averages)
+    new = [reach for reach in reaches if reach not in made]
+    made.update(zip(new, _new_tables(new, count, averages), strict=True))
+    return [made[reach] for reach in reaches]
 
 
 def _new_tables(reaches: Sequence[int], count: int, averages: int) -> list[_Table]:

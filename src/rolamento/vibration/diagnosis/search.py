@@ -21,9 +21,9 @@ at most that (Bonferroni).
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import cache, partial
+from functools import cache
 from itertools import chain, pairwise
 from math import exp, log, nan
 from typing import Final, NamedTuple, TypeVar
@@ -32,7 +32,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.numerics import BoolArray, FloatArray, IntArray
-from rolamento.numerics.threads import side_by_side
 from rolamento.vibration.diagnosis.settings import Component, FaultOrders
 from rolamento.vibration.noise_floor import log_gamma_tail, mean_scores, reaches
 
@@ -167,8 +166,6 @@ def _hypothesis(
 _FAR: Final = 1e5
 _AT_ONCE: Final = 2**15
 """Scores that are looked up together: they stay near the processor."""
-_SHARED: Final = 2**18
-"""Scores from which on threads share what is made of them."""
 
 
 Number = TypeVar("Number", np.int64, np.float64)
@@ -197,6 +194,7 @@ class Scores:
         # bands side by side: what is taken of a line is one piece of memory
         self._sums = _from_zero(np.where(usable, power, 0.0))
         self._counts = _from_zero(usable.astype(np.int64))
+        self._full = _from_zero(np.all(usable, axis=0, keepdims=True).astype(np.int64))[:, 0]
         self._medians = np.ascontiguousarray(medians.T)
         self._reaches = reaches(np.arange(self.lines))[:, None]
         self._averages = averages
@@ -226,19 +224,18 @@ class Scores:
 
     def make(self) -> None:
         """Make the scores that are wanted and not known, many together."""
-        new = {width: row.new() for width, row in self._rows.items()}
         step = max(1, _AT_ONCE // self.bands)
-        some = [
-            (width, lines[at : at + step])
-            for width, lines in new.items()
-            for at in range(0, len(lines), step)
-        ]
-        # the first ones of all widths first: who makes a width's tables does not hold up others
-        some.sort(key=lambda one: one[1][0])
-        count = self.bands * sum(map(len, new.values()))
-        side: Callable[..., Iterable[None]] = side_by_side if count >= _SHARED else map
-        for _ in side(self._make, some):
-            pass
+        for width, row in self._rows.items():
+            new = np.flatnonzero(row.wanted & ~row.known)
+            for some in (new[at : at + step] for at in range(0, len(new), step)):
+                first = np.maximum(some - (width - 1) // 2, 1)
+                last = np.minimum(some + width // 2 + 1, self.lines)
+                full = self._full[last] - self._full[first] == width
+                # where no line is left out in any band, all bands are alike
+                for part, alike in ((full, True), (~full, False)):
+                    if np.any(part):
+                        row.put(some[part], self._scored(some[part], first[part], last[part], alike=alike))
+            row.known[new] = True
 
     def take(self, places: IntArray, widths: Sequence[int]) -> tuple[FloatArray, IntArray | None]:
         """Scores about places `inside` that are made, and at how many of them any line is.
@@ -257,24 +254,18 @@ class Scores:
             used += row.there[some]
         return found, used
 
-    def _make(self, some: tuple[int, IntArray]) -> None:
-        width, lines = some
-        row = self._rows[width]
-        where: IntArray | slice = lines
-        if lines[-1] - lines[0] + 1 == len(lines):
-            where = slice(lines[0], lines[-1] + 1)  # which copies nothing
-        first = np.clip(lines - (width - 1) // 2, 1, None)
-        last = np.clip(lines + width // 2 + 1, None, self.lines)
-        counts = self._counts[last] - self._counts[first]
+    def _scored(
+        self, lines: IntArray, first: IntArray, last: IntArray, *, alike: bool
+    ) -> FloatArray:
+        """Scores of what lies from the first lines to before the last ones; (lines, bands).
+
+        alike: whether as many of them are looked at in all bands.
+        """
+        bands = slice(1) if alike else slice(None)
+        counts = self._counts[last, bands] - self._counts[first, bands]
         means = (self._sums[last] - self._sums[first]) / np.maximum(counts, 1)
-        medians, reach = self._medians[where], self._reaches[where]
-        scores = mean_scores(means, medians, counts, reach, self._averages)
-        missing = np.isnan(scores)
-        scores[missing] = 0.0
-        row.scores[where] = scores
-        row.there[where] = ~missing
-        row.whole[where] = ~np.any(missing, axis=1)
-        row.known[where] = True
+        reach = self._reaches[lines]
+        return mean_scores(means, self._medians[lines], counts, reach, self._averages)
 
 
 class _Row(NamedTuple):
@@ -295,9 +286,12 @@ class _Row(NamedTuple):
         none = (np.zeros(lines, np.bool_) for _ in range(3))
         return cls(np.zeros(size), np.zeros(size, np.bool_), *none)
 
-    def new(self) -> IntArray:
-        """Lines that are wanted and not known."""
-        return np.flatnonzero(self.wanted & ~self.known)
+    def put(self, lines: IntArray, scores: FloatArray) -> None:
+        """Fill in the scores about some lines; NaN where no line is."""
+        there = ~np.isnan(scores)
+        self.scores[lines] = np.where(there, scores, 0.0)
+        self.there[lines] = there
+        self.whole[lines] = np.all(there, axis=1)
 
 
 @dataclass(frozen=True, slots=True)
@@ -370,15 +364,11 @@ def search(scores: Scores, looks: Sequence[Look], turns: float) -> list[Finding 
     The best of each look; None if no line of any of its hypotheses is there.
     """
     tried = [[one for one in _trials_of(look, turns, scores) if one.places.size] for look in looks]
-    together = list(chain.from_iterable(tried))
-    for one in together:
+    for one in chain.from_iterable(tried):
         scores.want(one.places, one.widths)
     scores.make()
-    count = scores.bands * sum(one.places.size for one in together)
-    side: Callable[..., Iterable[_Best]] = side_by_side if count >= _SHARED else map
-    best = iter(list(side(partial(_evidence, scores), together)))
     return [
-        _finding(look, turns, ones, [next(best) for _ in ones])
+        _finding(look, turns, ones, [_evidence(scores, one) for one in ones])
         for look, ones in zip(looks, tried, strict=True)
     ]
 
@@ -482,10 +472,9 @@ def _evidence(scores: Scores, trials: _Trials) -> _Best:
         here = None if used is None else used == number
         tried += totals.size if here is None else int(np.count_nonzero(here))
         # the evidence rises with the total
-        place = np.argmax(totals if here is None else np.where(here, totals, -1.0), axis=1)
-        total = np.take_along_axis(totals, place[:, None], axis=1)[:, 0]
-        there = True if here is None else np.take_along_axis(here, place[:, None], axis=1)[:, 0]
-        evidence = np.where(there, _tail(total, number - number // 2), 0.0)
+        totals = totals if here is None else np.where(here, totals, -1.0)
+        place, total = np.argmax(totals, axis=1), np.max(totals, axis=1)
+        evidence = np.where(total < 0.0, 0.0, _tail(total, number - number // 2))
         at = np.where(evidence > greatest, place, at)
         greatest = np.maximum(greatest, evidence)
     return _Best(greatest, at, tried)
