@@ -165,17 +165,24 @@ def filled(power: FloatArray, left_out: BoolArray) -> FloatArray:
     """
     found = power.copy()
     lines = power.shape[1]
-    for band, out in enumerate(left_out):
-        for start, end in zip(*runs(out), strict=True):
-            after = np.arange(end, min(lines, end + end - start))
-            before = np.arange(max(0, start - (end - start)), start)
-            neighbours = np.concatenate([before[~out[before]], after[~out[after]]])
-            if len(neighbours) > 0:
-                # every other one of both sides
-                chosen = np.resize(
-                    neighbours[:: max(1, len(neighbours) // (end - start))], end - start
-                )
-                found[band, start:end] = power[band, chosen]
+    padded = np.pad(left_out, ((0, 0), (1, 1)))  # no run goes from one band into the next
+    starts, ends = runs(padded.ravel())
+    bands, starts = np.divmod(starts, lines + 2)
+    starts, lengths = starts - 1, ends - (bands * (lines + 2) + starts)
+    for length in np.unique(lengths).tolist():
+        alike = lengths == length
+        band, start = bands[alike][:, None], starts[alike][:, None]
+        run = np.arange(length)
+        neighbours = start + np.concatenate([run - length, run + length])
+        inside = (neighbours >= 0) & (neighbours < lines)
+        there = inside & ~left_out[band, np.where(inside, neighbours, 0)]
+        whole = np.all(there, axis=1)
+        # every other one of both sides
+        found[band[whole], start[whole] + run] = power[band[whole], neighbours[whole, ::2]]
+        for row in np.flatnonzero(~whole & np.any(there, axis=1)):
+            some = neighbours[row, there[row]]
+            chosen = np.resize(some[:: max(1, len(some) // length)], length)
+            found[band[row], start[row] + run] = power[band[row], chosen]
     return found
 
 

@@ -291,7 +291,7 @@ def unexplained_lines(
         left_out |= multiples | of_fault & (field.depths <= _SIDEBAND**2 * deepest)
     scores = Scores(field.spectra.power, left_out, field.medians, field.spectra.blocks)
     lines = np.arange(scores.lines)
-    clearness = np.maximum.reduce([scores.about(lines, width)[0] for width in _WIDTHS])
+    clearness = np.maximum.reduce([scores.about(lines, width) for width in _WIDTHS])
     clearness[:, : int(_BEYOND_SLOW * field.spectra.slow_order * field.turns)] = 0.0
     trials = max(1, len(_WIDTHS) * int(np.count_nonzero(clearness)))
     squares = np.where(left_out, 0.0, field.depths)

@@ -198,100 +198,68 @@ class Scores:
         self._medians = np.ascontiguousarray(medians.T)
         self._reaches = reaches(np.arange(self.lines))[:, None]
         self._averages = averages
-        self._rows: dict[int, _Row] = {}
+        # one width after the other, and hardly any of it is ever touched
+        size = WIDTHS[-1] * self.lines
+        self._scores, self._there = (np.zeros((size, self.bands), kind) for kind in (float, bool))
+        self._whole, self._wanted, self._known = np.zeros((3, size), dtype=np.bool_)
 
-    def about(self, places: IntArray, width: int) -> tuple[FloatArray, BoolArray]:
-        """Score of what lies within so many lines about each place, and whether any does.
+    def about(self, places: IntArray, width: int) -> FloatArray:
+        """Score of what lies within so many lines about each place; (bands, places).
 
-        (bands, places) each; 0 and False where all lines are left out.
+        0 where all lines are left out.
         """
-        inside = self.inside(places)
-        self.want(inside[None], [width])
-        self.make()
-        row = self._rows[width]
-        return row.scores[inside].T, row.there[inside].T
+        numbers = self.numbers(places, width)
+        self.make(numbers)
+        return np.asarray(self._scores[numbers].T)
 
-    def inside(self, places: IntArray) -> IntArray:
-        """Places, and 0 for those outside: the lowest line is never scored."""
-        return np.where((places > 0) & (places < self.lines), places, 0)
+    def numbers(self, places: IntArray, width: int | IntArray) -> IntArray:
+        """By which scores about places are known; of those outside as of the lowest line."""
+        inside = np.where((places > 0) & (places < self.lines), places, 0)
+        return np.asarray(inside + self.lines * (width - 1))
 
-    def want(self, places: IntArray, widths: Sequence[int]) -> None:
-        """Note that scores about places `inside` will be taken; (lines, …) and (lines,)."""
-        for some, width in zip(places, widths, strict=True):
-            if width not in self._rows:
-                self._rows[width] = _Row.empty(self.lines, self.bands)
-            self._rows[width].wanted[some] = True
-
-    def make(self) -> None:
-        """Make the scores that are wanted and not known, many together."""
+    def make(self, *numbers: IntArray) -> None:
+        """Make those scores that are not known, many together."""
+        for some in numbers:
+            self._wanted[some] = True
+        new = np.flatnonzero(self._wanted & ~self._known)
         step = max(1, _AT_ONCE // self.bands)
-        for width, row in self._rows.items():
-            new = np.flatnonzero(row.wanted & ~row.known)
-            for some in (new[at : at + step] for at in range(0, len(new), step)):
-                first = np.maximum(some - (width - 1) // 2, 1)
-                last = np.minimum(some + width // 2 + 1, self.lines)
-                full = self._full[last] - self._full[first] == width
-                # where no line is left out in any band, all bands are alike
-                for part, alike in ((full, True), (~full, False)):
-                    if np.any(part):
-                        row.put(some[part], self._scored(some[part], first[part], last[part], alike=alike))
-            row.known[new] = True
+        for some in (new[at : at + step] for at in range(0, len(new), step)):
+            below, lines = np.divmod(some, self.lines)
+            first = np.maximum(lines - below // 2, 1)
+            last = np.minimum(lines + (below + 1) // 2 + 1, self.lines)
+            full = self._full[last] - self._full[first] == below + 1
+            # where no line is left out in any band, all bands are alike
+            for part, alike in ((full, slice(1)), (~full, slice(None))):
+                if np.any(part):
+                    found = self._scored(lines[part], first[part], last[part], alike)
+                    there = ~np.isnan(found)
+                    self._scores[some[part]] = np.where(there, found, 0.0)
+                    self._there[some[part]] = there
+                    self._whole[some[part]] = np.all(there, axis=1)
+        self._known[new] = True
 
-    def take(self, places: IntArray, widths: Sequence[int]) -> tuple[FloatArray, IntArray | None]:
-        """Scores about places `inside` that are made, and at how many of them any line is.
+    def take(self, numbers: IntArray) -> tuple[FloatArray, IntArray | None]:
+        """Scores that are made, and of how many of them any line is there.
 
-        places: (lines, …), widths: (lines,). Returns (lines, …, bands) and (…, bands); None in
-        place of the latter where all are.
+        numbers: (lines, …). Returns (lines, …, bands) and (…, bands); None in place of the latter
+        where all are.
         """
-        rows = [self._rows[width] for width in widths]
-        found = np.empty((*places.shape, self.bands))
-        for row, some, into in zip(rows, places, found, strict=True):
-            np.take(row.scores, some, axis=0, out=into, mode="clip")
-        if all(np.all(row.whole[some]) for row, some in zip(rows, places, strict=True)):
+        found = np.take(self._scores, numbers, axis=0)
+        if np.all(self._whole[numbers]):
             return found, None
-        used = np.zeros(found.shape[1:], dtype=np.int64)
-        for row, some in zip(rows, places, strict=True):
-            used += row.there[some]
-        return found, used
+        return found, np.sum(self._there[numbers], axis=0)
 
     def _scored(
-        self, lines: IntArray, first: IntArray, last: IntArray, *, alike: bool
+        self, lines: IntArray, first: IntArray, last: IntArray, bands: slice
     ) -> FloatArray:
         """Scores of what lies from the first lines to before the last ones; (lines, bands).
 
-        alike: whether as many of them are looked at in all bands.
+        bands: those in which it is to be known how many lines there are.
         """
-        bands = slice(1) if alike else slice(None)
         counts = self._counts[last, bands] - self._counts[first, bands]
         means = (self._sums[last] - self._sums[first]) / np.maximum(counts, 1)
         reach = self._reaches[lines]
         return mean_scores(means, self._medians[lines], counts, reach, self._averages)
-
-
-class _Row(NamedTuple):
-    """Scores of one width about every line, and whether any line is there; (lines, bands) each.
-
-    whole: whether one is there in every band; wanted, known: whether all this is; (lines,) each.
-    """
-
-    scores: FloatArray
-    there: BoolArray
-    whole: BoolArray
-    wanted: BoolArray
-    known: BoolArray
-
-    @classmethod
-    def empty(cls, lines: int, bands: int) -> _Row:
-        size = (lines, bands)
-        none = (np.zeros(lines, np.bool_) for _ in range(3))
-        return cls(np.zeros(size), np.zeros(size, np.bool_), *none)
-
-    def put(self, lines: IntArray, scores: FloatArray) -> None:
-        """Fill in the scores about some lines; NaN where no line is."""
-        there = ~np.isnan(scores)
-        self.scores[lines] = np.where(there, scores, 0.0)
-        self.there[lines] = there
-        self.whole[lines] = np.all(there, axis=1)
 
 
 @dataclass(frozen=True, slots=True)
@@ -363,10 +331,8 @@ def search(scores: Scores, looks: Sequence[Look], turns: float) -> list[Finding 
     -------
     The best of each look; None if no line of any of its hypotheses is there.
     """
-    tried = [[one for one in _trials_of(look, turns, scores) if one.places.size] for look in looks]
-    for one in chain.from_iterable(tried):
-        scores.want(one.places, one.widths)
-    scores.make()
+    tried = [[one for one in _trials_of(look, turns, scores) if one.numbers.size] for look in looks]
+    scores.make(*(one.numbers for one in chain.from_iterable(tried)))
     return [
         _finding(look, turns, ones, [_evidence(scores, one) for one in ones])
         for look, ones in zip(looks, tried, strict=True)
@@ -405,12 +371,12 @@ def _trials_of(look: Look, turns: float, scores: Scores) -> Iterator[_Trials]:
 
 
 class _Trials(NamedTuple):
-    """A hypothesis at fundamentals and spacings; its lines' places, (lines, spacings, grid)."""
+    """A hypothesis at fundamentals and spacings; its lines' scores, (lines, spacings, grid)."""
 
     hypothesis: Hypothesis
     grid: FloatArray
     spacings: FloatArray
-    places: IntArray
+    numbers: IntArray
 
     @classmethod
     def of(
@@ -420,15 +386,10 @@ class _Trials(NamedTuple):
         grid, spacings = trials_grid(low, high, hypothesis, freedom)
         middle = grid[len(grid) // 2] if len(grid) > 0 else nan
         spacings = spacings[[_apart(hypothesis, middle, spacing) for spacing in spacings]]
-        multiples = np.array([line.multiple for line in hypothesis.lines])[:, None, None]
-        sidebands = np.array([line.sideband for line in hypothesis.lines])[:, None, None]
+        lines = [(line.multiple, line.sideband, line.width) for line in hypothesis.lines]
+        multiples, sidebands, widths = np.array(lines).T[:, :, None, None]
         places = np.rint(grid * multiples + sidebands * spacings[:, None]).astype(np.int64)
-        return cls(hypothesis, grid, spacings, scores.inside(places))
-
-    @property
-    def widths(self) -> list[int]:
-        """Of the lines."""
-        return [line.width for line in self.hypothesis.lines]
+        return cls(hypothesis, grid, spacings, scores.numbers(places, widths.astype(np.int64)))
 
 
 def _apart(hypothesis: Hypothesis, fundamental: float, spacing: float) -> bool:
@@ -459,7 +420,7 @@ def _evidence(scores: Scores, trials: _Trials) -> _Best:
 
     0 where too few of its lines are there: of several, one alone means nothing.
     """
-    found, used = scores.take(trials.places, trials.widths)
+    found, used = scores.take(trials.numbers)
     least = min(2, len(found))
     ordered = _descending(list(found))
     numbers = [len(found)] if used is None else np.flatnonzero(np.bincount(used.ravel())).tolist()
