@@ -87,11 +87,11 @@ def running_medians(power: FloatArray) -> FloatArray:
         served = np.flatnonzero(reach_of == reach)
         served = served[(served >= LOWEST_LINE) & (served + reach < lines)]
         if len(served) > 0:
-            part = power[:, : served[-1] + reach + 1]
+            part = power[:, served[0] - reach : served[-1] + reach + 1]
             # one long row is much faster; where bands meet in it, nothing is used
             size = 2 * int(reach) + 1
             found = ndimage.median_filter(part.ravel(), size=size, mode="nearest")
-            medians[:, served] = found.reshape(part.shape)[:, served]
+            medians[:, served] = found.reshape(part.shape)[:, reach:-reach]
     return medians
 
 

@@ -218,8 +218,8 @@ class ModulationPowers(NamedTuple):
     spreads: IntArray
 
 
-def limited(squared: FloatArray) -> FloatArray:
-    """A squared envelope, nowhere above what noise of its level would hardly reach.
+def limit(squared: FloatArray) -> None:
+    """Make a squared envelope nowhere larger than what noise of its level would hardly reach.
 
     A few great shocks would otherwise weigh more than all the rest, and a few instants always have
     some period in common.
@@ -227,9 +227,10 @@ def limited(squared: FloatArray) -> FloatArray:
     highest = log(len(squared) / _CHANCE) / log(2.0)
     # what is nowhere above that needs no median: half of it then are above their greatest over that
     if 2 * np.count_nonzero(squared > np.max(squared) / highest) > len(squared) + 1:
-        return squared
+        return
     level = float(median(squared))
-    return np.minimum(squared, level * highest) if level > 0.0 else squared
+    if level > 0.0:
+        np.minimum(squared, level * highest, out=squared)
 
 
 class Turning(NamedTuple):
@@ -630,7 +631,7 @@ class _Sums:
             into[: carriers.stop - carriers.start] = white[carriers]
         squared = power_of(np.asarray(fft.ifft(one_sided, overwrite_x=True)))
         for one in squared:
-            one[:] = limited(one)
+            limit(one)
         envelopes = over_angle(squared, turning)
         powers = modulation_powers(
             envelopes,
