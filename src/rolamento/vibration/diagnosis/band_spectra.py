@@ -356,8 +356,10 @@ def modulation_powers(
     plain = power_of(spectra[:, :lines] - mean * window.lines[:lines])
     if not np.all(mean > 0.0):
         if len(envelopes) > 1:
-            each = [modulation_powers(one, window, slow, regular, lines, most)
-                    for one in envelopes[:, np.newaxis]]
+            each = [
+                modulation_powers(one, window, slow, regular, lines, most)
+                for one in envelopes[:, np.newaxis]
+            ]
             return ModulationPowers(*map(np.concatenate, zip(*each, strict=True)))
         spreads = np.full((1, len(regular.centres)), -1, dtype=np.int64)
         return ModulationPowers(plain, plain.copy(), np.zeros_like(plain), spreads)

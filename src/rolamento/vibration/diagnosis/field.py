@@ -29,7 +29,14 @@ from rolamento.vibration.diagnosis.band_spectra import (
 )
 from rolamento.vibration.diagnosis.lines import MAINS, is_near_mains
 from rolamento.vibration.diagnosis.record import UnexplainedLine
-from rolamento.vibration.diagnosis.search import Finding, Look, Scores, chance, hypotheses_of, search
+from rolamento.vibration.diagnosis.search import (
+    Finding,
+    Look,
+    Scores,
+    chance,
+    hypotheses_of,
+    search,
+)
 from rolamento.vibration.diagnosis.settings import (
     COMPONENTS,
     Component,

@@ -47,7 +47,7 @@ def envelope_leakage() -> FloatArray:
 
 
 def reach(leakage: FloatArray, ratio: FloatArray) -> IntArray:
-    """Lines from a peak within which it leaves more than 1 over a ratio of its power; as `ratio`."""
+    """Lines from a peak within which it leaves more than 1 over a ratio of its power."""
     return np.asarray(np.searchsorted(-leakage, -1.0 / np.maximum(ratio, 1.0)))
 
 

@@ -249,9 +249,7 @@ class Scores:
             return found, None
         return found, np.sum(self._there[numbers], axis=0)
 
-    def _scored(
-        self, lines: IntArray, first: IntArray, last: IntArray, bands: slice
-    ) -> FloatArray:
+    def _scored(self, lines: IntArray, first: IntArray, last: IntArray, bands: slice) -> FloatArray:
         """Scores of what lies from the first lines to before the last ones; (lines, bands).
 
         bands: those in which it is to be known how many lines there are.
