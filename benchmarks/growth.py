@@ -35,6 +35,7 @@ BALLS: Final = (3, 8, 16, 40, 100, 250, 500)
 ROWS: Final = (1, 2, 3, 4)
 CASES_OF_BALLS: Final = 20_000
 GREAT_STUDY: Final = 1e8
+_RUNS: Final = 2
 
 
 def measure(most: int, study_cases: int) -> Findings:
@@ -53,7 +54,8 @@ def measure(most: int, study_cases: int) -> Findings:
         figures.append(Figure("growth over balls", name, _microseconds(case), "µs a case"))
     for name, case in _with_rows():
         figures.append(Figure("growth over rows", name, _microseconds(case), "µs a case"))
-    return Findings([*figures, *_reckoned(study_cases)], [], failures)
+    figures += [*_reckoned(study_cases), *_on_cluster(study_cases)]
+    return Findings(figures, [], failures)
 
 
 def _alone(cases: int) -> dict[str, Any]:
@@ -167,6 +169,44 @@ def _reckoned(cases: int) -> list[Figure]:
         Figure(group, "on 2 cores of workers", GREAT_STUDY * of_worker / 2.0 / 3600.0, "h"),
         Figure(group, "the client alone", GREAT_STUDY * of_client / 3600.0, "h"),
         Figure(group, "cores that keep the client busy", of_worker / of_client),
+    ]
+
+
+def _on_cluster(cases: int) -> list[Figure]:
+    """The same study by two threads here, and by two workers of Dask with one thread each.
+
+    Once more than is measured, as a worker loads its kernels with the first chunk. Nothing where
+    Dask is not installed.
+    """
+    try:
+        import distributed
+    except ImportError:
+        return []
+    from rolamento.studies.cluster import dask_cluster
+
+    study = sweep.study(cases)
+    quiet = {"dashboard_address": None, "silence_logs": 50}
+    with (
+        tempfile.TemporaryDirectory() as folder,
+        distributed.LocalCluster(n_workers=2, threads_per_worker=1, **quiet) as cluster,
+    ):
+        times: dict[str, list[tuple[float, float]]] = {"here": [], "Dask": []}
+        executors = {"here": None, "Dask": dask_cluster(cluster.scheduler_address)}
+        for run in range(1 + _RUNS):
+            for name, executor in executors.items():
+                path = Path(folder) / f"{name}{run}.nc"
+                begin, busy = time.perf_counter(), time.process_time()
+                run_to_file(study, path, threads=2, executor=executor)
+                times[name].append((time.perf_counter() - begin, time.process_time() - busy))
+    (here, _), (dask, of_client) = (
+        1e6 * np.min(times[name][1:], axis=0) / cases for name in ("here", "Dask")
+    )
+    group = f"study of {cases} cases, two cores"
+    return [
+        Figure(group, "two threads of one process", here, "µs a case"),
+        Figure(group, "two workers of Dask", dask, "µs a case"),
+        Figure(group, "  the processor of the one that asks", of_client, "µs a case"),
+        Figure(group, "  Dask adds", dask - here, "µs a case"),
     ]
 
 

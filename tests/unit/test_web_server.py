@@ -267,6 +267,24 @@ def test_addresses_and_methods_that_are_not_there() -> None:
     assert ask("GET", f"/api/v1/version?{many}").status_code in (200, 422)
 
 
+def test_who_goes_away_while_sending_is_no_bug(caplog: pytest.LogCaptureFixture) -> None:
+    async def gone() -> dict[str, Any]:
+        return {"type": "http.disconnect"}
+
+    async def send(message: Any) -> None:
+        raise AssertionError(message)
+
+    scope = {
+        "type": "http",
+        "method": "POST",
+        "path": "/page/report",
+        "query_string": b"",
+        "headers": [(b"host", b"127.0.0.1"), (b"content-type", b"application/json")],
+    }
+    anyio.run(create_app(), scope, gone, send)
+    assert "error" not in caplog.text
+
+
 def test_a_bug_is_told_by_a_number_and_logged(
     monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:

@@ -209,12 +209,12 @@ _LEAST_VALUES: Final = 64
 _MOST_LEVELS: Final = 12
 _OUTPUTS: Final = 8
 """Of a filter in one row of a product; even, as every second one of some filters is turned."""
-_AT_ONCE: Final = 2**15
-"""Values that are split together: half a megabyte."""
-_SHARED: Final = 2**17
+_AT_ONCE: Final = 2**17
+"""Values that are split together: two megabytes."""
+_SHARED: Final = 2**18
 """Values from which on threads share their splitting."""
-_MOST_PRODUCTS: Final = 2**16
-"""Of numbers, in one product of matrices."""
+_ROWS: Final = 64
+"""In one product of matrices: to share so narrow ones among BLAS's threads only costs."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -424,29 +424,21 @@ def _in_a_row(lists: Iterable[list[_Figures]]) -> list[_Figures]:
 def _split(bands: ComplexArray, bank: _Bank) -> ComplexArray:
     """Filter and decimate by the number of parts, without the filters' run-in; from low to high."""
     count, length = bands.shape
-    width, step = len(bank.matrix), bank.parts * _OUTPUTS
+    step, beyond = bank.parts * _OUTPUTS, len(bank.matrix) - bank.parts * _OUTPUTS
     run_in = -(-bank.taps // bank.parts)
     outputs = length // bank.parts - run_in
     rows = -(-outputs // _OUTPUTS)
+    stacks = -(-rows // _ROWS)
     first = bank.parts * run_in - bank.taps + 1
-    used = bands[:, first : first + (rows - 1) * step + width]
-    samples = np.zeros((count, (rows - 1) * step + width), dtype=np.complex128)
+    used = bands[:, first : first + (rows * step) + beyond]
+    samples = np.zeros((count, (stacks * _ROWS + 1) * step), dtype=np.complex128)
     samples[:, : used.shape[1]] = used
-    windows = np.lib.stride_tricks.sliding_window_view(samples, width, axis=1)[:, ::step]
-    product = _product(windows.reshape(-1, width), bank.matrix)
-    parts = product.reshape(count, rows, bank.parts, _OUTPUTS).transpose(0, 2, 1, 3)
-    return parts.reshape(count * bank.parts, rows * _OUTPUTS)[:, :outputs]
-
-
-def _product(rows: ComplexArray, matrix: ComplexArray) -> ComplexArray:
-    """Rows times a matrix, a few at a time: to share so narrow ones among threads only costs."""
-    product = np.empty((len(rows), matrix.shape[1]), dtype=np.complex128)
-    step = max(1, _MOST_PRODUCTS // matrix.size)
-    for first in range(0, len(rows), step):
-        some = slice(first, first + step)
-        # overlapping rows are a view, which not every NumPy hands on to BLAS
-        np.matmul(np.ascontiguousarray(rows[some]), matrix, out=product[some])
-    return product
+    # a row reaches into the one after it: the matrix in two parts saves writing both side by side
+    size = (count, stacks, _ROWS, step)
+    product = np.matmul(samples[:, :-step].reshape(size), bank.matrix[:step])
+    product += np.matmul(samples[:, step:].reshape(size)[..., :beyond], bank.matrix[step:])
+    parts = product.reshape(count, stacks * _ROWS, bank.parts, _OUTPUTS).transpose(0, 2, 1, 3)
+    return np.asarray(parts.reshape(count * bank.parts, stacks * _ROWS * _OUTPUTS)[:, :outputs])
 
 
 def _level(rate: float, figures: list[_Figures]) -> KurtogramLevel:
@@ -467,11 +459,11 @@ def _kurtosis(bands: Bands, of_noise: float) -> FloatArray:
     What rounding leaves in a band is as impulsive as chance has it.
     """
     values = bands.shape[1]
-    centred = bands - np.mean(bands, axis=1, keepdims=True)
-    power = np.square(centred.real)
-    if np.iscomplexobj(centred):
-        power += np.square(centred.imag)
+    mean = np.einsum("ij->i", bands)[:, np.newaxis] / values
+    power = np.square(bands.real - mean.real)
+    if np.iscomplexobj(bands):
+        power += np.square(bands.imag - mean.imag)
     there = np.max(power, axis=1) > _ROUNDING
-    mean = np.where(there, np.mean(power, axis=1), 1.0)
+    level = np.where(there, np.einsum("ij->i", power) / values, 1.0)
     squares = np.einsum("ij,ij->i", power, power) / values
-    return np.where(there, squares / np.square(mean) - of_noise, 0.0)
+    return np.where(there, squares / np.square(level) - of_noise, 0.0)

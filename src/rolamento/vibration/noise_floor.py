@@ -69,7 +69,7 @@ def line_scores(power: FloatArray, *, averages: int) -> FloatArray:
     -------
     (spectra, lines); NaN where there is no level, and where that is zero.
     """
-    reach = np.broadcast_to(reaches(np.arange(power.shape[1])), power.shape)
+    reach = reaches(np.arange(power.shape[1]))
     count = np.ones(power.shape, dtype=np.int64)
     return mean_scores(power, running_medians(power), count, reach, averages)
 
@@ -87,11 +87,11 @@ def running_medians(power: FloatArray) -> FloatArray:
         served = np.flatnonzero(reach_of == reach)
         served = served[(served >= LOWEST_LINE) & (served + reach < lines)]
         if len(served) > 0:
-            part = power[:, : served[-1] + reach + 1]
+            part = power[:, served[0] - reach : served[-1] + reach + 1]
             # one long row is much faster; where bands meet in it, nothing is used
             size = 2 * int(reach) + 1
             found = ndimage.median_filter(part.ravel(), size=size, mode="nearest")
-            medians[:, served] = found.reshape(part.shape)[:, served]
+            medians[:, served] = found.reshape(part.shape)[:, reach:-reach]
     return medians
 
 
@@ -115,9 +115,9 @@ def mean_scores(
     mean, median
         Arrays of one shape.
     count
-        How many lines are in each mean; same shape.
+        How many lines are in each mean; of a shape that broadcasts to theirs.
     reach
-        Of the medians; same shape.
+        Of the medians; likewise.
     averages
         K.
 
@@ -126,10 +126,8 @@ def mean_scores(
     The same shape; NaN where there are no lines, more than the median's reach, no level, or it is
     zero.
     """
-    with np.errstate(invalid="ignore"):
-        good = (median > 0.0) & (count > 0) & (count <= reach)
-    ratio = np.divide(mean, median, out=np.zeros(good.shape), where=good)
-    kinds = np.where(good, _PLACE_OF_REACH[reach] + len(_REACHES) * count, 0)
+    served = (count > 0) & (count <= reach)
+    kinds = np.where(served, _PLACE_OF_REACH[reach] + len(_REACHES) * count, 0)
     present = np.flatnonzero(np.bincount(kinds.ravel()))
     counts, places = np.divmod(present[present > 0], len(_REACHES))
     tables: list[_Table] = []
@@ -137,10 +135,16 @@ def mean_scores(
         alike = _REACHES[places[counts == lines]].tolist()
         tables += _scores_by_ratio(alike, lines, averages)
     if not tables:
-        return np.full(good.shape, nan)
+        return np.full(mean.shape, nan)
     number = np.zeros(int(present[-1]) + 1, dtype=np.int64)
     number[present[present > 0]] = np.arange(len(tables))
-    found = _looked_up(tables, number[kinds], np.log1p(np.minimum(ratio, _HIGHEST_RATIO)))
+    good = served & (median > 0.0)
+    with np.errstate(all="ignore"):
+        ratio = mean / median
+    if not np.all(good):
+        ratio[~good] = 0.0
+    at = np.log(1.0 + np.minimum(ratio, _HIGHEST_RATIO))  # quicker than log1p
+    found = _looked_up(tables, number[kinds], at)
     return found if np.all(good) else np.where(good, found, nan)
 
 
@@ -165,6 +169,8 @@ class _Table(NamedTuple):
 
 def _looked_up(tables: Sequence[_Table], which: IntArray, at: FloatArray) -> FloatArray:
     """What `numpy.interp` gives of tables of one range, each element of one of them; as `at`.
+
+    which: the table's number, of a shape that broadcasts.
 
     In no order, which it takes a search for of every single one.
     """
@@ -198,29 +204,33 @@ def _made(count: int, averages: int) -> dict[int, _Table]:
 
 
 def _scores_by_ratio(reaches: Sequence[int], count: int, averages: int) -> list[_Table]:
-    """Tables of -ln p over ln(1 + T), one a reach; densest about T = 1, where p falls fastest."""
+    """Tables of -ln p over ln(1 + T), one a reach."""
     made = _made(count, averages)
     new = [reach for reach in reaches if reach not in made]
-    if new:
-        width = 12.0 / np.sqrt(averages * count)
-        near = 1.0 + width * np.linspace(0.0, 1.0, _NEAR) ** 1.5
-        above = np.concatenate([near, np.geomspace(1.0 + width, _HIGHEST_RATIO, _FAR)[1:]])
-        low = max(0.0, 1.0 - width)
-        start = np.linspace(0.0, low, 6)[:-1] if low > 0.0 else np.zeros(0)
-        below = np.concatenate([start, np.linspace(low, 1.0, _NEAR)])
-        under, over = [], []
-        for reach in new:
-            others, middle = 2 * reach + 1 - count, reach + 1 - count // 2
-            under.append(_score(below, others, middle - (count == 1), count, averages))
-            over.append(_score(above, others, middle, count, averages))
-        at_under, found_under = _dense(below, under)
-        at_over, found_over = _dense(above, over)
-        places = np.concatenate([at_under[:-1], at_over])
-        scores = np.concatenate([found_under[:-1], found_over])
-        made.update(
-            (reach, _Table.of(places, one)) for reach, one in zip(new, scores.T, strict=True)
-        )
+    made.update(zip(new, _new_tables(new, count, averages), strict=True))
     return [made[reach] for reach in reaches]
+
+
+def _new_tables(reaches: Sequence[int], count: int, averages: int) -> list[_Table]:
+    """Tables that are densest about T = 1, where p falls fastest."""
+    if not reaches:
+        return []
+    width = 12.0 / np.sqrt(averages * count)
+    near = 1.0 + width * np.linspace(0.0, 1.0, _NEAR) ** 1.5
+    above = np.concatenate([near, np.geomspace(1.0 + width, _HIGHEST_RATIO, _FAR)[1:]])
+    low = max(0.0, 1.0 - width)
+    start = np.linspace(0.0, low, 6)[:-1] if low > 0.0 else np.zeros(0)
+    below = np.concatenate([start, np.linspace(low, 1.0, _NEAR)])
+    under, over = [], []
+    for reach in reaches:
+        others, middle = 2 * reach + 1 - count, reach + 1 - count // 2
+        under.append(_score(below, others, middle - (count == 1), count, averages))
+        over.append(_score(above, others, middle, count, averages))
+    at_under, found_under = _dense(below, under)
+    at_over, found_over = _dense(above, over)
+    places = np.concatenate([at_under[:-1], at_over])
+    scores = np.concatenate([found_under[:-1], found_over])
+    return [_Table.of(places, one) for one in scores.T]
 
 
 def _dense(ratio: FloatArray, scores: Sequence[FloatArray]) -> tuple[FloatArray, FloatArray]:

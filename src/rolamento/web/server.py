@@ -24,7 +24,7 @@ from urllib.parse import parse_qs, urlencode, urlsplit
 from fastapi import FastAPI
 from starlette.datastructures import Headers
 from starlette.exceptions import HTTPException
-from starlette.requests import Request
+from starlette.requests import ClientDisconnect, Request
 from starlette.responses import FileResponse, RedirectResponse, Response
 from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
@@ -324,6 +324,8 @@ class Gate:
                 response = self._refusal(scope, headers, query)
                 handler = self.app if response is None else response
                 await handler(scope, receive, send_with_headers)
+            except ClientDisconnect:
+                pass  # who went away while sending waits for no answer
             except Exception:
                 number = token_hex(4)
                 _log.exception("error %s in %s %s", number, scope["method"], scope["path"])

@@ -151,9 +151,10 @@ def lines_about(
         last = min(lines, int(place.line + place.within) + 1)
         if first >= last:
             continue
-        for band, peak in enumerate(np.max(ratio[:, first:last], axis=1)):
-            spread = min(reach(leakage, float(peak) / _LEFT_OUT_TO), most)
-            found[band, max(0, first - spread) : last + spread] = True
+        peaks = np.max(ratio[:, first:last], axis=1)
+        spreads = np.minimum(reach(leakage, peaks / _LEFT_OUT_TO), most)[:, None]
+        about = np.arange(max(0, first - most), min(lines, last + most))
+        found[:, about] |= (about >= first - spreads) & (about < last + spreads)
     return found
 
 
@@ -164,17 +165,24 @@ def filled(power: FloatArray, left_out: BoolArray) -> FloatArray:
     """
     found = power.copy()
     lines = power.shape[1]
-    for band, out in enumerate(left_out):
-        for start, end in zip(*runs(out), strict=True):
-            after = np.arange(end, min(lines, end + end - start))
-            before = np.arange(max(0, start - (end - start)), start)
-            neighbours = np.concatenate([before[~out[before]], after[~out[after]]])
-            if len(neighbours) > 0:
-                # every other one of both sides
-                chosen = np.resize(
-                    neighbours[:: max(1, len(neighbours) // (end - start))], end - start
-                )
-                found[band, start:end] = power[band, chosen]
+    padded = np.pad(left_out, ((0, 0), (1, 1)))  # no run goes from one band into the next
+    starts, ends = runs(padded.ravel())
+    bands, starts = np.divmod(starts, lines + 2)
+    starts, lengths = starts - 1, ends - (bands * (lines + 2) + starts)
+    for length in np.unique(lengths).tolist():
+        alike = lengths == length
+        band, start = bands[alike][:, None], starts[alike][:, None]
+        run = np.arange(length)
+        neighbours = start + np.concatenate([run - length, run + length])
+        inside = (neighbours >= 0) & (neighbours < lines)
+        there = inside & ~left_out[band, np.where(inside, neighbours, 0)]
+        whole = np.all(there, axis=1)
+        # every other one of both sides
+        found[band[whole], start[whole] + run] = power[band[whole], neighbours[whole, ::2]]
+        for row in np.flatnonzero(~whole & np.any(there, axis=1)):
+            some = neighbours[row, there[row]]
+            chosen = np.resize(some[:: max(1, len(some) // length)], length)
+            found[band[row], start[row] + run] = power[band[row], chosen]
     return found
 
 
@@ -195,12 +203,13 @@ _SPREAD_TO: Final = 0.3
 
 
 class ModulationPowers(NamedTuple):
-    """Powers of the lines of a squared envelope, and what was divided out of it.
+    """Powers of the lines of squared envelopes, and what was divided out of them.
 
-    plain, even: (lines,), as it is and without its regular part, of sums over the steps; depth:
-    (lines,), squares of the modulation depth as it is: of e² = mean (1 + d cos(nθ + φ)) that is d²,
-    and a train of short impacts alone has d = 2 at each multiple; spreads: (1 + regular places,),
-    lines on either side of 0 and of each place that were taken for regular, -1 for none.
+    plain, even: (bands, lines), as it is and without its regular part, of sums over the steps;
+    depth: (bands, lines), squares of the modulation depth as it is: of e² = mean (1 + d cos(nθ +
+    φ)) that is d², and a train of short impacts alone has d = 2 at each multiple; spreads: (bands,
+    1 + regular places), lines on either side of 0 and of each place that were taken for regular, -1
+    for none.
     """
 
     plain: FloatArray
@@ -209,8 +218,8 @@ class ModulationPowers(NamedTuple):
     spreads: IntArray
 
 
-def limited(squared: FloatArray) -> FloatArray:
-    """A squared envelope, nowhere above what noise of its level would hardly reach.
+def limit(squared: FloatArray) -> None:
+    """Make a squared envelope nowhere larger than what noise of its level would hardly reach.
 
     A few great shocks would otherwise weigh more than all the rest, and a few instants always have
     some period in common.
@@ -218,9 +227,10 @@ def limited(squared: FloatArray) -> FloatArray:
     highest = log(len(squared) / _CHANCE) / log(2.0)
     # what is nowhere above that needs no median: half of it then are above their greatest over that
     if 2 * np.count_nonzero(squared > np.max(squared) / highest) > len(squared) + 1:
-        return squared
+        return
     level = float(median(squared))
-    return np.minimum(squared, level * highest) if level > 0.0 else squared
+    if level > 0.0:
+        np.minimum(squared, level * highest, out=squared)
 
 
 class Turning(NamedTuple):
@@ -253,17 +263,18 @@ def steps_of(lines: int) -> int:
 
 
 def over_angle(squared: FloatArray, turning: Turning) -> FloatArray:
-    """A squared envelope, without what is too fast to matter, at even steps of the shaft's angle.
+    """Squared envelopes, without what is too fast to matter, at even steps of the shaft's angle.
 
-    squared: evenly over the time of a block.
+    squared: (bands, samples), evenly over the time of a block. Returns (bands, steps).
     """
-    size = len(squared)
+    size = squared.shape[1]
     highest = min(turning.fastest, size // 2)
-    spectrum = np.asarray(fft.rfft(squared))[: highest + 1]
+    spectra = np.asarray(fft.rfft(squared))[:, : highest + 1]
     if turning.times is None:
-        return _at_steps(spectrum, size, turning.steps)
+        return _at_steps(spectra, size, turning.steps)
     narrow = fft.next_fast_len(max(6 * highest, 16), real=True)
-    return interpolated(_at_steps(spectrum, size, narrow), turning.times * narrow)
+    times = turning.times * narrow
+    return np.stack([interpolated(one, times) for one in _at_steps(spectra, size, narrow)])
 
 
 class _Taper:
@@ -286,20 +297,48 @@ class _Taper:
         return self._made[spread]
 
 
+class _Places:
+    """Where lines of what turns are, and the lines about each that its noise is taken of."""
+
+    def __init__(self, places: Sequence[Place], lines: int) -> None:
+        line, self._within = np.array(places, dtype=np.float64).reshape(-1, 2).T
+        self.centres = np.array([0, *np.rint(line)], dtype=np.int64)
+        first = np.maximum(1, np.ceil(line - self._within)).astype(np.int64)
+        last = np.minimum(lines, (line + self._within).astype(np.int64) + 1)
+        start = np.maximum(1, first - _NEIGHBOURS)
+        self._count = np.minimum(lines, last + _NEIGHBOURS) - start
+        self._there = (first < last) & (self._count >= _NEIGHBOURS)
+        about = start[:, None] + np.arange(np.max(self._count, initial=0))
+        self._beyond = np.arange(about.shape[1]) >= self._count[:, None]
+        self._at_place = (about >= first[:, None]) & (about < last[:, None])
+        self._about = np.minimum(about, lines - 1)
+
+    def spreads(self, power: FloatArray, most: int) -> IntArray:
+        """Lines on either side that each line rises above the noise; -1 if it does not.
+
+        power: (bands, lines). Returns (bands, places).
+        """
+        about = power[:, self._about]
+        peaks = np.max(about, axis=2, where=self._at_place, initial=0.0)
+        about[:, self._beyond] = np.inf
+        about.sort(axis=2)
+        middle = np.maximum(np.stack([self._count - 1, self._count]) // 2, 0)
+        noise = 0.5 * np.sum(about[:, np.arange(len(self._count)), middle], axis=1) / log(2.0)
+        ratio = np.divide(peaks, noise, out=np.zeros_like(peaks), where=noise > 0.0)
+        spread = np.minimum(reach(envelope_leakage(), ratio / _SPREAD_TO), most)
+        rises = self._there & (ratio >= log(power.shape[1] / _CHANCE))
+        return np.where(rises, spread + self._within.astype(np.int64), -1)
+
+
 def modulation_powers(
-    envelope: FloatArray,
-    window: _Taper,
-    slow: int,
-    regular: Sequence[Place],
-    lines: int,
-    most: int,
+    envelopes: FloatArray, window: _Taper, slow: int, regular: _Places, lines: int, most: int
 ) -> ModulationPowers:
-    """Powers of the lines of a squared envelope: as it is, and with its regular part divided out.
+    """Powers of the lines of squared envelopes: as they are, and without their regular part.
 
     Parameters
     ----------
-    envelope
-        Over even steps of the shaft's angle.
+    envelopes
+        (bands, steps), over even steps of the shaft's angle.
     window
         Of as many steps.
     slow
@@ -311,49 +350,42 @@ def modulation_powers(
     most
         Lines on either side that are taken with a regular one at most.
     """
-    steps = len(envelope)
-    spectrum: ComplexArray = np.asarray(fft.rfft(envelope))
-    mean = float(spectrum[0].real / window.lines[0].real)
-    plain = power_of(spectrum[:lines] - mean * window.lines[:lines])
-    spreads = np.full(1 + len(regular), -1, dtype=np.int64)
-    if mean <= 0.0:
-        return ModulationPowers(plain, plain.copy(), np.zeros(lines), spreads)
-    spreads[0] = min(slow, _slow_spread(plain, slow))
-    for number, place in enumerate(regular, 1):
-        spreads[number] = _spread(plain, place, most)
+    steps = envelopes.shape[1]
+    spectra: ComplexArray = np.asarray(fft.rfft(envelopes))
+    mean = spectra[:, :1].real / window.lines[0].real
+    plain = power_of(spectra[:, :lines] - mean * window.lines[:lines])
+    if not np.all(mean > 0.0):
+        if len(envelopes) > 1:
+            each = [
+                modulation_powers(one, window, slow, regular, lines, most)
+                for one in envelopes[:, np.newaxis]
+            ]
+            return ModulationPowers(*map(np.concatenate, zip(*each, strict=True)))
+        spreads = np.full((1, len(regular.centres)), -1, dtype=np.int64)
+        return ModulationPowers(plain, plain.copy(), np.zeros_like(plain), spreads)
+    slowest = [[min(slow, _slow_spread(power, slow))] for power in plain]
+    spreads = np.concatenate([slowest, regular.spreads(plain, most)], axis=1)
     # lines about all places that spread as far are made one sum
-    centres = np.array([0, *(round(place.line) for place in regular)])
-    level = np.zeros(steps)
-    for spread in np.unique(spreads[spreads >= 0]):
-        kept = np.zeros_like(spectrum)
-        for centre in centres[spreads == spread]:
-            about = slice(max(0, centre - spread), centre + spread + 1)
-            kept[about] += spectrum[about]
-        level += np.asarray(fft.irfft(kept, steps)) / window.made_of(int(spread))
-    even = envelope / np.maximum(level / mean, _LEAST)
-    even -= window.window * (np.sum(even) / window.sum)
-    power = power_of(np.asarray(fft.rfft(even))[:lines])
-    return ModulationPowers(plain, power, plain * (2.0 / spectrum[0].real) ** 2, spreads)
+    level = np.zeros_like(envelopes)
+    for spread in np.unique(spreads[spreads >= 0]).tolist():
+        bands = np.flatnonzero(np.any(spreads == spread, axis=1))
+        kept = np.zeros((len(bands), spectra.shape[1]), dtype=np.complex128)
+        for into, band in zip(kept, bands, strict=True):
+            for centre in regular.centres[spreads[band] == spread]:
+                about = slice(max(0, centre - spread), centre + spread + 1)
+                into[about] += spectra[band, about]
+        level[bands] += np.asarray(fft.irfft(kept, steps)) / window.made_of(spread)
+    level /= mean
+    even = np.divide(envelopes, np.maximum(level, _LEAST, out=level), out=level)
+    even -= window.window * (np.sum(even, axis=1, keepdims=True) / window.sum)
+    power = power_of(np.asarray(fft.rfft(even))[:, :lines])
+    return ModulationPowers(plain, power, plain * (2.0 / spectra[:, :1].real) ** 2, spreads)
 
 
-def _at_steps(spectrum: ComplexArray, size: int, steps: int) -> FloatArray:
-    """The first lines of a spectrum of so many samples, at another number of steps."""
-    count = min(len(spectrum), steps // 2 + 1)
-    return np.asarray(fft.irfft(spectrum[:count], steps)) * (steps / size)
-
-
-def _spread(power: FloatArray, place: Place, most: int) -> int:
-    """Lines on either side that a regular line rises above the noise; -1 if it does not."""
-    first = max(1, ceil(place.line - place.within))
-    last = min(len(power), int(place.line + place.within) + 1)
-    about = power[max(1, first - _NEIGHBOURS) : last + _NEIGHBOURS]
-    if first >= last or len(about) < _NEIGHBOURS:
-        return -1
-    noise = float(median(about)) / log(2.0)
-    ratio = float(np.max(power[first:last])) / noise if noise > 0.0 else 0.0
-    if ratio < log(len(power) / _CHANCE):
-        return -1
-    return min(reach(envelope_leakage(), ratio / _SPREAD_TO), most) + int(place.within)
+def _at_steps(spectra: ComplexArray, size: int, steps: int) -> FloatArray:
+    """The first lines of spectra of so many samples, at another number of steps."""
+    count = min(spectra.shape[1], steps // 2 + 1)
+    return np.asarray(fft.irfft(spectra[:, :count], steps)) * (steps / size)
 
 
 def _slow_spread(power: FloatArray, slow: int) -> int:
@@ -366,7 +398,7 @@ def _slow_spread(power: FloatArray, slow: int) -> int:
     rises = np.flatnonzero(ratio >= log(len(power) / _CHANCE))
     if len(rises) == 0:
         return 0
-    return int(rises[-1]) + 1 + reach(envelope_leakage(), float(ratio[rises[-1]]) / _SPREAD_TO)
+    return int(rises[-1] + 1 + reach(envelope_leakage(), ratio[rises[-1]] / _SPREAD_TO))
 
 
 # --- all bands of all blocks ---------------------------------------------------------------------
@@ -375,6 +407,8 @@ def _slow_spread(power: FloatArray, slow: int) -> int:
 _DIVISIONS: Final = (1, 2, 3, 4, 6, 8)
 _LONG: Final = 2**17
 """Samples of a first block from which on threads share its bands."""
+_AT_ONCE: Final = 2
+"""Bands: SciPy transforms as many as two side by side in vector instructions."""
 _BANDWIDTH: Final = 2.5
 """Of the narrowest band, over the highest modulation frequency that is looked at in it."""
 
@@ -514,6 +548,14 @@ def band_spectra(blocks: Iterable[Whitening], plan: Plan) -> BandSpectra:
     )
 
 
+class _Together(NamedTuple):
+    """Bands one after the other, their lines in a block's spectrum, and samples of each at most."""
+
+    bands: slice
+    carriers: tuple[slice, ...]
+    size: int
+
+
 class _Sums:
     """Sums over blocks that are all like the first."""
 
@@ -529,6 +571,7 @@ class _Sums:
             for low, high, spacing in plan.combs
         ]
         self.regular = tuple(shaft_places(plan.regular, turns, lines, uncertainty))
+        self._places = _Places(self.regular, lines)
         self._window = _Taper(steps_of(lines))
         self._slow = max(1, int(plan.slow_order * turns))
         self._remove_tones = plan.remove_tones
@@ -546,36 +589,62 @@ class _Sums:
             return
         self.combs += found.has_comb
         turning = Turning.of(block.places, self.powers.shape[2])
-        of_band = partial(self._of_band, found.spectrum, 0.5 * block.rate, turning)
+        together = self._together(len(found.spectrum), 0.5 * block.rate, turning)
+        of_bands = partial(self._of_bands, found.spectrum, turning)
         # of short blocks the interpreter's share is too large; in a long record, whose memory
         # must not grow, each thread would keep memory of its own
         shared = self.number == 0 and len(block.samples) >= _LONG
         side = side_by_side if shared else map
-        for number, powers in enumerate(side(of_band, self.bands)):
-            self.powers[0, number] += powers.plain
-            self.powers[1, number] += powers.even
-            self.depths[number] += powers.depth
-            self.spreads[number] = np.maximum(self.spreads[number], powers.spreads)
+        for bands, powers in zip(together, side(of_bands, together), strict=True):
+            some = bands.bands
+            self.powers[0, some] += powers.plain
+            self.powers[1, some] += powers.even
+            self.depths[some] += powers.depth
+            self.spreads[some] = np.maximum(self.spreads[some], powers.spreads)
         self.number += 1
         self.samples += len(block.samples)
 
-    def _of_band(
-        self, white: ComplexArray, half_rate: float, turning: Turning, band: Band
+    def _together(self, lines: int, half_rate: float, turning: Turning) -> list[_Together]:
+        """The bands of a block's spectrum of so many lines, some of one size at a time."""
+        found: list[_Together] = []
+        per_hertz = lines / half_rate
+        for number, band in enumerate(self.bands):
+            first, last = (round(edge * per_hertz) for edge in band)
+            carriers = slice(max(1, first), last)
+            # a squared envelope is twice as wide as its band; only what is looked at must not fold
+            count = last - carriers.start
+            size = int(fft.next_fast_len(min(2 * count, count + turning.fastest + 1)))
+            if found and found[-1].size == size and len(found[-1].carriers) < _AT_ONCE:
+                begin = found[-1].bands.start
+                found[-1] = _Together(
+                    slice(begin, number + 1), (*found[-1].carriers, carriers), size
+                )
+            else:
+                found.append(_Together(slice(number, number + 1), (carriers,), size))
+        return found
+
+    def _of_bands(
+        self, white: ComplexArray, turning: Turning, bands: _Together
     ) -> ModulationPowers:
-        """Powers of a band of a block, of the sums over products of carriers."""
-        lines = self.powers.shape[2]
-        per_hertz = len(white) / half_rate
-        carriers = white[max(1, round(band[0] * per_hertz)) : round(band[1] * per_hertz)]
-        # a squared envelope is twice as wide as its band; only what is looked at must not fold
-        needed = min(2 * len(carriers), len(carriers) + turning.fastest + 1)
-        size = fft.next_fast_len(needed)
-        squared = power_of(np.asarray(fft.ifft(carriers, size)))
-        envelope = over_angle(limited(squared), turning)
+        """Powers of some bands of a block, of the sums over products of carriers."""
+        size = bands.size
+        one_sided = np.zeros((len(bands.carriers), size), dtype=np.complex128)
+        for into, carriers in zip(one_sided, bands.carriers, strict=True):
+            into[: carriers.stop - carriers.start] = white[carriers]
+        squared = power_of(np.asarray(fft.ifft(one_sided, overwrite_x=True)))
+        for one in squared:
+            limit(one)
+        envelopes = over_angle(squared, turning)
         powers = modulation_powers(
-            envelope, self._window, self._slow, self.regular, lines, most_spread(self.turns)
+            envelopes,
+            self._window,
+            self._slow,
+            self._places,
+            self.powers.shape[2],
+            most_spread(self.turns),
         )
         # however many steps it was taken in
-        scale = float(size) ** 4 / float(len(envelope)) ** 2
+        scale = float(size) ** 4 / float(envelopes.shape[1]) ** 2
         return powers._replace(plain=powers.plain * scale, even=powers.even * scale)
 
 

@@ -10,7 +10,7 @@ speed or another bearing than was thought shows so, and so does another machine 
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import product
@@ -29,7 +29,14 @@ from rolamento.vibration.diagnosis.band_spectra import (
 )
 from rolamento.vibration.diagnosis.lines import MAINS, is_near_mains
 from rolamento.vibration.diagnosis.record import UnexplainedLine
-from rolamento.vibration.diagnosis.search import Finding, Scores, chance, hypotheses_of, search
+from rolamento.vibration.diagnosis.search import (
+    Finding,
+    Look,
+    Scores,
+    chance,
+    hypotheses_of,
+    search,
+)
 from rolamento.vibration.diagnosis.settings import (
     COMPONENTS,
     Component,
@@ -136,10 +143,18 @@ class Field:
             and self.depth(band, line) >= _DISCRETE * self.depth(band, line, _HUMP)
         )
 
-    def findings(self, parts: Iterable[Component]) -> dict[Component, Finding | None]:
+    def findings(self, parts: Sequence[Component]) -> dict[Component, Finding | None]:
         """Return the best match for each of some components among the lines that are left."""
         scores = Scores(self.spectra.power, self.left_out, self.medians, self.spectra.blocks)
-        return {part: self._finding(scores, part) for part in parts}
+        looks = [
+            Look(
+                hypotheses_of(self.orders, part),
+                *self.window(part),
+                self.settings.tolerance if part == "ball" else 0.0,
+            )
+            for part in parts
+        ]
+        return dict(zip(parts, search(scores, looks, self.turns), strict=True))
 
     def with_shaft(self) -> Field:
         """Return the field with the lines of what turns, as they are."""
@@ -150,17 +165,6 @@ class Field:
             medians=self.plain_medians,
             left_out=_too_fast(spectra),
             shaft=_too_fast(spectra),
-        )
-
-    def _finding(self, scores: Scores, component: Component) -> Finding | None:
-        if self.orders.fundamental(component) is None:
-            return None
-        return search(
-            scores,
-            hypotheses_of(self.orders, component),
-            self.turns,
-            *self.window(component),
-            self.settings.tolerance if component == "ball" else 0.0,
         )
 
 
@@ -294,7 +298,7 @@ def unexplained_lines(
         left_out |= multiples | of_fault & (field.depths <= _SIDEBAND**2 * deepest)
     scores = Scores(field.spectra.power, left_out, field.medians, field.spectra.blocks)
     lines = np.arange(scores.lines)
-    clearness = np.maximum.reduce([scores.about(lines, width)[0] for width in _WIDTHS])
+    clearness = np.maximum.reduce([scores.about(lines, width) for width in _WIDTHS])
     clearness[:, : int(_BEYOND_SLOW * field.spectra.slow_order * field.turns)] = 0.0
     trials = max(1, len(_WIDTHS) * int(np.count_nonzero(clearness)))
     squares = np.where(left_out, 0.0, field.depths)

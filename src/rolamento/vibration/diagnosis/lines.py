@@ -18,11 +18,14 @@ _OVERSAMPLING: Final = 8
 
 
 def taper(places: FloatArray) -> FloatArray:
-    """Tukey's window at places from 0 to 1 of a block; as `places`."""
-    edge = np.minimum(places, 1.0 - places) / (0.5 * _TAPERED)
-    window = np.ones_like(edge)
-    sloping = edge < 1.0
-    window[sloping] = 0.5 * (1.0 - np.cos(np.pi * np.clip(edge[sloping], 0.0, 1.0)))
+    """Tukey's window at places of a block, rising from 0 to 1; as `places`."""
+    window = np.ones_like(places)
+    half = 0.5 * _TAPERED
+    for edge, within in (
+        (slice(int(np.searchsorted(places, half))), places),
+        (slice(int(np.searchsorted(places, 1.0 - half)), None), 1.0 - places),
+    ):
+        window[edge] = 0.5 * (1.0 - np.cos(np.pi * np.clip(within[edge] / half, 0.0, 1.0)))
     return window
 
 
@@ -43,9 +46,9 @@ def envelope_leakage() -> FloatArray:
     return _spread(np.square(taper((np.arange(_LENGTH) + 0.5) / _LENGTH)))
 
 
-def reach(leakage: FloatArray, ratio: float) -> int:
+def reach(leakage: FloatArray, ratio: FloatArray) -> IntArray:
     """Lines from a peak within which it leaves more than 1 over a ratio of its power."""
-    return int(np.searchsorted(-leakage, -1.0 / max(ratio, 1.0)))
+    return np.asarray(np.searchsorted(-leakage, -1.0 / np.maximum(ratio, 1.0)))
 
 
 def _spread(window: FloatArray) -> FloatArray:

@@ -21,10 +21,10 @@ at most that (Bonferroni).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
-from itertools import pairwise
+from itertools import chain, pairwise
 from math import exp, log, nan
 from typing import Final, NamedTuple, TypeVar
 
@@ -164,7 +164,7 @@ def _hypothesis(
 
 
 _FAR: Final = 1e5
-_AT_ONCE: Final = 2**16
+_AT_ONCE: Final = 2**15
 """Scores that are looked up together: they stay near the processor."""
 
 
@@ -194,87 +194,70 @@ class Scores:
         # bands side by side: what is taken of a line is one piece of memory
         self._sums = _from_zero(np.where(usable, power, 0.0))
         self._counts = _from_zero(usable.astype(np.int64))
+        self._full = _from_zero(np.all(usable, axis=0, keepdims=True).astype(np.int64))[:, 0]
         self._medians = np.ascontiguousarray(medians.T)
+        self._reaches = reaches(np.arange(self.lines))[:, None]
         self._averages = averages
-        self._rows: dict[int, _Row] = {}
+        # one width after the other, and hardly any of it is ever touched
+        size = WIDTHS[-1] * self.lines
+        self._scores, self._there = (np.zeros((size, self.bands), kind) for kind in (float, bool))
+        self._whole, self._wanted, self._known = np.zeros((3, size), dtype=np.bool_)
 
-    def about(self, places: IntArray, width: int) -> tuple[FloatArray, BoolArray]:
-        """Score of what lies within so many lines about each place, and whether any does.
+    def about(self, places: IntArray, width: int) -> FloatArray:
+        """Score of what lies within so many lines about each place; (bands, places).
 
-        (bands, places) each; 0 and False where all lines are left out.
+        0 where all lines are left out.
         """
-        inside = self.inside(places)
-        self.want(inside[None], [width])
-        self.make()
-        row = self._rows[width]
-        return row.scores[inside].T, row.there[inside].T
+        numbers = self.numbers(places, width)
+        self.make(numbers)
+        return np.asarray(self._scores[numbers].T)
 
-    def inside(self, places: IntArray) -> IntArray:
-        """Places, and 0 for those outside: the lowest line is never scored."""
-        return np.where((places > 0) & (places < self.lines), places, 0)
+    def numbers(self, places: IntArray, width: int | IntArray) -> IntArray:
+        """By which scores about places are known; of those outside as of the lowest line."""
+        inside = np.where((places > 0) & (places < self.lines), places, 0)
+        return np.asarray(inside + self.lines * (width - 1))
 
-    def want(self, places: IntArray, widths: Sequence[int]) -> None:
-        """Note that scores about places `inside` will be taken; (lines, …) and (lines,)."""
-        for some, width in zip(places, widths, strict=True):
-            if width not in self._rows:
-                self._rows[width] = _Row.empty(self.lines, self.bands)
-            self._rows[width].wanted[some] = True
-
-    def make(self) -> None:
-        """Make the scores that are wanted and not known, many together."""
+    def make(self, *numbers: IntArray) -> None:
+        """Make those scores that are not known, many together."""
+        for some in numbers:
+            self._wanted[some] = True
+        new = np.flatnonzero(self._wanted & ~self._known)
         step = max(1, _AT_ONCE // self.bands)
-        for width, row in self._rows.items():
-            new = np.flatnonzero(row.wanted & ~row.known)
-            for some in (new[at : at + step] for at in range(0, len(new), step)):
-                row.scores[some], row.there[some] = self._scored(some, width)
-            row.whole[new] = np.all(row.there[new], axis=1)
-            row.known[new] = True
+        for some in (new[at : at + step] for at in range(0, len(new), step)):
+            below, lines = np.divmod(some, self.lines)
+            first = np.maximum(lines - below // 2, 1)
+            last = np.minimum(lines + (below + 1) // 2 + 1, self.lines)
+            full = self._full[last] - self._full[first] == below + 1
+            # where no line is left out in any band, all bands are alike
+            for part, alike in ((full, slice(1)), (~full, slice(None))):
+                if np.any(part):
+                    found = self._scored(lines[part], first[part], last[part], alike)
+                    there = ~np.isnan(found)
+                    self._scores[some[part]] = np.where(there, found, 0.0)
+                    self._there[some[part]] = there
+                    self._whole[some[part]] = np.all(there, axis=1)
+        self._known[new] = True
 
-    def take(self, places: IntArray, widths: Sequence[int]) -> tuple[FloatArray, IntArray | None]:
-        """Scores about places `inside` that are made, and at how many of them any line is.
+    def take(self, numbers: IntArray) -> tuple[FloatArray, IntArray | None]:
+        """Scores that are made, and of how many of them any line is there.
 
-        places: (lines, …), widths: (lines,). Returns (lines, …, bands) and (…, bands); None in
-        place of the latter where all are.
+        numbers: (lines, …). Returns (lines, …, bands) and (…, bands); None in place of the latter
+        where all are.
         """
-        rows = [self._rows[width] for width in widths]
-        found = np.empty((*places.shape, self.bands))
-        for row, some, into in zip(rows, places, found, strict=True):
-            np.take(row.scores, some, axis=0, out=into, mode="clip")
-        if all(np.all(row.whole[some]) for row, some in zip(rows, places, strict=True)):
+        found = np.take(self._scores, numbers, axis=0)
+        if np.all(self._whole[numbers]):
             return found, None
-        used = np.zeros(found.shape[1:], dtype=np.int64)
-        for row, some in zip(rows, places, strict=True):
-            used += row.there[some]
-        return found, used
+        return found, np.sum(self._there[numbers], axis=0)
 
-    def _scored(self, lines: IntArray, width: int) -> tuple[FloatArray, BoolArray]:
-        first = np.clip(lines - (width - 1) // 2, 1, None)
-        last = np.clip(lines + width // 2 + 1, None, self.lines)
-        counts = self._counts[last] - self._counts[first]
+    def _scored(self, lines: IntArray, first: IntArray, last: IntArray, bands: slice) -> FloatArray:
+        """Scores of what lies from the first lines to before the last ones; (lines, bands).
+
+        bands: those in which it is to be known how many lines there are.
+        """
+        counts = self._counts[last, bands] - self._counts[first, bands]
         means = (self._sums[last] - self._sums[first]) / np.maximum(counts, 1)
-        reach = np.broadcast_to(reaches(lines)[:, None], counts.shape)
-        scores = mean_scores(means, self._medians[lines], counts, reach, self._averages)
-        there = ~np.isnan(scores)
-        return np.where(there, scores, 0.0), there
-
-
-class _Row(NamedTuple):
-    """Scores of one width about every line, and whether any line is there; (lines, bands) each.
-
-    whole: whether one is there in every band; wanted, known: whether all this is; (lines,) each.
-    """
-
-    scores: FloatArray
-    there: BoolArray
-    whole: BoolArray
-    wanted: BoolArray
-    known: BoolArray
-
-    @classmethod
-    def empty(cls, lines: int, bands: int) -> _Row:
-        size = (lines, bands)
-        none = (np.zeros(lines, np.bool_) for _ in range(3))
-        return cls(np.zeros(size), np.zeros(size, np.bool_), *none)
+        reach = self._reaches[lines]
+        return mean_scores(means, self._medians[lines], counts, reach, self._averages)
 
 
 @dataclass(frozen=True, slots=True)
@@ -310,80 +293,88 @@ class Finding:
     per_band: tuple[float, ...]
 
 
-def search(
-    scores: Scores,
-    hypotheses: tuple[Hypothesis, ...],
-    turns: float,
-    low: float,
-    high: float,
-    spacing_freedom: float,
-) -> Finding | None:
+@dataclass(frozen=True, slots=True)
+class Look:
+    """What is looked for, and where.
+
+    Attributes
+    ----------
+    hypotheses
+        to try
+    low, high
+        of the fundamental; orders
+    spacing_freedom
+        part by which the spacing of sidebands may be off
+    """
+
+    hypotheses: tuple[Hypothesis, ...]
+    low: float
+    high: float
+    spacing_freedom: float
+
+
+def search(scores: Scores, looks: Sequence[Look], turns: float) -> list[Finding | None]:
     """Find what stands out most of all that hypotheses, orders and bands allow.
 
     Parameters
     ----------
     scores
         Of the lines.
-    hypotheses
-        To try.
+    looks
+        What for.
     turns
         Revolutions in a block: lines per order.
-    low, high
-        Of the fundamental; orders.
-    spacing_freedom
-        Part by which the spacing of sidebands may be off.
 
     Returns
     -------
-    None if no line of any hypothesis is there to look at.
+    The best of each look; None if no line of any of its hypotheses is there.
     """
-    tried = [
-        _Trials.of(
-            replace(plain, spacing=plain.spacing * turns),
-            low * turns,
-            high * turns,
-            spacing_freedom,
-            scores,
-        )
-        for plain in hypotheses
+    tried = [[one for one in _trials_of(look, turns, scores) if one.numbers.size] for look in looks]
+    scores.make(*(one.numbers for one in chain.from_iterable(tried)))
+    return [
+        _finding(look, turns, ones, [_evidence(scores, one) for one in ones])
+        for look, ones in zip(looks, tried, strict=True)
     ]
-    tried = [one for one in tried if one.places.size > 0]
-    for one in tried:
-        scores.want(one.places, one.widths)
-    scores.make()
-    best: Finding | None = None
-    trials = 0
-    per_band = np.zeros(scores.bands)
-    for one in tried:
-        evidence, places, count = _evidence(scores, one)
-        trials += count
-        per_band = np.maximum(per_band, np.max(evidence, axis=0))
-        spacing, band = np.unravel_index(int(np.argmax(evidence)), evidence.shape)
-        value = float(evidence[spacing, band])
-        if best is None or value > best.evidence:
-            best = Finding(
-                evidence=value,
-                band=int(band),
-                fundamental=float(one.grid[places[spacing, band]]),
-                spacing=float(one.spacings[spacing]),
-                low=low * turns,
-                high=high * turns,
-                hypothesis=one.hypothesis,
-                trials=0,
-                per_band=(),
-            )
-    if best is None or trials == 0:
+
+
+def _finding(
+    look: Look, turns: float, tried: Sequence[_Trials], found: Sequence[_Best]
+) -> Finding | None:
+    """Return the best of all trials of a look."""
+    trials = sum(one.trials for one in found)
+    if trials == 0:
         return None
-    return replace(best, trials=trials, per_band=tuple(float(value) for value in per_band))
+    number = int(np.argmax([np.max(one.evidence) for one in found]))
+    one, best = tried[number], found[number]
+    spacing, band = np.unravel_index(int(np.argmax(best.evidence)), best.evidence.shape)
+    per_band = np.max([np.max(one.evidence, axis=0) for one in found], axis=0, initial=0.0)
+    return Finding(
+        evidence=float(best.evidence[spacing, band]),
+        band=int(band),
+        fundamental=float(one.grid[best.at[spacing, band]]),
+        spacing=float(one.spacings[spacing]),
+        low=look.low * turns,
+        high=look.high * turns,
+        hypothesis=one.hypothesis,
+        trials=trials,
+        per_band=tuple(float(value) for value in per_band),
+    )
+
+
+def _trials_of(look: Look, turns: float, scores: Scores) -> Iterator[_Trials]:
+    for plain in look.hypotheses:
+        hypothesis = replace(plain, spacing=plain.spacing * turns)
+        freedom = look.spacing_freedom
+        yield _Trials.of(hypothesis, look.low * turns, look.high * turns, freedom, scores)
 
 
 class _Trials(NamedTuple):
-    """A hypothesis at fundamentals and spacings; its lines' places, (lines, spacings, grid)."""
+    """A hypothesis at fundamentals and spacings; its lines' scores, (lines, spacings, grid)."""
 
     hypothesis: Hypothesis
     grid: FloatArray
     spacings: FloatArray
-    places: IntArray
+    numbers: IntArray
 
     @classmethod
     def of(
@@ -393,15 +384,10 @@ class _Trials(NamedTuple):
         grid, spacings = trials_grid(low, high, hypothesis, freedom)
         middle = grid[len(grid) // 2] if len(grid) > 0 else nan
         spacings = spacings[[_apart(hypothesis, middle, spacing) for spacing in spacings]]
-        multiples = np.array([line.multiple for line in hypothesis.lines])[:, None, None]
-        sidebands = np.array([line.sideband for line in hypothesis.lines])[:, None, None]
+        lines = [(line.multiple, line.sideband, line.width) for line in hypothesis.lines]
+        multiples, sidebands, widths = np.array(lines).T[:, :, None, None]
         places = np.rint(grid * multiples + sidebands * spacings[:, None]).astype(np.int64)
-        return cls(hypothesis, grid, spacings, scores.inside(places))
-
-    @property
-    def widths(self) -> list[int]:
-        """Of the lines."""
-        return [line.width for line in self.hypothesis.lines]
+        return cls(hypothesis, grid, spacings, scores.numbers(places, widths.astype(np.int64)))
 
 
 def _apart(hypothesis: Hypothesis, fundamental: float, spacing: float) -> bool:
@@ -416,16 +402,23 @@ def _apart(hypothesis: Hypothesis, fundamental: float, spacing: float) -> bool:
     )
 
 
-def _evidence(scores: Scores, trials: _Trials) -> tuple[FloatArray, IntArray, int]:
+class _Best(NamedTuple):
+    """Greatest evidence over the fundamentals, its place in the grid, and how many were tried.
+
+    evidence, at: (spacings, bands).
+    """
+
+    evidence: FloatArray
+    at: IntArray
+    trials: int
+
+
+def _evidence(scores: Scores, trials: _Trials) -> _Best:
     """Greatest -ln of the probability of a hypothesis over its fundamentals.
 
     0 where too few of its lines are there: of several, one alone means nothing.
-
-    Returns
-    -------
-    Greatest, its place in the grid: (spacings, bands) each; how many trials.
     """
-    found, used = scores.take(trials.places, trials.widths)
+    found, used = scores.take(trials.numbers)
     least = min(2, len(found))
     ordered = _descending(list(found))
     numbers = [len(found)] if used is None else np.flatnonzero(np.bincount(used.ravel())).tolist()
@@ -438,13 +431,12 @@ def _evidence(scores: Scores, trials: _Trials) -> tuple[FloatArray, IntArray, in
         here = None if used is None else used == number
         tried += totals.size if here is None else int(np.count_nonzero(here))
         # the evidence rises with the total
-        place = np.argmax(totals if here is None else np.where(here, totals, -1.0), axis=1)
-        total = np.take_along_axis(totals, place[:, None], axis=1)[:, 0]
-        there = True if here is None else np.take_along_axis(here, place[:, None], axis=1)[:, 0]
-        evidence = np.where(there, _tail(total, number - number // 2), 0.0)
+        totals = totals if here is None else np.where(here, totals, -1.0)
+        place, total = np.argmax(totals, axis=1), np.max(totals, axis=1)
+        evidence = np.where(total < 0.0, 0.0, _tail(total, number - number // 2))
         at = np.where(evidence > greatest, place, at)
         greatest = np.maximum(greatest, evidence)
-    return greatest, at, tried
+    return _Best(greatest, at, tried)
 
 
 def _total(ordered: list[FloatArray], used: int) -> FloatArray:

@@ -23,7 +23,7 @@ import numpy as np
 from scipy import fft
 
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.vibration.diagnosis.band_spectra import limited
+from rolamento.vibration.diagnosis.band_spectra import limit
 from rolamento.vibration.diagnosis.blocks import Block
 from rolamento.vibration.diagnosis.lines import MAINS, is_near_mains, power_of
 from rolamento.vibration.diagnosis.whitening import Whitening, local_level
@@ -146,7 +146,8 @@ def _powers(whitening: Whitening) -> tuple[FloatArray, FloatArray]:
         return whitening.power, np.zeros(len(whitening.power))
     lines = white.spectrum
     squared = power_of(fft.ifft(lines, fft.next_fast_len(2 * len(lines))))
-    return whitening.power, power_of(np.asarray(fft.rfft(limited(squared))))
+    limit(squared)
+    return whitening.power, power_of(np.asarray(fft.rfft(squared)))
 
 
 def _heights(power: FloatArray, block: Block, factors: FloatArray) -> FloatArray:

@@ -350,7 +350,7 @@ def _may_hide(field: Field, number: int) -> bool:
     reach = round(max(_FOOT, _BESIDE * field.turns))
     lines = round(number * field.turns) + np.arange(-reach, reach + 1)
     scores = Scores(field.spectra.power, field.left_out, field.medians, field.spectra.blocks)
-    seen = scores.about(lines, 1)[0]
+    seen = scores.about(lines, 1)
     clear = np.max(seen, axis=1) > log(seen.size / field.settings.false_alarm)
     for band in np.flatnonzero(clear):
         lower = _of_shaft(field, int(band), number - 1)

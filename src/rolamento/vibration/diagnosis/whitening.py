@@ -81,13 +81,12 @@ class Tones(NamedTuple):
 
         Each tone has all lines over which it rises from the noise.
         """
-        leakage = tone_leakage()
         teeth = np.zeros(len(self.peaks), dtype=np.bool_)
         for comb in combs:
             teeth |= _teeth(self.peaks, comb)
         of_tones, of_combs = (np.zeros(len(self.ratio), dtype=np.bool_) for _ in range(2))
-        for peak, is_tooth in zip(self.peaks, teeth, strict=True):
-            width = reach(leakage, self.ratio[peak])
+        widths = reach(tone_leakage(), self.ratio[self.peaks])
+        for peak, width, is_tooth in zip(self.peaks, widths, teeth, strict=True):
             lines = of_combs if is_tooth else of_tones
             lines[max(0, peak - width) : peak + width + 1] = True
         return of_tones, of_combs
@@ -110,9 +109,8 @@ def tones_of(power: FloatArray, level: FloatArray) -> Tones:
         [start + int(np.argmax(ratio[start:end])) for start, end in zip(starts, ends, strict=True)],
         dtype=np.int64,
     )
-    leakage = tone_leakage()
-    widths = np.array([2 * reach(leakage, ratio[peak] / limit) + 1 for peak in peaks])
-    return Tones(ratio, peaks[ends - starts <= widths + 2] if len(peaks) else peaks)
+    widths = 2 * reach(tone_leakage(), ratio[peaks] / limit) + 1
+    return Tones(ratio, peaks[ends - starts <= widths + 2])
 
 
 def _teeth(tones: IntArray, comb: Comb) -> BoolArray:

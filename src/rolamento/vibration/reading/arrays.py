@@ -8,8 +8,9 @@ from __future__ import annotations
 import io
 import zipfile
 from abc import abstractmethod
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from math import pi, prod
 from pathlib import Path
 from typing import Any, BinaryIO, Final, Literal, NamedTuple
@@ -149,13 +150,15 @@ class ArraysSource(Source):
 class NumpySource(ArraysSource):
     """The array of an .npy file, mapped, or those of an .npz archive, each read as it is needed.
 
-    Nothing is unpickled. What an archive inflates to is bounded as a file read whole is.
+    A file is mapped anew for each piece: what has been read does not stay in memory. Nothing is
+    unpickled. What an archive inflates to is bounded as a file read whole is.
     """
 
     def __init__(self, path: Path) -> None:
         self._source = str(path)
         self._arrays: dict[int, NDArray[Any]] = {}
         self._file: BinaryIO | None = None
+        self._map: Callable[[], NDArray[Any]] | None = None
         size = size_of_file(path)
         with path.open("rb") as file:
             is_archive = file.read(2) == b"PK"
@@ -170,25 +173,29 @@ class NumpySource(ArraysSource):
 
     def close(self) -> None:
         """Let go of the file."""
-        self._arrays = {}
+        self._arrays, self._map = {}, None
         if self._file is not None:
             self._file.close()
 
     def _samples(self, place: Place, start: int, count: int) -> FloatArray:
-        if place.variable not in self._arrays:
-            with guarded(self._source, marked("NumPy archive")):
-                self._arrays[place.variable] = self._archive[self._names[place.variable]]
-        array = self._arrays[place.variable]
+        if self._map is not None:
+            with guarded(self._source, marked("NumPy array")):
+                array = self._map()
+        else:
+            if place.variable not in self._arrays:
+                with guarded(self._source, marked("NumPy archive")):
+                    self._arrays[place.variable] = self._archive[self._names[place.variable]]
+            array = self._arrays[place.variable]
         line = array if array.ndim == 1 else np.moveaxis(array, place.axis, 0)[:, place.row]
         return line[start : start + count].astype(np.float64)
 
     def _mapped(self, path: Path, size: int) -> list[Variable]:
-        with path.open("rb") as file:
-            header = _Header.of(file)
+        self._file = path.open("rb")
+        header = _Header.of(self._file)
         header.check(size - header.offset, self._source)
         if prod(header.shape):
-            self._arrays[0] = np.memmap(
-                path, header.dtype, "r", header.offset, header.shape, header.order
+            self._map = partial(
+                np.memmap, self._file, header.dtype, "r", header.offset, header.shape, header.order
             )
         return [Variable(path.stem, header.shape)]
 
