@@ -119,8 +119,8 @@ def _guided(system: System[S], mode: str) -> tuple[S, FloatArray, IntArray]:
         return solve_by_jones(system)
     control = np.full((1, system.shape[1]), -1.0 if mode == "inner" else 1.0)
     solution = system.solve(control)
-    everywhere = np.broadcast_to(control, system.shape)
-    return solution, everywhere, everywhere.astype(np.int64)
+    shown = control.astype(np.int64)
+    return solution, np.broadcast_to(control, system.shape), np.broadcast_to(shown, system.shape)
 
 
 def result(cases: Cases, balanced: Balanced) -> Solved:

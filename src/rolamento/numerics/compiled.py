@@ -57,7 +57,8 @@ class Kernel(partial[R], Generic[P, R]):
 
     if TYPE_CHECKING:
 
-        def __call__(self, *args: P.args, **kwargs: P.kwargs) -> R: ...
+        def __call__(self, *args: P.args, **kwargs: P.kwargs) -> R:
+            """Run the function as plain Python."""
 
     @cached_property
     def compiled(self) -> Callable[P, R]:
