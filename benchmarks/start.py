@@ -1,6 +1,7 @@
 """How long a person waits: for the import, and for the first answer of a command.
 
-Beside a diagnosis stands a script with SciPy, a new process too.
+Beside a solve stands the import of the libraries that it cannot do without, and of Numba, which a
+set takes too; beside a diagnosis a script with SciPy. All are new processes.
 """
 
 from __future__ import annotations
@@ -19,10 +20,11 @@ from rolamento.vibration.synthesis import synthesise
 from rolamento.vibration.writing import write_signal
 
 _ROOT = Path(__file__).parents[1]
+_LIBRARIES = "numpy, pydantic.main, rich.console, typer"
 
 
 def measure(runs: int) -> Findings:
-    """Wall time of new processes: `import rolamento`, `solve` and `diagnose`, on warm caches."""
+    """Wall time of new processes: `import rolamento`, commands and libraries, on warm caches."""
     imported = [sys.executable, "-c", "import rolamento"]
     findings = _measure("import rolamento", imported, runs, 0.2)
     command = command_line()
@@ -33,6 +35,11 @@ def measure(runs: int) -> Findings:
     for name, file, target in (("218 example", example.name, 0.8), ("pair", "6012_pair.toml", 0.6)):
         solve = [*command, "solve", str(example.with_name(file))]
         findings.add(_measure(f"rolamento solve, {name}", solve, runs, target))
+    life = [*command, "life", str(example.with_name("6305_life.toml"))]
+    findings.add(_measure("rolamento life, 6305", life, runs, None))
+    for libraries in (_LIBRARIES, f"{_LIBRARIES}, numba"):
+        imported = [sys.executable, "-c", f"import {libraries}"]
+        findings.add(_measure(f"import {libraries}", imported, runs, None))
     findings.add(_diagnoses(command, runs))
     return findings
 
