@@ -9,7 +9,7 @@ from __future__ import annotations
 from math import inf, sqrt
 from typing import Final
 
-from rolamento.numerics.compiled import inline_exact, shared
+from rolamento.numerics.compiled import filling, inline_exact, shared
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.settle import in_place
 from rolamento.rows.ball.single import (
@@ -125,7 +125,7 @@ def judge(
     return CONVERGED, residual_of_all, -1
 
 
-@shared
+@filling
 def weigh(
     p: Array, case: int, moving: bool, lag: float, heaviest: float, ring: Ring, errors: Array
 ) -> Two:
@@ -164,7 +164,7 @@ def inertia_of(p: Array, case: int) -> float:
     return float(2.0 * force * speed * speed)
 
 
-@shared
+@filling
 def _ring_residual(p: Array, case: int, reaction: Array, heaviest: float) -> float:
     """The ring's greatest unbalanced load over the greatest load on it or in it."""
     scale, error = heaviest, 0.0
@@ -183,7 +183,7 @@ def own_scale(scale: float, heaviest: float) -> float:
     return own if own > 0.0 else 1.0
 
 
-@shared
+@filling
 def worst_ball(p: Array, case: int, errors: Array, heaviest: float, worst: float) -> float:
     """The greatest residual of a ball, each on the scale of its own loads, or what is worse.
 

@@ -148,10 +148,15 @@ def solve_cases(
         if code[case] == status.NOT_CONVERGED and few and moving:
             alone, steps = order[place : place + 1], iterations[case]
             _propose(p, control, cosines, sines, True, alone, False, accepted[place:], out)
+            settled = iterations[case] > 0
             iterations[case] = steps + abs(iterations[case])
             if accepted[place]:
                 code[case] = status.CONVERGED
                 continue
+            if settled:
+                code[case], residual[case], unsupported[case] = judge(
+                    p, column, True, balls, cosines, sines, u, cage[case], x, ring, errors
+                )
         if code[case] == status.NOT_CONVERGED:
             heavy = np.empty((p.shape[0], 1))
             put_factors(p, column, heaviest_factor(p, column, cosines.size), 0.0, heavy)

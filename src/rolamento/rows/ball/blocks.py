@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento import status
-from rolamento.numerics.compiled import inline_exact, shared
+from rolamento.numerics.compiled import filling, inline_exact, shared
 from rolamento.rows.ball import lanes, layout
 from rolamento.rows.ball.accept import is_finite, worst_ball
 from rolamento.rows.ball.single import FAR, changes_groove
@@ -148,7 +148,7 @@ def _tilting(p: Array, order: Order) -> bool:
     return False
 
 
-@shared
+@filling
 def _regroup(w: Array, b: Array, lane: int) -> int:
     """Take balls off the inner groove or put them on (see `edges`); how many changed."""
     changed, length = 0, w[layout.INNER_LENGTH * _LANES + lane]
@@ -162,7 +162,7 @@ def _regroup(w: Array, b: Array, lane: int) -> int:
     return changed
 
 
-@shared
+@filling
 def _let_out(w: Array, b: Array, lane: int) -> None:
     """Put the balls that are off the inner groove where their centrifugal force holds them."""
     out = w[layout.OUTER_SHARE * _LANES + lane] * w[layout.INERTIA_APPROACH * _LANES + lane]
@@ -341,7 +341,7 @@ def solve_moving(
             working -= 1
 
 
-@shared
+@filling
 def _worst_ball(w: Array, b: Array, lane: int, p: Array, column: int, errors: Array) -> float:
     """The residual of a lane's case, where a ball's may be worse than the ring's."""
     for j in range(errors.shape[0]):

@@ -13,7 +13,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from rolamento.numerics.compiled import inline_exact, inline_fast, shared, vector_loop
+from rolamento.numerics.compiled import filling, inline_exact, inline_fast, vector_loop
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.accept import (
     FRICTION_SLACK,
@@ -260,7 +260,7 @@ def _if(bears: float, value: float) -> float:
     return value if bears > 0.0 else 0.0
 
 
-@shared
+@filling
 def mark_regrouped(w: Array, b: Array) -> None:
     """Mark the lanes where a ball leaves the inner groove, or comes back to it (see `edges`)."""
     for i in range(N):
@@ -270,7 +270,7 @@ def mark_regrouped(w: Array, b: Array) -> None:
         w[_REGROUPED + i] = max(w[_REGROUPED + i], changes)
 
 
-@shared
+@filling
 def start_cage(w: Array) -> None:
     """What the nominal speed pulls at the cage, before any ball does (see `single.empty_ring`)."""
     for i in range(N):
@@ -281,7 +281,7 @@ def start_cage(w: Array) -> None:
         w[_PULL + i] = pull
 
 
-@shared
+@filling
 def judge_ball(w: Array, b: Array) -> None:
     """A ball in motion as `accept.judge` sees it, to the last bit; what is wrong is UNSOUND."""
     for i in range(N):
@@ -337,7 +337,7 @@ def judge_ball(w: Array, b: Array) -> None:
         _add_to_ring_exact(w, i, c, s, force, stiffness)
 
 
-@shared
+@filling
 def weigh_ring(w: Array) -> None:
     """Measure ring and cage as `accept.weigh` does, to the last bit: UNBALANCED.
 
@@ -369,7 +369,7 @@ def weigh_ring(w: Array) -> None:
         w[_UNBALANCED + i] = max_with_nan(part, behind)
 
 
-@shared
+@filling
 def weigh_ball(w: Array, b: Array) -> None:
     """Mark the lanes where this ball's residual might be worse than UNBALANCED."""
     for i in range(N):

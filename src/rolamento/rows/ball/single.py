@@ -11,7 +11,7 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from rolamento.numerics.compiled import inline_exact, shared
+from rolamento.numerics.compiled import filling, inline_exact, shared
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.ball import (
     contact_exact,
@@ -219,7 +219,7 @@ def add_force(total: Array, c: float, s: float, force: Three) -> None:
     total[4] -= s * h
 
 
-@shared
+@filling
 def add_to_ring(ring: Ring, c: float, s: float, force: Three, stiffness: Six) -> None:
     """Add one ball's force and stiffness to the ring's (as lanes._add_to_ring does)."""
     k11, k12, k21, k22, h1, h2 = stiffness
@@ -232,7 +232,7 @@ def add_to_ring(ring: Ring, c: float, s: float, force: Three, stiffness: Six) ->
     _add_row(matrix, 4, -s * h1, -s * h2, c, s)
 
 
-@shared
+@filling
 def add_to_cage(ring: Ring, c: float, s: float, pull: float, drive: Seven) -> None:
     """Add what the cage's speed does to one ball, and the ball to the cage's balance."""
     c1, c2, hc, lag, lag1, lag2, lag_c = drive
@@ -251,7 +251,7 @@ def add_to_cage(ring: Ring, c: float, s: float, pull: float, drive: Seven) -> No
     ring.pull[0] += pull
 
 
-@shared
+@filling
 def condense_cage(ring: Ring) -> None:
     """Let the cage follow the ring: its speed drops out of the ring's force and stiffness."""
     if ring.lag_by_cage[0] == 0.0:
