@@ -138,7 +138,7 @@ def test_derivatives_of_a_contact(rig: Rig, inner: bool) -> None:
     def force(values: Floats) -> tuple[Floats, Floats, float]:
         room = race_room()
         load, _ = contact_forces(
-            rig, inner, values[0], values[1], values[2:5], values[5], mesh, room
+            rig, inner, values[0], values[1], values[2:5], values[5], mesh, mesh.least, room
         )
         return room.force.copy(), room.slope.copy(), load
 
@@ -157,7 +157,8 @@ def test_derivatives_of_a_contact(rig: Rig, inner: bool) -> None:
 def test_no_contact_no_force(rig: Rig) -> None:
     room = race_room()
     length = rig.p[layout.INNER_LENGTH, 0]
-    found = contact_forces(rig, True, 0.0, 0.99 * length, np.ones(3), 1.0, mesh_of(rig, 0.1), room)
+    mesh = mesh_of(rig, 0.1)
+    found = contact_forces(rig, True, 0.0, 0.99 * length, np.ones(3), 1.0, mesh, mesh.least, room)
     assert found == (0.0, 0.0)
     assert not room.force.any()
     assert not room.slope.any()
