@@ -12,7 +12,7 @@ from __future__ import annotations
 from math import atan2, cos, pi, sin, sqrt
 from typing import Final
 
-from rolamento.numerics.compiled import inline_exact, shared
+from rolamento.numerics.compiled import filling, inline_exact
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.ball import stored_polynomial
 from rolamento.rows.ball.single import OFF_GROOVE, balance_along, linearised, rounding
@@ -26,7 +26,7 @@ NEWTON_STEPS: Final = 20
 BRACKET_STEPS: Final = 80
 
 
-@shared
+@filling
 def in_place(p: Array, case: int, a1: float, x1: float, x2: float) -> bool:
     """Whether a ball stands where it can: pushed to the same side by both rings, and outward."""
     slack = PLACE_SLACK * p[layout.OUTER_LENGTH, case]
@@ -34,7 +34,7 @@ def in_place(p: Array, case: int, a1: float, x1: float, x2: float) -> bool:
     return side * x1 >= -slack and x2 > 0.0 and side * (a1 - x1) >= -slack
 
 
-@shared
+@filling
 def free_ball(p: Array, case: int, cage: float, control: float, a1: float, a2: float) -> Found:
     """A ball that only its centrifugal force presses outward: (whether it is free, X1, X2)."""
     length: float = p[layout.OUTER_LENGTH, case]
@@ -50,7 +50,7 @@ def free_ball(p: Array, case: int, cage: float, control: float, a1: float, a2: f
     return abs(control) >= OFF_GROOVE or gap <= p[layout.INNER_LENGTH, case], 0.0, x2
 
 
-@shared
+@filling
 def _newton(
     p: Array,
     case: int,
@@ -107,7 +107,7 @@ def _along_and_across(
     return along, across
 
 
-@shared
+@filling
 def _reach_at(
     p: Array,
     case: int,
@@ -148,7 +148,7 @@ def _reach_at(
     return high
 
 
-@shared
+@filling
 def _bracketed(
     p: Array, case: int, cage: float, control: float, a1: float, a2: float, work: Array
 ) -> Found:
@@ -176,7 +176,7 @@ def _bracketed(
     return False, reach * sin(middle), reach * cos(middle)
 
 
-@shared
+@filling
 def settle(
     p: Array,
     case: int,

@@ -25,7 +25,6 @@ from rolamento.rows.ball.types import (
     Cage,
     Linearised,
     Motion,
-    Race,
     Seven,
     Six,
     StaticBall,
@@ -90,12 +89,10 @@ def empty_ring(p: Array, case: int, cage: float, ring: Ring) -> None:
 
 
 @inline_exact
-def races(p: Array, case: int, control: float) -> tuple[Race, Race]:
-    """Inner and outer contact: free length and stiffness; an inner groove left touches nothing."""
-    length = p[layout.INNER_LENGTH, case] if abs(control) < OFF_GROOVE else FAR
-    inner = (length, (p, layout.INNER_STIFFNESS, case))
-    outer = (p[layout.OUTER_LENGTH, case], (p, layout.OUTER_STIFFNESS, case))
-    return inner, outer
+def inner_length(p: Array, case: int, control: float) -> float:
+    """Free length of the inner contact; an inner groove that the ball has left touches nothing."""
+    length: float = p[layout.INNER_LENGTH, case]
+    return length if abs(control) < OFF_GROOVE else FAR
 
 
 @inline_exact
@@ -142,12 +139,13 @@ def groove(p: Array, case: int, u: Array, c: float, s: float) -> Two:
     return a1, a2
 
 
-@shared
+@filling
 def balance_along(
     p: Array, case: int, cage: float, control: float, a1: float, a2: float, x1: float, x2: float
 ) -> Three:
     """The residual of a ball along its outer normal and across it, and its F_c."""
-    inner, outer = races(p, case, control)
+    inner = (inner_length(p, case, control), (p, layout.INNER_STIFFNESS, case))
+    outer = (p[layout.OUTER_LENGTH, case], (p, layout.OUTER_STIFFNESS, case))
     s_o, c_o, _, _, q_o, _, _ = contact_exact(x1, x2, outer[0], outer[1])
     s_i, c_i, _, _, q_i, _, _ = contact_exact(a1 - x1, a2 - x2, inner[0], inner[1])
     force, at_i, at_o, _ = inertia_exact(
@@ -161,12 +159,13 @@ def balance_along(
     return along, across, force[0]
 
 
-@shared
+@filling
 def linearised(
     p: Array, case: int, cage: float, control: float, a1: float, a2: float, x1: float, x2: float
 ) -> Linearised:
     """`ball.linearised` for a ball of a case."""
-    inner, outer = races(p, case, control)
+    inner = (inner_length(p, case, control), (p, layout.INNER_STIFFNESS, case))
+    outer = (p[layout.OUTER_LENGTH, case], (p, layout.OUTER_STIFFNESS, case))
     ball: Linearised = linearised_exact(
         a1, a2, x1, x2, inner, outer, motion(p, case), handing_over(p, case, cage),
         race_control(control), inner_share(p, case, control),
@@ -174,14 +173,15 @@ def linearised(
     return ball
 
 
-@shared
+@filling
 def static_ball(p: Array, case: int, control: float, a1: float, a2: float) -> StaticBall:
     """A ball without inertia: its place X1, X2, then as of `linearised` from the force on.
 
     One that is not pressed stands amid its gap, where it touches neither groove; one that is off
     the inner groove at the centre of the outer.
     """
-    inner, outer = races(p, case, control)
+    inner = (inner_length(p, case, control), (p, layout.INNER_STIFFNESS, case))
+    outer = (p[layout.OUTER_LENGTH, case], (p, layout.OUTER_STIFFNESS, case))
     series = (p, layout.SERIES_STIFFNESS, case)
     free = inner[0] + outer[0]
     s, c, v, delta, q, kn, ka = contact_exact(a1, a2, free, series)
