@@ -12,7 +12,7 @@ from rolamento.kinematics import BallMotion, ball_motion, grip, orbital_speed
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.ball import contact_exact
 from rolamento.rows.ball.problem import case_parameters
-from rolamento.rows.ball.single import linearised, races
+from rolamento.rows.ball.single import inner_length, linearised
 
 CONTROLS = [(1.0, 0.0), (1.0, 1.0), (-1.0, 0.0)]
 """(sigma, lambda_i under outer control): outer, shared, inner."""
@@ -69,7 +69,8 @@ def moves(
 def balance(p: np.ndarray, sigma: float, place: np.ndarray, cage: float) -> np.ndarray:
     """r1, r2, f1, f2, h and the cage's lag at a place, without any step, from `kinematics`."""
     a1, a2, x1, x2 = place
-    inner, outer = races(p, 0, 1.0)
+    inner = (inner_length(p, 0, 1.0), (p, layout.INNER_STIFFNESS, 0))
+    outer = (p[layout.OUTER_LENGTH, 0], (p, layout.OUTER_STIFFNESS, 0))
     s_i, c_i, _, _, q_i, _, _ = contact_exact(a1 - x1, a2 - x2, *inner)
     s_o, c_o, _, _, q_o, _, _ = contact_exact(x1, x2, *outer)
     motion, hold, own = moves(p, sigma, np.arctan2(s_i, c_i), np.arctan2(s_o, c_o), q_i, cage)
@@ -133,7 +134,7 @@ def test_derivatives_equal_finite_differences(
 
 def test_a_contact_has_a_bottom_and_two_flanks(parameters: np.ndarray) -> None:
     """No force from a groove that is open upward; beyond 90° a flank presses along the axis."""
-    length, stiffness = races(parameters, 0, 1.0)[0]
+    length, stiffness = inner_length(parameters, 0, 1.0), (parameters, layout.INNER_STIFFNESS, 0)
     for y2 in (-0.1, -1.0, -3.0):
         for y1 in (-0.9, 0.0, 0.9):
             assert contact_exact(y1 * length, y2 * length, length, stiffness)[4] == 0.0

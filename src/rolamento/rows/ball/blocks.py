@@ -237,15 +237,23 @@ def solve_static(
                     iterations[case] = step + 1
                     open_lanes -= 1
             lanes.step_ring(w, axes)
+            for lane in range(count):
+                case = order[block + lane]
+                if moving and iterations[case] == step + 1:
+                    # a start that does not depend on how long its neighbours take
+                    if _lost(w, lane):
+                        iterations[case] = 0
+                    else:
+                        _read_displacement(w, lane, displacement[case])
             if open_lanes == 0:
                 break
         for lane in range(count):
             case = order[block + lane]
-            if iterations[case] > 0 and not _lost(w, lane):
+            if not moving and iterations[case] > 0 and not _lost(w, lane):
                 _read_displacement(w, lane, displacement[case])
-            else:
+            elif not moving:
                 iterations[case] = 0
-                _put_displacement(w, lane, displacement[case])
+            _put_displacement(w, lane, displacement[case])
         if moving:
             for j in range(cosines.size):
                 lanes.place_ball(w, b[j])
