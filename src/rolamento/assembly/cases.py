@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from importlib import import_module
 from types import SimpleNamespace
 from typing import Any, Final
 
@@ -38,6 +39,20 @@ __all__ = ["Cases", "PlacedRow", "RowState", "spread"]
 
 _PRELOADS: Final = ("force", "offset", "spring")
 _ROUNDING: Final = 1e-12
+
+_ROLLERS: Final = ("rolamento.rows.roller.row", "roller_row")
+ROWS: Final[Mapping[str, tuple[str, str]]] = {
+    "ball": ("rolamento.rows.ball.row", "ball_row"),
+    "cylindrical": _ROLLERS,
+    "tapered": _ROLLERS,
+    "needle": _ROLLERS,
+}
+"""What makes a row, by its kind of element: module and function, imported when it is asked for."""
+OTHER_GROOVES: Final[Mapping[str, tuple[str, str]]] = {
+    "four_point": ("rolamento.rows.grooves", "four_point_row"),
+    "thrust": ("rolamento.rows.grooves", "thrust_row"),
+}
+"""What makes a row on other grooves, by the bearing's kind."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -187,7 +202,8 @@ def spread(
             continue
         position = _position(case.bearing, place, arrays, cases)
         if case.bearing.kind is not None:
-            grooved = _on_other_grooves(case, place, common, arrays, cases, threads)
+            make = _maker(OTHER_GROOVES[case.bearing.kind])
+            grooved = make(case, place, common, arrays, cases, threads=threads)
             placed.append(PlacedRow(grooved, place.sign, position))
             continue
         bearing = _varied(case.bearing, place.bearing, _own_fields(case.bearing, place), arrays)
@@ -197,7 +213,8 @@ def spread(
             bearing = SimpleNamespace(**{**vars(bearing), **own})
             varied = {**arrays, **{f"bearing.{k}": v for k, v in own.items() if v is not None}}
         valid &= _consistent(bearing, place.bearing)
-        row = _row_of(case, place, bearing, varied, cases, threads, fast)
+        make = _maker(ROWS[place.bearing.element])
+        row = make(case, place, bearing, varied, cases, threads=threads, fast=fast)
         press = _own_press(case, place, row, cases) if states is None else states[index].press
         placed.append(PlacedRow(row, place.sign, position, press))
     for part in placed:
@@ -238,36 +255,10 @@ def _unheld(bearing: RollingBearing, row: Row, free: BoolArray, load: FloatArray
     return unheld
 
 
-def _row_of(
-    case: Case,
-    place: RowPlace,
-    bearing: Any,
-    varied: Mapping[str, FloatArray],
-    cases: int,
-    threads: int | None,
-    fast: bool,
-) -> Row:
-    """A row of balls on two grooves, or of rollers; bearing: its own, with arrays."""
-    if place.bearing.element == "ball":
-        return ball_row(case, place, bearing, varied, cases, threads=threads, fast=fast)
-    from rolamento.rows.roller.row import roller_row
-
-    return roller_row(case, place, bearing, varied, cases, threads=threads, fast=fast)
-
-
-def _on_other_grooves(
-    case: Case,
-    place: RowPlace,
-    common: Any,
-    arrays: Mapping[str, FloatArray],
-    cases: int,
-    threads: int | None,
-) -> Row:
-    """A row of balls of a four-point or a thrust bearing."""
-    from rolamento.rows.grooves import four_point_row, thrust_row
-
-    row = four_point_row if case.bearing.kind == "four_point" else thrust_row
-    return row(case, place, common, arrays, cases, threads=threads)
+def _maker(of_kind: tuple[str, str]) -> Any:
+    """How a row is made, imported now."""
+    module, name = of_kind
+    return getattr(import_module(module), name)
 
 
 def _own_press(case: Case, place: RowPlace, row: Row, cases: int) -> FloatArray | None:

@@ -336,7 +336,7 @@ def _move_ball(
 
     Nearly to the end on the coarse mesh; if that leads astray, from the start on the fine one.
     """
-    k, y, unit, residual = rates.shape[2], small[AT], inf, inf
+    k, y, unit = rates.shape[2], small[AT], inf
     room, wide = rooms[0], rooms[1]
     for race in range(2):
         c, side = contacts[race], 2.0 * race - 1.0
