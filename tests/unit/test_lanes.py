@@ -14,6 +14,7 @@ from rolamento.rows.ball.accept import judge
 from rolamento.rows.ball.blocks import fill, judge_blocks
 from rolamento.rows.ball.problem import apply_model, case_parameters, directions
 from rolamento.rows.ball.run import Solution, solve_columns
+from rolamento.rows.ball.settle import settle
 from rolamento.rows.ball.single import (
     OFF_GROOVE,
     direction,
@@ -174,6 +175,38 @@ def test_balls_follow_the_ring(code: Code, filled: tuple[np.ndarray, ...]) -> No
             moved = row(b[j], layout.POSITION, lane, 2) - row(before[j], layout.POSITION, lane, 2)
             expected = np.array([q1, q2]) + np.array([[w11, w12], [w21, w22]]) @ da
             np.testing.assert_allclose(moved, expected, rtol=1e-9, atol=1e-15)
+
+
+@np.errstate(all="ignore")  # what compiled code divides by zero stays where it is
+def test_steps_of_its_own_bring_a_ball_to_rest(filled: tuple[np.ndarray, ...]) -> None:
+    """Newton's method from where the formula puts a ball, by the plain code that settles one."""
+    p, cosines, sines, control, u, w, b = filled
+    for ball in b:
+        lanes.place_ball(w, ball)
+    stands = [b.copy()]
+    for _ in range(5):
+        for ball in b:
+            lanes.settle_ball(w, ball)
+        stands.append(b.copy())
+    off = np.zeros((len(stands), N, BALLS))
+    for lane in range(N):
+        cage = row(w, layout.CAGE, lane)[0]
+        for j in range(BALLS):
+            a1, a2 = groove(p, lane, u[lane], *direction(p, lane, cosines[j], sines[j]))
+            start = row(stands[-1][j], layout.POSITION, lane, 2)
+            found, *place, _ = settle(
+                p, lane, cage, control[lane, j], a1, a2, *start, np.array([1e6])
+            )
+            assert found
+            for k, balls in enumerate(stands):
+                off[k, lane, j] = np.hypot(*(row(balls[j], layout.POSITION, lane, 2) - place))
+    middle = np.median(off / p[layout.OUTER_LENGTH][:, np.newaxis], axis=(1, 2))
+    assert middle[0] < 0.05
+    assert middle[1] < 0.5 * middle[0]
+    # on the way to the square
+    assert middle[3] < middle[2] ** 1.4
+    assert middle[4] < middle[3] ** 1.7
+    assert np.mean(off[1] <= off[0]) > 0.9
 
 
 @pytest.mark.parametrize("setting", ["combined", "light", "off the groove", "moments"])
