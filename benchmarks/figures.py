@@ -26,7 +26,7 @@ class Target:
     def reached(self, measured: float, avx512: bool) -> bool:
         """Whether a measured figure is good enough on this machine."""
         limit = self.value(avx512)
-        return measured >= limit if self.direction == "at least" else measured < limit
+        return bool(measured >= limit if self.direction == "at least" else measured < limit)
 
 
 @dataclass(frozen=True, slots=True)

@@ -140,7 +140,9 @@ def test_a_command_that_fails_is_a_failure(module: Any) -> None:
 def test_table_and_file(module: Any, tmp_path: Path) -> None:
     main, figures = module("__main__"), module("figures")
     target = figures.at_least(100.0, 50.0)
-    findings = figures.Findings([figures.Figure("set", "rate", 70.0, "cases/s", target)], [], [])
+    findings = figures.Findings(
+        [figures.Figure("set", "rate", np.float64(70.0), "cases/s", target)], [], []
+    )
     console = Console(record=True, width=100)
     main.show(findings, False, console)
     assert "≥ 50" in console.export_text()

@@ -11,7 +11,8 @@ from rolamento.case import Case
 from rolamento.numerics.compiled import Kernel
 from rolamento.rows.ball import lanes, layout
 from rolamento.rows.ball.accept import judge
-from rolamento.rows.ball.blocks import fill, judge_blocks
+from rolamento.rows.ball.blocks import fill, judge_blocks, put_displacement, room_for
+from rolamento.rows.ball.elimination import elimination
 from rolamento.rows.ball.problem import apply_model, case_parameters, directions
 from rolamento.rows.ball.run import Solution, solve_columns
 from rolamento.rows.ball.settle import settle
@@ -27,7 +28,6 @@ from rolamento.status import CONVERGED, TOLERANCE
 
 BALLS = 16
 N = layout.LANES
-FIVE = np.uintp(5)
 
 Code = Callable[[Kernel[..., None]], Callable[..., None]]
 AS_WRITTEN = pytest.param(lambda kernel: kernel.python, id="as written")
@@ -54,8 +54,9 @@ def filled(case_218: Case) -> tuple[np.ndarray, ...]:
     u = rng.uniform(-1e-5, 4e-5, (N, 5))
     w = np.zeros(layout.RING_ROWS * N)
     b = np.zeros((BALLS, layout.BALL_ROWS * N))
+    fill(w, b, 0, p, cosines, sines, control, np.arange(N))
     for lane in range(N):
-        fill(w, b, lane, p, cosines, sines, control, lane, u[lane])
+        put_displacement(w, lane, u[lane])
     return p, cosines, sines, control, u, w, b
 
 
@@ -134,7 +135,7 @@ def test_static_balls_and_the_ring_step(code: Code, filled: tuple[np.ndarray, ..
     code(lanes.reset_sums)(w)
     for ball in b:
         code(lanes.add_static_ball)(w, ball)
-    code(lanes.step_ring)(w, FIVE)
+    code(lanes.step_ring)(w)
     for lane in range(N):
         pieces = []
         for j in range(BALLS):
@@ -162,7 +163,7 @@ def test_balls_follow_the_ring(code: Code, filled: tuple[np.ndarray, ...]) -> No
     code(lanes.reset_sums)(w)
     for ball in b:
         code(lanes.add_moving_ball)(w, ball, 1e-6)
-    code(lanes.step_ring)(w, FIVE)
+    code(lanes.step_ring)(w)
     before = b.copy()
     for ball in b:
         code(lanes.follow_ring)(w, ball)
@@ -236,7 +237,7 @@ def test_judged_in_lanes_as_one_by_one(setting: str, case_218: Case) -> None:
     ring = ring_around.python(BALLS)
     errors = np.zeros((BALLS, 2))
     judge_blocks.compiled(
-        p, control, cosines, sines, order, solution.displacement, solution.cage,
+        p, control, cosines, sines, order, room_for(BALLS), solution.displacement, solution.cage,
         solution.position, together.reaction, together.stiffness, together.residual, accepted,
     )  # fmt: skip
     assert accepted.mean() > 0.9
@@ -257,3 +258,21 @@ def test_judged_in_lanes_as_one_by_one(setting: str, case_218: Case) -> None:
         np.testing.assert_array_equal(ring.reaction, together.reaction[case])
         np.testing.assert_array_equal(ring.matrix, together.stiffness[case])
     assert (off > 0) == (setting == "off the groove")
+
+
+def test_elimination_solves_every_lane() -> None:
+    """As NumPy does; and where a pivot is next to nothing, it is as stiff as the least allowed."""
+    rng = np.random.default_rng(2)
+    solve = elimination(4, 5, 2, 25)
+    w = rng.uniform(-1.0, 1.0, (30, N))
+    w[2:22:6] += 4.0
+    matrices = w[2:22].T.reshape(N, 4, 5)[:, :, :4].copy()
+    expected = np.linalg.solve(matrices, w[25:29].T[:, :, np.newaxis])[:, :, 0]
+    w[2:22, 0] = 0.0
+    expected[0] = w[25:29, 0] / 0.5
+    kept = w[[0, 1, 22, 23, 24, 29]].copy()
+    flat = w.ravel()
+    for lane in range(N):
+        solve(flat, np.uintp(lane), 0.5)
+    np.testing.assert_allclose(w[25:29].T, expected, rtol=1e-12)
+    np.testing.assert_array_equal(w[[0, 1, 22, 23, 24, 29]], kept)

@@ -8,10 +8,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento import status
-from rolamento.numerics.compiled import kernel, shared
+from rolamento.numerics.compiled import filling, kernel, shared
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.accept import judge
-from rolamento.rows.ball.blocks import judge_blocks, solve_moving, solve_static, start
+from rolamento.rows.ball.blocks import (
+    Room,
+    judge_blocks,
+    room_for,
+    solve_moving,
+    solve_static,
+    start,
+)
 from rolamento.rows.ball.continuation import heaviest_factor, put_factors, solve_by_steps
 from rolamento.rows.ball.edges import solve_off_groove
 from rolamento.rows.ball.robust import escaped, solve_robust
@@ -43,7 +50,7 @@ def _start_safely(
         x[j, 0], x[j, 1] = 0.5 * a1, 0.5 * a2
 
 
-@shared
+@filling
 def _propose(
     p: Array,
     control: Array,
@@ -52,20 +59,23 @@ def _propose(
     moving: bool,
     order: Order,
     cautious: bool,
+    room: Room,
     accepted: NDArray[np.bool_],
     out: Output,
 ) -> None:
     """Take cases along the fast path; what moves is judged there, and accepted or not."""
     displacement, cage, position, reaction, stiffness, residual, _, _, iterations, _ = out
-    solve_static(p, control, cosines, sines, order, moving, displacement, position, iterations)
+    solve_static(
+        p, control, cosines, sines, order, moving, room, displacement, position, iterations
+    )
     if not moving:
         return
     solve_moving(
-        p, control, cosines, sines, order, cautious, displacement, cage, position, iterations
+        p, control, cosines, sines, order, cautious, room, displacement, cage, position, iterations
     )
     judge_blocks(
-        p, control, cosines, sines, order, displacement, cage, position, reaction, stiffness,
-        residual, accepted,
+        p, control, cosines, sines, order, room, displacement, cage, position, reaction,
+        stiffness, residual, accepted,
     )  # fmt: skip
     for k in range(order.size):
         accepted[k] = accepted[k] and iterations[order[k]] > 0
@@ -97,24 +107,24 @@ def solve_cases(
         safe,
     ) = out  # fmt: skip
     errors, on_groove = np.zeros((cosines.size, 2)), np.zeros(cosines.size)
-    ring = ring_around(cosines.size)
+    ring, room = ring_around(cosines.size), room_for(cosines.size)
     accepted, few = np.zeros(order.size, np.bool_), False
     if fast:
-        _propose(p, control, cosines, sines, moving, order, True, accepted, out)
+        _propose(p, control, cosines, sines, moving, order, True, room, accepted, out)
         left = np.flatnonzero(~accepted)
         few = left.size < SEVERAL
         if not few:
             done = np.zeros(left.size, np.bool_)
-            _propose(p, control, cosines, sines, moving, order[left], False, done, out)
+            _propose(p, control, cosines, sines, moving, order[left], False, room, done, out)
             accepted[left] = done
     for place in range(order.size):
         case = order[place]
         column = case if p.shape[1] > 1 else 0
-        balls = control[case if control.shape[0] > 1 else 0]
         unsupported[case], safe[case] = -1, False
         if accepted[place]:
             code[case] = status.CONVERGED
             continue
+        balls = control[case if control.shape[0] > 1 else 0]
         u, x = displacement[case], position[case]
         code[case] = status.NOT_CONVERGED
         iterations[case] = iterations[case] if fast else 0
@@ -147,7 +157,7 @@ def solve_cases(
             unsupported[case] = escaping if fate == status.NO_EQUILIBRIUM else -1
         if code[case] == status.NOT_CONVERGED and few and moving:
             alone, steps = order[place : place + 1], iterations[case]
-            _propose(p, control, cosines, sines, True, alone, False, accepted[place:], out)
+            _propose(p, control, cosines, sines, True, alone, False, room, accepted[place:], out)
             settled = iterations[case] > 0
             iterations[case] = steps + abs(iterations[case])
             if accepted[place]:

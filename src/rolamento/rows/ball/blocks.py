@@ -7,7 +7,7 @@ as `accept` does, and `robust` solves what was not proposed or not accepted.
 from __future__ import annotations
 
 from math import sqrt
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,7 +27,43 @@ TOLERANCE: Final = 1e-6  # before the last step, which squares it, or less where
 
 _LANES: Final = layout.LANES
 _X: Final = layout.POSITION * _LANES
-_THREE, _FIVE = np.uintp(3), np.uintp(5)
+
+
+class Room(NamedTuple):
+    """Room for as many cases as there are lanes.
+
+    w (layout.RING_ROWS * lanes), b (balls, layout.BALL_ROWS * lanes): rings and balls; holds,
+    groupings (lanes): the case in each lane, or -1, and how often its balls changed groups;
+    errors (balls, 2): of the balls of a case, their residuals and scales.
+    """
+
+    w: Array
+    b: Array
+    holds: Order
+    groupings: Order
+    errors: Array
+
+
+@shared
+def room_for(balls: int) -> Room:
+    """Make room for cases of so many balls."""
+    return Room(
+        np.zeros(layout.RING_ROWS * _LANES),
+        np.zeros((balls, layout.BALL_ROWS * _LANES)),
+        np.full(_LANES, -1),
+        np.zeros(_LANES, np.int64),
+        np.zeros((balls, 2)),
+    )
+
+
+@inline_exact
+def empty(room: Room) -> None:
+    """Set all that stands in the lanes to zero."""
+    for i in range(room.w.size):
+        room.w[i] = 0.0
+    for j in range(room.b.shape[0]):
+        for i in range(room.b.shape[1]):
+            room.b[j, i] = 0.0
 
 
 @inline_exact
@@ -64,7 +100,7 @@ def _over_penetration(p: Array, case: int, ball_count: int) -> Three:
     return x, away * toward_y, away * toward_z
 
 
-@shared
+@filling
 def start(p: Array, case: int, ball_count: int, u: Array) -> None:
     """Write a first displacement of the ring: as held, or so that the balls carry too much."""
     column = case if p.shape[1] > 1 else 0
@@ -76,45 +112,42 @@ def start(p: Array, case: int, ball_count: int, u: Array) -> None:
 
 
 @inline_exact
-def _put_displacement(w: Array, lane: int, u: Array) -> None:
+def put_displacement(w: Array, lane: int, u: Array) -> None:
+    """Write where a lane's ring stands; u (5,)."""
     for i in range(layout.DEGREES_OF_FREEDOM):
         w[(layout.DISPLACEMENT + i) * _LANES + lane] = u[i]
 
 
-@inline_exact
+@filling
 def fill(
     w: Array,
     b: Array,
-    lane: int,
+    first: int,
     p: Array,
     cosines: Array,
     sines: Array,
     control: Array,
-    case: int,
-    u: Array,
+    cases: Order,
 ) -> None:
-    """Put a case into a lane, its ring at u."""
-    column = case if p.shape[1] > 1 else 0
+    """Put cases into the lanes from the first on; where their rings stand is left open."""
     for row in range(layout.PARAMETERS):
-        w[row * _LANES + lane] = p[row, column]
-    _put_displacement(w, lane, u)
-    series, outer = p[layout.SERIES_STIFFNESS, column], p[layout.OUTER_STIFFNESS, column]
-    speed = p[layout.NOMINAL_ORBIT, column]
-    w[layout.CAGE * _LANES + lane] = speed
-    w[layout.STEPS * _LANES + lane] = 0.0
-    w[layout.CAUTION * _LANES + lane] = 1.0
-    inertia = p[layout.CENTRIFUGAL, column] * speed * speed
-    w[layout.OUTER_SHARE * _LANES + lane] = (series / outer) ** (2.0 / 3.0)
-    w[layout.INERTIA_APPROACH * _LANES + lane] = (inertia / series) ** (2.0 / 3.0)
-    c0, s0 = p[layout.COS_FIRST, column], p[layout.SIN_FIRST, column]
-    sigmas = case if control.shape[0] > 1 else 0
+        for k in range(cases.size):
+            w[row * _LANES + first + k] = p[row, cases[k] if p.shape[1] > 1 else 0]
+    for lane in range(first, first + cases.size):
+        w[layout.CAGE * _LANES + lane] = w[layout.NOMINAL_ORBIT * _LANES + lane]
+        w[layout.STEPS * _LANES + lane] = 0.0
+        w[layout.CAUTION * _LANES + lane] = 1.0
     for j in range(cosines.size):
-        sigma = control[sigmas, j]
-        b[j, layout.COS * _LANES + lane] = cosines[j] * c0 - sines[j] * s0
-        b[j, layout.SIN * _LANES + lane] = sines[j] * c0 + cosines[j] * s0
-        b[j, layout.SIGMA * _LANES + lane] = sigma
-        b[j, layout.LAMBDA * _LANES + lane] = p[layout.LAMBDA_INNER, column] if sigma > 0 else 2.0
-        b[j, layout.OFF * _LANES + lane] = 0.0
+        for k in range(cases.size):
+            lane = first + k
+            sigma = control[cases[k] if control.shape[0] > 1 else 0, j]
+            c0, s0 = w[layout.COS_FIRST * _LANES + lane], w[layout.SIN_FIRST * _LANES + lane]
+            on_outer = w[layout.LAMBDA_INNER * _LANES + lane]
+            b[j, layout.COS * _LANES + lane] = cosines[j] * c0 - sines[j] * s0
+            b[j, layout.SIN * _LANES + lane] = sines[j] * c0 + cosines[j] * s0
+            b[j, layout.SIGMA * _LANES + lane] = sigma
+            b[j, layout.LAMBDA * _LANES + lane] = on_outer if sigma > 0 else 2.0
+            b[j, layout.OFF * _LANES + lane] = 0.0
 
 
 @inline_exact
@@ -181,16 +214,7 @@ def _lost(w: Array, lane: int) -> bool:
     return bool(total != total)
 
 
-@inline_exact
-def any_astray(w: Array) -> bool:
-    """Whether the ball just moved has left its place in some lane."""
-    astray = 0.0
-    for i in range(layout.ASTRAY * _LANES, (layout.ASTRAY + 1) * _LANES):
-        astray = max(astray, w[i])
-    return astray > 0.0
-
-
-@shared
+@filling
 def solve_static(
     p: Array,
     control: Array,
@@ -198,6 +222,7 @@ def solve_static(
     sines: Array,
     order: Order,
     moving: bool,
+    room: Room,
     displacement: Array,
     position: Array,
     iterations: Array,
@@ -209,37 +234,32 @@ def solve_static(
     not settle. Loosely where the balls are moving: then it is a start, and position (cases, balls,
     2) where they are put.
     """
-    w = np.zeros(layout.RING_ROWS * _LANES)
-    b = np.zeros((cosines.size, layout.BALL_ROWS * _LANES))
+    w, b = room.w, room.b
+    empty(room)
     tolerance = START_TOLERANCE if moving else TOLERANCE
     tilting = _tilting(p, order)
-    axes = _FIVE if tilting else _THREE
     for block in range(0, order.size, _LANES):
         count = min(_LANES, order.size - block)
-        for lane in range(_LANES):
-            case = order[min(block + lane, order.size - 1)]
+        fill(w, b, 0, p, cosines, sines, control, order[block : block + count])
+        for lane in range(count):
+            case = order[block + lane]
             start(p, case, cosines.size, displacement[case])
+            put_displacement(w, lane, displacement[case])
             iterations[case] = 0
-            fill(w, b, lane, p, cosines, sines, control, case, displacement[case])
         open_lanes = count
         for step in range(STATIC_STEPS):
-            lanes.reset_sums(w)
-            for j in range(cosines.size):
-                if tilting:
-                    lanes.add_static_ball(w, b[j])
-                else:
-                    lanes.add_static_ball_untilted(w, b[j])
-            lanes.measure_ring(w, axes)
-            for lane in range(count):
-                unbalanced = w[layout.UNBALANCED * _LANES + lane]
-                case = order[block + lane]
-                if iterations[case] == 0 and unbalanced <= tolerance:
-                    iterations[case] = step + 1
-                    open_lanes -= 1
-            lanes.step_ring(w, axes)
+            if tilting:
+                lanes.step_static(w, b)
+            else:
+                lanes.step_static_untilted(w, b)
             for lane in range(count):
                 case = order[block + lane]
-                if moving and iterations[case] == step + 1:
+                balanced = w[layout.UNBALANCED * _LANES + lane] <= tolerance
+                if iterations[case] > 0 or not balanced:
+                    continue
+                open_lanes -= 1
+                iterations[case] = step + 1
+                if moving:
                     # a start that does not depend on how long its neighbours take
                     if _lost(w, lane):
                         iterations[case] = 0
@@ -253,7 +273,7 @@ def solve_static(
                 _read_displacement(w, lane, displacement[case])
             elif not moving:
                 iterations[case] = 0
-            _put_displacement(w, lane, displacement[case])
+            put_displacement(w, lane, displacement[case])
         if moving:
             for j in range(cosines.size):
                 lanes.place_ball(w, b[j])
@@ -262,7 +282,7 @@ def solve_static(
                 read_positions(b, lane, position[order[block + lane]])
 
 
-@shared
+@filling
 def solve_moving(
     p: Array,
     control: Array,
@@ -270,6 +290,7 @@ def solve_moving(
     sines: Array,
     order: Order,
     cautious: bool,
+    room: Room,
     displacement: Array,
     cage: Array,
     position: Array,
@@ -283,69 +304,54 @@ def solve_moving(
     (cases, 5), cage (cases), position (cases, balls, 2) and iterations (cases): zero where a lane
     failed, negative where it ran out of steps.
     """
-    balls = cosines.size
-    w = np.zeros(layout.RING_ROWS * _LANES)
-    b = np.zeros((balls, layout.BALL_ROWS * _LANES))
-    holds = np.full(_LANES, -1)  # the case in each lane
-    settled = np.zeros(_LANES, np.bool_)
-    groupings = np.zeros(_LANES, np.int64)
+    w, b = room.w, room.b
+    empty(room)
     tilting = _tilting(p, order)
-    axes = _FIVE if tilting else _THREE
     waiting = 0
     working = 0
     for lane in range(_LANES):
-        case = order[0]
-        fill(w, b, lane, p, cosines, sines, control, case, displacement[case])
-        _put_positions(b, lane, position[case])
+        room.holds[lane] = -1
+        fill(w, b, lane, p, cosines, sines, control, order[:1])
+        put_displacement(w, lane, displacement[order[0]])
+        _put_positions(b, lane, position[order[0]])
     while waiting < order.size or working > 0:
         for lane in range(_LANES):
-            if holds[lane] < 0 and waiting < order.size:
+            if room.holds[lane] < 0 and waiting < order.size:
                 case = order[waiting]
-                fill(w, b, lane, p, cosines, sines, control, case, displacement[case])
+                fill(w, b, lane, p, cosines, sines, control, order[waiting : waiting + 1])
+                put_displacement(w, lane, displacement[case])
                 _put_positions(b, lane, position[case])
                 w[layout.CAUTION * _LANES + lane] = 1.0 if cautious else 0.0
-                holds[lane] = case
-                groupings[lane] = 0
+                room.holds[lane] = case
+                room.groupings[lane] = 0
                 waiting += 1
                 working += 1
 
-        lanes.reset_sums(w)
-        for j in range(balls):
-            if tilting:
-                lanes.add_moving_ball(w, b[j], TOLERANCE)
-            else:
-                lanes.add_moving_ball_untilted(w, b[j], TOLERANCE)
-        lanes.measure_ring(w, axes)
-        lanes.measure_cage(w)
-        for lane in range(_LANES):
-            at_rest = w[layout.FAULT * _LANES + lane] <= 0.0
-            settled[lane] = at_rest and w[layout.UNBALANCED * _LANES + lane] <= TOLERANCE
-            settled[lane] = settled[lane] and w[layout.BEHIND * _LANES + lane] <= TOLERANCE
-        lanes.condense_cage(w, axes)
-        lanes.step_ring(w, axes)
-        lanes.step_cage(w, axes)
-        for j in range(balls):
-            lanes.follow_ring(w, b[j])
-            if any_astray(w):
-                lanes.replace_ball(w, b[j])
+        if tilting:
+            lanes.step_moving(w, b, TOLERANCE)
+        else:
+            lanes.step_moving_untilted(w, b, TOLERANCE)
 
         for lane in range(_LANES):
-            case = holds[lane]
-            lost = _lost(w, lane)
-            if cautious and settled[lane] and not lost and _regroup(w, b, lane) > 0:
-                settled[lane] = False
-                groupings[lane] += 1
-                if groupings[lane] <= TRIALS:
+            case = room.holds[lane]
+            settled = w[layout.SETTLED * _LANES + lane]
+            out_of_steps = w[layout.STEPS * _LANES + lane] >= MOVING_STEPS
+            if case < 0 or (settled == 0.0 and not out_of_steps):
+                continue
+            if cautious and settled > 0.0 and _regroup(w, b, lane) > 0:
+                settled = 0.0
+                room.groupings[lane] += 1
+                if room.groupings[lane] <= TRIALS:
                     w[layout.STEPS * _LANES + lane] = 0.0
                     _let_out(w, b, lane)
+                if w[layout.STEPS * _LANES + lane] < MOVING_STEPS:
+                    continue
             steps = int(w[layout.STEPS * _LANES + lane])
-            if case < 0 or not (settled[lane] or lost or steps >= MOVING_STEPS):
-                continue
-            iterations[case] = 0 if lost else (steps if settled[lane] else -steps)
+            iterations[case] = steps if settled > 0.0 else (-steps if settled == 0.0 else 0)
             _read_displacement(w, lane, displacement[case])
             cage[case] = w[layout.CAGE * _LANES + lane]
             read_positions(b, lane, position[case])
-            holds[lane] = -1
+            room.holds[lane] = -1
             working -= 1
 
 
@@ -359,13 +365,14 @@ def _worst_ball(w: Array, b: Array, lane: int, p: Array, column: int, errors: Ar
     return worst_ball(p, column, errors, heaviest, w[layout.UNBALANCED * _LANES + lane])
 
 
-@shared
+@filling
 def judge_blocks(
     p: Array,
     control: Array,
     cosines: Array,
     sines: Array,
     order: Order,
+    room: Room,
     displacement: Array,
     cage: Array,
     position: Array,
@@ -379,14 +386,13 @@ def judge_blocks(
     Writes reaction (cases, 5), stiffness (cases, 5, 5) and residual (cases) where accepted, in
     that order; what is not is left to be judged one by one.
     """
-    w = np.zeros(layout.RING_ROWS * _LANES)
-    b = np.zeros((cosines.size, layout.BALL_ROWS * _LANES))
-    errors = np.zeros((cosines.size, 2))
+    w, b = room.w, room.b
     for block in range(0, order.size, _LANES):
         count = min(_LANES, order.size - block)
-        for lane in range(_LANES):
-            case = order[min(block + lane, order.size - 1)]
-            fill(w, b, lane, p, cosines, sines, control, case, displacement[case])
+        fill(w, b, 0, p, cosines, sines, control, order[block : block + count])
+        for lane in range(count):
+            case = order[block + lane]
+            put_displacement(w, lane, displacement[case])
             _put_positions(b, lane, position[case])
             w[layout.CAGE * _LANES + lane] = cage[case]
         lanes.reset_sums(w)
@@ -410,7 +416,7 @@ def judge_blocks(
                 continue
             residual[case] = w[layout.UNBALANCED * _LANES + lane]
             if w[layout.DOUBTFUL * _LANES + lane] > 0.0:
-                residual[case] = _worst_ball(w, b, lane, p, column, errors)
+                residual[case] = _worst_ball(w, b, lane, p, column, room.errors)
             accepted[block + lane] = residual[case] <= status.TOLERANCE
             for i in range(layout.DEGREES_OF_FREEDOM):
                 reaction[case, i] = w[(layout.REACTION + i) * _LANES + lane]

@@ -23,6 +23,7 @@ from rolamento.rows.ball.accept import (
     own_scale,
 )
 from rolamento.rows.ball.ball import contact_fast, linearised_fast, linearised_short, polar_fast
+from rolamento.rows.ball.elimination import elimination
 from rolamento.rows.ball.layout import lanes
 from rolamento.rows.ball.settle import PLACE_SLACK
 from rolamento.rows.ball.single import cage_part, changes_groove, is_rounding
@@ -65,7 +66,7 @@ _CAGE, _DCAGE, _LAG = lanes(layout.CAGE), lanes(layout.CAGE_STEP), lanes(layout.
 _BY_CAGE = tuple(lanes(layout.BY_CAGE + i) for i in range(5))
 _LAG_BY_RING = tuple(lanes(layout.LAG_BY_RING + i) for i in range(5))
 _LAG_BY_CAGE = lanes(layout.LAG_BY_CAGE)
-_FAULT, _ASTRAY = lanes(layout.FAULT), lanes(layout.ASTRAY)
+_FAULT, _ASTRAY, _SETTLED = (lanes(row) for row in (layout.FAULT, layout.ASTRAY, layout.SETTLED))
 _NX, _NY, _NZ, _NP, _NQ = (lanes(layout.NOW + i) for i in range(5))
 _LAG_NOW, _PULL = lanes(layout.LAG_NOW), lanes(layout.PULL)
 _HEAVIEST, _UNSOUND = lanes(layout.HEAVIEST), lanes(layout.UNSOUND)
@@ -78,8 +79,7 @@ _OFF = lanes(layout.OFF)
 _INNER_EDGE, _OUTER_EDGE = lanes(layout.INNER_EDGE), lanes(layout.OUTER_EDGE)
 _ONE_SIDED, _BALL_DIAMETER = lanes(layout.ONE_SIDED), lanes(layout.BALL_DIAMETER)
 _OUTER_SHARE, _INERTIA_APPROACH = lanes(layout.OUTER_SHARE), lanes(layout.INERTIA_APPROACH)
-_FIVE = np.uintp(layout.DEGREES_OF_FREEDOM)
-_ONE = np.uintp(1)
+_THREE, _FIVE = np.uintp(3), np.uintp(layout.DEGREES_OF_FREEDOM)
 _ROW = tuple(lanes(row) for row in range(layout.COEFFICIENTS))
 _RESET = lanes(layout.SUMS)
 
@@ -250,7 +250,6 @@ def _balls(tilting: bool) -> tuple[Any, Any]:
 
 
 add_static_ball, add_moving_ball = _balls(tilting=True)
-add_static_ball_untilted, add_moving_ball_untilted = _balls(tilting=False)
 
 _add_force_exact, _add_to_ring_exact, _add_to_cage_exact = _sums(inline_exact, tilting=True)
 
@@ -437,24 +436,6 @@ def follow_ring(w: Array, b: Array) -> None:
 
 
 @vector_loop
-def measure_ring(w: Array, axes: np.uintp) -> None:
-    """How far the ring is from balance; NaN stays NaN."""
-    for i in range(N):
-        w[_UNBALANCED + i] = 0.0
-        w[_LOADED + i] = 0.0
-    for row in range(axes):
-        for i in range(N):
-            applied, reaction = w[_APPLIED + row * N + i], w[_FX + row * N + i]
-            worst, miss = w[_UNBALANCED + i], abs(applied - reaction)
-            miss = miss if w[_FREE + row * N + i] > 0.0 else 0.0
-            w[_UNBALANCED + i] = worst if miss <= worst else miss
-            w[_LOADED + i] = max(w[_LOADED + i], max(abs(applied), abs(reaction)))
-    for i in range(N):
-        scale = w[_LOADED + i]
-        w[_UNBALANCED + i] /= scale if scale > 0.0 else 1.0
-
-
-@vector_loop
 def measure_cage(w: Array) -> None:
     """How far the cage is from balance, the nominal speed's pull taken in; counts the steps."""
     for i in range(N):
@@ -465,117 +446,96 @@ def measure_cage(w: Array) -> None:
         w[_BEHIND + i] = abs(w[_LAG + i] / w[_LAG_BY_CAGE + i]) / speed
 
 
-@vector_loop
-def _hold(w: Array, axes: np.uintp) -> None:
-    """Set up the ring's equations: the unbalanced load, and unit rows where it is held."""
-    for row in range(axes):
-        for i in range(N):
-            free = w[_FREE + row * N + i]
-            w[_DX + row * N + i] = free * (w[_APPLIED + row * N + i] - w[_FX + row * N + i])
-        for column in range(axes):
-            entry = _MATRIX[0] + (row * _FIVE + column) * N
-            unit = 1.0 if row == column else 0.0
-            for i in range(N):
-                free = w[_FREE + row * N + i]
-                w[entry + i] = free * w[entry + i] + (1.0 - free) * unit
+def _ring(tilting: bool) -> tuple[Any, ...]:
+    """Build the passes over the ring of every lane, for rings that tilt and rings that do not.
 
-
-@vector_loop
-def _eliminate(w: Array, axes: np.uintp) -> None:
-    """Gauss's elimination and back substitution, the solution in place of the right side.
-
-    Where few balls bear the ring may move freely: no pivot is nearer to zero than the stiffness of
-    a light contact.
+    The lanes are the outer loop: how many axes there are is known, so that the loops over them are
+    written out and a lane's whole system stays in the processor's registers.
     """
-    for pivot in range(axes):
-        diagonal = _MATRIX[0] + (pivot * _FIVE + pivot) * N
+    axes = _FIVE if tilting else _THREE
+    solve_ring = elimination(int(axes), layout.DEGREES_OF_FREEDOM, layout.MATRIX, layout.STEP)
+
+    @vector_loop
+    def measure_ring(w: Array) -> None:
+        """How far the ring is from balance; NaN stays NaN."""
         for i in range(N):
-            reach = LEAST_APPROACH * (w[_L_O + i] + w[_L_I + i])
-            stiffness = w[diagonal + i]
-            least = 1.5 * w[_K_S + i] * sqrt(reach)
-            w[diagonal + i] = least if abs(stiffness) < least else stiffness
-        for row in range(pivot + _ONE, axes):
-            below = _MATRIX[0] + (row * _FIVE + pivot) * N
-            for i in range(N):
-                w[below + i] /= w[diagonal + i]
-            for column in range(pivot + _ONE, axes):
-                target = _MATRIX[0] + (row * _FIVE + column) * N
-                source = _MATRIX[0] + (pivot * _FIVE + column) * N
-                for i in range(N):
-                    w[target + i] -= w[below + i] * w[source + i]
-            for i in range(N):
-                w[_DX + row * N + i] -= w[below + i] * w[_DX + pivot * N + i]
-    for back in range(axes):
-        up = axes - _ONE - back
-        for column in range(up + _ONE, axes):
-            entry = _MATRIX[0] + (up * _FIVE + column) * N
-            for i in range(N):
-                w[_DX + up * N + i] -= w[entry + i] * w[_DX + column * N + i]
-        diagonal = _MATRIX[0] + (up * _FIVE + up) * N
-        for i in range(N):
-            w[_DX + up * N + i] /= w[diagonal + i]
+            unbalanced, loaded = 0.0, 0.0
+            for row in range(axes):
+                applied, reaction = w[_APPLIED + row * N + i], w[_FX + row * N + i]
+                miss = abs(applied - reaction)
+                miss = miss if w[_FREE + row * N + i] > 0.0 else 0.0
+                unbalanced = unbalanced if miss <= unbalanced else miss
+                loaded = max(loaded, max(abs(applied), abs(reaction)))
+            w[_LOADED + i] = loaded
+            w[_UNBALANCED + i] = unbalanced / (loaded if loaded > 0.0 else 1.0)
 
+    @vector_loop
+    def condense_cage(w: Array) -> None:
+        """Let the cage follow the ring: its speed drops out of the ring's force and stiffness.
 
-@vector_loop
-def step_ring(w: Array, axes: np.uintp) -> None:
-    """One Newton step of the ring on its free degrees of freedom, not too far."""
-    _hold(w, axes)
-    _eliminate(w, axes)
-    for i in range(N):
-        longest = LATE_STEP if w[_CAUTION + i] * w[_STEPS + i] > PATIENCE else LONGEST_STEP
-        reach = longest * (w[_L_O + i] + w[_L_I + i])
-        step = max(max(abs(w[_DX + i]), abs(w[_DY + i])), abs(w[_DZ + i]))
-        part = reach / step if step > reach else 1.0
-        w[_DX + i] *= part
-        w[_DY + i] *= part
-        w[_DZ + i] *= part
-        w[_DP + i] *= part
-        w[_DQ + i] *= part
-    for i in range(_FIVE * N):
-        w[_UX + i] += w[_DX + i]
-
-
-@vector_loop
-def condense_cage(w: Array, axes: np.uintp) -> None:
-    """Let the cage follow the ring: its speed drops out of the ring's force and stiffness.
-
-    As long as the ring is far from balance, or the cage is, its speed is taken as it is.
-    """
-    for row in range(axes):
-        force, by_cage = _FX + row * N, _BY_CAGE[0] + row * N
+        As long as the ring is far from balance, or the cage is, its speed is taken as it is.
+        """
         for i in range(N):
             near = max(w[_UNBALANCED + i] / LOOSE_CAGE, w[_BEHIND + i] / NEAR_CAGE)
             near = w[_CAUTION + i] * (near if w[_LAG_BY_CAGE + i] < DRIVE else 2.0)
-            w[by_cage + i] = w[by_cage + i] / w[_LAG_BY_CAGE + i] if near <= 1.0 else 0.0
-            w[force + i] -= w[by_cage + i] * w[_LAG + i]
-        for column in range(axes):
-            entry = _MATRIX[0] + (row * _FIVE + column) * N
-            lag = _LAG_BY_RING[0] + column * N
-            for i in range(N):
-                w[entry + i] -= w[by_cage + i] * w[lag + i]
+            part = 1.0 / w[_LAG_BY_CAGE + i] if near <= 1.0 else 0.0
+            for row in range(axes):
+                by_cage = part * w[_BY_CAGE[0] + row * N + i]
+                by_cage = by_cage if near <= 1.0 else 0.0
+                w[_BY_CAGE[0] + row * N + i] = by_cage
+                w[_FX + row * N + i] -= by_cage * w[_LAG + i]
+                for column in range(axes):
+                    entry = _MATRIX[0] + (row * _FIVE + column) * N
+                    w[entry + i] -= by_cage * w[_LAG_BY_RING[0] + column * N + i]
 
+    @vector_loop
+    def step_ring(w: Array) -> None:
+        """One Newton step of the ring on its free degrees of freedom, not too far.
 
-@vector_loop
-def step_cage(w: Array, axes: np.uintp) -> None:
-    """Take the cage's speed along with the ring's step."""
-    for i in range(N):
-        w[_DCAGE + i] = -w[_LAG + i]
-    for row in range(axes):
-        lag, step = _LAG_BY_RING[0] + row * N, _DX + row * N
+        Where few balls bear the ring may move freely: no pivot is nearer to zero than the
+        stiffness of a light contact.
+        """
         for i in range(N):
-            w[_DCAGE + i] -= w[lag + i] * w[step + i]
-    for i in range(N):
-        # no ball orbits faster or slower than both rings turn
-        slowest = min(w[_OMEGA_I + i], w[_OMEGA_O + i])
-        fastest = max(w[_OMEGA_I + i], w[_OMEGA_O + i])
-        longest = NEAR_CAGE * (abs(w[_OMEGA_I + i]) + abs(w[_OMEGA_O + i]))
-        longest = longest if w[_UNBALANCED + i] <= LOOSE_CAGE else 0.0
-        whole = w[_DCAGE + i] / w[_LAG_BY_CAGE + i]
-        change = w[_DCAGE + i] / min(w[_LAG_BY_CAGE + i], DRIVE)
-        change = min(max(change, -longest), longest) if w[_CAUTION + i] > 0.0 else whole
-        speed = min(max(w[_CAGE + i] + change, slowest), fastest)
-        w[_DCAGE + i] = speed - w[_CAGE + i]
-        w[_CAGE + i] = speed
+            for row in range(axes):  # unit rows where it is held
+                free = w[_FREE + row * N + i]
+                w[_DX + row * N + i] = free * (w[_APPLIED + row * N + i] - w[_FX + row * N + i])
+                for column in range(axes):
+                    entry = _MATRIX[0] + (row * _FIVE + column) * N
+                    unit = 1.0 if row == column else 0.0
+                    w[entry + i] = free * w[entry + i] + (1.0 - free) * unit
+            reach = w[_L_O + i] + w[_L_I + i]
+            solve_ring(w, i, 1.5 * w[_K_S + i] * sqrt(LEAST_APPROACH * reach))
+            late = w[_CAUTION + i] * w[_STEPS + i] > PATIENCE
+            reach *= LATE_STEP if late else LONGEST_STEP
+            step = max(max(abs(w[_DX + i]), abs(w[_DY + i])), abs(w[_DZ + i]))
+            part = reach / step if step > reach else 1.0
+            for row in range(axes):
+                w[_DX + row * N + i] *= part
+                w[_UX + row * N + i] += w[_DX + row * N + i]
+
+    @vector_loop
+    def step_cage(w: Array) -> None:
+        """Take the cage's speed along with the ring's step."""
+        for i in range(N):
+            lag = w[_LAG + i]
+            for row in range(axes):
+                lag += w[_LAG_BY_RING[0] + row * N + i] * w[_DX + row * N + i]
+            # no ball orbits faster or slower than both rings turn
+            slowest = min(w[_OMEGA_I + i], w[_OMEGA_O + i])
+            fastest = max(w[_OMEGA_I + i], w[_OMEGA_O + i])
+            longest = NEAR_CAGE * (abs(w[_OMEGA_I + i]) + abs(w[_OMEGA_O + i]))
+            longest = longest if w[_UNBALANCED + i] <= LOOSE_CAGE else 0.0
+            whole = -lag / w[_LAG_BY_CAGE + i]
+            change = -lag / min(w[_LAG_BY_CAGE + i], DRIVE)
+            change = min(max(change, -longest), longest) if w[_CAUTION + i] > 0.0 else whole
+            speed = min(max(w[_CAGE + i] + change, slowest), fastest)
+            w[_DCAGE + i] = speed - w[_CAGE + i]
+            w[_CAGE + i] = speed
+
+    return measure_ring, condense_cage, step_ring, step_cage
+
+
+measure_ring, condense_cage, step_ring, step_cage = _ring(tilting=True)
 
 
 @inline_fast
@@ -642,3 +602,68 @@ def replace_ball(w: Array, b: Array) -> None:
         x2 = back2 if astray > 1.0 else x2
         b[_X1 + i] = x1 if w[_ASTRAY + i] > 0.0 else b[_X1 + i]
         b[_X2 + i] = x2 if w[_ASTRAY + i] > 0.0 else b[_X2 + i]
+
+
+@vector_loop
+def mark_settled(w: Array, tolerance: float) -> None:
+    """Write what has become of each lane: 1 where all is at rest, NaN where it is lost, else 0."""
+    for i in range(N):
+        settled = 1.0 if w[_FAULT + i] <= 0.0 else 0.0
+        settled = settled if w[_UNBALANCED + i] <= tolerance else 0.0
+        settled = settled if w[_BEHIND + i] <= tolerance else 0.0
+        # a step without any stiffness makes NaN of the ring
+        lost = w[_CAGE + i] + w[_UX + i] + w[_UY + i] + w[_UZ + i] + w[_UP + i] + w[_UQ + i]
+        w[_SETTLED + i] = settled + 0.0 * lost
+
+
+@inline_exact
+def any_astray(w: Array) -> bool:
+    """Whether the ball just moved has left its place in some lane."""
+    astray = 0.0
+    for i in range(N):
+        astray = max(astray, w[_ASTRAY + i])
+    return astray > 0.0
+
+
+def _steps(tilting: bool) -> tuple[Any, Any]:
+    """Build a whole step of all lanes, for rings that tilt and rings that do not."""
+    add_static_ball, add_moving_ball = _balls(tilting)
+    measure_ring, condense_cage, step_ring, step_cage = _ring(tilting)
+
+    @filling
+    def step_static(w: Array, b: Array) -> None:
+        """Newton's step of the rings alone, every ball on the line of the groove centres.
+
+        b (balls, layout.BALL_ROWS * LANES). UNBALANCED is how far they were from balance before.
+        """
+        reset_sums(w)
+        for j in range(b.shape[0]):
+            add_static_ball(w, b[j])
+        measure_ring(w)
+        step_ring(w)
+
+    @filling
+    def step_moving(w: Array, b: Array, tolerance: float) -> None:
+        """Newton's step of rings, cages and balls together.
+
+        SETTLED is what they were before it, to a tolerance of all residuals.
+        """
+        reset_sums(w)
+        for j in range(b.shape[0]):
+            add_moving_ball(w, b[j], tolerance)
+        measure_ring(w)
+        measure_cage(w)
+        condense_cage(w)
+        step_ring(w)
+        step_cage(w)
+        for j in range(b.shape[0]):
+            follow_ring(w, b[j])
+            if any_astray(w):
+                replace_ball(w, b[j])
+        mark_settled(w, tolerance)
+
+    return step_static, step_moving
+
+
+step_static, step_moving = _steps(tilting=True)
+step_static_untilted, step_moving_untilted = _steps(tilting=False)

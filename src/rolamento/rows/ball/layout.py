@@ -48,10 +48,12 @@ CAGE_WEIGHT: Final = 55  # load by which the cage keeps to the nominal speed
 NOMINAL_ORBIT: Final = 56  # its speed where no ball drives it
 INNER_EDGE: Final = 57  # cosine of the angle at which a groove ends at its shoulder
 OUTER_EDGE: Final = 58
-PARAMETERS: Final = 59
-TERMS: Final = 59  # coefficients that K takes: COEFFICIENTS, or more from LONG on
-MODULUS: Final = 60  # E', which the kernels do not read: the contacts' ellipses need it
-COLUMN: Final = 61  # the whole column of a case
+OUTER_SHARE: Final = 59  # of the outer contact in the approach of both
+INERTIA_APPROACH: Final = 60  # approach of both contacts under F_c of the nominal orbit alone
+PARAMETERS: Final = 61
+TERMS: Final = 61  # coefficients that K takes: COEFFICIENTS, or more from LONG on
+MODULUS: Final = 62  # E', which the kernels do not read: the contacts' ellipses need it
+COLUMN: Final = 63  # the whole column of a case
 LONG: Final = COLUMN  # where seven do not do: K_o, K_i and both in series again, longer
 MOST_TERMS: Final = 28
 
@@ -81,9 +83,8 @@ BEHIND: Final = LOADED + 1  # what the cage is behind its drive, over the rings'
 STEPS: Final = BEHIND + 1  # taken
 CAUTION: Final = STEPS + 1  # 1 where the cage and late steps are held back, 0 where nothing is
 ASTRAY: Final = CAUTION + 1  # above zero where a ball has left the place where it can be
-OUTER_SHARE: Final = ASTRAY + 1  # of the outer contact in the approach of both
-INERTIA_APPROACH: Final = OUTER_SHARE + 1  # approach of both contacts under F_c alone
-RING_ROWS: Final = INERTIA_APPROACH + 1
+SETTLED: Final = ASTRAY + 1  # above zero where all is at rest, NaN where it is lost
+RING_ROWS: Final = SETTLED + 1
 
 # --- a ball's workspace -----------------------------------------------------------------------
 COS: Final = 0

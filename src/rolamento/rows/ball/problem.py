@@ -72,6 +72,8 @@ def apply_model(p: Floats, model: Model) -> None:
     p[layout.OWN_ORBIT] = model.cage != "rigid"
     p[layout.CENTRIFUGAL] *= model.centrifugal_force
     p[layout.GYROSCOPIC] *= model.gyroscopic_moment
+    inertia = p[layout.CENTRIFUGAL] * p[layout.NOMINAL_ORBIT] ** 2
+    p[layout.INERTIA_APPROACH] = np.cbrt(inertia / p[layout.SERIES_STIFFNESS]) ** 2
     p[layout.LAMBDA_INNER] = 1.0 if model.raceway_control == "none" else 0.0
 
 
@@ -139,6 +141,7 @@ def bearing_columns(bearing: Any, shape: tuple[int, ...]) -> Floats:
     _put_polynomials(p, bearing, layout.COEFFICIENTS)
     for count in {*terms[terms > layout.COEFFICIENTS].tolist()}:
         _put_polynomials(p, bearing, int(count), where=p[layout.TERMS] == count)
+    p[layout.OUTER_SHARE] = np.cbrt(p[layout.SERIES_STIFFNESS] / p[layout.OUTER_STIFFNESS]) ** 2
     return p
 
 

@@ -73,8 +73,10 @@ class HeldBalls:
     @property
     def stiffness(self) -> FloatArray:
         """(cases, 5, 5)."""
-        arms = self.arms
-        return self.solution.stiffness * (arms[:, :, np.newaxis] * arms[:, np.newaxis, :])
+        stiffness, tilting = self.solution.stiffness.copy(), self.arms[:, 3:]
+        stiffness[:, 3:] *= tilting[:, :, np.newaxis]
+        stiffness[:, :, 3:] *= tilting[:, np.newaxis, :]
+        return stiffness
 
     @property
     def place(self) -> FloatArray:

@@ -12,10 +12,10 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.numerics.compiled import inline_exact, kernel, shared
+from rolamento.numerics.compiled import filling, inline_exact, kernel, shared
 from rolamento.rows.ball import lanes, layout, set_lanes
 from rolamento.rows.ball.accept import judge, max_with_nan
-from rolamento.rows.ball.blocks import any_astray, fill, read_positions
+from rolamento.rows.ball.blocks import fill, put_displacement, read_positions
 from rolamento.rows.ball.set_lanes import SLIDE, STAND_ROWS, TILT, UNKNOWNS, WAY
 from rolamento.rows.ball.single import FAR, Ring, ring_around
 from rolamento.rows.ball.types import Array
@@ -34,7 +34,6 @@ STANDING: Final = STAND_ROWS + 1  # numbers that say how a row stands on the rin
 _LANES: Final = layout.LANES
 _LEVER: Final = set_lanes.LEVER
 _X: Final = layout.POSITION * _LANES
-_FIVE: Final = np.uintp(layout.DEGREES_OF_FREEDOM)
 
 
 class Rows(NamedTuple):
@@ -93,23 +92,35 @@ class Found(NamedTuple):
 
 
 class _Work(NamedTuple):
-    """Lanes: s of the rings, and of each row how it stands (v), its own (w); of each ball (b)."""
+    """Lanes: s of the rings, and of each row how it stands (v), its own (w); of each ball (b).
+
+    holds, steps: the case in each lane, or -1, and its steps; settled: whether it is at rest.
+    own (5,): room for a row's displacement; numbers: those of the cases, 0 to n - 1.
+    """
 
     s: Array
     v: Array
     w: Array
     b: Array
-    room: Array
+    holds: NDArray[np.int64]
+    steps: NDArray[np.int64]
+    settled: NDArray[np.bool_]
+    own: Array
+    numbers: NDArray[np.int64]
 
 
 @shared
-def _work(rows: int, balls: int) -> _Work:
+def _work(rows: int, balls: int, cases: int) -> _Work:
     return _Work(
         np.zeros(set_lanes.SET_ROWS * _LANES),
         np.zeros((rows, STAND_ROWS * _LANES)),
         np.zeros((rows, layout.RING_ROWS * _LANES)),
         np.zeros((balls, layout.BALL_ROWS * _LANES)),
-        np.zeros(layout.DEGREES_OF_FREEDOM * UNKNOWNS * _LANES),
+        np.full(_LANES, -1),
+        np.zeros(_LANES, np.int64),
+        np.zeros(_LANES, np.bool_),
+        np.empty(layout.DEGREES_OF_FREEDOM),
+        np.arange(cases),
     )
 
 
@@ -125,11 +136,9 @@ def _standing(stand: Array, row: int, k: int, u: Array, own: Array) -> None:
     own[4] = tilt * u[4]
 
 
-@shared
-def _fill(
-    work: _Work, lane: int, rows: Rows, asked: Asked, k: int, u: Array, own: Array, bound: bool
-) -> None:
-    """Put a case into a lane, its ring at u; own (5,) is room; bound: whether steps have an end."""
+@filling
+def _fill(work: _Work, lane: int, rows: Rows, asked: Asked, k: int, u: Array, bound: bool) -> None:
+    """Put a case into a lane, its ring at u; bound: whether steps have an end."""
     work.s[set_lanes.FIRM * _LANES + lane] = asked.firm[k] if bound else 0.0
     work.s[set_lanes.REACH * _LANES + lane] = asked.reach[k] if bound else FAR
     for i in range(UNKNOWNS):
@@ -139,12 +148,13 @@ def _fill(
     for row in range(rows.p.shape[0]):
         for i in range(STAND_ROWS):
             work.v[row, i * _LANES + lane] = rows.stand[row, i, k]
-        _standing(rows.stand, row, k, u, own)
         a, z = rows.ends[row], rows.ends[row + 1]
         fill(
             work.w[row], work.b[a:z], lane, rows.p[row], rows.cosines[a:z], rows.sines[a:z],
-            rows.control[:, a:z], k, own,
+            rows.control[:, a:z], work.numbers[k : k + 1],
         )  # fmt: skip
+        _standing(rows.stand, row, k, u, work.own)
+        put_displacement(work.w[row], lane, work.own)
         work.w[row, layout.UNBALANCED * _LANES + lane] = 1.0
 
 
@@ -174,7 +184,7 @@ def _lost(work: _Work, lane: int) -> bool:
     return bool(total != total)
 
 
-@shared
+@filling
 def _settle_static(
     work: _Work, rows: Rows, asked: Asked, chosen: NDArray[np.int64], moving: bool, found: Found
 ) -> None:
@@ -183,15 +193,14 @@ def _settle_static(
     Writes the places, and the steps: zero where a lane failed or, before its balls move, did not
     settle; its place is the start then.
     """
-    s, v, w, b, room = work
+    s, v, w, b, _, _, _, _, _ = work
     tolerance = START_TOLERANCE if moving else TOLERANCE
-    own = np.empty(layout.DEGREES_OF_FREEDOM)
     for block in range(0, chosen.size, _LANES):
         count = min(_LANES, chosen.size - block)
         for lane in range(_LANES):
             k = min(block + lane, chosen.size - 1)
             found.steps[chosen[k]] = 0
-            _fill(work, lane, rows, asked, k, asked.start[k], own, True)
+            _fill(work, lane, rows, asked, k, asked.start[k], True)
         open_lanes = count
         for step in range(STATIC_STEPS):
             set_lanes.empty_set(s)
@@ -199,7 +208,7 @@ def _settle_static(
                 lanes.reset_sums(w[row])
                 for j in range(rows.ends[row], rows.ends[row + 1]):
                     lanes.add_static_ball(w[row], b[j])
-                set_lanes.add_row(s, v[row], w[row], room)
+                set_lanes.add_row(s, v[row], w[row])
             for lane in range(count):
                 case = chosen[block + lane]
                 if found.steps[case] == 0 and _unbalanced(work, lane) <= tolerance:
@@ -224,7 +233,7 @@ def _settle_static(
                 )
 
 
-@shared
+@filling
 def _settle_moving(
     work: _Work, rows: Rows, asked: Asked, chosen: NDArray[np.int64], found: Found
 ) -> None:
@@ -233,14 +242,10 @@ def _settle_moving(
     A lane that has settled, failed or run out of steps takes the next case. Writes the places of
     rings, cages and balls, and the steps: zero where a lane failed.
     """
-    s, v, w, b, room = work
-    own = np.empty(layout.DEGREES_OF_FREEDOM)
-    holds = np.full(_LANES, -1)  # the case in each lane
-    steps = np.zeros(_LANES, np.int64)
-    settled = np.zeros(_LANES, np.bool_)
+    s, v, w, b, holds, steps, settled, _, _ = work
     waiting, working = 0, 0
     for lane in range(_LANES):
-        _fill(work, lane, rows, asked, 0, found.place[chosen[0]], own, False)
+        _fill(work, lane, rows, asked, 0, found.place[chosen[0]], False)
     while waiting < chosen.size or working > 0:
         fresh = False
         for lane in range(_LANES):
@@ -248,7 +253,7 @@ def _settle_moving(
             for row in range(w.shape[0]):
                 w[row, layout.ASTRAY * _LANES + lane] = 1.0 if is_fresh else 0.0
             if is_fresh:
-                _fill(work, lane, rows, asked, waiting, found.place[chosen[waiting]], own, False)
+                _fill(work, lane, rows, asked, waiting, found.place[chosen[waiting]], False)
                 holds[lane] = waiting
                 steps[lane] = 0
                 waiting += 1
@@ -272,8 +277,8 @@ def _settle_moving(
                 settled[lane] = settled[lane] and behind <= TOLERANCE
             steps[lane] += 1
         for row in range(w.shape[0]):
-            lanes.condense_cage(w[row], _FIVE)
-            set_lanes.add_row(s, v[row], w[row], room)
+            lanes.condense_cage(w[row])
+            set_lanes.add_row(s, v[row], w[row])
         for lane in range(_LANES):
             unbalanced = _unbalanced(work, lane)
             settled[lane] = settled[lane] and unbalanced <= TOLERANCE
@@ -282,10 +287,10 @@ def _settle_moving(
         set_lanes.step_set(s)
         for row in range(w.shape[0]):
             set_lanes.move_row(s, v[row], w[row])
-            lanes.step_cage(w[row], _FIVE)
+            lanes.step_cage(w[row])
             for j in range(rows.ends[row], rows.ends[row + 1]):
                 lanes.follow_ring(w[row], b[j])
-                if any_astray(w[row]):
+                if lanes.any_astray(w[row]):
                     lanes.replace_ball(w[row], b[j])
 
         for lane in range(_LANES):
@@ -372,7 +377,7 @@ def solve_sets(
 
     chosen: which cases they are, of all that `found` has room for; (n,).
     """
-    work = _work(rows.p.shape[0], rows.cosines.size)
+    work = _work(rows.p.shape[0], rows.cosines.size, chosen.size)
     _settle_static(work, rows, asked, chosen, moving, found)
     if moving:
         _settle_moving(work, rows, asked, chosen, found)

@@ -14,6 +14,7 @@ import numpy as np
 
 from rolamento.numerics.compiled import inline_fast, vector_loop
 from rolamento.rows.ball import layout
+from rolamento.rows.ball.elimination import elimination
 from rolamento.rows.ball.layout import lanes
 from rolamento.rows.ball.types import Array, Five, Six
 
@@ -43,12 +44,14 @@ _FORCE, _MATRIX = lanes(FORCE), lanes(MATRIX)
 _FIRM, _REACH = lanes(FIRM), lanes(REACH)
 _WAY, _LEVER, _TILT, _SLIDE = (lanes(row) for row in (WAY, LEVER, TILT, SLIDE))
 _SIX, _FIVE = np.uintp(UNKNOWNS), np.uintp(layout.DEGREES_OF_FREEDOM)
-_ONE, _TWO = np.uintp(1), np.uintp(2)
+_ZERO, _ONE, _TWO, _THREE, _FOUR = (np.uintp(row) for row in range(5))
 _AT = tuple(lanes(row) for row in range(UNKNOWNS * UNKNOWNS))
 _LINE = lanes(UNKNOWNS)
 _ROW_U, _ROW_STEP = lanes(layout.DISPLACEMENT), lanes(layout.STEP)
 _ROW_F, _ROW_K = lanes(layout.REACTION), lanes(layout.MATRIX)
 _OF_ROW = lanes(layout.DEGREES_OF_FREEDOM)
+
+_solve_set = elimination(UNKNOWNS, UNKNOWNS, MATRIX, MOVE)
 
 
 @vector_loop
@@ -74,100 +77,66 @@ def _five(a: Array, first: np.uintp, stride: np.uintp, i: int) -> Five:
     return a[first + i], a[second + i], a[third + i], a[fourth + i], a[fourth + stride + i]
 
 
+@inline_fast
+def _add(s: Array, first: np.uintp, stride: np.uintp, i: int, six: Six) -> None:
+    """Add six numbers where six stand a stride apart."""
+    fourth, fifth = first + _THREE * stride, first + _FOUR * stride
+    s[first + i] += six[0]
+    s[first + stride + i] += six[1]
+    s[first + _TWO * stride + i] += six[2]
+    s[fourth + i] += six[3]
+    s[fifth + i] += six[4]
+    s[fifth + stride + i] += six[5]
+
+
+@inline_fast
+def _by_ring(w: Array, v: Array, row: np.uintp, i: int) -> Six:
+    """A line of a row's stiffness, by the ring's unknowns: k T."""
+    line: Six = _on_ring(v, i, _five(w, _ROW_K + row * _OF_ROW, _N, i))
+    return line
+
+
+@inline_fast
+def _add_column(s: Array, v: Array, i: int, column: int, line: Five) -> None:
+    """Add a column of T' (k T) to the ring's stiffness."""
+    _add(s, _MATRIX + _AT[column], _LINE, i, _on_ring(v, i, line))
+
+
 @vector_loop
-def add_row(s: Array, v: Array, w: Array, t: Array) -> None:
-    """Add a row's force and stiffness to the ring's; t: room for k T."""
+def add_row(s: Array, v: Array, w: Array) -> None:
+    """Add a row's force and stiffness to the ring's."""
     for i in range(_N):
-        f0, f1, f2, f3, f4, f5 = _on_ring(v, i, _five(w, _ROW_F, _N, i))
-        s[_FORCE + i] += f0
-        s[_FORCE + _AT[1] + i] += f1
-        s[_FORCE + _AT[2] + i] += f2
-        s[_FORCE + _AT[3] + i] += f3
-        s[_FORCE + _AT[4] + i] += f4
-        s[_FORCE + _AT[5] + i] += f5
-    for row in range(_FIVE):
-        own, to = _ROW_K + row * _OF_ROW, row * _LINE
-        for i in range(_N):
-            k0, k1, k2, k3, k4, k5 = _on_ring(v, i, _five(w, own, _N, i))
-            t[to + i] = k0
-            t[to + _AT[1] + i] = k1
-            t[to + _AT[2] + i] = k2
-            t[to + _AT[3] + i] = k3
-            t[to + _AT[4] + i] = k4
-            t[to + _AT[5] + i] = k5
-    for column in range(_SIX):
-        to = _MATRIX + column * _N
-        for i in range(_N):
-            k0, k1, k2, k3, k4, k5 = _on_ring(v, i, _five(t, column * _N, _LINE, i))
-            s[to + i] += k0
-            s[to + _AT[6] + i] += k1
-            s[to + _AT[12] + i] += k2
-            s[to + _AT[18] + i] += k3
-            s[to + _AT[24] + i] += k4
-            s[to + _AT[30] + i] += k5
-
-
-@vector_loop
-def _hold(s: Array) -> None:
-    """Set up the ring's equations: the unbalanced load, and unit rows where it is held."""
-    for row in range(_SIX):
-        for i in range(_N):
-            free = s[_FREE + row * _N + i]
-            s[_MOVE + row * _N + i] = free * (s[_TARGET + row * _N + i] - s[_FORCE + row * _N + i])
-        for column in range(_SIX):
-            entry = _MATRIX + (row * _SIX + column) * _N
-            unit = 1.0 if row == column else 0.0
-            for i in range(_N):
-                free = s[_FREE + row * _N + i]
-                own = s[entry + i] + unit * s[_FIRM + i]
-                s[entry + i] = free * own + (1.0 - free) * unit
-
-
-@vector_loop
-def _eliminate(s: Array) -> None:
-    """Gauss's elimination and back substitution, the solution in place of the right side."""
-    for pivot in range(_SIX):
-        diagonal = _MATRIX + (pivot * _SIX + pivot) * _N
-        for row in range(pivot + _ONE, _SIX):
-            below = _MATRIX + (row * _SIX + pivot) * _N
-            for i in range(_N):
-                s[below + i] /= s[diagonal + i]
-            for column in range(pivot + _ONE, _SIX):
-                target = _MATRIX + (row * _SIX + column) * _N
-                source = _MATRIX + (pivot * _SIX + column) * _N
-                for i in range(_N):
-                    s[target + i] -= s[below + i] * s[source + i]
-            for i in range(_N):
-                s[_MOVE + row * _N + i] -= s[below + i] * s[_MOVE + pivot * _N + i]
-    for back in range(_SIX):
-        up = _SIX - _ONE - back
-        for column in range(up + _ONE, _SIX):
-            entry = _MATRIX + (up * _SIX + column) * _N
-            for i in range(_N):
-                s[_MOVE + up * _N + i] -= s[entry + i] * s[_MOVE + column * _N + i]
-        diagonal = _MATRIX + (up * _SIX + up) * _N
-        for i in range(_N):
-            s[_MOVE + up * _N + i] /= s[diagonal + i]
+        _add(s, _FORCE, _N, i, _on_ring(v, i, _five(w, _ROW_F, _N, i)))
+        k0, k1, k2 = _by_ring(w, v, _ZERO, i), _by_ring(w, v, _ONE, i), _by_ring(w, v, _TWO, i)
+        k3, k4 = _by_ring(w, v, _THREE, i), _by_ring(w, v, _FOUR, i)
+        _add_column(s, v, i, 0, (k0[0], k1[0], k2[0], k3[0], k4[0]))
+        _add_column(s, v, i, 1, (k0[1], k1[1], k2[1], k3[1], k4[1]))
+        _add_column(s, v, i, 2, (k0[2], k1[2], k2[2], k3[2], k4[2]))
+        _add_column(s, v, i, 3, (k0[3], k1[3], k2[3], k3[3], k4[3]))
+        _add_column(s, v, i, 4, (k0[4], k1[4], k2[4], k3[4], k4[4]))
+        _add_column(s, v, i, 5, (k0[5], k1[5], k2[5], k3[5], k4[5]))
 
 
 @vector_loop
 def step_set(s: Array) -> None:
     """One Newton step of the ring on its free unknowns, as far as it may go."""
-    _hold(s)
-    _eliminate(s)
     for i in range(_N):
-        x, y, z = s[_MOVE + i], s[_MOVE + _AT[1] + i], s[_MOVE + _AT[2] + i]
-        p, q, slide = s[_MOVE + _AT[3] + i], s[_MOVE + _AT[4] + i], s[_MOVE + _AT[5] + i]
-        length = sqrt(x * x + y * y + z * z + p * p + q * q + slide * slide)
-        part = s[_REACH + i] / max(length, s[_REACH + i])
-        s[_MOVE + i] = part * x
-        s[_MOVE + _AT[1] + i] = part * y
-        s[_MOVE + _AT[2] + i] = part * z
-        s[_MOVE + _AT[3] + i] = part * p
-        s[_MOVE + _AT[4] + i] = part * q
-        s[_MOVE + _AT[5] + i] = part * slide
-    for i in range(_SIX * _N):
-        s[_PLACE + i] += s[_MOVE + i]
+        for row in range(_SIX):  # unit rows where it is held
+            free = s[_FREE + row * _N + i]
+            s[_MOVE + row * _N + i] = free * (s[_TARGET + row * _N + i] - s[_FORCE + row * _N + i])
+            for column in range(_SIX):
+                entry = _MATRIX + (row * _SIX + column) * _N
+                unit = 1.0 if row == column else 0.0
+                own = s[entry + i] + unit * s[_FIRM + i]
+                s[entry + i] = free * own + (1.0 - free) * unit
+        _solve_set(s, i, 0.0)
+        length = 0.0
+        for row in range(_SIX):
+            length += s[_MOVE + row * _N + i] ** 2
+        part = s[_REACH + i] / max(sqrt(length), s[_REACH + i])
+        for row in range(_SIX):
+            s[_MOVE + row * _N + i] *= part
+            s[_PLACE + row * _N + i] += s[_MOVE + row * _N + i]
 
 
 @vector_loop
