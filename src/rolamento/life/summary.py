@@ -27,6 +27,8 @@ from rolamento.solved import Solved
 from rolamento.units import HOUR
 from rolamento.words import said
 
+_ALIKE: Final = 1e-12
+"""Of a life: races that differ by less do so by rounding, and the first of them is named."""
 _WORTH: Final = 1.5
 """Gain of the modified life below which neither oil nor cleanliness is what limits it."""
 
@@ -262,7 +264,8 @@ def _limit_of(basis: Basis) -> Limit:
     count = len(rows)
     races = np.concatenate([reference.inner, reference.outer], axis=1)
     ended = np.isfinite(reference.life) & ~basis.unloaded
-    weakest = np.argmin(np.where(np.isnan(races), np.inf, races), axis=1)
+    lives = np.where(np.isnan(races), np.inf, races)
+    weakest = np.argmax(lives <= (1.0 + _ALIKE) * lives.min(axis=1, keepdims=True), axis=1)
     row = np.where(ended, weakest % count, 0)
     inner = weakest < count
     race = np.where(ended, np.where(inner, "inner", "outer"), "")

@@ -75,7 +75,7 @@ _UNBALANCED, _BEHIND = lanes(layout.UNBALANCED), lanes(layout.BEHIND)
 _LOADED, _STEPS = lanes(layout.LOADED), lanes(layout.STEPS)
 _CAUTION = lanes(layout.CAUTION)
 _ERROR, _SCALE = lanes(layout.ERROR), lanes(layout.SCALE)
-_OFF = lanes(layout.OFF)
+_OFF, _LOST_WAY = lanes(layout.OFF), lanes(layout.LOST_WAY)
 _INNER_EDGE, _OUTER_EDGE = lanes(layout.INNER_EDGE), lanes(layout.OUTER_EDGE)
 _ONE_SIDED, _BALL_DIAMETER = lanes(layout.ONE_SIDED), lanes(layout.BALL_DIAMETER)
 _OUTER_SHARE, _INERTIA_APPROACH = lanes(layout.OUTER_SHARE), lanes(layout.INERTIA_APPROACH)
@@ -432,7 +432,8 @@ def follow_ring(w: Array, b: Array) -> None:
         # late, only how far it is off the race
         late = w[_CAUTION + i] * w[_STEPS + i] > PATIENCE
         inside = min(w[_L_O + i] if late else between, near)
-        w[_ASTRAY + i] = 0.0 if inside > 0.0 else (2.0 if late else 1.0)
+        b[_LOST_WAY + i] = 0.0 if inside > 0.0 else (2.0 if late else 1.0)
+        w[_ASTRAY + i] = max(w[_ASTRAY + i], b[_LOST_WAY + i])
 
 
 @vector_loop
@@ -593,15 +594,16 @@ def replace_ball(w: Array, b: Array) -> None:
     """
     for i in range(N):
         x1, x2, free = _first_place(w, b, i)
-        astray = w[_ASTRAY + i] - free
+        astray = b[_LOST_WAY + i] - free
         d1, d2 = b[_X1 + i] - b[_Q1 + i], b[_X2 + i] - b[_Q2 + i]
         part = min(SHORT_STEP, LATE_STEP * w[_L_O + i] / sqrt(d1 * d1 + d2 * d2))
         back1 = b[_Q1 + i] + part * d1
         back2 = b[_Q2 + i] + part * d2
         x1 = back1 if astray > 1.0 else x1
         x2 = back2 if astray > 1.0 else x2
-        b[_X1 + i] = x1 if w[_ASTRAY + i] > 0.0 else b[_X1 + i]
-        b[_X2 + i] = x2 if w[_ASTRAY + i] > 0.0 else b[_X2 + i]
+        b[_X1 + i] = x1 if b[_LOST_WAY + i] > 0.0 else b[_X1 + i]
+        b[_X2 + i] = x2 if b[_LOST_WAY + i] > 0.0 else b[_X2 + i]
+        b[_LOST_WAY + i] = 0.0
 
 
 @vector_loop
@@ -618,7 +620,7 @@ def mark_settled(w: Array, tolerance: float) -> None:
 
 @inline_exact
 def any_astray(w: Array) -> bool:
-    """Whether the ball just moved has left its place in some lane."""
+    """Whether some ball has left its place in some lane."""
     astray = 0.0
     for i in range(N):
         astray = max(astray, w[_ASTRAY + i])
@@ -658,7 +660,8 @@ def _steps(tilting: bool) -> tuple[Any, Any]:
         step_cage(w)
         for j in range(b.shape[0]):
             follow_ring(w, b[j])
-            if any_astray(w):
+        if any_astray(w):
+            for j in range(b.shape[0]):
                 replace_ball(w, b[j])
         mark_settled(w, tolerance)
 

@@ -76,14 +76,14 @@ HEAVIEST: Final = PULL + 1  # greatest scale of a ball's own loads
 UNSOUND: Final = HEAVIEST + 1  # above zero where a ball stands or bears as none can
 REGROUPED: Final = UNSOUND + 1  # above zero where a ball leaves the inner groove or comes back
 DOUBTFUL: Final = REGROUPED + 1  # above zero where a ball's residual is worse than the ring's
-SUMS: Final = DOUBTFUL + 1 - REACTION  # all of these, over the balls
+ASTRAY: Final = DOUBTFUL + 1  # above zero where a ball has left the place where it can be
+SUMS: Final = ASTRAY + 1 - REACTION  # all of these, over the balls
 UNBALANCED: Final = REACTION + SUMS  # the ring's greatest unbalanced load, over its loads
 LOADED: Final = UNBALANCED + 1  # the greatest of its loads
 BEHIND: Final = LOADED + 1  # what the cage is behind its drive, over the rings' speeds
 STEPS: Final = BEHIND + 1  # taken
 CAUTION: Final = STEPS + 1  # 1 where the cage and late steps are held back, 0 where nothing is
-ASTRAY: Final = CAUTION + 1  # above zero where a ball has left the place where it can be
-SETTLED: Final = ASTRAY + 1  # above zero where all is at rest, NaN where it is lost
+SETTLED: Final = CAUTION + 1  # above zero where all is at rest, NaN where it is lost
 RING_ROWS: Final = SETTLED + 1
 
 # --- a ball's workspace -----------------------------------------------------------------------
@@ -96,7 +96,8 @@ FOLLOW: Final = 6  # dX = q + W dA + z dω; once it is taken, X before it in the
 ERROR: Final = 14  # size of its residual
 SCALE: Final = 15  # greatest of its own loads
 OFF: Final = 16  # 0 on the inner groove, far where the ball is off it and nothing presses
-BALL_ROWS: Final = 17
+LOST_WAY: Final = 17  # above zero where it has left the place where it can be
+BALL_ROWS: Final = 18
 
 
 def long_polynomial(row: int) -> int:

@@ -54,22 +54,34 @@ class Solution:
     safe: NDArray[np.bool_]
 
     @classmethod
-    def empty(cls, cases: int, balls: int) -> Solution:
-        """Make room for so many cases."""
+    def room(cls, cases: int, balls: int) -> Solution:
+        """Make room for so many cases, whatever stands in it."""
+        n = layout.DEGREES_OF_FREEDOM
         return cls(
-            displacement=np.full((cases, layout.DEGREES_OF_FREEDOM), np.nan),
-            cage=np.full(cases, np.nan),
-            position=np.full((cases, balls, 2), np.nan),
-            reaction=np.full((cases, layout.DEGREES_OF_FREEDOM), np.nan),
-            stiffness=np.full(
-                (cases, layout.DEGREES_OF_FREEDOM, layout.DEGREES_OF_FREEDOM), np.nan
-            ),
-            residual=np.full(cases, np.nan),
-            code=np.full(cases, status.INVALID_INPUT),
-            unsupported=np.full(cases, -1),
-            iterations=np.zeros(cases, np.int64),
-            safe=np.zeros(cases, np.bool_),
+            displacement=np.empty((cases, n)),
+            cage=np.full(cases, np.nan),  # none at rest
+            position=np.empty((cases, balls, 2)),
+            reaction=np.empty((cases, n)),
+            stiffness=np.empty((cases, n, n)),
+            residual=np.empty(cases),
+            code=np.empty(cases, np.int64),
+            unsupported=np.empty(cases, np.int64),
+            iterations=np.empty(cases, np.int64),
+            safe=np.empty(cases, np.bool_),
         )
+
+    @classmethod
+    def empty(cls, cases: int, balls: int) -> Solution:
+        """Make room for so many cases, none of which has a result."""
+        solution = cls.room(cases, balls)
+        solution.forget(slice(None))
+        return solution
+
+    def forget(self, cases: NDArray[np.bool_] | slice) -> None:
+        """Leave some of the cases without a result: input that cannot be solved."""
+        for array in self.arrays():
+            array[cases] = np.nan if array.dtype == np.float64 else 0
+        self.code[cases], self.unsupported[cases] = status.INVALID_INPUT, -1
 
     def arrays(self) -> tuple[NDArray[np.generic], ...]:
         """All arrays, in the order that the kernel takes them."""
@@ -100,10 +112,11 @@ def solve_columns(
     INVALID_INPUT and are left alone.
     """
     cases = p.shape[1]
-    solution = Solution.empty(cases, balls)
+    solution = Solution.room(cases, balls)
     if cases == 0:
         return solution
-    finite = np.isfinite(p).all(axis=0)
+    finite = np.asarray(np.isfinite(p).all(axis=0))
+    solution.forget(~finite)
     moving = has_inertia(p)
     p, control = np.ascontiguousarray(p), np.ascontiguousarray(control, dtype=np.float64)
     still = np.flatnonzero(finite & ~moving)

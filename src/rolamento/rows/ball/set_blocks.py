@@ -249,11 +249,10 @@ def _settle_moving(
     while waiting < chosen.size or working > 0:
         fresh = False
         for lane in range(_LANES):
-            is_fresh = holds[lane] < 0 and waiting < chosen.size
-            for row in range(w.shape[0]):
-                w[row, layout.ASTRAY * _LANES + lane] = 1.0 if is_fresh else 0.0
-            if is_fresh:
+            if holds[lane] < 0 and waiting < chosen.size:
                 _fill(work, lane, rows, asked, waiting, found.place[chosen[waiting]], False)
+                for j in range(b.shape[0]):  # to be put where its ring has it
+                    b[j, layout.LOST_WAY * _LANES + lane] = 1.0
                 holds[lane] = waiting
                 steps[lane] = 0
                 waiting += 1
@@ -290,7 +289,8 @@ def _settle_moving(
             lanes.step_cage(w[row])
             for j in range(rows.ends[row], rows.ends[row + 1]):
                 lanes.follow_ring(w[row], b[j])
-                if lanes.any_astray(w[row]):
+            if lanes.any_astray(w[row]):
+                for j in range(rows.ends[row], rows.ends[row + 1]):
                     lanes.replace_ball(w[row], b[j])
 
         for lane in range(_LANES):
