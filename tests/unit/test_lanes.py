@@ -11,7 +11,7 @@ from rolamento.case import Case
 from rolamento.numerics.compiled import Kernel
 from rolamento.rows.ball import lanes, layout
 from rolamento.rows.ball.accept import judge
-from rolamento.rows.ball.blocks import fill, judge_blocks, put_displacement, room_for
+from rolamento.rows.ball.blocks import fill_all, judge_blocks, put_displacement, room_for
 from rolamento.rows.ball.elimination import elimination
 from rolamento.rows.ball.problem import apply_model, case_parameters, directions
 from rolamento.rows.ball.run import Solution, solve_columns
@@ -54,7 +54,7 @@ def filled(case_218: Case) -> tuple[np.ndarray, ...]:
     u = rng.uniform(-1e-5, 4e-5, (N, 5))
     w = np.zeros(layout.RING_ROWS * N)
     b = np.zeros((BALLS, layout.BALL_ROWS * N))
-    fill(w, b, 0, p, cosines, sines, control, np.arange(N))
+    fill_all(w, b, p, cosines, sines, control, np.arange(N))
     for lane in range(N):
         put_displacement(w, lane, u[lane])
     return p, cosines, sines, control, u, w, b

@@ -118,36 +118,52 @@ def put_displacement(w: Array, lane: int, u: Array) -> None:
         w[(layout.DISPLACEMENT + i) * _LANES + lane] = u[i]
 
 
+@inline_exact
+def _begin(w: Array, lane: int) -> None:
+    w[layout.CAGE * _LANES + lane] = w[layout.NOMINAL_ORBIT * _LANES + lane]
+    w[layout.STEPS * _LANES + lane] = 0.0
+    w[layout.CAUTION * _LANES + lane] = 1.0
+
+
+@inline_exact
+def _put_ball(w: Array, b: Array, lane: int, cosine: float, sine: float, sigma: float) -> None:
+    """Put a ball on its azimuth, under the control of one race: b of that ball."""
+    c0, s0 = w[layout.COS_FIRST * _LANES + lane], w[layout.SIN_FIRST * _LANES + lane]
+    b[layout.COS * _LANES + lane] = cosine * c0 - sine * s0
+    b[layout.SIN * _LANES + lane] = sine * c0 + cosine * s0
+    b[layout.SIGMA * _LANES + lane] = sigma
+    b[layout.OFF * _LANES + lane] = 0.0
+
+
 @filling
 def fill(
-    w: Array,
-    b: Array,
-    first: int,
-    p: Array,
-    cosines: Array,
-    sines: Array,
-    control: Array,
-    cases: Order,
+    w: Array, b: Array, lane: int, p: Array, cosines: Array, sines: Array, control: Array, case: int
 ) -> None:
-    """Put cases into the lanes from the first on; where their rings stand is left open."""
+    """Put a case into a lane; where its ring stands is left open."""
+    column = case if p.shape[1] > 1 else 0
+    sigmas = case if control.shape[0] > 1 else 0
     for row in range(layout.PARAMETERS):
-        for k in range(cases.size):
-            w[row * _LANES + first + k] = p[row, cases[k] if p.shape[1] > 1 else 0]
-    for lane in range(first, first + cases.size):
-        w[layout.CAGE * _LANES + lane] = w[layout.NOMINAL_ORBIT * _LANES + lane]
-        w[layout.STEPS * _LANES + lane] = 0.0
-        w[layout.CAUTION * _LANES + lane] = 1.0
+        w[row * _LANES + lane] = p[row, column]
+    _begin(w, lane)
     for j in range(cosines.size):
-        for k in range(cases.size):
-            lane = first + k
-            sigma = control[cases[k] if control.shape[0] > 1 else 0, j]
-            c0, s0 = w[layout.COS_FIRST * _LANES + lane], w[layout.SIN_FIRST * _LANES + lane]
-            on_outer = w[layout.LAMBDA_INNER * _LANES + lane]
-            b[j, layout.COS * _LANES + lane] = cosines[j] * c0 - sines[j] * s0
-            b[j, layout.SIN * _LANES + lane] = sines[j] * c0 + cosines[j] * s0
-            b[j, layout.SIGMA * _LANES + lane] = sigma
-            b[j, layout.LAMBDA * _LANES + lane] = on_outer if sigma > 0 else 2.0
-            b[j, layout.OFF * _LANES + lane] = 0.0
+        _put_ball(w, b[j], lane, cosines[j], sines[j], control[sigmas, j])
+
+
+@filling
+def fill_all(
+    w: Array, b: Array, p: Array, cosines: Array, sines: Array, control: Array, cases: Order
+) -> None:
+    """Put cases into all lanes, or the first of them: row by row, as they lie in memory."""
+    one, alike = p.shape[1] == 1, control.shape[0] == 1
+    for row in range(layout.PARAMETERS):
+        for lane in range(cases.size):
+            w[row * _LANES + lane] = p[row, 0 if one else cases[lane]]
+    for lane in range(cases.size):
+        _begin(w, lane)
+    for j in range(cosines.size):
+        for lane in range(cases.size):
+            sigma = control[0 if alike else cases[lane], j]
+            _put_ball(w, b[j], lane, cosines[j], sines[j], sigma)
 
 
 @inline_exact
@@ -240,7 +256,7 @@ def solve_static(
     tilting = _tilting(p, order)
     for block in range(0, order.size, _LANES):
         count = min(_LANES, order.size - block)
-        fill(w, b, 0, p, cosines, sines, control, order[block : block + count])
+        fill_all(w, b, p, cosines, sines, control, order[block : block + count])
         for lane in range(count):
             case = order[block + lane]
             start(p, case, cosines.size, displacement[case])
@@ -311,14 +327,14 @@ def solve_moving(
     working = 0
     for lane in range(_LANES):
         room.holds[lane] = -1
-        fill(w, b, lane, p, cosines, sines, control, order[:1])
+        fill(w, b, lane, p, cosines, sines, control, order[0])
         put_displacement(w, lane, displacement[order[0]])
         _put_positions(b, lane, position[order[0]])
     while waiting < order.size or working > 0:
         for lane in range(_LANES):
             if room.holds[lane] < 0 and waiting < order.size:
                 case = order[waiting]
-                fill(w, b, lane, p, cosines, sines, control, order[waiting : waiting + 1])
+                fill(w, b, lane, p, cosines, sines, control, case)
                 put_displacement(w, lane, displacement[case])
                 _put_positions(b, lane, position[case])
                 w[layout.CAUTION * _LANES + lane] = 1.0 if cautious else 0.0
@@ -389,7 +405,7 @@ def judge_blocks(
     w, b = room.w, room.b
     for block in range(0, order.size, _LANES):
         count = min(_LANES, order.size - block)
-        fill(w, b, 0, p, cosines, sines, control, order[block : block + count])
+        fill_all(w, b, p, cosines, sines, control, order[block : block + count])
         for lane in range(count):
             case = order[block + lane]
             put_displacement(w, lane, displacement[case])

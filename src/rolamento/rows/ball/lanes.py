@@ -40,9 +40,7 @@ from rolamento.rows.ball.types import (
 
 N = np.uintp(layout.LANES)
 
-_COS, _SIN, _SIGMA, _LAMBDA = (
-    lanes(r) for r in (layout.COS, layout.SIN, layout.SIGMA, layout.LAMBDA)
-)
+_COS, _SIN, _SIGMA = lanes(layout.COS), lanes(layout.SIN), lanes(layout.SIGMA)
 _X1, _X2 = lanes(layout.POSITION), lanes(layout.POSITION + 1)
 _Q1, _Q2, _W11, _W12, _W21, _W22, _Z1, _Z2 = (lanes(layout.FOLLOW + i) for i in range(8))
 
@@ -50,7 +48,7 @@ _L_O, _L_I = lanes(layout.OUTER_LENGTH), lanes(layout.INNER_LENGTH)
 _A1, _A2 = lanes(layout.AXIAL_OFFSET), lanes(layout.RADIAL_OFFSET)
 _GAMMA, _C_F, _C_G = lanes(layout.GAMMA), lanes(layout.CENTRIFUGAL), lanes(layout.GYROSCOPIC)
 _OMEGA_I, _OMEGA_O = lanes(layout.INNER_SPEED), lanes(layout.OUTER_SPEED)
-_FRICTION_ARM = lanes(layout.FRICTION_ARM)
+_FRICTION_ARM, _LAMBDA_INNER = lanes(layout.FRICTION_ARM), lanes(layout.LAMBDA_INNER)
 _K_O = lanes(layout.OUTER_STIFFNESS)
 _K_I = lanes(layout.INNER_STIFFNESS)
 _K_S = lanes(layout.SERIES_STIFFNESS)
@@ -130,6 +128,12 @@ def _motion(w: Array, i: int) -> Motion:
     )  # fmt: skip
 
 
+def _control(w: Array, b: Array, i: int) -> Two:
+    """Which race controls the ball, and λ of the inner one."""
+    sigma = b[_SIGMA + i]
+    return sigma, w[_LAMBDA_INNER + i] if sigma > 0.0 else 2.0
+
+
 def _sums(inline: Callable[..., Any], tilting: bool) -> tuple[Any, Any, Any]:
     """Build the sums over the balls: how to compile them, and whether the ring can tilt."""
 
@@ -194,6 +198,7 @@ def _sums(inline: Callable[..., Any], tilting: bool) -> tuple[Any, Any, Any]:
 _groove_fast, groove_exact = inline_fast(_groove), inline_exact(_groove)
 _coefficients_fast, _coefficients_exact = inline_fast(_coefficients), inline_exact(_coefficients)
 _motion_fast, _motion_exact = inline_fast(_motion), inline_exact(_motion)
+_control_fast, _control_exact = inline_fast(_control), inline_exact(_control)
 
 
 @vector_loop
@@ -209,10 +214,10 @@ def _linearised(w: Array, b: Array, i: int, a1: float, a2: float) -> Linearised:
     outer = (w[_L_O + i], _coefficients_fast(w, _K_O, i))
     inner = (w[_L_I + i] + b[_OFF + i], _coefficients_fast(w, _K_I, i))
     cage = (w[_CAGE + i], w[_HOLD_RATE + i], w[_HOLD_OFFSET + i], w[_OWN + i])
+    sigma, lambda_i = _control_fast(w, b, i)
     ball: Linearised = linearised_fast(
-        a1, a2, b[_X1 + i], b[_X2 + i], inner, outer, _motion_fast(w, i), cage,
-        b[_SIGMA + i], b[_LAMBDA + i],
-    )  # fmt: skip
+        a1, a2, b[_X1 + i], b[_X2 + i], inner, outer, _motion_fast(w, i), cage, sigma, lambda_i
+    )
     return ball
 
 
@@ -289,8 +294,9 @@ def judge_ball(w: Array, b: Array) -> None:
         outer = (l_o, _coefficients_exact(w, _K_O, i))
         inner = (w[_L_I + i] + b[_OFF + i], _coefficients_exact(w, _K_I, i))
         cage = (w[_CAGE + i], w[_HOLD_RATE + i], w[_HOLD_OFFSET + i], w[_OWN + i])
+        sigma, lambda_i = _control_exact(w, b, i)
         residual, _, force, stiffness, scale, touch, drive, before = linearised_short(
-            a1, a2, x1, x2, inner, outer, _motion_exact(w, i), cage, b[_SIGMA + i], b[_LAMBDA + i]
+            a1, a2, x1, x2, inner, outer, _motion_exact(w, i), cage, sigma, lambda_i
         )
         load, c_i, c_o, approach, s_i = touch
         b[_ERROR + i] = sqrt(residual[0] ** 2 + residual[1] ** 2)

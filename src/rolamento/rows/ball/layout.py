@@ -90,14 +90,13 @@ RING_ROWS: Final = SETTLED + 1
 COS: Final = 0
 SIN: Final = 1
 SIGMA: Final = 2  # +1 outer race control, -1 inner
-LAMBDA: Final = 3
-POSITION: Final = 4  # X1, X2
-FOLLOW: Final = 6  # dX = q + W dA + z dω; once it is taken, X before it in the first two
-ERROR: Final = 14  # size of its residual
-SCALE: Final = 15  # greatest of its own loads
-OFF: Final = 16  # 0 on the inner groove, far where the ball is off it and nothing presses
-LOST_WAY: Final = 17  # above zero where it has left the place where it can be
-BALL_ROWS: Final = 18
+POSITION: Final = 3  # X1, X2
+FOLLOW: Final = 5  # dX = q + W dA + z dω; once it is taken, X before it in the first two
+ERROR: Final = FOLLOW  # where nothing follows, as it is judged: size of its residual
+SCALE: Final = FOLLOW + 1  # and the greatest of its own loads
+OFF: Final = FOLLOW + 8  # 0 on the inner groove, far where the ball is off it and nothing presses
+LOST_WAY: Final = OFF + 1  # above zero where it has left the place where it can be
+BALL_ROWS: Final = LOST_WAY + 1
 
 
 def long_polynomial(row: int) -> int:

@@ -95,7 +95,7 @@ class _Work(NamedTuple):
     """Lanes: s of the rings, and of each row how it stands (v), its own (w); of each ball (b).
 
     holds, steps: the case in each lane, or -1, and its steps; settled: whether it is at rest.
-    own (5,): room for a row's displacement; numbers: those of the cases, 0 to n - 1.
+    own (5,): room for a row's displacement.
     """
 
     s: Array
@@ -106,11 +106,10 @@ class _Work(NamedTuple):
     steps: NDArray[np.int64]
     settled: NDArray[np.bool_]
     own: Array
-    numbers: NDArray[np.int64]
 
 
 @shared
-def _work(rows: int, balls: int, cases: int) -> _Work:
+def _work(rows: int, balls: int) -> _Work:
     return _Work(
         np.zeros(set_lanes.SET_ROWS * _LANES),
         np.zeros((rows, STAND_ROWS * _LANES)),
@@ -120,7 +119,6 @@ def _work(rows: int, balls: int, cases: int) -> _Work:
         np.zeros(_LANES, np.int64),
         np.zeros(_LANES, np.bool_),
         np.empty(layout.DEGREES_OF_FREEDOM),
-        np.arange(cases),
     )
 
 
@@ -151,7 +149,7 @@ def _fill(work: _Work, lane: int, rows: Rows, asked: Asked, k: int, u: Array, bo
         a, z = rows.ends[row], rows.ends[row + 1]
         fill(
             work.w[row], work.b[a:z], lane, rows.p[row], rows.cosines[a:z], rows.sines[a:z],
-            rows.control[:, a:z], work.numbers[k : k + 1],
+            rows.control[:, a:z], k,
         )  # fmt: skip
         _standing(rows.stand, row, k, u, work.own)
         put_displacement(work.w[row], lane, work.own)
@@ -193,7 +191,7 @@ def _settle_static(
     Writes the places, and the steps: zero where a lane failed or, before its balls move, did not
     settle; its place is the start then.
     """
-    s, v, w, b, _, _, _, _, _ = work
+    s, v, w, b, _, _, _, _ = work
     tolerance = START_TOLERANCE if moving else TOLERANCE
     for block in range(0, chosen.size, _LANES):
         count = min(_LANES, chosen.size - block)
@@ -242,7 +240,7 @@ def _settle_moving(
     A lane that has settled, failed or run out of steps takes the next case. Writes the places of
     rings, cages and balls, and the steps: zero where a lane failed.
     """
-    s, v, w, b, holds, steps, settled, _, _ = work
+    s, v, w, b, holds, steps, settled, _ = work
     waiting, working = 0, 0
     for lane in range(_LANES):
         _fill(work, lane, rows, asked, 0, found.place[chosen[0]], False)
@@ -377,7 +375,7 @@ def solve_sets(
 
     chosen: which cases they are, of all that `found` has room for; (n,).
     """
-    work = _work(rows.p.shape[0], rows.cosines.size, chosen.size)
+    work = _work(rows.p.shape[0], rows.cosines.size)
     _settle_static(work, rows, asked, chosen, moving, found)
     if moving:
         _settle_moving(work, rows, asked, chosen, found)
