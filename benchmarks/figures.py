@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import time
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -92,3 +93,18 @@ def alternately(functions: Sequence[Callable[[], object]], repeats: int) -> list
             function()
             best[i] = min(best[i], time.perf_counter() - begin)
     return best
+
+
+def peak_megabytes() -> float:
+    """Most memory that this process ever held."""
+    try:
+        status = Path("/proc/self/status").read_text(encoding="ascii", errors="replace")
+    except OSError:
+        import resource  # which Windows does not have
+
+        # kilobytes, but bytes on macOS
+        unit = 1e6 if sys.platform == "darwin" else 1e3
+        return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / unit
+    # getrusage would tell the most of the process that started this one, if that is more
+    held = next(line for line in status.splitlines() if line.startswith("VmHWM:"))
+    return float(held.split()[1]) / 1e3

@@ -26,7 +26,7 @@ import numpy as np
 
 import rolamento
 from benchmarks import duty_sets, sweep
-from benchmarks.figures import Figure, Findings
+from benchmarks.figures import Figure, Findings, peak_megabytes
 from rolamento.studies import run_to_file
 from rolamento.studies.plan import Part, Plan
 
@@ -71,18 +71,15 @@ def _alone(cases: int) -> dict[str, Any]:
 
 
 def _here(cases: int) -> None:
-    import resource  # which Windows does not have
-
-    unit = 1e6 if sys.platform == "darwin" else 1e3  # bytes there, kilobytes on Linux
     case, few = duty_sets.example(), duty_sets.tilts_held(3_000)
     rolamento.solve(case, **few)
-    before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / unit
+    before = peak_megabytes()
     duties = duty_sets.tilts_held(cases)
     begin = time.perf_counter()
     batch = rolamento.solve(case, **duties)
     seconds = time.perf_counter() - begin
     assert batch.converged.all()
-    after = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / unit
+    after = peak_megabytes()
     print(json.dumps({"seconds": seconds, "megabytes": after - before}))
 
 

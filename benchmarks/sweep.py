@@ -15,7 +15,7 @@ import time
 from pathlib import Path
 
 from benchmarks import duty_sets
-from benchmarks.figures import Figure, Findings, below
+from benchmarks.figures import Figure, Findings, below, peak_megabytes
 from rolamento.studies import Distribution, Scatter, Study, run_to_file
 
 CASES = 1_000_000
@@ -67,21 +67,17 @@ def study(cases: int) -> Study:
 
 def main(cases: int, ending: str) -> None:
     """Run it here, and print the figures as JSON."""
-    import resource  # which Windows does not have
-
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / f"result{ending}"
         begin = time.perf_counter()
         summary = run_to_file(study(cases), path, threads=2)
         seconds = time.perf_counter() - begin
         size = path.stat().st_size / 1e6
-    # kilobytes on Linux, bytes on macOS
-    unit = 1e6 if sys.platform == "darwin" else 1e3
     figures = {
         "seconds": seconds,
         "assembling": seconds - summary.seconds,
         "converged": summary.converged,
-        "megabytes": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / unit,
+        "megabytes": peak_megabytes(),
         "size": size,
     }
     print(json.dumps(figures))

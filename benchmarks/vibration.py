@@ -22,7 +22,15 @@ from typing import Any, Final
 import numpy as np
 
 from benchmarks import vibration_plain
-from benchmarks.figures import Figure, Findings, alternately, at_least, below, seconds
+from benchmarks.figures import (
+    Figure,
+    Findings,
+    alternately,
+    at_least,
+    below,
+    peak_megabytes,
+    seconds,
+)
 from rolamento import Bearing
 from rolamento.vibration.cyclic import cyclic_coherence
 from rolamento.vibration.demodulation import kurtogram
@@ -325,21 +333,6 @@ def _pieces(blocks: Iterator[Signal]) -> Iterator[Signal]:
     speed = np.asarray(SPEED)
     for block in blocks:
         yield replace(block, speed=speed)
-
-
-def peak_megabytes() -> float:
-    """Most memory that this process ever held."""
-    try:
-        status = Path("/proc/self/status").read_text(encoding="ascii", errors="replace")
-    except OSError:
-        import resource  # which Windows does not have
-
-        # kilobytes, but bytes on macOS
-        unit = 1e6 if sys.platform == "darwin" else 1e3
-        return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / unit
-    # getrusage would tell the most of the process that started this one, if that is more
-    held = next(line for line in status.splitlines() if line.startswith("VmHWM:"))
-    return float(held.split()[1]) / 1e3
 
 
 def main(arguments: list[str]) -> None:
