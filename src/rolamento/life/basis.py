@@ -522,7 +522,7 @@ def _equivalent_loads(solved: Solved, angles: FloatArray, ratings: Ratings) -> E
 
 
 def _equal_rows(rows: Rows, angle: FloatArray) -> bool:
-    return bool(
+    return len(rows) == 1 or bool(
         np.all(rows.element_count == rows.element_count[0])
         and all(
             np.allclose(a, a[:, :1], rtol=_SAME, atol=_SAME, equal_nan=True)
