@@ -90,7 +90,7 @@ class Ratings:
     @property
     def mixed(self) -> bool:
         """Whether there are rows of balls and of rollers."""
-        return bool(np.any(self.rollers) and not np.all(self.rollers))
+        return len({kind in ("roller", "roller_thrust") for kind in self.kinds}) > 1
 
     @property
     def exponents(self) -> FloatArray:
