@@ -755,7 +755,7 @@ def modules_of(*arguments: str) -> set[str]:
 def test_a_command_waits_only_for_what_it_needs() -> None:
     loaded = modules_of("solve", str(EXAMPLE))
     assert "rolamento.rows.ball.row" in loaded
-    assert not loaded & {"numba", "scipy", "matplotlib", "xarray", "fastapi"}
+    assert not loaded & {"numba", "scipy", "matplotlib", "xarray", "starlette"}
     others = {"catalogue", "clearance", "friction", "life", "vibration", "cli.weibull"}
     others |= {"assembly.ring", "rows.grooves", "rows.roller.row"}
     assert not loaded & {f"rolamento.{name}" for name in others}

@@ -332,7 +332,7 @@ class RollingBearing(Record):
         for name in missing & told.keys():
             value, dimension = told[name], cls.FILLED_IN[name]
             if value is not None:
-                found[name] = from_si(value, dimension) if in_file and dimension else value
+                found[name] = _written(value, dimension) if in_file and dimension else value
         return found
 
     @classmethod
@@ -431,6 +431,12 @@ class RollingBearing(Record):
 
 BY_ELEMENT: Final[dict[str, type[RollingBearing]]] = {}
 """The record of a bearing by what rolls in it."""
+
+
+@lru_cache(maxsize=1024)
+def _written(value: float, dimension: Dimension) -> str:
+    """Return a length or an angle as a file has it, which is the same in any language."""
+    return from_si(value, dimension)
 
 
 def elements_fit(count: int, diameter: Any, pitch_diameter: Any) -> Any:

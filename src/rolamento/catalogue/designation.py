@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cache
 from math import radians
 from typing import Any, Final, NamedTuple, cast
 
@@ -418,11 +419,17 @@ def _spindle(
     return None
 
 
-def _without_maker(text: str) -> tuple[str, str]:
-    """Part a designation from the name of a maker before or behind it."""
-    names = "|".join(
+@cache
+def _makers() -> str:
+    """Return an expression of the makers' names, the longest first."""
+    return "|".join(
         sorted(map(re.escape, designation_data()["makers"]["names"]), key=len, reverse=True)
     )
+
+
+def _without_maker(text: str) -> tuple[str, str]:
+    """Part a designation from the name of a maker before or behind it."""
+    names = _makers()
     before = re.match(rf"\(?({names})\)?[\s\-/:]*(?=[^\s\-/:)]*\d)(?![A-Z])", text, re.IGNORECASE)
     spaced = re.match(rf"\(?({names})\)?[\s\-/:]+(?=\S)", text, re.IGNORECASE)
     first = spaced or before

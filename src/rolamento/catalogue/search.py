@@ -191,6 +191,9 @@ class Catalogue:
         InputError
             If nothing is known of it; the message names the nearest designations.
         """
+        return _found_in(self, text)
+
+    def _found(self, text: str) -> Found:
         own = self._by_key.get(folded(text))
         if own is not None and not self._is_displaced(own, text):
             return self._own(own, text)
@@ -416,6 +419,12 @@ def _asking(known: Catalogue) -> Iterator[Catalogue]:
         yield known
     finally:
         _asked.reset(token)
+
+
+@lru_cache(maxsize=512)
+def _found_in(known: Catalogue, text: str) -> Found:
+    """Return what `Catalogue.find` finds; a case that is changed asks for its bearing each time."""
+    return known._found(text)
 
 
 @lru_cache(maxsize=64)

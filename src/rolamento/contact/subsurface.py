@@ -38,7 +38,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.numerics import FloatArray
-from rolamento.numerics.elliptic import carlson_rd, carlson_rf
+from rolamento.numerics.elliptic import carlson_rf_rd
 
 _DEEPEST_PEAK = 1.5
 """In z/b; the maximum shear lies between 0 and about 0.8 b for any ellipse and material."""
@@ -423,9 +423,9 @@ def _incomplete_associate(
     sine: FloatArray, cosine_squared: FloatArray, delta_squared: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
     """Incomplete B and D; DLMF 19.25.5 and 19.25.13."""
-    f = sine * carlson_rf(cosine_squared, delta_squared, 1.0)
-    d = sine**3 / 3.0 * carlson_rd(cosine_squared, delta_squared, 1.0)
-    return f - d, d
+    first, second = carlson_rf_rd(cosine_squared, delta_squared, 1.0)
+    d = sine**3 / 3.0 * second
+    return sine * first - d, d
 
 
 def _shears(zeta: FloatArray, k: FloatArray, nu: FloatArray) -> FloatArray:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from functools import cache
+from functools import cache, lru_cache
 from html import escape
 from itertools import count
 from pathlib import Path
@@ -229,8 +229,12 @@ def _plain(text: str) -> str:
     return " ".join(printable(text).split())
 
 
+@lru_cache(maxsize=1024)
 def _text(text: str) -> str:
-    """Return a text that cannot act, its lines broken, its symbols with an index."""
+    """Return a text that cannot act, its lines broken, its symbols with an index.
+
+    The labels of a page that follows a slider are the same each time.
+    """
     pieces = (
         escape(printable(piece)) + (f"<sub>{escape(index)}</sub>" if index else "")
         for piece, index in indexed(text)

@@ -51,7 +51,7 @@ def within(value: ArrayLike, field: str, least: float, most: float, example: str
     except InputError:
         array = np.asarray(np.nan)
     outside = ~((array >= least) & (array <= most))
-    if np.any(outside):
+    if outside.any():
         raise InputError(
             said("must be from {least:.6g} to {most:.6g}", least=least, most=most),
             field=field,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, reduce
 from typing import Final, TypeVar
 
 import numpy as np
@@ -78,6 +78,7 @@ _CENTRIFUGAL: Final = 1.05
 _ROLLER_MINIMUM_LOAD: Final = 0.02
 """Likewise of rollers."""
 _GROOVE_MARGIN: Final = 1e-3
+_REFUSING: Final = OUTSIDE - BOUNDS
 _MAXIMUM_OF_STEEL: Final = 120.0 + 273.15
 """K; for rings that are not specially stabilised. Saurer Ball Bearings (ska.swiss) and SMB Bearings
 (smbbearings.com) say 120 °C for standard steel, SKF 120 to 200 °C by the heat treatment."""
@@ -374,13 +375,14 @@ class Basis:
         """One theory's record; its factors, a_1 among them, multiply the basic life."""
         cases = len(self)
         whole = {name: _repeated(value, cases) for name, value in factors.items()}
-        known = [value for name, value in whole.items() if name.startswith("a_")]
+        known = (value for name, value in whole.items() if name.startswith("a_"))
         unloaded = self.unloaded
-        refused = unloaded | notes.get("no_force", np.zeros(cases, dtype=np.bool_))
-        result = np.where(refused, np.nan, np.prod([basic, *known], axis=0))
+        refused = unloaded | notes["no_force"] if "no_force" in notes else unloaded
+        result = np.where(refused, np.nan, reduce(np.multiply, known, basic))
+        counts = ~refused
         # what a number leaves out, or is a bound of, matters only where there is a number
         kept = {
-            name: where if name in OUTSIDE - BOUNDS else where & ~refused
+            name: where if name in _REFUSING else where & counts
             for name, where in (self.common_notes | notes).items()
         }
         kept["unloaded"] = unloaded
@@ -522,7 +524,7 @@ def _equivalent_loads(solved: Solved, angles: FloatArray, ratings: Ratings) -> E
 
 
 def _equal_rows(rows: Rows, angle: FloatArray) -> bool:
-    return bool(
+    return len(rows) == 1 or bool(
         np.all(rows.element_count == rows.element_count[0])
         and all(
             np.allclose(a, a[:, :1], rtol=_SAME, atol=_SAME, equal_nan=True)
@@ -578,7 +580,7 @@ def _turning_rings(solved: Solved, given: LifeConditions) -> tuple[BoolArray, Bo
 
 def _repeated(values: NDArray[_T], cases: int) -> NDArray[_T]:
     """The same for each case, (cases,), where it is not that already."""
-    return values if np.shape(values) == (cases,) else np.broadcast_to(values, (cases,))
+    return values if values.shape == (cases,) else np.broadcast_to(values, (cases,))
 
 
 def over_cases(value: ArrayLike, name: str, cases: int) -> FloatArray:

@@ -169,8 +169,13 @@ def conditions_of(source: Case | Solved) -> LifeConditions:
 
     limit = number("fatigue_load_limit")
     dirt = number("contamination")
+    numbers = {name: number(name) for name in _NUMBERS}
+    delivered = source.before_mounting if isinstance(source, Solved) else None
+    published, sources = _published_ratings(case if delivered is None else delivered.case)
+    taken = {name: value for name, value in published.items() if numbers[name] is None}
     conditions = LifeConditions(
-        **{name: number(name) for name in _NUMBERS},
+        **{**numbers, **taken},
+        sources={name: sources.get(name, "catalogue") for name in taken},
         reliability=model.reliability,
         wanted_life=model.wanted_life,
         edition=model.edition,
@@ -184,9 +189,7 @@ def conditions_of(source: Case | Solved) -> LifeConditions:
         inner_turning=False if model.rotating_load else None,
         outer_turning=True if model.rotating_load else None,
     )
-    delivered = source.before_mounting if isinstance(source, Solved) else None
-    rated = _with_published_ratings(conditions, case if delivered is None else delivered.case)
-    return with_lubricant(rated, source)
+    return with_lubricant(conditions, source)
 
 
 def _case_and_varied(source: Case | Solved) -> tuple[Case, Mapping[str, FloatArray]]:
@@ -234,23 +237,16 @@ def _class_of(model: LifeModel) -> ContaminationClass | ContaminationLevel | Non
     return None if model.grease_cleanliness is None else class_of_grease(model.grease_cleanliness)
 
 
-def _with_published_ratings(conditions: LifeConditions, case: Case) -> LifeConditions:
-    """Take ratings that are not given from the catalogue; the static one is for steel balls."""
+def _published_ratings(case: Case) -> tuple[dict[str, float], Mapping[str, str]]:
+    """Ratings of the catalogue and their sources; the static one is for steel balls."""
     bearing = case.bearing
     published = bearing.published
     if published is None or bearing.rows is not None:
-        return conditions
+        return {}, {}
     steel = bearing.element_material.youngs_modulus == bearing.ring_material.youngs_modulus
-    found: dict[str, float | None] = {"dynamic_rating": published.dynamic_rating}
-    if steel:
-        found["static_rating"] = published.static_rating
-    taken: dict[str, Any] = {
-        name: value
-        for name, value in found.items()
-        if value is not None and getattr(conditions, name) is None
-    }
-    sources = {name: published.sources.get(name, "catalogue") for name in taken}
-    return replace(conditions, **taken, sources=sources)
+    names = ("dynamic_rating", "static_rating") if steel else ("dynamic_rating",)
+    found = {name: getattr(published, name) for name in names}
+    return {name: value for name, value in found.items() if value is not None}, published.sources
 
 
 def with_lubricant(conditions: LifeConditions, source: Case | Solved) -> LifeConditions:
@@ -268,9 +264,9 @@ def with_lubricant(conditions: LifeConditions, source: Case | Solved) -> LifeCon
     if case.lubricant is None or case.lubricant.kind == "dry" or warm is None:
         return conditions
     kelvin = np.asarray(warm, dtype=np.float64)
-    filled = conditions
+    filled: dict[str, Any] = {}
     if conditions.viscosity is None and conditions.viscosity_ratio is None:
-        filled = replace(filled, viscosity=oil_state(case.lubricant, kelvin).kinematic_viscosity)
+        filled["viscosity"] = oil_state(case.lubricant, kelvin).kinematic_viscosity
     if conditions.temperature is None:
-        filled = replace(filled, temperature=kelvin)
-    return filled
+        filled["temperature"] = kelvin
+    return replace(conditions, **filled) if filled else conditions

@@ -87,7 +87,7 @@ def load_factors(
         _angle(contact_angle), numbers(relative_axial_load, "relative_axial_load") * 1e-6
     )
     names = ("X2", "Y2", "Y1", "e2") if double_row else ("X", "Y", "Y1", "e")
-    radial, axial, below, limit = (_interpolated(name, angle, load) for name in names)
+    radial, axial, below, limit = _interpolated(names, angle, load)
     if not double_row:
         below = np.zeros_like(axial)
     return LoadFactors(np.ones_like(radial), below, radial, axial, limit)
@@ -315,18 +315,23 @@ def _angle(contact_angle: ArrayLike) -> FloatArray:
     return angle
 
 
-def _interpolated(name: str, angle: FloatArray, load: FloatArray) -> FloatArray:
-    """A factor at angles (rad) and relative axial loads (MPa), column by column of the table."""
-    nodes, columns, loads = _table(name)
+def _interpolated(
+    names: tuple[str, ...], angle: FloatArray, load: FloatArray
+) -> tuple[FloatArray, ...]:
+    """Factors at angles (rad) and relative axial loads (MPa), column by column of the table."""
+    tables = [_table(name) for name in names]
+    nodes, _, loads = tables[0]  # the same of all factors
     degrees = np.degrees(angle)
     upper = np.clip(np.searchsorted(nodes, degrees), 1, nodes.size - 1)
     share = (degrees - nodes[upper - 1]) / (nodes[upper] - nodes[upper - 1])
-    result = np.full(angle.shape, np.nan)
-    for index in np.unique(upper):
+    results = tuple(np.full(angle.shape, np.nan) for _ in names)
+    for index in range(upper.min(), upper.max() + 1) if upper.size else ():
         own = upper == index
-        low, high = (np.interp(load[own], loads, columns[i]) for i in (index - 1, index))
-        result[own] = low + share[own] * (high - low)
-    return result
+        under, part = load[own], share[own]
+        for (_, columns, _), result in zip(tables, results, strict=True):
+            low, high = (np.interp(under, loads, columns[i]) for i in (index - 1, index))
+            result[own] = low + part * (high - low)
+    return results
 
 
 @cache

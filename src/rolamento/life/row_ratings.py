@@ -90,7 +90,7 @@ class Ratings:
     @property
     def mixed(self) -> bool:
         """Whether there are rows of balls and of rollers."""
-        return bool(np.any(self.rollers) and not np.all(self.rollers))
+        return len({kind in ("roller", "roller_thrust") for kind in self.kinds}) > 1
 
     @property
     def exponents(self) -> FloatArray:
@@ -144,10 +144,11 @@ def ratings_of(solved: Solved, angle: FloatArray, given: LifeConditions) -> Rati
     together = rows_of_one_bearing(bearing)
     shape = rows.ball_diameter.shape
     dynamic, static, fatigue = (np.full(shape, np.nan) for _ in range(3))
-    for kind in dict.fromkeys(kinds):
+    mixed, both = len(set(kinds)) > 1, (given.dynamic_rating, given.static_rating)
+    for kind in dict.fromkeys(kinds) if mixed or any(one is None for one in both) else ():
         own = np.flatnonzero([one == kind for one in kinds])
         dynamic[:, own], static[:, own] = _by_geometry(solved, angle, kind, own)
-    if len(set(kinds)) > 1:
+    if mixed:
         _refuse_one_for_all(given)
         for index, place in enumerate(bearing.places):
             dynamic[:, index] = _listed(place, "dynamic_rating", dynamic[:, index])
@@ -185,7 +186,7 @@ def ratings_of(solved: Solved, angle: FloatArray, given: LifeConditions) -> Rati
                 else _fatigue_by_static(rows, static, kind, own, steel=steel)
             )
             fatigue[:, own] = limit
-    nothing = np.nan if len(set(kinds)) > 1 else 1.0
+    nothing = np.nan if mixed else 1.0
     return Ratings(
         dynamic,
         static,

@@ -140,6 +140,12 @@ class LifeSummary:
 
     def to_mapping(self, case: int = 0) -> dict[str, Any]:
         """Give one case as plain values, SI and millions of revolutions; NaN as None."""
+        theories = {name: life.to_mapping(case) for name, life in self.theories.items()}
+        whole = self.whole(case)
+        return {"headline": whole.pop("headline"), "theories": theories, **whole}
+
+    def whole(self, case: int = 0) -> dict[str, Any]:
+        """What `to_mapping` has that is not of a single theory."""
         loads = {
             "equivalent": self.loads.dynamic,
             "static_equivalent": self.loads.static,
@@ -151,7 +157,6 @@ class LifeSummary:
         share = _at(self.limit.share, case)
         return {
             "headline": self.headline.to_mapping(case),
-            "theories": {name: life.to_mapping(case) for name, life in self.theories.items()},
             "loads": {name: _at(array, case) for name, array in loads.items()},
             "ratings": {
                 "dynamic": _at(self.ratings.dynamic_of_set, case),

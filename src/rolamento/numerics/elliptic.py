@@ -102,11 +102,7 @@ def carlson_rf(x: ArrayLike, y: ArrayLike, z: ArrayLike) -> FloatArray:
                 break
             root = _lambda(x, y, z)
             x, y, z = 0.25 * (x + root), 0.25 * (y + root), 0.25 * (z + root)
-        u, v = 1.0 - x / mean, 1.0 - y / mean
-        w = -u - v
-        e2, e3 = u * v - w * w, u * v * w
-        series = 1.0 - e2 / 10.0 + e3 / 14.0 + e2 * e2 / 24.0 - 3.0 * e2 * e3 / 44.0
-        return np.asarray(series / np.sqrt(mean))
+        return _first_kind(x, y, z, mean)
 
 
 def carlson_rd(x: ArrayLike, y: ArrayLike, z: ArrayLike) -> FloatArray:
@@ -134,22 +130,74 @@ def carlson_rd(x: ArrayLike, y: ArrayLike, z: ArrayLike) -> FloatArray:
             total = total + power / (np.sqrt(z) * (z + root))
             power *= 0.25
             x, y, z = 0.25 * (x + root), 0.25 * (y + root), 0.25 * (z + root)
-        u, v = 1.0 - x / mean, 1.0 - y / mean
-        w = -(u + v) / 3.0
-        e2 = u * v - 6.0 * w * w
-        e3 = (3.0 * u * v - 8.0 * w * w) * w
-        e4 = 3.0 * (u * v - w * w) * w * w
-        e5 = u * v * w**3
-        series = (
-            1.0
-            - 3.0 * e2 / 14.0
-            + e3 / 6.0
-            + 9.0 * e2 * e2 / 88.0
-            - 3.0 * e4 / 22.0
-            - 9.0 * e2 * e3 / 52.0
-            + 3.0 * e5 / 26.0
+        return _second_kind(x, y, z, mean, power, total)
+
+
+def carlson_rf_rd(x: ArrayLike, y: ArrayLike, z: ArrayLike) -> tuple[FloatArray, FloatArray]:
+    """R_F and R_D of the same arguments, to the last bit as one by one.
+
+    Their duplications are the same, which is most of the work. Parameters as of `carlson_rd`.
+    """
+    x, y, z = np.broadcast_arrays(*(np.asarray(v, dtype=np.float64) for v in (x, y, z)))
+    power, total = 1.0, np.zeros_like(z)
+    first = second = None
+    with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+        for _ in range(_DUPLICATIONS):
+            if first is None:
+                mean = (x + y + z) / 3.0
+                if not _spread(mean, x, y, z):
+                    first = _first_kind(x, y, z, mean)
+            if second is None:
+                heavier = (x + y + 3.0 * z) / 5.0
+                if not _spread(heavier, x, y, z):
+                    second = _second_kind(x, y, z, heavier, power, total)
+            if first is not None and second is not None:
+                return first, second
+            root = _lambda(x, y, z)
+            if second is None:
+                total = total + power / (np.sqrt(z) * (z + root))
+                power *= 0.25
+            x, y, z = 0.25 * (x + root), 0.25 * (y + root), 0.25 * (z + root)
+        return (
+            _first_kind(x, y, z, mean) if first is None else first,
+            _second_kind(x, y, z, heavier, power, total) if second is None else second,
         )
-        return np.asarray(power * series / (mean * np.sqrt(mean)) + 3.0 * total)
+
+
+def _first_kind(x: FloatArray, y: FloatArray, z: FloatArray, mean: FloatArray) -> FloatArray:
+    """R_F of arguments that are nearly alike; DLMF 19.36.1."""
+    u, v = 1.0 - x / mean, 1.0 - y / mean
+    w = -u - v
+    e2, e3 = u * v - w * w, u * v * w
+    series = 1.0 - e2 / 10.0 + e3 / 14.0 + e2 * e2 / 24.0 - 3.0 * e2 * e3 / 44.0
+    return np.asarray(series / np.sqrt(mean))
+
+
+def _second_kind(
+    x: FloatArray,
+    y: FloatArray,
+    z: FloatArray,
+    mean: FloatArray,
+    power: float,
+    total: FloatArray,
+) -> FloatArray:
+    """R_D of arguments that are nearly alike, and what duplication has summed; DLMF 19.36.2."""
+    u, v = 1.0 - x / mean, 1.0 - y / mean
+    w = -(u + v) / 3.0
+    e2 = u * v - 6.0 * w * w
+    e3 = (3.0 * u * v - 8.0 * w * w) * w
+    e4 = 3.0 * (u * v - w * w) * w * w
+    e5 = u * v * w**3
+    series = (
+        1.0
+        - 3.0 * e2 / 14.0
+        + e3 / 6.0
+        + 9.0 * e2 * e2 / 88.0
+        - 3.0 * e4 / 22.0
+        - 9.0 * e2 * e3 / 52.0
+        + 3.0 * e5 / 26.0
+    )
+    return np.asarray(power * series / (mean * np.sqrt(mean)) + 3.0 * total)
 
 
 def _lambda(x: FloatArray, y: FloatArray, z: FloatArray) -> FloatArray:
@@ -160,4 +208,4 @@ def _lambda(x: FloatArray, y: FloatArray, z: FloatArray) -> FloatArray:
 def _spread(mean: FloatArray, x: FloatArray, y: FloatArray, z: FloatArray) -> bool:
     """Whether some element's arguments are still too far from their mean for the series."""
     widest = np.maximum(np.maximum(np.abs(mean - x), np.abs(mean - y)), np.abs(mean - z))
-    return bool(np.any(widest > _SPREAD * mean))
+    return bool((widest > _SPREAD * mean).any())

@@ -7,6 +7,7 @@ import operator
 import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from functools import cache
 from time import perf_counter
 from typing import Any, Final, TypeVar
 
@@ -31,6 +32,12 @@ T = TypeVar("T")
 R = TypeVar("R")
 
 
+@cache
+def _processors() -> int:
+    """Ask once: the system takes as long for the answer as a small case."""
+    return os.cpu_count() or 1
+
+
 def thread_count(threads: int | None) -> int:
     """Return how many threads are asked for: as many as there are processors by default.
 
@@ -40,7 +47,7 @@ def thread_count(threads: int | None) -> int:
         If it is not a whole number from 1 on.
     """
     if threads is None:
-        return os.cpu_count() or 1
+        return _processors()
     try:
         count = 0 if isinstance(threads, bool) else operator.index(threads)
     except TypeError:

@@ -424,12 +424,15 @@ class Contacts:
     def _maximum_shear(self) -> MaximumShear:
         p0, a, b = self.max_pressure, self.semi_major, self.semi_minor
         point = maximum_shear(p0, a, b, self.ring_poisson_ratio)
+        if self.line is None:
+            return point
         return self._of_lines(line_maximum_shear(p0, b, self.ring_poisson_ratio), point)
 
     @cached_property
     def _orthogonal_shear(self) -> OrthogonalShear:
         p0, a, b = self.max_pressure, self.semi_major, self.semi_minor
-        return self._of_lines(line_orthogonal_shear(p0, b), orthogonal_shear(p0, a, b))
+        point = orthogonal_shear(p0, a, b)
+        return point if self.line is None else self._of_lines(line_orthogonal_shear(p0, b), point)
 
     def _of_lines(self, line: _Shapes, point: _Shapes) -> _Shapes:
         """Take what a line contact has for rollers, and what an ellipse has for balls."""

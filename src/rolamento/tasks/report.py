@@ -208,6 +208,8 @@ class CaseReport:
         found: Any
         if first == "analysis" and second == "film" and below in self._film:
             found, rest = self._film, below
+        elif first == "analysis" and second == "life" and below.partition(".")[0] in self._life:
+            found, rest = self._life, below
         elif first == "analysis" and second in _WITHOUT_ELEMENTS:
             found, rest = self._part(second), below
         elif first == "extremes" and second in _BRIEF:
@@ -236,6 +238,13 @@ class CaseReport:
     def _film(self) -> Mapping[str, Any]:
         """Of the film's part what is not of its elements."""
         return {} if self.analysis.film is None else self.analysis.film.whole()
+
+    @cached_property
+    def _life(self) -> Mapping[str, Any]:
+        """Of the life's part what is not of a single theory."""
+        life = self.analysis.life
+        found: Mapping[str, Any] = {} if life is None else plain(life.whole())
+        return found
 
     @cached_property
     def _parts(self) -> dict[str, Any]:

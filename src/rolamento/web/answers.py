@@ -154,7 +154,8 @@ async def chunks(request: Request, most: int) -> AsyncIterator[bytes]:
     while True:
         left = began + _PATIENCE + came / _SLOWEST - clock()
         try:
-            chunk = await asyncio.wait_for(anext(stream), max(left, 0.0))
+            async with asyncio.timeout(max(left, 0.0)):  # unlike wait_for, without a task
+                chunk = await anext(stream)
         except StopAsyncIteration:
             return
         except TimeoutError:

@@ -9,9 +9,9 @@ from types import MappingProxyType
 from typing import Any, Final
 from urllib.parse import unquote
 
-from fastapi import APIRouter
 from starlette.requests import Request
 from starlette.responses import Response
+from starlette.routing import Route
 
 import rolamento
 from rolamento._json import dumps
@@ -32,7 +32,7 @@ from rolamento.web.requests import (
 )
 from rolamento.words import marked, said
 
-__all__ = ["OPERATIONS", "PREFIX", "Operation", "Parameter", "router"]
+__all__ = ["OPERATIONS", "PREFIX", "ROUTES", "Operation", "Parameter"]
 
 PREFIX: Final = "/api/v1"
 _MOST_FOUND: Final = 1000
@@ -475,8 +475,6 @@ READY: Final = Operation(
     has=("ready", "done", "total"),
 )
 
-router: Final = APIRouter(prefix=PREFIX, include_in_schema=False)
-
 
 def _done(path: str, given: Mapping[str, Any]) -> str | dict[str, Any]:
     """Do what an address does; the thread or the process that it runs in reads the request too."""
@@ -485,7 +483,7 @@ def _done(path: str, given: Mapping[str, Any]) -> str | dict[str, Any]:
     return operation.run(given if asked is None else asked.from_mapping(given))
 
 
-def _add(operation: Operation) -> None:
+def _route(operation: Operation) -> Route:
     async def endpoint(request: Request) -> Response:
         given = _query(request, operation) if operation.asks is None else await read_json(request)
         found = await by_weight(
@@ -493,7 +491,7 @@ def _add(operation: Operation) -> None:
         )
         return answer(found) if isinstance(found, str) else response_of(found)
 
-    router.add_api_route(operation.path, endpoint, methods=[operation.method])
+    return Route(PREFIX + operation.path, endpoint, methods=[operation.method])
 
 
 def _query(request: Request, operation: Operation) -> dict[str, str]:
@@ -518,11 +516,6 @@ def _query(request: Request, operation: Operation) -> dict[str, str]:
     return found
 
 
-for _one in OPERATIONS:
-    _add(_one)
-
-
-@router.post(DIAGNOSE.path)
 async def _diagnose(request: Request) -> Response:
     """Diagnose the record that the body holds."""
     given = _query(request, DIAGNOSE)
@@ -532,7 +525,13 @@ async def _diagnose(request: Request) -> Response:
     return answer(text)
 
 
-@router.get(READY.path)
 async def _ready(request: Request) -> Response:
     """Tell whether the first request need not wait."""
     return answer(request.app.state.warmth.to_mapping())
+
+
+ROUTES: Final = (
+    *map(_route, OPERATIONS),
+    Route(PREFIX + DIAGNOSE.path, _diagnose, methods=[DIAGNOSE.method]),
+    Route(PREFIX + READY.path, _ready),
+)

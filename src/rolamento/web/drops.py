@@ -17,12 +17,13 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING, Any, Final, Literal
+from typing import TYPE_CHECKING, Any, Final
 from urllib.parse import unquote
 
-from fastapi import APIRouter
+from starlette.exceptions import HTTPException
 from starlette.requests import Request
 from starlette.responses import Response
+from starlette.routing import Route
 
 from rolamento.document import Document, Figure, Section, Statement
 from rolamento.errors import InputError
@@ -51,7 +52,6 @@ __all__ = [
     "plan_page",
     "report_file",
     "response_of",
-    "router",
     "signal_page",
 ]
 
@@ -546,12 +546,9 @@ def plain_name(title: str) -> str:
 
 # --- what the page asks --------------------------------------------------------------------------
 
-router: Final = APIRouter(prefix="/page", include_in_schema=False)
 _PAGES: Final = {"signal": signal_page, "weibull": life_test_page}
 
 
-@router.put("/signal")
-@router.put("/weibull")
 async def _dropped(request: Request) -> Response:
     """Answer with what a file says: its body is the file, the address has the options."""
     kind = request.url.path.rpartition("/")[2]
@@ -562,13 +559,11 @@ async def _dropped(request: Request) -> Response:
     return response_of(found)
 
 
-@router.post("/weibull/plan")
 async def _planned(request: Request) -> Response:
     """Answer with a planned test; the address has the options."""
     return response_of(await slow(plan_page, *_typed(request), seconds=_SECONDS["weibull"]))
 
 
-@router.post("/report")
 async def _reported(request: Request) -> Response:
     """Answer with the report of cases: ``cases``, ``format``, and ``head`` if there is one."""
     asked = await read_json(request)
@@ -581,10 +576,20 @@ async def _reported(request: Request) -> Response:
     return response_of(await slow(report_file, cases, head, form, seconds=_SECONDS["weibull"]))
 
 
-@router.get("/example/{kind}/{name}")
-async def _example(kind: Literal["signal", "weibull"], name: str) -> Response:
+async def _example(request: Request) -> Response:
     """Answer with a file to try."""
+    kind, name = (request.path_params[part] for part in ("kind", "name"))
+    if kind not in _EXAMPLES:
+        raise HTTPException(404)
     return response_of(await slow(example_file, kind, name))
+
+
+ROUTES: Final = (
+    *(Route(f"/page/{kind}", _dropped, methods=["PUT"]) for kind in _PAGES),
+    Route("/page/weibull/plan", _planned, methods=["POST"]),
+    Route("/page/report", _reported, methods=["POST"]),
+    Route("/page/example/{kind}/{name}", _example),
+)
 
 
 def _typed(request: Request) -> tuple[dict[str, list[str]], str]:

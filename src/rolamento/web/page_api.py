@@ -6,9 +6,9 @@ from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any, Final
 
-from fastapi import APIRouter
 from starlette.requests import Request
 from starlette.responses import FileResponse, Response
+from starlette.routing import Route
 
 from rolamento import __version__
 from rolamento._reading import format_of_text, parse_mapping
@@ -30,25 +30,20 @@ from rolamento.web.page_words import page_words
 from rolamento.web.pictures import described
 from rolamento.words import language, languages, said, speaking
 
-__all__ = ["opened", "router", "saved", "search", "start"]
-
-router: Final = APIRouter(prefix="/page", include_in_schema=False)
-
+__all__ = ["ROUTES", "opened", "saved", "search", "start"]
 
 _FORMATS: Final = ("toml", "json")
 _FOUND: Final = 30
 _LONGEST_SEARCH: Final = 60
 
 
-@router.get("/start")
 async def _start_request(request: Request) -> Response:
     warmth = request.app.state.warmth
     progress = warmth.done / warmth.total if warmth.total else None
     return answer({**await fast(start), "ready": warmth.ready, "progress": progress})
 
 
-@router.get("/document.css")
-async def _style_of_documents() -> Response:
+async def _style_of_documents(_: Request) -> Response:
     """The style of what is shown as a document, the same in reports."""
     return FileResponse(DOCUMENT_STYLE, media_type="text/css")
 
@@ -214,17 +209,22 @@ def search(request: Mapping[str, Any]) -> dict[str, Any]:
     }
 
 
-def _asks(path: str, function: Callable[[Mapping[str, Any]], Mapping[str, Any]]) -> None:
+def _asks(path: str, function: Callable[[Mapping[str, Any]], Mapping[str, Any]]) -> Route:
     """Serve a function of the JSON object that a request brings."""
 
     async def endpoint(request: Request) -> Response:
         asked = await read_json(request)
         return answer(await by_weight(function, asked, asked=asked))
 
-    router.add_api_route(path, endpoint, methods=["POST"])
+    return Route(path, endpoint, methods=["POST"])
 
 
-for _path, _function in (
-    ("/open", opened), ("/save", saved), ("/search", search), ("/live", live), ("/curve", curve),
-):  # fmt: skip
-    _asks(_path, _function)
+ROUTES: Final = (
+    _asks("/page/live", live),
+    _asks("/page/curve", curve),
+    _asks("/page/open", opened),
+    _asks("/page/save", saved),
+    _asks("/page/search", search),
+    Route("/page/start", _start_request),
+    Route("/page/document.css", _style_of_documents),
+)

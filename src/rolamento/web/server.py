@@ -21,11 +21,13 @@ from secrets import token_hex
 from typing import Any, Final
 from urllib.parse import parse_qs, urlencode, urlsplit
 
-from fastapi import FastAPI
+from starlette.applications import Starlette
 from starlette.datastructures import Headers
 from starlette.exceptions import HTTPException
+from starlette.middleware import Middleware
 from starlette.requests import ClientDisconnect, Request
 from starlette.responses import FileResponse, RedirectResponse, Response
+from starlette.routing import Mount, Route
 from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from uvicorn.protocols.http.h11_impl import H11Protocol
@@ -104,7 +106,7 @@ class Settings:
     warm: bool = True
 
 
-def create_app(settings: Settings | None = None) -> FastAPI:
+def create_app(settings: Settings | None = None) -> Starlette:
     """Make the server of the app.
 
     Parameters
@@ -116,7 +118,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     warmth = Warmth()
 
     @asynccontextmanager
-    async def lifespan(_: FastAPI) -> AsyncIterator[None]:
+    async def lifespan(_: Starlette) -> AsyncIterator[None]:
         warmth.ready = not settings.warm
         tasks = [asyncio.create_task(_make_all_ready(warmth))] if settings.warm else []
         yield
@@ -124,24 +126,22 @@ def create_app(settings: Settings | None = None) -> FastAPI:
             task.cancel()
         await asyncio.gather(*tasks, return_exceptions=True)
 
-    app = FastAPI(
-        title="Rolamento",
+    app = Starlette(
         lifespan=lifespan,
-        docs_url=None,
-        redoc_url=None,
-        openapi_url=None,
-        redirect_slashes=False,
         exception_handlers={InputError: _refused, HTTPException: _not_found},
+        middleware=[Middleware(Gate, settings=settings)],
+        routes=[
+            *page_api.ROUTES,
+            *drops.ROUTES,
+            *api.ROUTES,
+            Route(DOCUMENT, _openapi),
+            Route(DOCS, _docs),
+            Route("/", _index),
+            Mount("/static", Files(directory=PAGE, check_dir=False)),
+        ],
     )
+    app.router.redirect_slashes = False
     app.state.settings, app.state.warmth = settings, warmth
-    for router in (api.router, page_api.router, drops.router):
-        app.include_router(router)
-    app.add_api_route(DOCUMENT, _openapi, methods=["GET"], include_in_schema=False)
-    app.add_api_route(DOCS, _docs, methods=["GET"], include_in_schema=False)
-    app.openapi = openapi_document  # type: ignore[method-assign]
-    app.add_api_route("/", _index, methods=["GET", "HEAD"], include_in_schema=False)
-    app.mount("/static", Files(directory=PAGE, check_dir=False))
-    app.add_middleware(Gate, settings=settings)
     return app
 
 

@@ -19,7 +19,8 @@ A sequence is written item by item, with commas; beyond `MOST_ITEMS` items comes
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from functools import lru_cache
 from math import floor, inf, isfinite, log10, pi
 from string import Formatter
 from typing import Any, Final
@@ -128,6 +129,20 @@ def unit_of(specification: str) -> str:
     return found[5] if found and found[5] in UNITS else ""
 
 
+@lru_cache(maxsize=1024)
+def _pieces(template: str) -> tuple[tuple[str, str | None, str], ...] | None:
+    """Part a template into texts, each with the name and the form of what follows it.
+
+    None where that is more than a name and a form.
+    """
+    found = []
+    for text, name, form, conversion in Formatter().parse(template):
+        if conversion or (name is not None and not name.isidentifier()) or "{" in (form or ""):
+            return None
+        found.append((text, name, form or ""))
+    return tuple(found)
+
+
 class Manner(Formatter):
     """Writes numbers with one decimal mark, and fills templates with them.
 
@@ -139,6 +154,16 @@ class Manner(Formatter):
 
     def __init__(self, mark: str) -> None:
         self.mark = mark
+
+    def vformat(self, format_string: str, args: Sequence[Any], kwargs: Mapping[str, Any]) -> str:
+        """Fill a template in: plain names at once, anything else as `Formatter` does."""
+        pieces = _pieces(format_string)
+        if pieces is None:
+            return super().vformat(format_string, args, kwargs)
+        return "".join(
+            text if name is None else text + self.format_field(kwargs[name], form)
+            for text, name, form in pieces
+        )
 
     def fixed(self, value: float, decimals: int) -> str:
         """Write a number with so many decimals, groups of three from ten thousand on."""
