@@ -308,7 +308,7 @@ def ball_row(
         bearing.ball_diameter, bearing.pitch_diameter, bearing.inner_conformity,
         bearing.outer_conformity, angle, p[layout.MODULUS],
     )  # fmt: skip
-    geometry = RowGeometry(*(np.full(cases, n) for n in numbers))
+    geometry = RowGeometry(*(np.broadcast_to(np.asarray(n, np.float64), cases) for n in numbers))
     return BallRow(p, place.bearing.element_count, geometry, threads, fast)
 
 
