@@ -53,6 +53,8 @@ def in_reach(
         If one is outside.
     """
     array = numbers(value, field)
+    if array.size and least < array.min() and array.max() <= most:
+        return array
     low = array < least if least_too else array <= least
     outside = low | (array > most)
     if outside.any():

@@ -10,6 +10,7 @@ Sources: Harris, Rolling Bearing Analysis, 3rd ed. (1991), chapter 2; Jones (196
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from math import pi, sin
 from typing import Any, Final, Literal, NamedTuple, Protocol
 
@@ -17,9 +18,41 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.numerics import FloatArray
+from rolamento.numerics.compiled import choose, inline_exact, kernel
+from rolamento.numerics.elementwise import of_each
 
 Race = Literal["inner", "outer"]
 _APEX_STEPS: Final = 60
+
+
+@dataclass(frozen=True, eq=False)
+class Angle:
+    """An angle, rad, whose cosine and sine are computed once, when they are asked for."""
+
+    value: FloatArray
+
+    @classmethod
+    def of(cls, angle: AngleLike) -> Angle:
+        """Take it from an array; an angle is returned as it is."""
+        return angle if isinstance(angle, Angle) else cls(np.asarray(angle, dtype=np.float64))
+
+    @cached_property
+    def cosine(self) -> FloatArray:
+        """Its cosine."""
+        return np.cos(self.value)
+
+    @cached_property
+    def sine(self) -> FloatArray:
+        """Its sine."""
+        return np.sin(self.value)
+
+    def cosine_to(self, other: Angle) -> FloatArray:
+        """The cosine of the difference of two angles."""
+        return self.cosine * other.cosine + self.sine * other.sine
+
+
+AngleLike = ArrayLike | Angle
+"""An angle, or numbers of it; rad."""
 
 
 class BearingGeometry(Protocol):
@@ -216,7 +249,7 @@ def race_curvature(
     ball_diameter: ArrayLike,
     pitch_diameter: ArrayLike,
     conformity: ArrayLike,
-    contact_angle: ArrayLike,
+    contact_angle: AngleLike,
     race: Race,
 ) -> RaceCurvature:
     """Curvatures of the contact of a ball with one race, at any (loaded) contact angle.
@@ -229,7 +262,7 @@ def race_curvature(
     ----------
     ball_diameter, pitch_diameter : arrays; m.
     conformity : array, of this race; dimensionless.
-    contact_angle : array; rad.
+    contact_angle : array or `Angle`; rad.
     race : "inner" or "outer".
 
     Returns
@@ -238,15 +271,34 @@ def race_curvature(
 
     Harris (1991), chapter 2.
     """
-    d = np.asarray(ball_diameter, dtype=np.float64)
-    gamma = d * np.cos(contact_angle) / np.asarray(pitch_diameter)
-    sign = -1.0 if race == "inner" else 1.0
-    rolling = 2.0 / d / (1.0 + sign * gamma)
-    across = (2.0 - 1.0 / np.asarray(conformity)) / d
-    if race == "outer":
-        rolling = np.where(np.greater(conformity, 1.0), across, rolling)
-    rolling, across = np.broadcast_arrays(rolling, across)
-    return RaceCurvature(rolling, across)
+    d, pitch, f = (
+        np.asarray(one, dtype=np.float64) for one in (ball_diameter, pitch_diameter, conformity)
+    )
+    sign = np.asarray(-1.0 if race == "inner" else 1.0)
+    cosine = Angle.of(contact_angle).cosine
+    rolling, across = of_each(_curvatures, _fill_curvatures, 2, d, pitch, f, cosine, sign)
+    return RaceCurvature(*np.broadcast_arrays(rolling, across))
+
+
+@inline_exact
+def _curvatures(
+    d: FloatArray, pitch: FloatArray, conformity: FloatArray, cosine: FloatArray, sign: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Along and across rolling; sign: -1 at the inner race, +1 at the outer."""
+    rolling = 2.0 / d / (1.0 + sign * (d / pitch * cosine))
+    across = (2.0 - 1.0 / conformity) / d
+    sphere = (sign > 0.0) & (conformity > 1.0)
+    return choose(sphere, across, rolling), across
+
+
+@kernel
+def _fill_curvatures(
+    d: FloatArray, pitch: FloatArray, conformity: FloatArray, cosine: FloatArray,
+    sign: FloatArray, out: FloatArray,
+) -> None:  # fmt: skip
+    """Fill out, (2, numbers)."""
+    for i in range(d.size):
+        out[0, i], out[1, i] = _curvatures(d[i], pitch[i], conformity[i], cosine[i], sign[i])
 
 
 def ring_geometry(bearing: BearingGeometry) -> RingGeometry:

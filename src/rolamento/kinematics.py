@@ -37,8 +37,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rolamento._reach import in_reach
-from rolamento.geometry import Race
+from rolamento.geometry import Angle, AngleLike, Race
 from rolamento.numerics import FloatArray
+from rolamento.numerics.compiled import choose, inline_exact, kernel
+from rolamento.numerics.elementwise import of_each
 from rolamento.numerics.elliptic import complete
 
 LEAST_COSINE: Final = -0.5
@@ -104,15 +106,15 @@ def control_codes(control: ControlName | ArrayLike) -> ControlCodes:
             raise ValueError(f"raceway control must be one of {sorted(names)}, got {control!r}")
         return np.asarray(names[control], dtype=np.int64)
     codes = np.asarray(control)
-    whole = codes if codes.dtype.kind == "i" else np.rint(codes)
-    if np.any(whole != codes) or np.any((whole < -1) | (whole > 1)):
+    whole = codes.dtype.kind == "i" or bool(np.all(np.rint(codes) == codes))
+    if not whole or np.any((codes < -1) | (codes > 1)):
         raise ValueError("raceway control codes must be -1, 0 or 1")
     return codes.astype(np.int64)
 
 
 def ball_motion(
-    inner_contact_angle: ArrayLike,
-    outer_contact_angle: ArrayLike,
+    inner_contact_angle: AngleLike,
+    outer_contact_angle: AngleLike,
     diameter_ratio: ArrayLike,
     inner_speed: ArrayLike,
     outer_speed: ArrayLike = 0.0,
@@ -125,7 +127,7 @@ def ball_motion(
 
     Parameters
     ----------
-    inner_contact_angle, outer_contact_angle : arrays; rad.
+    inner_contact_angle, outer_contact_angle : arrays or `Angle`; rad.
     diameter_ratio : array, γ' = D/d_m; dimensionless.
     inner_speed, outer_speed : arrays, of the rings about +x; rad/s.
     control : "outer", "inner", "none", or an array of `RacewayControl` codes.
@@ -141,60 +143,111 @@ def ball_motion(
 
     Radaelli (2013) eqs. 43 to 46 for outer control and one ring turning; see the module's head.
     """
-    inner, outer = np.asarray(inner_contact_angle), np.asarray(outer_contact_angle)
+    inner, outer = Angle.of(inner_contact_angle), Angle.of(outer_contact_angle)
     ratio = np.asarray(diameter_ratio, dtype=np.float64)
     inner_ring, outer_ring = np.asarray(inner_speed), np.asarray(outer_speed)
     if orbit is None:
         orbit = orbital_speed(inner, outer, ratio, inner_ring, outer_ring, control)
     orbit = np.asarray(orbit, dtype=np.float64)
-    by_outer = _sigma(control) > 0
-    on_inner = np.where(by_outer, 0.0, hold)
-    cos_i, sin_i, cos_o, sin_o = np.cos(inner), np.sin(inner), np.cos(outer), np.sin(outer)
+    axis_x, axis_r, *speeds = of_each(
+        _turned, _fill_turned, 7, inner.cosine, inner.sine, outer.cosine, outer.sine, ratio,
+        inner_ring, outer_ring, orbit, _sigma(control), np.asarray(hold, dtype=np.float64),
+    )  # fmt: skip
+    ball_speed, *others = speeds
+    return BallMotion(*np.broadcast_arrays(orbit, ball_speed, np.arctan2(axis_r, axis_x), *others))
 
+
+@inline_exact
+def _turned(
+    cos_i: FloatArray, sin_i: FloatArray, cos_o: FloatArray, sin_o: FloatArray, ratio: FloatArray,
+    inner_ring: FloatArray, outer_ring: FloatArray, orbit: FloatArray, sigma: FloatArray,
+    hold: FloatArray,
+) -> tuple[FloatArray, ...]:  # fmt: skip
+    """The direction of the ball's axis, along x and inward; then ball speed, spins and rolls."""
+    by_outer = sigma > 0.0
+    on_inner = choose(by_outer, 0.0, hold)
     # what each ring turns faster or slower than the ball orbits, over the difference of both
-    relative = np.asarray(outer_ring - inner_ring, dtype=np.float64)
+    relative = outer_ring - inner_ring
     alike = relative == 0.0
-    divisor = np.where(alike, 1.0, relative)
-    ahead = np.where(alike, 1.0, (outer_ring - orbit) / divisor)
-    behind = np.where(alike, 1.0, (orbit - inner_ring) / divisor)
+    divisor = choose(alike, 1.0, relative)
+    ahead = choose(alike, 1.0, (outer_ring - orbit) / divisor)
+    behind = choose(alike, 1.0, (orbit - inner_ring) / divisor)
     ahead, behind = (1.0 - on_inner) * ahead, on_inner * behind
     axis_x = ahead * (cos_o + ratio) + behind * (cos_i - ratio)
-    axis_r = np.where(by_outer, ahead * sin_o, behind * sin_i)
+    axis_r = choose(by_outer, ahead * sin_o, behind * sin_i)
     scale = relative / ratio
     ball_x = orbit + scale * axis_x
     ball_r = -scale * axis_r
     over_inner, over_outer = ball_x - inner_ring, ball_x - outer_ring
-    fields = np.broadcast_arrays(
-        orbit,
-        scale * np.hypot(axis_x, axis_r),
-        np.arctan2(axis_r, axis_x),
+    return (
+        axis_x,
+        axis_r,
+        scale * np.sqrt(axis_x * axis_x + axis_r * axis_r),
         over_inner * sin_i + ball_r * cos_i,
         -over_outer * sin_o - ball_r * cos_o,
         over_inner * cos_i - ball_r * sin_i,
         over_outer * cos_o - ball_r * sin_o,
     )
-    return BallMotion(*fields)
+
+
+@kernel
+def _fill_turned(
+    cos_i: FloatArray, sin_i: FloatArray, cos_o: FloatArray, sin_o: FloatArray, ratio: FloatArray,
+    inner_ring: FloatArray, outer_ring: FloatArray, orbit: FloatArray, sigma: FloatArray,
+    hold: FloatArray, out: FloatArray,
+) -> None:  # fmt: skip
+    """Fill out, (7, numbers)."""
+    for i in range(orbit.size):
+        (
+            out[0, i], out[1, i], out[2, i], out[3, i], out[4, i], out[5, i], out[6, i],
+        ) = _turned(
+            cos_i[i], sin_i[i], cos_o[i], sin_o[i], ratio[i], inner_ring[i], outer_ring[i],
+            orbit[i], sigma[i], hold[i],
+        )  # fmt: skip
 
 
 def orbital_speed(
-    inner_contact_angle: ArrayLike,
-    outer_contact_angle: ArrayLike,
+    inner_contact_angle: AngleLike,
+    outer_contact_angle: AngleLike,
     diameter_ratio: ArrayLike,
     inner_speed: ArrayLike,
     outer_speed: ArrayLike = 0.0,
     control: ControlName | ArrayLike = "outer",
 ) -> FloatArray:
     """Speed ω_m of a ball about the shaft (of the cage); rad/s. As in `ball_motion`."""
-    sigma = _sigma(control)
-    inner_ring, outer_ring = np.asarray(inner_speed), np.asarray(outer_speed)
-    share = _slave_share(
-        np.asarray(inner_contact_angle),
-        np.asarray(outer_contact_angle),
-        np.asarray(diameter_ratio, dtype=np.float64),
+    inner, outer = Angle.of(inner_contact_angle), Angle.of(outer_contact_angle)
+    rings = (np.asarray(inner_speed), np.asarray(outer_speed))
+    ratio, sigma = np.asarray(diameter_ratio, dtype=np.float64), _sigma(control)
+    (orbit,) = of_each(
+        _orbit, _fill_orbit, 1, inner.cosine, outer.cosine, inner.cosine_to(outer), ratio, *rings,
         sigma,
-    )
-    control_ring = np.where(sigma > 0, outer_ring, inner_ring)
-    return np.asarray(control_ring + sigma * (inner_ring - outer_ring) * share)
+    )  # fmt: skip
+    return np.asarray(orbit)
+
+
+@inline_exact
+def _orbit(
+    cos_i: FloatArray, cos_o: FloatArray, between: FloatArray, ratio: FloatArray,
+    inner_ring: FloatArray, outer_ring: FloatArray, sigma: FloatArray,
+) -> tuple[FloatArray]:  # fmt: skip
+    """ω_m by raceway control, with w the share of the slave ring; between: cos(α_i - α_o)."""
+    by_outer = sigma > 0.0
+    slave = choose(by_outer, cos_i, cos_o)
+    share = (1.0 - sigma * ratio * slave) / (1.0 + np.maximum(between, LEAST_COSINE))
+    control_ring = choose(by_outer, outer_ring, inner_ring)
+    return (control_ring + sigma * (inner_ring - outer_ring) * share,)
+
+
+@kernel
+def _fill_orbit(
+    cos_i: FloatArray, cos_o: FloatArray, between: FloatArray, ratio: FloatArray,
+    inner_ring: FloatArray, outer_ring: FloatArray, sigma: FloatArray, out: FloatArray,
+) -> None:  # fmt: skip
+    """Fill out, (1, numbers)."""
+    for i in range(ratio.size):
+        (out[0, i],) = _orbit(
+            cos_i[i], cos_o[i], between[i], ratio[i], inner_ring[i], outer_ring[i], sigma[i]
+        )
 
 
 def nominal_orbit(ratio: ArrayLike, inner_speed: ArrayLike, outer_speed: ArrayLike) -> FloatArray:
@@ -357,15 +410,6 @@ def _sigma(control: ControlName | ArrayLike) -> FloatArray:
     return np.where(control_codes(control) < 0, -1.0, 1.0)
 
 
-def _slave_share(
-    inner: FloatArray, outer: FloatArray, ratio: FloatArray, sigma: FloatArray
-) -> FloatArray:
-    """w, the share of the slave ring's speed in the orbit."""
-    slave = np.where(sigma > 0, inner, outer)
-    cosine = np.maximum(np.cos(inner - outer), LEAST_COSINE)
-    return np.asarray((1.0 - sigma * ratio * np.cos(slave)) / (1.0 + cosine))
-
-
 def spin_to_roll(spin: FloatArray, roll: FloatArray) -> FloatArray:
     """Ratio of the angular speeds about the normal and along the surface; NaN where none rolls."""
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -394,7 +438,7 @@ def surface_speeds(
     race: Race,
     ball_diameter: ArrayLike,
     pitch_diameter: ArrayLike,
-    contact_angle: ArrayLike,
+    contact_angle: AngleLike,
     ring_speed: ArrayLike,
     orbital_speed: ArrayLike,
     ball_speed: ArrayLike,
@@ -415,7 +459,7 @@ def surface_speeds(
     ----------
     race : "inner" or "outer".
     ball_diameter, pitch_diameter : arrays; m.
-    contact_angle : array, of this contact under load; rad.
+    contact_angle : array or `Angle`, of this contact under load; rad.
     ring_speed : array, of this race's ring about the shaft; rad/s.
     orbital_speed, ball_speed, attitude : arrays, as in `BallMotion`; rad/s, rad/s, rad.
     yaw : array, β' of the ball's axis; rad.
@@ -428,20 +472,44 @@ def surface_speeds(
     Derivation in docs/theory/film.md.
     """
     side = -1.0 if race == "inner" else 1.0
-    radius = 0.5 * in_reach(ball_diameter, "ball_diameter", "m", 0.0, 1e3)
-    angle = in_reach(contact_angle, "contact_angle", "rad", -_TURN, _TURN)
+    radius = side * 0.5 * in_reach(ball_diameter, "ball_diameter", "m", 0.0, 1e3)
+    given = contact_angle.value if isinstance(contact_angle, Angle) else contact_angle
+    checked = in_reach(given, "contact_angle", "rad", -_TURN, _TURN)
+    angle = contact_angle if isinstance(contact_angle, Angle) else Angle(checked)
     beta = in_reach(attitude, "attitude", "rad", -_TURN, _TURN)
-    arm = 0.5 * in_reach(pitch_diameter, "pitch_diameter", "m", 0.0, 1e3)
-    arm = arm + side * radius * np.cos(angle)
+    pitch = in_reach(pitch_diameter, "pitch_diameter", "m", 0.0, 1e3)
     orbit = in_reach(orbital_speed, "orbital_speed", "rad/s", -_FASTEST, _FASTEST)
-    ring = (in_reach(ring_speed, "ring_speed", "rad/s", -_FASTEST, _FASTEST) - orbit) * arm
+    turning = in_reach(ring_speed, "ring_speed", "rad/s", -_FASTEST, _FASTEST)
     aside = in_reach(yaw, "yaw", "rad", -_TURN, _TURN)
-    tangent = np.cos(beta - angle)
+    tangent = np.cos(beta - angle.value)
     if aside.any():
-        tangent = tangent - np.cos(beta) * np.cos(angle) * (1.0 - np.cos(aside))
-    ball = side * radius * in_reach(ball_speed, "ball_speed", "rad/s", -_FASTEST, _FASTEST)
-    ball = ball * tangent
-    return SurfaceSpeeds(*np.broadcast_arrays(ring, ball))
+        tangent = tangent - np.cos(beta) * angle.cosine * (1.0 - np.cos(aside))
+    own = in_reach(ball_speed, "ball_speed", "rad/s", -_FASTEST, _FASTEST)
+    speeds = of_each(
+        _surfaces, _fill_surfaces, 2, radius, pitch, angle.cosine, turning, orbit, own, tangent
+    )
+    return SurfaceSpeeds(*np.broadcast_arrays(*speeds))
+
+
+@inline_exact
+def _surfaces(
+    radius: FloatArray, pitch: FloatArray, cosine: FloatArray, ring: FloatArray,
+    orbit: FloatArray, ball: FloatArray, tangent: FloatArray,
+) -> tuple[FloatArray, FloatArray]:  # fmt: skip
+    """v_r and v_b; radius: ∓D/2; tangent: the part of the ball's axis along t."""
+    return (ring - orbit) * (0.5 * pitch + radius * cosine), radius * ball * tangent
+
+
+@kernel
+def _fill_surfaces(
+    radius: FloatArray, pitch: FloatArray, cosine: FloatArray, ring: FloatArray,
+    orbit: FloatArray, ball: FloatArray, tangent: FloatArray, out: FloatArray,
+) -> None:  # fmt: skip
+    """Fill out, (2, numbers)."""
+    for i in range(orbit.size):
+        out[0, i], out[1, i] = _surfaces(
+            radius[i], pitch[i], cosine[i], ring[i], orbit[i], ball[i], tangent[i]
+        )
 
 
 def rolling_entrainment_speed(

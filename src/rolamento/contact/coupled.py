@@ -130,7 +130,7 @@ def body_term(slices: int, width: float, roller_diameter: float, share: float) -
 
     Johnson (1985), eq. 5.57, as told at the head of this module.
     """
-    edge = (np.arange(slices + 1) - 0.5) * (width * np.e / roller_diameter)
+    edge = (np.arange(slices + 1) - 0.5) * (width * exp(1.0) / roller_diameter)
     return np.asarray(share * np.diff(np.arcsinh(edge)))
 
 

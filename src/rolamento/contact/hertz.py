@@ -24,6 +24,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.numerics import FloatArray
+from rolamento.numerics.compiled import inline_exact, kernel
+from rolamento.numerics.elementwise import of_each
 from rolamento.numerics.ellipse import Ellipse, ellipse_of_log_ratio
 from rolamento.numerics.elliptic import complete
 
@@ -163,8 +165,8 @@ def contact_stiffness(
     Radaelli (2013) eq. 11, for any materials: K = √8/3 · E' Σρ^-½ δ*^-3/2.
     """
     total, shape = _shape(curvature_rolling, curvature_across)
-    strain = total / shape.second
-    return _stiffness(strain, shape, np.asarray(modulus, dtype=np.float64))
+    strain, e = total / shape.second, np.asarray(modulus, dtype=np.float64)
+    return np.asarray(_stiffness(0.5 * strain * shape.first, strain, shape.ellipticity, e))
 
 
 def series_stiffness(inner: ArrayLike, outer: ArrayLike) -> FloatArray:
@@ -204,22 +206,52 @@ def elliptical_contact(
     e = np.asarray(modulus, dtype=np.float64)
     q = np.asarray(load, dtype=np.float64)
     q = np.where(q >= 0.0, q, np.nan)
-    k, second = shape.ellipticity, shape.second
+    k, first, second = shape
+    strain, cube = of_each(_cubed, _fill_cubed, 2, q, total, k, second, e)
+    b = np.cbrt(cube)
+    a, *others = of_each(_pressed, _fill_pressed, 5, b, strain, k, first, e)
+    return HertzContact(*np.broadcast_arrays(q, a, b, *others, k, second))
+
+
+@inline_exact
+def _cubed(
+    q: FloatArray, total: FloatArray, k: FloatArray, second: FloatArray, modulus: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Σρ/E and b³ under a load."""
     strain = total / second
-    b = np.cbrt(6.0 / np.pi * q / (strain * k * e))
-    p0 = 0.25 * b * strain * e
-    fields = np.broadcast_arrays(
-        q,
-        k * b,
-        b,
-        0.5 * strain * shape.first * (b * b),
-        p0,
-        2.0 / 3.0 * p0,
-        _stiffness(strain, shape, e),
-        k,
-        second,
-    )
-    return HertzContact(*fields)
+    return strain, 6.0 / np.pi * q / (strain * k * modulus)
+
+
+@kernel
+def _fill_cubed(
+    q: FloatArray, total: FloatArray, k: FloatArray, second: FloatArray, modulus: FloatArray,
+    out: FloatArray,
+) -> None:  # fmt: skip
+    """Fill out, (2, numbers)."""
+    for i in range(q.size):
+        out[0, i], out[1, i] = _cubed(q[i], total[i], k[i], second[i], modulus[i])
+
+
+@inline_exact
+def _pressed(
+    b: FloatArray, strain: FloatArray, k: FloatArray, first: FloatArray, modulus: FloatArray
+) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray, FloatArray]:
+    """Semi-major axis, deflection, maximum and mean pressure, and stiffness; strain: Σρ/E."""
+    p0 = 0.25 * b * strain * modulus
+    approach = 0.5 * strain * first  # δ/b²
+    return k * b, approach * (b * b), p0, 2.0 / 3.0 * p0, _stiffness(approach, strain, k, modulus)
+
+
+@kernel
+def _fill_pressed(
+    b: FloatArray, strain: FloatArray, k: FloatArray, first: FloatArray, modulus: FloatArray,
+    out: FloatArray,
+) -> None:  # fmt: skip
+    """Fill out, (5, numbers)."""
+    for i in range(b.size):
+        out[0, i], out[1, i], out[2, i], out[3, i], out[4, i] = _pressed(
+            b[i], strain[i], k[i], first[i], modulus[i]
+        )
 
 
 def _shape(rolling: ArrayLike, across: ArrayLike) -> tuple[FloatArray, Ellipse]:
@@ -227,13 +259,14 @@ def _shape(rolling: ArrayLike, across: ArrayLike) -> tuple[FloatArray, Ellipse]:
     x = np.asarray(rolling, dtype=np.float64)
     y = np.asarray(across, dtype=np.float64)
     valid = (x > 0.0) & (y > 0.0)
-    x, y = np.where(valid, x, np.nan), np.where(valid, y, np.nan)
+    if not valid.all():
+        x, y = np.where(valid, x, np.nan), np.where(valid, y, np.nan)
     return x + y, ellipse_of_log_ratio(-np.abs(np.log(x / y)))
 
 
-def _stiffness(strain: FloatArray, shape: Ellipse, modulus: FloatArray) -> FloatArray:
-    """K of Q = K δ^1.5, from Σρ/E."""
-    approach = 0.5 * strain * shape.first  # δ/b²
-    return np.asarray(
-        np.pi / 6.0 * strain * shape.ellipticity * modulus / (approach * np.sqrt(approach))
-    )
+@inline_exact
+def _stiffness(
+    approach: FloatArray, strain: FloatArray, k: FloatArray, modulus: FloatArray
+) -> FloatArray:
+    """K of Q = K δ^1.5, from δ/b² and Σρ/E."""
+    return np.pi / 6.0 * strain * k * modulus / (approach * np.sqrt(approach))

@@ -18,7 +18,6 @@ from rolamento.friction.model import (
     TorqueModel,
     checked_coefficient,
     controlling_race,
-    has_result,
     limits_of_dry_friction,
     loss_at_rates,
     torque_of_losses,
@@ -64,7 +63,7 @@ def jones_simplified(
             motion.outer_roll,
         ),
     }
-    return torque_of_losses(MODEL.name, solved, losses, has_result(solved))
+    return torque_of_losses(MODEL.name, solved, losses)
 
 
 MODEL: Final = TorqueModel(

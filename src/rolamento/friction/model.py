@@ -104,10 +104,16 @@ class Torque:
 
 
 def torque_of_losses(
-    model: str, solved: Solved, losses: Mapping[str, ContactLoss], converged: BoolArray
+    model: str,
+    solved: Solved,
+    losses: Mapping[str, ContactLoss],
+    converged: BoolArray | None = None,
 ) -> Torque:
-    """Add the losses of all contacts at a unit relative speed up: T = Σ M |ω_rel|/ω."""
-    fine = np.asarray(converged & has_result(solved))
+    """Add the losses of all contacts at a unit relative speed up: T = Σ M |ω_rel|/ω.
+
+    converged: whether a motion that had to be sought was found, (cases,).
+    """
+    fine = has_result(solved) if converged is None else np.asarray(converged & has_result(solved))
     marked = np.where(fine, 1.0, np.nan)[:, np.newaxis]
     unit = {name: loss.scaled(marked) for name, loss in losses.items()}
     parts = {name: loss.total for name, loss in unit.items()}
@@ -363,8 +369,8 @@ def _bears(solved: Solved) -> BoolArray:
 def has_result(solved: Solved) -> BoolArray:
     """(cases,): whether a case has a result, with ellipses narrower than the balls."""
     with np.errstate(invalid="ignore"):
-        narrow = [2.0 * race.semi_major < race.ball_diameter for race in solved.contacts.values()]
-    fine = np.isfinite(solved.outer.load) & (np.all(narrow, axis=0) | ~bears_on_both(solved))
+        inner, outer = (2.0 * r.semi_major < r.ball_diameter for r in solved.contacts.values())
+    fine = np.isfinite(solved.outer.load) & (inner & outer | ~bears_on_both(solved))
     return np.asarray(np.all(fine, axis=-1))
 
 
@@ -421,7 +427,7 @@ def unit_motion(solved: Solved, control: NDArray[np.int64]) -> BallMotion:
     """
     inner, outer = solved.inner, solved.outer
     ratio = inner.ball_diameter / inner.pitch_diameter
-    return ball_motion(inner.contact_angle, outer.contact_angle, ratio, 1.0, 0.0, control)
+    return ball_motion(inner.angle, outer.angle, ratio, 1.0, 0.0, control)
 
 
 def loss_at_rates(

@@ -30,7 +30,6 @@ from rolamento.friction.model import (
     Setting,
     Torque,
     TorqueModel,
-    has_result,
     relative_speed,
     rollers_bear,
     torque_of_losses,
@@ -274,7 +273,7 @@ def _along(
 
 def _of_contacts(setting: Setting) -> Torque:
     solved = setting.solved
-    return torque_of_losses(MODEL.name, solved, roller_sliding(setting), has_result(solved))
+    return torque_of_losses(MODEL.name, solved, roller_sliding(setting))
 
 
 def _limits(setting: Setting) -> dict[str, BoolArray]:

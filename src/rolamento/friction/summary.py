@@ -24,7 +24,6 @@ from rolamento.friction.model import (
     TorqueModel,
     checked_coefficient,
     checked_positive,
-    has_result,
     hysteresis_loss,
     over_cases,
     relative_speed,
@@ -352,7 +351,7 @@ def _no_torque(name: str, setting: Setting) -> Torque:
 
 
 def _sliding(setting: Setting, losses: Mapping[str, ContactLoss]) -> Torque:
-    return torque_of_losses(ROLLER_MODEL, setting.solved, losses, has_result(setting.solved))
+    return torque_of_losses(ROLLER_MODEL, setting.solved, losses)
 
 
 def _hysteresis(setting: Setting) -> Torque:
@@ -365,7 +364,7 @@ def _hysteresis(setting: Setting) -> Torque:
             lost = hysteresis_loss(solved, setting.unit_motion, setting.hysteresis)
         if rolls.any():
             lost = lost.beside(line_hysteresis_loss(solved, setting.hysteresis))
-    return torque_of_losses(HYSTERESIS, solved, {HYSTERESIS: lost}, has_result(solved))
+    return torque_of_losses(HYSTERESIS, solved, {HYSTERESIS: lost})
 
 
 def _rolling_resistance(setting: Setting, viscosity: FloatArray) -> Torque:
@@ -385,5 +384,4 @@ def _rolling_resistance(setting: Setting, viscosity: FloatArray) -> Torque:
         ROLLING_RESISTANCE,
         solved,
         {ROLLING_RESISTANCE: lost.scaled(1.0 / turning)},
-        has_result(solved),
     )

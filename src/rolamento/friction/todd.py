@@ -24,7 +24,6 @@ from rolamento.friction.model import (
     TorqueModel,
     checked_coefficient,
     controlling_race,
-    has_result,
     hysteresis_loss,
     limits_of_dry_friction,
     loss_at_rates,
@@ -72,7 +71,7 @@ def todd(
     if hysteresis is not None:
         lost = checked_coefficient(hysteresis, "hysteresis")
         losses["hysteresis"] = hysteresis_loss(solved, motion, lost)
-    return torque_of_losses(MODEL.name, solved, losses, has_result(solved))
+    return torque_of_losses(MODEL.name, solved, losses)
 
 
 def _of_contacts(setting: Setting) -> Torque:

@@ -57,25 +57,32 @@ def joined(parts: list[R], pool: ThreadPoolExecutor | None = None) -> R:
 
     What is neither is the same in all parts. A pool copies the arrays until it is shut down.
     """
-    whole: R = _joined(parts, pool)
+    whole: R = _joined(parts, pool, {})
     return whole
 
 
-def _joined(parts: list[Any], pool: ThreadPoolExecutor | None) -> Any:
+def _joined(
+    parts: list[Any], pool: ThreadPoolExecutor | None, known: dict[tuple[int, ...], Any]
+) -> Any:
+    """known: by the identities of the parts, since an array may stand in a result twice."""
     first = parts[0]
     if isinstance(first, np.ndarray):
+        same = tuple(map(id, parts))
+        if same in known:
+            return known[same]
         count = sum(map(len, parts))
         whole = np.empty((count, *first.shape[1:]), np.result_type(*parts))
+        known[same] = whole
         copy = partial(np.concatenate, parts, out=whole)
         copy() if pool is None else pool.submit(copy)
         return whole
     if isinstance(first, Mapping):
-        return {key: _joined([part[key] for part in parts], pool) for key in first}
+        return {key: _joined([part[key] for part in parts], pool, known) for key in first}
     if isinstance(first, tuple):
-        return tuple(_joined(list(column), pool) for column in zip(*parts, strict=True))
+        return tuple(_joined(list(column), pool, known) for column in zip(*parts, strict=True))
     if is_dataclass(first) and not isinstance(first, type):
         names = [one.name for one in fields(first)]
         return type(first)(
-            *(_joined([getattr(part, name) for part in parts], pool) for name in names)
+            *(_joined([getattr(part, name) for part in parts], pool, known) for name in names)
         )
     return first

@@ -10,6 +10,7 @@ lock. `shared` functions are called by kernels; `filling` ones make no arrays. `
 `inline_exact` are for formulas, compiled into every caller: fast ones may be re-associated, so that
 they turn into vector code; exact ones follow IEEE 754 to the letter and serve to check the fast
 ones. No formula may assume that NaN does not happen: a NaN is how a case says that it has failed.
+In a formula that is of numbers and of arrays (`numerics.elementwise`) `choose` is the condition.
 """
 
 from __future__ import annotations
@@ -24,6 +25,8 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Generic, ParamSpec, Self, TypeVar
 
+import numpy as np
+
 P = ParamSpec("P")
 R = TypeVar("R")
 
@@ -36,6 +39,7 @@ _FAMILIES = (  # where kernels live, each with the formulas that they are compil
     ("numerics", "contact", "rows/roller"),
     ("numerics", "rows"),
     ("numerics", "friction"),
+    ("numerics", "."),
 )
 _CONSTANTS = frozenset({"compiled", "layout", "newton"})  # files without kernels that shape them
 
@@ -126,6 +130,16 @@ def vector_loop(function: Callable[P, R]) -> Kernel[P, R]:
     return Kernel(function, nogil=True, fastmath=_VECTORISABLE, _nrt=False)
 
 
+def choose(condition: Any, this: Any, that: Any) -> Any:
+    """Return this where a condition holds, else that: of arrays, and of numbers in a kernel."""
+    return np.where(condition, this, that)
+
+
+def at_hand() -> bool:
+    """Whether this process has loaded the compiler for something: many cases were solved."""
+    return bool(_numba.cache_info().currsize)
+
+
 @cache
 def _numba() -> Any:
     """Import Numba, and teach it that a kernel inside a kernel means the compiled one.
@@ -139,11 +153,15 @@ def _numba() -> Any:
     _without_linear_algebra()
     llvmlite.binding.set_option("rolamento", "--memory-check-merge-threshold=1000")
     from numba.core import types
-    from numba.extending import typeof_impl
+    from numba.extending import overload, typeof_impl
 
     @typeof_impl.register(Kernel)
     def _typeof(value: Kernel[Any, Any], context: Any) -> Any:
         return types.Dispatcher(value.compiled)
+
+    overload(choose)(
+        lambda condition, this, that: lambda condition, this, that: this if condition else that
+    )
 
     return numba
 

@@ -11,11 +11,15 @@ from typing import NamedTuple
 import numpy as np
 
 from rolamento.numerics import FloatArray
+from rolamento.numerics.compiled import inline_exact, kernel
+from rolamento.numerics.elementwise import of_each
 from rolamento.numerics.elliptic import associate
 
 _NEWTON_STEPS = 30
 _LAST_STEP = 3e-8
 _LARGEST_FITTED = 8.0
+_ROUND = 1e-8
+"""Of m, below which a slope is that of the circle: a difference over m would be rounding."""
 _START = (
     1.1698686464e-10, 0.666666530927, 2.42237504431e-06, -0.0030994631522, 3.28192735224e-05,
     8.21878367412e-05, 4.04784986688e-05, -2.93028322031e-05, 8.14136554243e-06,
@@ -39,41 +43,73 @@ def ellipse_of_log_ratio(log_ratio: FloatArray) -> Ellipse:
     ln(D/B) - 2u is nearly straight in u: its slope runs from -3/2 at k = 1 toward -2. The last
     step is so short that its square is rounding, and the integrals follow along their slopes.
     """
-    u = _start(log_ratio)
+    (u,) = of_each(_start, _fill_start, 1, log_ratio)
     for _ in range(_NEWTON_STEPS):
         m1 = np.exp(-2.0 * u)
         b, d = associate(m1)
-        b_rate, d_rate = _rates(m1, b, d)
-        step = (np.log(d / b) - 2.0 * u - log_ratio) / (2.0 - 2.0 * m1 * (d_rate - b_rate))
-        step = np.maximum(step, -u)
+        step, k, first, second = of_each(
+            _followed, _fill_followed, 4, log_ratio, np.log(d / b), u, m1, b, d
+        )
         unsettled = np.abs(step) > _LAST_STEP
         if not unsettled.any():
             break
         u = u + step
-    k = np.maximum(np.exp(u) * (1.0 + step), 1.0)
     if unsettled.any():
         k = np.where(unsettled, np.nan, k)
-    slope = 2.0 * m1 * step
-    b, d = b * (1.0 + slope * b_rate), d * (1.0 + slope * d_rate)
-    return Ellipse(k, b + d, b + d / (k * k))
+    return Ellipse(k, first, second)
 
 
-def _start(log_ratio: FloatArray) -> FloatArray:
+@inline_exact
+def _start(log_ratio: FloatArray) -> tuple[FloatArray]:
     """Nearly ln k, for Newton: to 1e-8 up to a ratio of 3000, as between balls and grooves."""
     x = np.minimum(-log_ratio, _LARGEST_FITTED)
-    u = np.full_like(x, _START[-1])
-    for coefficient in _START[-2::-1]:
-        u *= x
-        u += coefficient
-    return u - 0.5 * (log_ratio + x)
+    u = _START[-1] * x + _START[-2]
+    for place in range(3, len(_START) + 1):
+        u = u * x + _START[-place]
+    return (u - 0.5 * (log_ratio + x),)
 
 
-def _rates(m1: FloatArray, b: FloatArray, d: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Derivatives of ln B and ln D by m, from DLMF 19.4(i)."""
-    m = 1.0 - m1
-    wide = m > 1e-4
-    twice = 2.0 * np.where(wide, m, 1.0)
-    return (
-        np.where(wide, (d - b) / (twice * b), 0.125),
-        np.where(wide, (b / m1 - d) / (twice * d), 0.375),
-    )
+@kernel
+def _fill_start(log_ratio: FloatArray, out: FloatArray) -> None:
+    """Fill out, (1, numbers)."""
+    for i in range(log_ratio.size):
+        (out[0, i],) = _start(log_ratio[i])
+
+
+@inline_exact
+def _followed(
+    log_ratio: FloatArray,
+    logarithm: FloatArray,
+    u: FloatArray,
+    m1: FloatArray,
+    b: FloatArray,
+    d: FloatArray,
+) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
+    """Newton's step from u, and k, K and E after it; logarithm: ln(D/B)."""
+    # derivatives of ln B and ln D by m, from DLMF 19.4(i); of a circle 1/8 and 3/8
+    twice = 2.0 * (1.0 - m1 + _ROUND)
+    b_rate = (d - b + 0.25 * _ROUND * b) / (twice * b)
+    d_rate = (b / m1 - d + 0.75 * _ROUND * d) / (twice * d)
+    step = (logarithm - 2.0 * u - log_ratio) / (2.0 - 2.0 * m1 * (d_rate - b_rate))
+    step = np.maximum(step, -u)
+    k = np.maximum((1.0 + step) / np.sqrt(m1), 1.0)
+    slope = 2.0 * m1 * step
+    b, d = b * (1.0 + slope * b_rate), d * (1.0 + slope * d_rate)
+    return step, k, b + d, b + d / (k * k)
+
+
+@kernel
+def _fill_followed(
+    log_ratio: FloatArray,
+    logarithm: FloatArray,
+    u: FloatArray,
+    m1: FloatArray,
+    b: FloatArray,
+    d: FloatArray,
+    out: FloatArray,
+) -> None:
+    """Fill out, (4, numbers)."""
+    for i in range(u.size):
+        out[0, i], out[1, i], out[2, i], out[3, i] = _followed(
+            log_ratio[i], logarithm[i], u[i], m1[i], b[i], d[i]
+        )

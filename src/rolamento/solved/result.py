@@ -219,7 +219,7 @@ class Solved:
         found = Contacts(
             race=race,
             load=pressed.load,
-            contact_angle=pressed.contact_angle,
+            angle=pressed.angle,
             deflection=pressed.deflection,
             approach=pressed.approach,
             spin=pressed.spin,
@@ -248,7 +248,7 @@ class Solved:
         """The rollers, slice by slice; None of a bearing that has balls only."""
         return self._tables.rollers
 
-    @property
+    @cached_property
     def loaded(self) -> BoolArray:
         """Whether an element bears on the inner race; (cases, elements)."""
         inner, outer = self._tables.inner, self._tables.outer

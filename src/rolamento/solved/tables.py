@@ -20,7 +20,7 @@ from rolamento.contact.subsurface import (
     orthogonal_shear,
 )
 from rolamento.errors import UnknownKeyError
-from rolamento.geometry import Race, RaceCurvature, race_curvature
+from rolamento.geometry import Angle, Race, RaceCurvature, race_curvature
 from rolamento.kinematics import SurfaceSpeeds, spin_to_roll, surface_speeds
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.solved.rollers import Line, Rollers, line_contact
@@ -178,7 +178,7 @@ class Elements:
     raceway_control: IntArray
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Pressed:
     """What the rows answer of their contacts with one race; (cases, elements), SI.
 
@@ -192,6 +192,11 @@ class Pressed:
     approach: FloatArray
     spin: FloatArray
     roll: FloatArray
+
+    @cached_property
+    def angle(self) -> Angle:
+        """The contact angle, with its cosine and sine."""
+        return Angle(self.contact_angle)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -355,7 +360,7 @@ class Contacts:
 
     race: Race
     load: FloatArray
-    contact_angle: FloatArray
+    angle: Angle
     deflection: FloatArray
     approach: FloatArray
     spin: FloatArray
@@ -370,11 +375,16 @@ class Contacts:
     line: Line | None = field(repr=False, default=None)
     effective_length: FloatArray | None = field(repr=False, default=None)
 
+    @property
+    def contact_angle(self) -> FloatArray:
+        """Of the contact (rad)."""
+        return self.angle.value
+
     @cached_property
     def curvature(self) -> RaceCurvature:
         """Curvatures along and across rolling at the loaded angle (1/m)."""
         return race_curvature(
-            self.ball_diameter, self.pitch_diameter, self.conformity, self.contact_angle, self.race
+            self.ball_diameter, self.pitch_diameter, self.conformity, self.angle, self.race
         )
 
     @cached_property
@@ -473,7 +483,7 @@ class Contacts:
         """Of ring and element along rolling, seen from the contact (m/s)."""
         motion = self.elements
         return surface_speeds(
-            self.race, self.ball_diameter, self.pitch_diameter, self.contact_angle,
+            self.race, self.ball_diameter, self.pitch_diameter, self.angle,
             self.ring_speed, motion.orbital_speed, motion.ball_speed, motion.attitude, motion.yaw,
         )  # fmt: skip
 

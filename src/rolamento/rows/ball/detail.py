@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.contact.hertz import HertzContact, elliptical_contact
-from rolamento.geometry import Race, race_curvature
+from rolamento.geometry import Angle, Race, race_curvature
 from rolamento.kinematics import (
     BallMotion,
     ball_motion,
@@ -28,16 +28,21 @@ Floats = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True)
 class ContactTable:
-    """One race's contacts: load (N), contact_angle (rad), deflection (m); (cases, balls).
+    """One race's contacts: load (N), angle, deflection (m); (cases, balls).
 
     approach (m) is the deflection, or a gap below zero; past the edge of the groove it is into the
     groove's flank, were that higher.
     """
 
     load: Floats
-    contact_angle: Floats
+    angle: Angle
     deflection: Floats
     approach: Floats
+
+    @property
+    def contact_angle(self) -> Floats:
+        """(rad)."""
+        return self.angle.value
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,7 +103,7 @@ def _motion(
     """How the balls move under raceway control, and where it holds none, with the cage."""
     column = p[:, :, np.newaxis]
     rings = (
-        inner.contact_angle, outer.contact_angle, column[layout.GAMMA], column[layout.INNER_SPEED],
+        inner.angle, outer.angle, column[layout.GAMMA], column[layout.INNER_SPEED],
         column[layout.OUTER_SPEED], control,
     )  # fmt: skip
     own = orbital_speed(*rings)
@@ -150,7 +155,8 @@ def _contacts(y1: Floats, y2: Floats, column: Floats, race: Race, lift: Floats) 
     pressed = np.maximum(approach, 0.0)
     pressed = np.where(cosine > 0.0, pressed, 0.0 * pressed)
     value = _stiffness(column, stiffness, cosine)
-    return ContactTable(value * pressed * np.sqrt(pressed), np.arctan2(y1, up), pressed, approach)
+    angle = Angle(np.arctan2(y1, up))
+    return ContactTable(value * pressed * np.sqrt(pressed), angle, pressed, approach)
 
 
 _ROWS: Final[dict[Race, tuple[int, int]]] = {
@@ -184,7 +190,7 @@ def hertz(p: Floats, contacts: ContactTable, race: Race) -> HertzContact:
         diameter,
         diameter / column[layout.GAMMA],
         0.5 + length / diameter,
-        contacts.contact_angle,
+        contacts.angle,
         race,
     )
     return elliptical_contact(

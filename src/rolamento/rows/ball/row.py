@@ -394,4 +394,6 @@ class BallAnswer:
 
 
 def _pressed(table: ContactTable, spin: FloatArray, roll: FloatArray) -> Pressed:
-    return Pressed(table.load, table.contact_angle, table.deflection, table.approach, spin, roll)
+    found = Pressed(table.load, table.contact_angle, table.deflection, table.approach, spin, roll)
+    vars(found)["angle"] = table.angle
+    return found

@@ -1,0 +1,49 @@
+"""Formulas of many numbers, each by itself: by NumPy as they are written, or as one compiled loop.
+
+NumPy carries an array to the processor and back for every operation, which takes longer than the
+operation; a loop over the whole formula takes a tenth to a twentieth of the time. In it only
+arithmetic and roots become vector instructions: logarithms and powers are better left to NumPy.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Final
+
+import numpy as np
+
+from rolamento.numerics import FloatArray
+from rolamento.numerics.compiled import Kernel, at_hand
+
+__all__ = ["MANY", "of_each"]
+
+MANY: Final = 4096
+"""Numbers from which a compiled loop is worth finding."""
+
+
+def of_each(
+    formula: Kernel[..., tuple[Any, ...]], loop: Kernel[..., None], count: int, *arrays: FloatArray
+) -> tuple[FloatArray, ...]:
+    """Return what a formula makes of each number, the same to the last bit either way.
+
+    Parameters
+    ----------
+    formula
+        Of numbers or arrays alike, `inline_exact`; returns a tuple.
+    loop
+        A `kernel` that fills the rows of its last argument, (count, numbers), with it.
+    count
+        What the formula returns.
+    arrays
+        They broadcast against each other.
+
+    Returns
+    -------
+    Arrays of the broadcast shape. The loop runs over many numbers of a process that has the
+    compiler.
+    """
+    if not at_hand() or max(array.size for array in arrays) < MANY:
+        return formula(*arrays)
+    whole = np.broadcast_arrays(*arrays)
+    out = np.empty((count, whole[0].size))
+    loop.compiled(*(np.ascontiguousarray(array, np.float64).reshape(-1) for array in whole), out)
+    return tuple(out.reshape(count, *whole[0].shape))
