@@ -12,7 +12,7 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.numerics.compiled import inline_exact, kernel, shared
+from rolamento.numerics.compiled import filling, filling_kernel, inline_exact
 from rolamento.rows.ball import lanes, layout, set_lanes
 from rolamento.rows.ball.accept import judge, max_with_nan
 from rolamento.rows.ball.blocks import any_astray, fill, read_positions
@@ -92,25 +92,48 @@ class Found(NamedTuple):
     code: NDArray[np.int64]
 
 
-class _Work(NamedTuple):
-    """Lanes: s of the rings, and of each row how it stands (v), its own (w); of each ball (b)."""
+class Work(NamedTuple):
+    """What the kernel works with; it makes no arrays of its own.
+
+    In lanes: s of the rings, and of each row how it stands (v), its own (w); of each ball (b);
+    room for a product of matrices. holds: the case in each lane, its steps, and whether it has
+    settled. Of one row of one case: column, its parameters (parameters, 1); own, where it is held
+    (5,); transform, its T (5, 6); the sums over its balls, and their errors (balls, 2).
+    """
 
     s: Array
     v: Array
     w: Array
     b: Array
     room: Array
+    holds: NDArray[np.int64]
+    steps: NDArray[np.int64]
+    settled: NDArray[np.bool_]
+    column: Array
+    own: Array
+    transform: Array
+    ring: Ring
+    errors: Array
 
-
-@shared
-def _work(rows: int, balls: int) -> _Work:
-    return _Work(
-        np.zeros(set_lanes.SET_ROWS * _LANES),
-        np.zeros((rows, STAND_ROWS * _LANES)),
-        np.zeros((rows, layout.RING_ROWS * _LANES)),
-        np.zeros((balls, layout.BALL_ROWS * _LANES)),
-        np.zeros(layout.DEGREES_OF_FREEDOM * UNKNOWNS * _LANES),
-    )
+    @classmethod
+    def of(cls, rows: int, balls: int, parameters: int) -> Work:
+        """Make room for rows of so many balls in all, and of so many parameters each."""
+        five = layout.DEGREES_OF_FREEDOM
+        return cls(
+            s=np.zeros(set_lanes.SET_ROWS * _LANES),
+            v=np.zeros((rows, STAND_ROWS * _LANES)),
+            w=np.zeros((rows, layout.RING_ROWS * _LANES)),
+            b=np.zeros((balls, layout.BALL_ROWS * _LANES)),
+            room=np.zeros(five * UNKNOWNS * _LANES),
+            holds=np.zeros(_LANES, np.int64),
+            steps=np.zeros(_LANES, np.int64),
+            settled=np.zeros(_LANES, np.bool_),
+            column=np.zeros((parameters, 1)),
+            own=np.zeros(five),
+            transform=np.zeros((five, UNKNOWNS)),
+            ring=ring_around(balls),
+            errors=np.zeros((balls, 2)),
+        )
 
 
 @inline_exact
@@ -125,11 +148,10 @@ def _standing(stand: Array, row: int, k: int, u: Array, own: Array) -> None:
     own[4] = tilt * u[4]
 
 
-@shared
-def _fill(
-    work: _Work, lane: int, rows: Rows, asked: Asked, k: int, u: Array, own: Array, bound: bool
-) -> None:
-    """Put a case into a lane, its ring at u; own (5,) is room; bound: whether steps have an end."""
+@filling
+def _fill(work: Work, lane: int, rows: Rows, asked: Asked, k: int, u: Array, bound: bool) -> None:
+    """Put a case into a lane, its ring at u; bound: whether steps have an end."""
+    own = work.own
     work.s[set_lanes.FIRM * _LANES + lane] = asked.firm[k] if bound else 0.0
     work.s[set_lanes.REACH * _LANES + lane] = asked.reach[k] if bound else FAR
     for i in range(UNKNOWNS):
@@ -149,7 +171,7 @@ def _fill(
 
 
 @inline_exact
-def _unbalanced(work: _Work, lane: int) -> float:
+def _unbalanced(work: Work, lane: int) -> float:
     """The ring's greatest unbalanced load, over the scale of its loads; NaN stays NaN."""
     worst, scale = 0.0, 0.0
     for i in range(UNKNOWNS):
@@ -164,7 +186,7 @@ def _unbalanced(work: _Work, lane: int) -> float:
 
 
 @inline_exact
-def _lost(work: _Work, lane: int) -> bool:
+def _lost(work: Work, lane: int) -> bool:
     """Whether a lane has gone to NaN, as after a step without any stiffness."""
     total = 0.0
     for i in range(UNKNOWNS):
@@ -174,24 +196,23 @@ def _lost(work: _Work, lane: int) -> bool:
     return bool(total != total)
 
 
-@shared
+@filling
 def _settle_static(
-    work: _Work, rows: Rows, asked: Asked, chosen: NDArray[np.int64], moving: bool, found: Found
+    work: Work, rows: Rows, asked: Asked, chosen: NDArray[np.int64], moving: bool, found: Found
 ) -> None:
     """Newton's method on the rings alone, every ball on the line of the groove centres.
 
     Writes the places, and the steps: zero where a lane failed or, before its balls move, did not
     settle; its place is the start then.
     """
-    s, v, w, b, room = work
+    s, v, w, b, room = work.s, work.v, work.w, work.b, work.room
     tolerance = START_TOLERANCE if moving else TOLERANCE
-    own = np.empty(layout.DEGREES_OF_FREEDOM)
     for block in range(0, chosen.size, _LANES):
         count = min(_LANES, chosen.size - block)
         for lane in range(_LANES):
             k = min(block + lane, chosen.size - 1)
             found.steps[chosen[k]] = 0
-            _fill(work, lane, rows, asked, k, asked.start[k], own, True)
+            _fill(work, lane, rows, asked, k, asked.start[k], True)
         open_lanes = count
         for step in range(STATIC_STEPS):
             set_lanes.empty_set(s)
@@ -224,23 +245,21 @@ def _settle_static(
                 )
 
 
-@shared
+@filling
 def _settle_moving(
-    work: _Work, rows: Rows, asked: Asked, chosen: NDArray[np.int64], found: Found
+    work: Work, rows: Rows, asked: Asked, chosen: NDArray[np.int64], found: Found
 ) -> None:
     """Newton's method on rings and balls together, from the static places.
 
     A lane that has settled, failed or run out of steps takes the next case. Writes the places of
     rings, cages and balls, and the steps: zero where a lane failed.
     """
-    s, v, w, b, room = work
-    own = np.empty(layout.DEGREES_OF_FREEDOM)
-    holds = np.full(_LANES, -1)  # the case in each lane
-    steps = np.zeros(_LANES, np.int64)
-    settled = np.zeros(_LANES, np.bool_)
+    s, v, w, b, room = work.s, work.v, work.w, work.b, work.room
+    holds, steps, settled = work.holds, work.steps, work.settled
     waiting, working = 0, 0
     for lane in range(_LANES):
-        _fill(work, lane, rows, asked, 0, found.place[chosen[0]], own, False)
+        holds[lane] = -1
+        _fill(work, lane, rows, asked, 0, found.place[chosen[0]], False)
     while waiting < chosen.size or working > 0:
         fresh = False
         for lane in range(_LANES):
@@ -248,7 +267,7 @@ def _settle_moving(
             for row in range(w.shape[0]):
                 w[row, layout.ASTRAY * _LANES + lane] = 1.0 if is_fresh else 0.0
             if is_fresh:
-                _fill(work, lane, rows, asked, waiting, found.place[chosen[waiting]], own, False)
+                _fill(work, lane, rows, asked, waiting, found.place[chosen[waiting]], False)
                 holds[lane] = waiting
                 steps[lane] = 0
                 waiting += 1
@@ -304,11 +323,12 @@ def _settle_moving(
             working -= 1
 
 
-@shared
-def _add_row(stand: Array, row: int, k: int, own: Ring, force: Array, stiffness: Array) -> None:
-    """Add what a row asks of the ring: T' f and T' k T."""
+@filling
+def _add_row(
+    stand: Array, row: int, k: int, own: Ring, t: Array, force: Array, stiffness: Array
+) -> None:
+    """Add what a row asks of the ring: T' f and T' k T; t: room for T, of zeros but for these."""
     n = layout.DEGREES_OF_FREEDOM
-    t = np.zeros((n, UNKNOWNS))
     t[0, 0], t[0, 5] = stand[row, WAY, k], stand[row, SLIDE, k]
     t[1, 1], t[1, 4] = 1.0, stand[row, _LEVER, k]
     t[2, 2], t[2, 3] = 1.0, -stand[row, _LEVER, k]
@@ -324,15 +344,12 @@ def _add_row(stand: Array, row: int, k: int, own: Ring, force: Array, stiffness:
                     stiffness[column, other] += part * t[j, other]
 
 
-@shared
+@filling
 def _judge(
-    rows: Rows, asked: Asked, k: int, case: int, moving: bool, ring: Ring, room: Array,
-    errors: Array, found: Found,
-) -> None:  # fmt: skip
-    """Hold every row where the proposal has it, and measure rows and ring in exact arithmetic.
-
-    room (parameters, 1), errors (balls, 2).
-    """
+    work: Work, rows: Rows, asked: Asked, k: int, case: int, moving: bool, found: Found
+) -> None:
+    """Hold every row where the proposal has it, and measure rows and ring in exact arithmetic."""
+    ring, column = work.ring, work.column
     force, stiffness = found.force[case], found.stiffness[case]
     force[:] = 0.0
     stiffness[:] = 0.0
@@ -342,19 +359,20 @@ def _judge(
         a, z = rows.ends[row], rows.ends[row + 1]
         u = found.displacement[row, case]
         _standing(rows.stand, row, k, found.place[case], u)
-        for i in range(room.shape[0]):
-            room[i, 0] = rows.p[row, i, k]
+        for i in range(column.shape[0]):
+            column[i, 0] = rows.p[row, i, k]
         code, residual, _ = judge(
-            room, 0, moving, control[a:z], rows.cosines[a:z], rows.sines[a:z], u,
-            found.cage[row, case], found.position[case, a:z], ring, errors[: z - a],
+            column, 0, moving, control[a:z], rows.cosines[a:z], rows.sines[a:z], u,
+            found.cage[row, case], found.position[case, a:z], ring, work.errors[: z - a],
         )  # fmt: skip
         found.code[row, case], found.row_residual[row, case] = code, residual
         sound = sound and code in (CONVERGED, OVERLOADED, NO_EQUILIBRIUM)
-        found.reaction[row, case] = ring.reaction
-        found.row_stiffness[row, case] = ring.matrix
         for i in range(layout.DEGREES_OF_FREEDOM):
+            found.reaction[row, case, i] = ring.reaction[i]
+            for j in range(layout.DEGREES_OF_FREEDOM):
+                found.row_stiffness[row, case, i, j] = ring.matrix[i, j]
             scale = max_with_nan(scale, abs(ring.reaction[i]))
-        _add_row(rows.stand, row, k, ring, force, stiffness)
+        _add_row(rows.stand, row, k, ring, work.transform, force, stiffness)
     worst = 0.0
     for i in range(UNKNOWNS):
         if asked.free[k, i] > 0.0:
@@ -364,23 +382,21 @@ def _judge(
     found.sound[case] = sound and found.residual[case] <= PRECISION
 
 
-@kernel
+@filling_kernel
 def solve_sets(
-    rows: Rows, asked: Asked, moving: bool, chosen: NDArray[np.int64], found: Found
+    rows: Rows, asked: Asked, moving: bool, chosen: NDArray[np.int64], work: Work, found: Found
 ) -> None:
     """Propose the equilibrium of some cases, with or without inertia, and judge it.
 
     chosen: which cases they are, of all that `found` has room for; (n,).
     """
-    work = _work(rows.p.shape[0], rows.cosines.size)
     _settle_static(work, rows, asked, chosen, moving, found)
     if moving:
         _settle_moving(work, rows, asked, chosen, found)
-    ring = ring_around(rows.cosines.size)
-    room, errors = np.zeros((rows.p.shape[1], 1)), np.zeros((rows.cosines.size, 2))
     for k in range(chosen.size):
         case = chosen[k]
         found.sound[case] = False
-        found.code[:, case] = NOT_CONVERGED
+        for row in range(rows.p.shape[0]):
+            found.code[row, case] = NOT_CONVERGED
         if found.steps[case] > 0:
-            _judge(rows, asked, k, case, moving, ring, room, errors, found)
+            _judge(work, rows, asked, k, case, moving, found)
