@@ -17,6 +17,7 @@ from rolamento.rows.ball import layout
 from rolamento.rows.ball.batch import solve_cases
 from rolamento.rows.ball.problem import case_parameters
 from rolamento.rows.ball.run import Solution
+from rolamento.rows.ball.set_blocks import solve_sets
 
 
 @pytest.mark.parametrize("speed", [0.0, 1047.0], ids=["static", "moving"])
@@ -53,6 +54,22 @@ def test_one_case_does_not_load_the_compiler() -> None:
     )
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
     assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_a_set_loads_what_runs_it_and_not_what_compiles_it() -> None:
+    program = (
+        "import sys, rolamento\n"
+        "from importlib.resources import files\n"
+        "case = rolamento.load_case(files('rolamento') / 'examples' / '6012_pair.toml')\n"
+        "assert rolamento.solve(case).converged[0]\n"
+        "loaded = {'numba.np.arrayobj', 'numba.np.linalg', 'scipy.linalg'} & set(sys.modules)\n"
+        "print(', '.join(sorted(loaded)))"
+    )
+    for kept in (solve_sets.is_cached, True):  # compiled by the first, where nobody has before
+        done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
+        assert done.returncode == 0, done.stderr
+        if kept:
+            assert done.stdout == "\n"
 
 
 KERNEL = """

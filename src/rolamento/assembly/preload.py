@@ -11,7 +11,8 @@ their force.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property
 from math import isfinite
 from typing import Any, Final
 
@@ -44,6 +45,9 @@ _BETWEEN: Final = np.arange(1.0, 6.0) / 6.0
 _SPEEDS: Final = ("duty.inner_speed", "duty.outer_speed")
 _NONE: Final = -1
 
+Press = tuple[FloatArray, ...]
+"""How far each row is pressed in; (cases,) each, m."""
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Lost:
@@ -67,7 +71,9 @@ def preload_of(case: Case, *, loss: bool = True) -> Preloading | None:
     if preload is None:
         return None
     given = _Given(case, {}, 1)
-    at_rest, at_speed = _without_load(case) if given.moving else _at(given, running=False).repeat(2)
+    at_rest, at_speed = (
+        _without_load(given) if given.moving else _at(given, running=False).repeat(2)
+    )
     if not loss and given.loaded.any():
         return Preloading(preload.kind, float(at_rest), float(at_speed))
     # all balls of a row are alike under an axial load: the first takes its row along
@@ -124,6 +130,15 @@ class _Given:
         self.values = {name: np.broadcast_to(array, cases) for name, array in values.items()}
         self.loads = dict(self._loads())
 
+    @cached_property
+    def press(self) -> Press | None:
+        """How far each row is pressed in, under whatever load; None where each solution tells."""
+        if self.case.mounting is not None or self.case.bearing.preload is None:
+            return None
+        from rolamento.assembly.ring import pressed_in
+
+        return pressed_in(spread(self.case, self.values, threads=1))
+
     def _loads(self) -> Any:
         """The loads that are given, by name: (cases,), N and N·m."""
         for axis, name in zip(AXES, LOADS, strict=True):
@@ -179,7 +194,8 @@ class _Given:
         values = {name: array[some] for name, array in self.values.items()}
         for name, load in self.loads.items():
             values[f"duty.load.{name}"] = factor * load[some]
-        solved = _solved(self.case, values)
+        press = None if self.press is None else tuple(own[some] for own in self.press)
+        solved = _solved(self.case, values, press)
         grip = solved.inner.approach
         if solved.rollers is not None:  # a tilted roller may hold on by its end alone
             pressed = solved.inner.deflection
@@ -201,13 +217,18 @@ def _given_by(solved: Solved) -> _Given:
     return _Given(solved.case, values, len(solved))
 
 
-def _solved(case: Case, values: Mapping[str, FloatArray]) -> Solved:
+def _solved(case: Case, values: Mapping[str, FloatArray], press: Press | None) -> Solved:
     """Solve cases; those of a mounted set with the geometry that each of them runs with."""
     if case.mounting is not None:
         from rolamento.assembly.mounted import mounted_cases
 
         return solve_cases(mounted_cases(case, values, threads=1))
-    return solve_cases(spread(case, values, threads=1))
+    cases = spread(case, values, threads=1)
+    if press is not None:
+        pairs = zip(cases.rows, press, strict=True)
+        rows = [replace(placed, press=np.broadcast_to(e, len(cases))) for placed, e in pairs]
+        cases = replace(cases, rows=tuple(rows))
+    return solve_cases(cases)
 
 
 def between_rows(solved: Solved) -> FloatArray:
@@ -230,15 +251,16 @@ def _at(given: _Given, *, running: bool) -> FloatArray:
         duty = duty.replace(inner_speed=own.inner_speed, outer_speed=own.outer_speed)
     if not values and given.cases > 1:  # the length has to come from somewhere
         values = {"duty.inner_speed": np.full(given.cases, duty.inner_speed)}
-    return between_rows(_solved(given.case.replace(duty=duty), values))
+    return between_rows(_solved(given.case.replace(duty=duty), values, given.press))
 
 
-def _without_load(case: Case) -> FloatArray:
+def _without_load(given: _Given) -> FloatArray:
     """The force between the rows without external load, at rest and at the duty's speeds; N."""
+    case = given.case
     still = case.replace(duty=Duty(first_ball_azimuth=case.duty.first_ball_azimuth))
     speeds = {"inner_speed": case.duty.inner_speed, "outer_speed": case.duty.outer_speed}
     turning = {f"duty.{name}": np.array([0.0, speed]) for name, speed in speeds.items()}
-    return between_rows(_solved(still, turning))
+    return between_rows(_solved(still, turning, given.press))
 
 
 def _of_one(found: Lost, search: int) -> tuple[float, int | None]:

@@ -5,9 +5,9 @@ The lists, with their sources, are in data/preloads.toml.
 
 from __future__ import annotations
 
-from functools import lru_cache
+from functools import cache
 from math import degrees
-from typing import Any, Final, Literal, get_args
+from typing import Final, Literal
 
 from rolamento._data import toml_of
 from rolamento.errors import InputError, nearest
@@ -50,9 +50,10 @@ def listed_preload(designation: str, level: Level, contact_angle: float | None) 
             value=designation,
             example='designation = "S 6012 C", or preload = "500 N"',
         )
+    nominal = [degrees(to_si(record["contact_angle"], "angle")) for record in records]
     given = None if contact_angle is None else degrees(contact_angle)
-    for record in records:
-        if given is not None and abs(record["angle"] - given) <= _SAME_ANGLE:
+    for record, angle in zip(records, nominal, strict=True):
+        if given is not None and abs(angle - given) <= _SAME_ANGLE:
             if level not in record:
                 raise InputError(
                     said("has no such class of preload in its maker's list"),
@@ -60,8 +61,8 @@ def listed_preload(designation: str, level: Level, contact_angle: float | None) 
                     value=level,
                     example='level = "light"',
                 )
-            return float(record[level])
-    angles = ", ".join(f"{record['angle']:g} deg" for record in records)
+            return to_si(record[level], "force")
+    angles = ", ".join(f"{angle:g} deg" for angle in nominal)
     raise InputError(
         said("is listed for contact angles of {angles} only", angles=angles),
         field="designation",
@@ -80,17 +81,11 @@ def _folded(designation: str) -> str:
     return "".join(designation.split()).casefold()
 
 
-@lru_cache(maxsize=1)
-def _records() -> dict[str, list[dict[str, Any]]]:
-    found: dict[str, list[dict[str, Any]]] = {}
+@cache
+def _records() -> dict[str, list[dict[str, str]]]:
+    """The lines of all lists, in the units that they are written in."""
+    found: dict[str, list[dict[str, str]]] = {}
     for maker in toml_of("preloads")["maker"]:
         for line in maker["bearings"]:
-            record = {
-                "designation": line["designation"],
-                "angle": degrees(to_si(line["contact_angle"], "angle")),
-                **{
-                    level: to_si(line[level], "force") for level in get_args(Level) if level in line
-                },
-            }
-            found.setdefault(_folded(line["designation"]), []).append(record)
+            found.setdefault(_folded(line["designation"]), []).append(line)
     return found

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import gc
 import sys
 from collections.abc import Iterator, Mapping
@@ -35,7 +36,7 @@ COMMANDS: Final[Groups] = {
 _MODULES: Final = {"app": "browser", "demo": "solve", "examples": "new"}
 """Of commands that have none of their own name."""
 
-_LITTLE_GARBAGE: Final = 100_000
+_LITTLE_GARBAGE: Final = 250_000
 """Objects made between two looks for garbage: nearly all that a start makes stay."""
 
 
@@ -94,6 +95,7 @@ app = typer.Typer(
 def main() -> None:
     """Run the command line."""
     gc.set_threshold(_LITTLE_GARBAGE)
+    atexit.register(gc.freeze)  # at the end all memory is given back: nobody has to search it
     try:
         app(prog_name="rolamento")
     except OSError as error:

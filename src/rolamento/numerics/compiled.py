@@ -6,7 +6,8 @@ wants. Its attribute `compiled` is the same text through Numba, for everything e
 imported before that.
 
 `kernel` is for what is compiled and called as a whole: cached on disk, free of the interpreter
-lock. `shared` functions are called by kernels; `filling` ones make no arrays. `inline_fast` and
+lock. `shared` functions are called by kernels; `filling` ones make no arrays, nor does a
+`filling_kernel`, which therefore is loaded sooner. `inline_fast` and
 `inline_exact` are for formulas, compiled into every caller: fast ones may be re-associated, so that
 they turn into vector code; exact ones follow IEEE 754 to the letter and serve to check the fast
 ones. No formula may assume that NaN does not happen: a NaN is how a case says that it has failed.
@@ -75,7 +76,7 @@ class Kernel(partial[R], Generic[P, R]):
         compiled = numba.njit(**options)(self.python)
         # no folder for the cache: compile anew in each process
         with suppress(RuntimeError):
-            compiled._cache = _checked_cache()(self.python)
+            compiled._cache = _checked_cache()(self.python, options.get("_nrt", True))
         return compiled  # type: ignore[no-any-return]
 
     @property
@@ -115,6 +116,11 @@ def filling(function: Callable[P, R]) -> Kernel[P, R]:
     return Kernel(function, nogil=True, _nrt=False)
 
 
+def filling_kernel(function: Callable[P, R]) -> Kernel[P, R]:
+    """Make a kernel that is `filling` itself: loading it needs less of Numba than another's."""
+    return Kernel(function, nogil=True, cache=True, _nrt=False)
+
+
 def inline_exact(function: Callable[P, R]) -> Kernel[P, R]:
     """Make a formula that is compiled into its callers, as it is written."""
     return Kernel(function, forceinline=True)
@@ -150,10 +156,13 @@ def _numba() -> Any:
     import llvmlite.binding
     import numba
 
-    _without_linear_algebra()
     llvmlite.binding.set_option("rolamento", "--memory-check-merge-threshold=1000")
     from numba.core import types
     from numba.extending import overload, typeof_impl
+
+    cpu: Any = import_module("numba.core.cpu")
+    load = cpu.CPUContext.load_additional_registries
+    cpu.CPUContext.load_additional_registries = _without_linear_algebra(load)
 
     @typeof_impl.register(Kernel)
     def _typeof(value: Kernel[Any, Any], context: Any) -> Any:
@@ -166,19 +175,24 @@ def _numba() -> Any:
     return numba
 
 
-def _without_linear_algebra() -> None:
-    """Load what Numba compiles of arrays without SciPy's linear algebra, which takes as long again.
+def _without_linear_algebra(load: Callable[[Any], None]) -> Callable[[Any], None]:
+    """Load what Numba compiles with without SciPy's linear algebra, which takes as long again.
 
     Numba imports that only to say whether it is there, and anew where a kernel would call it.
     """
-    linalg: Any = import_module("numba.np.linalg")
-    looks = linalg.ensure_blas
-    linalg.ensure_blas = lambda: None
-    try:
-        arrays: Any = import_module("numba.np.arraymath")
-        arrays.ensure_blas = looks
-    finally:
-        linalg.ensure_blas = looks
+
+    def load_without(target_context: Any) -> None:
+        linalg: Any = import_module("numba.np.linalg")
+        looks = linalg.ensure_blas
+        linalg.ensure_blas = lambda: None
+        try:
+            arrays: Any = import_module("numba.np.arraymath")
+            arrays.ensure_blas = looks
+        finally:
+            linalg.ensure_blas = looks
+        load(target_context)
+
+    return load_without
 
 
 @cache
@@ -209,15 +223,17 @@ def _checked_cache() -> Any:
             return super()._load_data(name)
 
     class CheckedCache(caching.FunctionCache):  # type: ignore[misc]
-        def __init__(self, function: Callable[..., Any]) -> None:
+        def __init__(self, function: Callable[..., Any], makes_arrays: bool) -> None:
             super().__init__(function)
+            self._makes_arrays = makes_arrays
             self._cache_file: Any = CheckedFiles(
                 self._cache_path, self._impl.filename_base, self._impl.locator.get_source_stamp()
             )
 
         def load_overload(self, sig: Any, target_context: Any) -> Any:
             # what is compiled needs Numba's memory, not all that Numba knows how to compile
-            runtime.rtsys.initialize(target_context)
+            if self._makes_arrays:
+                runtime.rtsys.initialize(target_context)
             try:
                 with self._guard_against_spurious_io_errors():
                     return self._load_overload(sig, target_context)

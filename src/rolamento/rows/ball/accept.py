@@ -9,7 +9,7 @@ from __future__ import annotations
 from math import inf, sqrt
 from typing import Final
 
-from rolamento.numerics.compiled import filling, inline_exact, shared
+from rolamento.numerics.compiled import filling, inline_exact
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.settle import in_place
 from rolamento.rows.ball.single import (
@@ -46,7 +46,7 @@ FRICTION_SLACK: Final = 1e-6  # of a ball's load, at a contact that carries none
 LOST_ANGLE: Final = 1e-9  # rad, below which a one-sided bearing has left its shoulder
 
 
-@shared
+@filling
 def judge(
     p: Array,
     case: int,
@@ -200,7 +200,7 @@ def worst_ball(p: Array, case: int, errors: Array, heaviest: float, worst: float
     return worst
 
 
-@shared
+@filling
 def _turned_away(p: Array, case: int, c: float, s: float) -> int:
     """The degree of freedom that has taken a groove's centre past the foot of its shoulder.
 

@@ -12,7 +12,7 @@ from typing import Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.numerics.compiled import filling, inline_exact, kernel, shared
+from rolamento.numerics.compiled import filling, filling_kernel, inline_exact
 from rolamento.rows.ball import lanes, layout, set_lanes
 from rolamento.rows.ball.accept import judge, max_with_nan
 from rolamento.rows.ball.blocks import fill, put_displacement, read_positions
@@ -91,11 +91,13 @@ class Found(NamedTuple):
     code: NDArray[np.int64]
 
 
-class _Work(NamedTuple):
-    """Lanes: s of the rings, and of each row how it stands (v), its own (w); of each ball (b).
+class Work(NamedTuple):
+    """What the kernel works with; it makes no arrays of its own.
 
-    holds, steps: the case in each lane, or -1, and its steps; settled: whether it is at rest.
-    own (5,): room for a row's displacement.
+    In lanes: s of the rings, and of each row how it stands (v), its own (w); of each ball (b);
+    holds: the case in each lane, its steps, and whether it has
+    settled. Of one row of one case: column, its parameters (parameters, 1); own, where it is held
+    (5,); transform, its T (5, 6); the sums over its balls, and their errors (balls, 2).
     """
 
     s: Array
@@ -105,21 +107,30 @@ class _Work(NamedTuple):
     holds: NDArray[np.int64]
     steps: NDArray[np.int64]
     settled: NDArray[np.bool_]
+    column: Array
     own: Array
+    transform: Array
+    ring: Ring
+    errors: Array
 
-
-@shared
-def _work(rows: int, balls: int) -> _Work:
-    return _Work(
-        np.zeros(set_lanes.SET_ROWS * _LANES),
-        np.zeros((rows, STAND_ROWS * _LANES)),
-        np.zeros((rows, layout.RING_ROWS * _LANES)),
-        np.zeros((balls, layout.BALL_ROWS * _LANES)),
-        np.full(_LANES, -1),
-        np.zeros(_LANES, np.int64),
-        np.zeros(_LANES, np.bool_),
-        np.empty(layout.DEGREES_OF_FREEDOM),
-    )
+    @classmethod
+    def of(cls, rows: int, balls: int, parameters: int) -> Work:
+        """Make room for rows of so many balls in all, and of so many parameters each."""
+        five = layout.DEGREES_OF_FREEDOM
+        return cls(
+            s=np.zeros(set_lanes.SET_ROWS * _LANES),
+            v=np.zeros((rows, STAND_ROWS * _LANES)),
+            w=np.zeros((rows, layout.RING_ROWS * _LANES)),
+            b=np.zeros((balls, layout.BALL_ROWS * _LANES)),
+            holds=np.zeros(_LANES, np.int64),
+            steps=np.zeros(_LANES, np.int64),
+            settled=np.zeros(_LANES, np.bool_),
+            column=np.zeros((parameters, 1)),
+            own=np.zeros(five),
+            transform=np.zeros((five, UNKNOWNS)),
+            ring=ring_around(balls),
+            errors=np.zeros((balls, 2)),
+        )
 
 
 @inline_exact
@@ -135,8 +146,9 @@ def _standing(stand: Array, row: int, k: int, u: Array, own: Array) -> None:
 
 
 @filling
-def _fill(work: _Work, lane: int, rows: Rows, asked: Asked, k: int, u: Array, bound: bool) -> None:
+def _fill(work: Work, lane: int, rows: Rows, asked: Asked, k: int, u: Array, bound: bool) -> None:
     """Put a case into a lane, its ring at u; bound: whether steps have an end."""
+    own = work.own
     work.s[set_lanes.FIRM * _LANES + lane] = asked.firm[k] if bound else 0.0
     work.s[set_lanes.REACH * _LANES + lane] = asked.reach[k] if bound else FAR
     for i in range(UNKNOWNS):
@@ -151,13 +163,13 @@ def _fill(work: _Work, lane: int, rows: Rows, asked: Asked, k: int, u: Array, bo
             work.w[row], work.b[a:z], lane, rows.p[row], rows.cosines[a:z], rows.sines[a:z],
             rows.control[:, a:z], k,
         )  # fmt: skip
-        _standing(rows.stand, row, k, u, work.own)
-        put_displacement(work.w[row], lane, work.own)
+        _standing(rows.stand, row, k, u, own)
+        put_displacement(work.w[row], lane, own)
         work.w[row, layout.UNBALANCED * _LANES + lane] = 1.0
 
 
 @inline_exact
-def _unbalanced(work: _Work, lane: int) -> float:
+def _unbalanced(work: Work, lane: int) -> float:
     """The ring's greatest unbalanced load, over the scale of its loads; NaN stays NaN."""
     worst, scale = 0.0, 0.0
     for i in range(UNKNOWNS):
@@ -172,7 +184,7 @@ def _unbalanced(work: _Work, lane: int) -> float:
 
 
 @inline_exact
-def _lost(work: _Work, lane: int) -> bool:
+def _lost(work: Work, lane: int) -> bool:
     """Whether a lane has gone to NaN, as after a step without any stiffness."""
     total = 0.0
     for i in range(UNKNOWNS):
@@ -184,14 +196,14 @@ def _lost(work: _Work, lane: int) -> bool:
 
 @filling
 def _settle_static(
-    work: _Work, rows: Rows, asked: Asked, chosen: NDArray[np.int64], moving: bool, found: Found
+    work: Work, rows: Rows, asked: Asked, chosen: NDArray[np.int64], moving: bool, found: Found
 ) -> None:
     """Newton's method on the rings alone, every ball on the line of the groove centres.
 
     Writes the places, and the steps: zero where a lane failed or, before its balls move, did not
     settle; its place is the start then.
     """
-    s, v, w, b, _, _, _, _ = work
+    s, v, w, b = work.s, work.v, work.w, work.b
     tolerance = START_TOLERANCE if moving else TOLERANCE
     for block in range(0, chosen.size, _LANES):
         count = min(_LANES, chosen.size - block)
@@ -233,16 +245,18 @@ def _settle_static(
 
 @filling
 def _settle_moving(
-    work: _Work, rows: Rows, asked: Asked, chosen: NDArray[np.int64], found: Found
+    work: Work, rows: Rows, asked: Asked, chosen: NDArray[np.int64], found: Found
 ) -> None:
     """Newton's method on rings and balls together, from the static places.
 
     A lane that has settled, failed or run out of steps takes the next case. Writes the places of
     rings, cages and balls, and the steps: zero where a lane failed.
     """
-    s, v, w, b, holds, steps, settled, _ = work
+    s, v, w, b = work.s, work.v, work.w, work.b
+    holds, steps, settled = work.holds, work.steps, work.settled
     waiting, working = 0, 0
     for lane in range(_LANES):
+        holds[lane] = -1
         _fill(work, lane, rows, asked, 0, found.place[chosen[0]], False)
     while waiting < chosen.size or working > 0:
         fresh = False
@@ -307,11 +321,12 @@ def _settle_moving(
             working -= 1
 
 
-@shared
-def _add_row(stand: Array, row: int, k: int, own: Ring, force: Array, stiffness: Array) -> None:
-    """Add what a row asks of the ring: T' f and T' k T."""
+@filling
+def _add_row(
+    stand: Array, row: int, k: int, own: Ring, t: Array, force: Array, stiffness: Array
+) -> None:
+    """Add what a row asks of the ring: T' f and T' k T; t: room for T, of zeros but for these."""
     n = layout.DEGREES_OF_FREEDOM
-    t = np.zeros((n, UNKNOWNS))
     t[0, 0], t[0, 5] = stand[row, WAY, k], stand[row, SLIDE, k]
     t[1, 1], t[1, 4] = 1.0, stand[row, _LEVER, k]
     t[2, 2], t[2, 3] = 1.0, -stand[row, _LEVER, k]
@@ -327,15 +342,12 @@ def _add_row(stand: Array, row: int, k: int, own: Ring, force: Array, stiffness:
                     stiffness[column, other] += part * t[j, other]
 
 
-@shared
+@filling
 def _judge(
-    rows: Rows, asked: Asked, k: int, case: int, moving: bool, ring: Ring, room: Array,
-    errors: Array, found: Found,
-) -> None:  # fmt: skip
-    """Hold every row where the proposal has it, and measure rows and ring in exact arithmetic.
-
-    room (parameters, 1), errors (balls, 2).
-    """
+    work: Work, rows: Rows, asked: Asked, k: int, case: int, moving: bool, found: Found
+) -> None:
+    """Hold every row where the proposal has it, and measure rows and ring in exact arithmetic."""
+    ring, column = work.ring, work.column
     force, stiffness = found.force[case], found.stiffness[case]
     force[:] = 0.0
     stiffness[:] = 0.0
@@ -345,19 +357,20 @@ def _judge(
         a, z = rows.ends[row], rows.ends[row + 1]
         u = found.displacement[row, case]
         _standing(rows.stand, row, k, found.place[case], u)
-        for i in range(room.shape[0]):
-            room[i, 0] = rows.p[row, i, k]
+        for i in range(column.shape[0]):
+            column[i, 0] = rows.p[row, i, k]
         code, residual, _ = judge(
-            room, 0, moving, control[a:z], rows.cosines[a:z], rows.sines[a:z], u,
-            found.cage[row, case], found.position[case, a:z], ring, errors[: z - a],
+            column, 0, moving, control[a:z], rows.cosines[a:z], rows.sines[a:z], u,
+            found.cage[row, case], found.position[case, a:z], ring, work.errors[: z - a],
         )  # fmt: skip
         found.code[row, case], found.row_residual[row, case] = code, residual
         sound = sound and code in (CONVERGED, OVERLOADED, NO_EQUILIBRIUM)
-        found.reaction[row, case] = ring.reaction
-        found.row_stiffness[row, case] = ring.matrix
         for i in range(layout.DEGREES_OF_FREEDOM):
+            found.reaction[row, case, i] = ring.reaction[i]
+            for j in range(layout.DEGREES_OF_FREEDOM):
+                found.row_stiffness[row, case, i, j] = ring.matrix[i, j]
             scale = max_with_nan(scale, abs(ring.reaction[i]))
-        _add_row(rows.stand, row, k, ring, force, stiffness)
+        _add_row(rows.stand, row, k, ring, work.transform, force, stiffness)
     worst = 0.0
     for i in range(UNKNOWNS):
         if asked.free[k, i] > 0.0:
@@ -367,23 +380,21 @@ def _judge(
     found.sound[case] = sound and found.residual[case] <= PRECISION
 
 
-@kernel
+@filling_kernel
 def solve_sets(
-    rows: Rows, asked: Asked, moving: bool, chosen: NDArray[np.int64], found: Found
+    rows: Rows, asked: Asked, moving: bool, chosen: NDArray[np.int64], work: Work, found: Found
 ) -> None:
     """Propose the equilibrium of some cases, with or without inertia, and judge it.
 
     chosen: which cases they are, of all that `found` has room for; (n,).
     """
-    work = _work(rows.p.shape[0], rows.cosines.size)
     _settle_static(work, rows, asked, chosen, moving, found)
     if moving:
         _settle_moving(work, rows, asked, chosen, found)
-    ring = ring_around(rows.cosines.size)
-    room, errors = np.zeros((rows.p.shape[1], 1)), np.zeros((rows.cosines.size, 2))
     for k in range(chosen.size):
         case = chosen[k]
         found.sound[case] = False
-        found.code[:, case] = NOT_CONVERGED
+        for row in range(rows.p.shape[0]):
+            found.code[row, case] = NOT_CONVERGED
         if found.steps[case] > 0:
-            _judge(rows, asked, k, case, moving, ring, room, errors, found)
+            _judge(work, rows, asked, k, case, moving, found)

@@ -18,7 +18,15 @@ from rolamento.rows.ball.accept import NEEDS_INERTIA
 from rolamento.rows.ball.problem import directions, ring_arms
 from rolamento.rows.ball.row import BallRow, HeldBalls
 from rolamento.rows.ball.run import Solution, has_inertia, turns
-from rolamento.rows.ball.set_blocks import PRESS, STANDING, Asked, Found, Rows, solve_sets
+from rolamento.rows.ball.set_blocks import (
+    PRESS,
+    STANDING,
+    Asked,
+    Found,
+    Rows,
+    Work,
+    solve_sets,
+)
 from rolamento.rows.ball.set_lanes import LEVER, SLIDE, TILT, UNKNOWNS, WAY
 from rolamento.rows.row import Indices, IntArray, Row
 
@@ -204,7 +212,8 @@ class _Run:
             stand, control = map(np.ascontiguousarray, (self.stand[:, :, some], control))
             rows = Rows(p, stand, control, cosines, sines, self._ends)
             asked = Asked(*(np.ascontiguousarray(one[some]) for one in self.asked))
-            solve_sets.compiled(rows, asked, moving, some, self.found)
+            work = Work.of(len(self.rows), len(cosines), longest)
+            solve_sets.compiled(rows, asked, moving, some, work, self.found)
             _ready.set()
 
         chunks = [chosen[first : first + CHUNK] for first in range(0, len(chosen), CHUNK)]

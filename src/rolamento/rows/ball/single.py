@@ -73,7 +73,7 @@ def ring_around(balls: int) -> Ring:
     )  # fmt: skip
 
 
-@shared
+@filling
 def empty_ring(p: Array, case: int, cage: float, ring: Ring) -> None:
     """Set the sums to zero, the nominal speed's pull on the cage taken in."""
     ring.reaction[:] = 0.0
