@@ -81,6 +81,21 @@ def _propose(
         accepted[k] = accepted[k] and iterations[order[k]] > 0
 
 
+@filling
+def _mark_finite(p: Array, order: Order, finite: NDArray[np.bool_], room: Array) -> None:
+    """Mark the cases whose parameters are numbers; room (cases).
+
+    Row by row, as they lie in memory: so they are near when the lanes are filled.
+    """
+    for k in range(order.size):
+        room[k] = 0.0
+    for row in range(p.shape[0]):
+        for k in range(order.size):
+            room[k] += 0.0 * p[row, order[k] if p.shape[1] > 1 else 0]
+    for k in range(order.size):
+        finite[k] = room[k] == 0.0
+
+
 @kernel
 def solve_cases(
     p: Array,
@@ -95,6 +110,8 @@ def solve_cases(
 ) -> None:
     """Solve some of the cases, in the order given, and judge every one.
 
+    What is not finite gets the code INVALID_INPUT and is left alone.
+
     p: parameters (layout.COLUMN or more, cases or 1); control: +1/-1 per ball (cases or 1, balls);
     moving: whether these cases have inertia; fast: whether to try the fast path; most_work: how
     often a ball may be evaluated on the others before a case is given up.
@@ -106,10 +123,15 @@ def solve_cases(
         displacement, cage, position, reaction, stiffness, residual, code, unsupported, iterations,
         safe,
     ) = out  # fmt: skip
+    finite = np.zeros(order.size, np.bool_)
+    _mark_finite(p, order, finite, np.zeros(order.size))
+    for case in order[~finite]:
+        code[case] = status.INVALID_INPUT
+    order = order[finite]
     errors, on_groove = np.zeros((cosines.size, 2)), np.zeros(cosines.size)
     ring, room = ring_around(cosines.size), room_for(cosines.size)
     accepted, few = np.zeros(order.size, np.bool_), False
-    if fast:
+    if fast and order.size > 0:
         _propose(p, control, cosines, sines, moving, order, True, room, accepted, out)
         left = np.flatnonzero(~accepted)
         few = left.size < SEVERAL

@@ -115,19 +115,18 @@ def solve_columns(
     solution = Solution.room(cases, balls)
     if cases == 0:
         return solution
-    finite = np.asarray(np.isfinite(p).all(axis=0))
-    solution.forget(~finite)
     moving = has_inertia(p)
     p, control = np.ascontiguousarray(p), np.ascontiguousarray(control, dtype=np.float64)
-    still = np.flatnonzero(finite & ~moving)
+    still = np.flatnonzero(~moving)
     if len(still):
         _run_threads(p, control, balls, still, False, threads, fast, most_work, solution)
         # what is left out of those is part of their residual: some have to be solved with it
         again = (solution.code == accept.NEEDS_INERTIA) | (solution.code == status.NOT_CONVERGED)
         moving |= again & turns(p)
-    in_motion = np.flatnonzero(finite & moving)
+    in_motion = np.flatnonzero(moving)
     if len(in_motion):
         _run_threads(p, control, balls, in_motion, True, threads, fast, most_work, solution)
+    solution.forget(solution.code == status.INVALID_INPUT)
     return solution
 
 
