@@ -117,7 +117,7 @@ def test_a_shoulder_ends_the_groove() -> None:
     thrust = np.linspace(1e3, 12e3, 23)
     high = Bearing(diametral_clearance="0.03 mm", **DEEP_GROOVE)
     angles = solve(Case(bearing=high, duty=Duty()), fx=thrust).inner.contact_angle
-    edge = float(np.median(angles[:, 0]))
+    edge = float(angles[11:13, 0].mean())  # of neither, which the last digit would decide
     height = 0.505 * 10.319e-3 * (1.0 - math.cos(edge))
     low = Bearing(diametral_clearance="0.03 mm", inner_shoulder_height=height, **DEEP_GROOVE)
     batch = solve(Case(bearing=low, duty=Duty()), fx=thrust)
