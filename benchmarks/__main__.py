@@ -51,6 +51,7 @@ class Effort:
     repeats: int
     sample: int
     robust_cases: int
+    timed_cases: int
     law_cases: int
     runs: int
     sweep_cases: int
@@ -79,6 +80,7 @@ FULL = Effort(
     repeats=5,
     sample=100,
     robust_cases=100_000,
+    timed_cases=1_000_000,
     law_cases=1_000_000,
     runs=10,
     sweep_cases=1_000_000,
@@ -106,6 +108,7 @@ QUICK = Effort(
     repeats=1,
     sample=5,
     robust_cases=3_000,
+    timed_cases=3_000,
     law_cases=2_000,
     runs=2,
     sweep_cases=20_000,
@@ -161,7 +164,7 @@ def steps(effort: Effort) -> list[tuple[str, Callable[[], Findings]]]:
         *vibration_steps(e),
         *((n, partial(robustness.measure, n, e.robust_cases)) for n in robustness.KINDS),
         ("growth", partial(growth.measure, e.sweep_cases, e.analysed_cases)),
-        ("worst case", partial(worst_case.measure, e.robust_cases)),
+        ("worst case", partial(worst_case.measure, e.timed_cases)),
         ("laws", partial(laws.measure, e.law_cases)),
         ("app", partial(app.measure, e.app_moves, e.app_requests)),
     ]
