@@ -251,6 +251,7 @@ def test_the_link_holds_the_whole_case(visit: Any, lang: str, case_file: Path) -
     page.set_input_files("#file", case_file)
     page.locator(CONVERGED).wait_for()
     page.click("#share")
+    page.locator("#sharing").wait_for()  # the case is packed first
     link = page.locator("#link").input_value()
     asked: list[str] = []
     other = visit(lang=lang)
