@@ -12,6 +12,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any, Final
 
+from rolamento.web.openapi import openapi_document
 from rolamento.words import said, speaking
 
 __all__ = ["PARTS", "made", "table"]
@@ -381,11 +382,7 @@ def _messages() -> frozenset[str]:
 
 def http_api() -> str:
     """Return every operation of the HTTP API, from its own OpenAPI document."""
-    try:
-        from rolamento.web.server import create_app
-    except ImportError:
-        return "This version of the program has no HTTP API.\n"
-    return operations_of(create_app().openapi())
+    return operations_of(openapi_document())
 
 
 def operations_of(document: Mapping[str, Any]) -> str:

@@ -63,6 +63,10 @@ def test_the_reference_has_every_field_note_and_command() -> None:
     assert "`--variant NAME:FIELD=VALUE`" in commands or "--variant" in commands
 
 
+def test_the_reference_has_the_http_api() -> None:
+    assert "POST /api/v1/solve" in reference.http_api()
+
+
 def test_the_glossary_speaks_as_the_catalogue_of_words_does() -> None:
     glossary = reference.made("glossary")
     assert "| pitch diameter | diâmetro primitivo | d_m | m |" in glossary
