@@ -45,6 +45,7 @@ python_maximum_signature_line_length = 88
 add_module_names = False
 toc_object_entries = False
 
+html_favicon = "../src/rolamento/web/page/icon.svg"  # of the app
 html_theme = "furo"
 html_title = f"Rolamento {release}"
 html_static_path = ["builder/static"]
