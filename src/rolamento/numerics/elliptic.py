@@ -135,15 +135,7 @@ def carlson_rf(x: ArrayLike, y: ArrayLike, z: ArrayLike) -> FloatArray:
 
     DLMF 19.36.1 after duplication 19.26.18.
     """
-    x, y, z = np.broadcast_arrays(*(np.asarray(v, dtype=np.float64) for v in (x, y, z)))
-    with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
-        for _ in range(_DUPLICATIONS):
-            mean = (x + y + z) / 3.0
-            if not _spread(mean, x, y, z):
-                break
-            root = _lambda(x, y, z)
-            x, y, z = 0.25 * (x + root), 0.25 * (y + root), 0.25 * (z + root)
-        return _first_kind(x, y, z, mean)
+    return carlson_rf_rd(x, y, z)[0]
 
 
 def carlson_rd(x: ArrayLike, y: ArrayLike, z: ArrayLike) -> FloatArray:
@@ -160,24 +152,13 @@ def carlson_rd(x: ArrayLike, y: ArrayLike, z: ArrayLike) -> FloatArray:
 
     DLMF 19.36.2 after duplication 19.26.20.
     """
-    x, y, z = np.broadcast_arrays(*(np.asarray(v, dtype=np.float64) for v in (x, y, z)))
-    power, total = 1.0, np.zeros_like(z)
-    with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
-        for _ in range(_DUPLICATIONS):
-            mean = (x + y + 3.0 * z) / 5.0
-            if not _spread(mean, x, y, z):
-                break
-            root = _lambda(x, y, z)
-            total = total + power / (np.sqrt(z) * (z + root))
-            power *= 0.25
-            x, y, z = 0.25 * (x + root), 0.25 * (y + root), 0.25 * (z + root)
-        return _second_kind(x, y, z, mean, power, total)
+    return carlson_rf_rd(x, y, z)[1]
 
 
 def carlson_rf_rd(x: ArrayLike, y: ArrayLike, z: ArrayLike) -> tuple[FloatArray, FloatArray]:
-    """R_F and R_D of the same arguments, to the last bit as one by one.
+    """R_F and R_D of the same arguments: their duplications are the same.
 
-    Their duplications are the same, which is most of the work. Parameters as of `carlson_rd`.
+    Parameters as of `carlson_rd`; each is NaN or infinite where it is so by itself.
     """
     x, y, z = np.broadcast_arrays(*(np.asarray(v, dtype=np.float64) for v in (x, y, z)))
     power, total = 1.0, np.zeros_like(z)

@@ -33,7 +33,6 @@ STANDING: Final = STAND_ROWS + 1  # numbers that say how a row stands on the rin
 
 _LANES: Final = layout.LANES
 _LEVER: Final = set_lanes.LEVER
-_X: Final = layout.POSITION * _LANES
 
 
 class Rows(NamedTuple):
