@@ -87,8 +87,7 @@ def _mark_finite(p: Array, order: Order, finite: NDArray[np.bool_], room: Array)
 
     Row by row, as they lie in memory: so they are near when the lanes are filled.
     """
-    for k in range(order.size):
-        room[k] = 0.0
+    room[:] = 0.0
     for row in range(p.shape[0]):
         for k in range(order.size):
             room[k] += 0.0 * p[row, order[k] if p.shape[1] > 1 else 0]

@@ -59,11 +59,8 @@ def room_for(balls: int) -> Room:
 @inline_exact
 def empty(room: Room) -> None:
     """Set all that stands in the lanes to zero."""
-    for i in range(room.w.size):
-        room.w[i] = 0.0
-    for j in range(room.b.shape[0]):
-        for i in range(room.b.shape[1]):
-            room.b[j, i] = 0.0
+    room.w[:] = 0.0
+    room.b[:] = 0.0
 
 
 @inline_exact
