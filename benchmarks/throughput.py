@@ -119,7 +119,7 @@ def _filled_lanes() -> tuple[Floats, Floats]:
     solution = solve_columns(p, np.ones((1, balls)), balls, threads=1)
     azimuth = 2.0 * np.pi * np.arange(balls)[:, np.newaxis] / balls
     ring = np.zeros((layout.RING_ROWS, layout.LANES))
-    ring[: layout.PARAMETERS] = p[: layout.PARAMETERS]
+    ring[: layout.PARAMETERS] = p.whole()[: layout.PARAMETERS]
     ring[layout.DISPLACEMENT : layout.DISPLACEMENT + 5] = solution.displacement.T
     ball = np.zeros((balls, layout.BALL_ROWS, layout.LANES))
     ball[:, layout.COS], ball[:, layout.SIN] = np.cos(azimuth), np.sin(azimuth)

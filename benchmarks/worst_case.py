@@ -58,13 +58,13 @@ def _times(case: rolamento.Case, duties: dict[str, Floats]) -> tuple[Floats, int
     p = row.asked(spread_cases.free, spread_cases.load, spread_cases.displacement).p
     balls = case.bearing.element_count
     control = np.ones((1, balls))
-    solve_columns(p[:, :1], control, balls, threads=1)  # to load what it needs
+    solve_columns(p.of([0]), control, balls, threads=1)  # to load what it needs
     begin = time.perf_counter()
     solution = solve_columns(p, control, balls, threads=1)
     whole = time.perf_counter() - begin
-    own, lost = np.zeros(p.shape[1]), 0
+    own, lost = np.zeros(p.cases), 0
     for index in np.flatnonzero(solution.safe):
-        column = p[:, index : index + 1]
+        column = p.of([index])
         begin = time.perf_counter()
         solve_columns(column, control, balls, threads=1)
         own[index] = time.perf_counter() - begin

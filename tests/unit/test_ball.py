@@ -7,11 +7,11 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from rolamento.assembly import spread
 from rolamento.case import Case
 from rolamento.kinematics import BallMotion, ball_motion, grip, orbital_speed
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.ball import contact_exact
-from rolamento.rows.ball.problem import case_parameters
 from rolamento.rows.ball.single import inner_length, linearised
 
 CONTROLS = [(1.0, 0.0), (1.0, 1.0), (-1.0, 0.0)]
@@ -25,7 +25,7 @@ def control(request: pytest.FixtureRequest) -> tuple[float, float]:
 
 @pytest.fixture
 def parameters(case_218: Case, control: tuple[float, float]) -> np.ndarray:
-    p = case_parameters(case_218)[:, np.newaxis].copy()
+    p = spread(case_218).rows[0].row.p.whole()
     p[layout.LAMBDA_INNER] = control[1]
     p[layout.OUTER_SPEED] = -300.0  # both rings turning
     return p

@@ -12,27 +12,26 @@ import numpy as np
 import pytest
 
 import rolamento
+from rolamento.assembly import spread
 from rolamento.case import Case
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.batch import solve_cases
-from rolamento.rows.ball.problem import case_parameters
+from rolamento.rows.ball.blocks import Batch
 from rolamento.rows.ball.run import Solution
 from rolamento.rows.ball.set_blocks import solve_sets
 
 
 @pytest.mark.parametrize("speed", [0.0, 1047.0], ids=["static", "moving"])
 def test_both_ways_agree(case_218: Case, speed: float) -> None:
-    p = case_parameters(case_218)[:, np.newaxis].copy()
+    p = spread(case_218).rows[0].row.p
     p[layout.INNER_SPEED] = speed
     azimuth = 2.0 * np.pi * np.arange(16) / 16
-    control = np.ones((1, 16))
+    bearing = p.bearing.copy()
+    batch = Batch(p.duty, bearing, np.ones((1, 16)), np.cos(azimuth), np.sin(azimuth))
     results = []
     for run in (solve_cases, solve_cases.compiled):
         solution = Solution.empty(1, 16)
-        run(
-            p, control, np.cos(azimuth), np.sin(azimuth), speed > 0.0, np.arange(1), False, 1e6,
-            solution.arrays(),
-        )  # fmt: skip
+        run(batch, speed > 0.0, np.arange(1), False, 1e6, solution.arrays())
         results.append(solution)
     plain, compiled = results
     assert plain.code[0] == compiled.code[0] == 0

@@ -7,13 +7,21 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
+from rolamento.assembly import spread
 from rolamento.case import Case
 from rolamento.numerics.compiled import Kernel
 from rolamento.rows.ball import lanes, layout
 from rolamento.rows.ball.accept import judge
-from rolamento.rows.ball.blocks import fill_all, judge_blocks, put_displacement, room_for
+from rolamento.rows.ball.blocks import (
+    Batch,
+    begin,
+    fill_all,
+    judge_blocks,
+    put_displacement,
+    room_for,
+)
 from rolamento.rows.ball.elimination import elimination
-from rolamento.rows.ball.problem import apply_model, case_parameters, directions
+from rolamento.rows.ball.problem import Columns, apply_model, directions, ring_arms
 from rolamento.rows.ball.run import Solution, solve_columns
 from rolamento.rows.ball.settle import settle
 from rolamento.rows.ball.single import (
@@ -42,7 +50,7 @@ COMPILED = pytest.param(
 def filled(case_218: Case) -> tuple[np.ndarray, ...]:
     """Sixteen different duties in the lanes, under mixed raceway control."""
     rng = np.random.default_rng(3)
-    p = np.repeat(case_parameters(case_218)[:, np.newaxis], N, axis=1)
+    p = np.repeat(spread(case_218).rows[0].row.p.whole(), N, axis=1)
     p[layout.INNER_SPEED] = rng.uniform(0.0, 1500.0, N)
     p[layout.OUTER_SPEED] = rng.uniform(-500.0, 500.0, N)
     p[layout.LAMBDA_INNER] = rng.integers(0, 2, N)
@@ -52,9 +60,11 @@ def filled(case_218: Case) -> tuple[np.ndarray, ...]:
     cosines, sines = np.cos(azimuth), np.sin(azimuth)
     control = rng.choice([-1.0, 1.0], (N, BALLS))
     u = rng.uniform(-1e-5, 4e-5, (N, 5))
-    w = np.zeros(layout.RING_ROWS * N)
-    b = np.zeros((BALLS, layout.BALL_ROWS * N))
-    fill_all(w, b, p, cosines, sines, control, np.arange(N))
+    room, columns = room_for(BALLS), Columns.split(p)
+    w, b = room.w, room.b
+    batch = Batch(columns.duty, columns.bearing, control, cosines, sines)
+    begin(room, batch)
+    fill_all(room, batch, np.arange(N))
     for lane in range(N):
         put_displacement(w, lane, u[lane])
     return p, cosines, sines, control, u, w, b
@@ -215,7 +225,7 @@ def test_judged_in_lanes_as_one_by_one(setting: str, case_218: Case) -> None:
     """The judgement in lanes has the bits of the plain one; what it does not accept has none."""
     rng = np.random.default_rng(5)
     cases = 3 * N + 5
-    p = np.repeat(case_parameters(case_218)[:, np.newaxis], cases, axis=1)
+    p = np.repeat(spread(case_218).rows[0].row.p.whole(), cases, axis=1)
     p[layout.FREE : layout.FREE + 5] = 1.0
     p[layout.FREE + 3 : layout.FREE + 5] = setting == "moments"
     fx = 50.0 if setting == "light" else rng.uniform(5e3, 4e4, cases)
@@ -229,17 +239,20 @@ def test_judged_in_lanes_as_one_by_one(setting: str, case_218: Case) -> None:
     p[layout.OUTER_SPEED] = 0.0
     apply_model(p, case_218.model)
     control = np.ones((1, BALLS))
-    solution = solve_columns(p, control, BALLS, threads=1)
+    columns = Columns.split(p)
+    solution = solve_columns(columns, control, BALLS, threads=1)
     (cosines, sines), order = directions(BALLS), np.arange(cases)
 
     together = Solution.empty(cases, BALLS)
     accepted = np.zeros(cases, np.bool_)
     ring = ring_around.python(BALLS)
     errors = np.zeros((BALLS, 2))
+    batch = Batch(columns.duty, columns.bearing, control, cosines, sines)
     judge_blocks.compiled(
-        p, control, cosines, sines, order, room_for(BALLS), solution.displacement, solution.cage,
-        solution.position, together.reaction, together.stiffness, together.residual, accepted,
+        batch, order, room_for(BALLS), solution.displacement, solution.cage, solution.position,
+        together.reaction, together.stiffness, together.residual, accepted,
     )  # fmt: skip
+    arms = ring_arms(p[:, 0])
     assert accepted.mean() > 0.9
     off = 0
     for case in np.flatnonzero(accepted):
@@ -255,8 +268,9 @@ def test_judged_in_lanes_as_one_by_one(setting: str, case_218: Case) -> None:
         )
         assert code == CONVERGED
         assert residual == together.residual[case] <= TOLERANCE
-        np.testing.assert_array_equal(ring.reaction, together.reaction[case])
-        np.testing.assert_array_equal(ring.matrix, together.stiffness[case])
+        np.testing.assert_array_equal(arms * ring.reaction, together.reaction[case])
+        stiffness = np.outer(arms, arms) * ring.matrix
+        np.testing.assert_array_equal(stiffness, together.stiffness[case])
     assert (off > 0) == (setting == "off the groove")
 
 

@@ -10,7 +10,7 @@ from rolamento.case import Case
 from rolamento.case.bearing import Bearing
 from rolamento.errors import InputError
 from rolamento.rows.ball import layout
-from rolamento.rows.ball.problem import case_parameters, ring_arms
+from rolamento.rows.ball.problem import Columns, ring_arms
 from rolamento.static import race_stiffness
 
 
@@ -29,7 +29,7 @@ def test_polynomials_follow_the_exact_stiffness(
         inner_conformity=conformity,
         outer_conformity=conformity,
     )
-    p = case_parameters(case_218.replace(bearing=bearing))
+    p = spread(case_218.replace(bearing=bearing)).rows[0].row.p.whole()[:, 0]
     angles = np.linspace(0.0, np.pi / 2, 200)
     stiffness = race_stiffness(bearing, angles)
     for first, exact in (
@@ -43,17 +43,29 @@ def test_polynomials_follow_the_exact_stiffness(
 
 def test_a_batch_repeats_the_case(case_218: Case) -> None:
     p = spread(case_218, {"fz": [1.0, 2.0, 3.0]}).rows[0].row.p
-    single = case_parameters(case_218)
-    assert p.shape == (layout.COLUMN, 3)
+    single = spread(case_218).rows[0].row.p.whole()
+    assert p.duty.shape == (layout.DUTY, 3)
+    assert p.bearing.shape == (layout.COLUMN - layout.DUTY, 1)
     np.testing.assert_array_equal(p[layout.APPLIED + 2], [1.0, 2.0, 3.0])
     others = np.arange(layout.COLUMN) != layout.APPLIED + 2
-    np.testing.assert_array_equal(p[others], np.repeat(single[others, np.newaxis], 3, axis=1))
+    np.testing.assert_array_equal(p.whole()[others], np.repeat(single[others], 3, axis=1))
+
+
+def test_what_varies_of_the_bearing_has_columns_of_its_own(case_218: Case) -> None:
+    angles = np.array([0.6, 0.7])
+    p = spread(case_218, {"bearing.contact_angle": angles, "fx": [1.0, 2.0]}).rows[0].row.p
+    assert p.bearing.shape == (layout.COLUMN - layout.DUTY, 2)
+    for k, angle in enumerate(angles):
+        bearing = case_218.bearing.replace(contact_angle=float(angle))
+        single = spread(case_218.replace(bearing=bearing), {"fx": 1.0 + k}).rows[0].row.p
+        np.testing.assert_allclose(p.of([k]).whole(), single.whole(), rtol=1e-12)
+    np.testing.assert_array_equal(Columns.split(p.whole()).bearing, p.bearing)
 
 
 def test_loads_free_and_displacements_hold(case_218: Case) -> None:
     p = spread(case_218, {"my": [5.0, 6.0], "x": 1e-5}).rows[0].row.p
     arm = ring_arms(p)[3]
-    np.testing.assert_array_equal(p[layout.FREE : layout.FREE + 5, 0], [0, 1, 1, 1, 0])
+    np.testing.assert_array_equal(p[layout.FREE : layout.FREE + 5][:, 0], [0, 1, 1, 1, 0])
     np.testing.assert_allclose(p[layout.APPLIED + 3] * arm, [5.0, 6.0])
     np.testing.assert_array_equal(p[layout.APPLIED], 0.0)
     np.testing.assert_array_equal(p[layout.IMPOSED], 1e-5)

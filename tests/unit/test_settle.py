@@ -5,16 +5,16 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from rolamento.assembly import spread
 from rolamento.case import Case
 from rolamento.rows.ball import layout
-from rolamento.rows.ball.problem import case_parameters
 from rolamento.rows.ball.settle import _bracketed, free_ball, in_place, settle
 from rolamento.rows.ball.single import linearised
 
 
 @pytest.fixture(params=[50.0, 1000.0, 1500.0], ids=lambda speed: f"{speed:.0f} rad/s")
 def parameters(request: pytest.FixtureRequest, case_218: Case) -> np.ndarray:
-    p = case_parameters(case_218)[:, np.newaxis].copy()
+    p = spread(case_218).rows[0].row.p.whole()
     p[layout.INNER_SPEED] = request.param
     return p
 

@@ -49,7 +49,7 @@ def rig(case_218: Case) -> Rig:
     assert row is not None
     constants = case_constants(row.p, np.array([MU]))[:, 0].copy()
     azimuth = 2.0 * np.pi * np.arange(3) / 3
-    return Rig(row.p, 0, constants, 0.2, np.cos(azimuth), np.sin(azimuth))
+    return Rig(row.p.whole(), 0, constants, 0.2, np.cos(azimuth), np.sin(azimuth))
 
 
 def mesh_of(rig: Rig, smoothing: float, nodes: tuple[int, int] = NODES) -> Mesh:

@@ -306,11 +306,14 @@ def _on_sphere(
 def _duty(
     case: Case, arrays: Mapping[str, FloatArray], cases: int
 ) -> tuple[BoolArray, FloatArray, FloatArray]:
-    """Which degrees of freedom are free, the loads and the displacements; (cases, 5) each."""
+    """Which degrees of freedom are free, the loads and the displacements; (cases, 5) each.
+
+    The cases of an axis stand together, as the kernels have them.
+    """
     duty = case.duty
-    free = np.repeat(np.array(duty.free)[np.newaxis], cases, axis=0)
-    load = np.repeat(np.array(duty.applied_load)[np.newaxis], cases, axis=0)
-    displacement = np.repeat(np.array(duty.imposed_displacement)[np.newaxis], cases, axis=0)
+    free = np.repeat(np.array(duty.free), cases).reshape(5, cases).T
+    own = np.concatenate([duty.applied_load, duty.imposed_displacement])
+    load, displacement = np.repeat(own, cases).reshape(2, 5, cases).transpose(0, 2, 1)
     for i, (axis, name) in enumerate(zip(AXES, LOADS, strict=True)):
         if (given := arrays.get(f"duty.load.{name}")) is not None:
             free[:, i], load[:, i], displacement[:, i] = True, given, 0.0
@@ -506,4 +509,4 @@ def _rollers_consistent(bearing: Any, own: RollerBearing) -> BoolArray:
 def _within_reason(displacement: FloatArray, bearing: Any) -> BoolArray:
     """A ring does not move by a rolling element, as `Case` has it; (cases,)."""
     limit = getattr(bearing, "ball_diameter", getattr(bearing, "roller_diameter", 0.0))
-    return np.asarray(np.all(np.abs(displacement[:, :3]) <= np.reshape(limit, (-1, 1)), axis=1))
+    return np.asarray(np.all(np.abs(displacement.T[:3]) <= limit, axis=0))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import reduce
 from typing import TYPE_CHECKING, Any
@@ -138,7 +139,9 @@ def result(cases: Cases, balanced: Balanced) -> Solved:
     faces = [(placed, face) for placed in cases.rows for face in placed.row.faces]
     geometry = [placed.row.geometry for placed, _ in faces]
     displacement = _forgotten(balanced.place, lost)
-    load = _forgotten(np.where(cases.free, cases.load, balanced.force), lost)
+    load = balanced.force
+    np.copyto(load, cases.load, where=cases.free)
+    load = _forgotten(load, lost)
     return Solved(
         case=cases.case,
         varied=cases.varied,
@@ -149,12 +152,12 @@ def result(cases: Cases, balanced: Balanced) -> Solved:
         rows=Rows(
             sign=np.array([placed.sign * face for placed, face in faces]),
             element_count=np.array([placed.row.element_count for placed, _ in faces]),
-            position=np.stack([placed.position for placed, _ in faces], axis=1),
+            position=_side_by_side([placed.position for placed, _ in faces]),
             load=_forgotten(_carried(cases, balanced, load), lost),
             element=tuple(place.bearing.element for place in cases.case.bearing.places),
-            effective_length=np.stack([_length_of_line(own) for own in geometry], axis=1),
+            effective_length=_side_by_side([_length_of_line(own) for own in geometry]),
             **{
-                name: np.stack([getattr(own, name) for own in geometry], axis=1)
+                name: _side_by_side([getattr(own, name) for own in geometry])
                 for name in GEOMETRY_COLUMNS
             },
         ),
@@ -162,10 +165,15 @@ def result(cases: Cases, balanced: Balanced) -> Solved:
     )
 
 
+def _side_by_side(rows: Sequence[FloatArray]) -> FloatArray:
+    """Numbers of the rows, (cases,) each, as (cases, rows); of a single row not a copy."""
+    return rows[0][:, np.newaxis] if len(rows) == 1 else np.stack(rows, axis=1)
+
+
 def _length_of_line(row: RowGeometry) -> FloatArray:
     """Of rollers; NaN of balls, (cases,), m."""
     length = row.effective_length
-    return np.full_like(row.ball_diameter, np.nan) if length is None else length
+    return np.broadcast_to(np.nan, row.ball_diameter.shape) if length is None else length
 
 
 def _carried(cases: Cases, balanced: Balanced, load: FloatArray) -> FloatArray:

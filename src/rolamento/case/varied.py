@@ -128,7 +128,8 @@ def bounded(arrays: Mapping[str, Floats]) -> dict[str, Floats]:
     for name, array in arrays.items():
         bounds = Case.fields()[name].bounds
         assert bounds is not None  # else it would not vary
-        found[name] = np.where(bounds.allows(array), array, np.nan)
+        allowed = bounds.allows(array)
+        found[name] = array if allowed.all() else np.where(allowed, array, np.nan)
     return found
 
 

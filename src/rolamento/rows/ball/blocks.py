@@ -29,14 +29,30 @@ _LANES: Final = layout.LANES
 _X: Final = layout.POSITION * _LANES
 
 
+class Batch(NamedTuple):
+    """Cases of one row of balls, as the kernels take them.
+
+    duty (layout.DUTY, cases), bearing (the rest of layout.COLUMN, cases or 1): their parameters;
+    control (cases or 1, balls): +1 or -1; cosines, sines (balls): of the balls' azimuths from the
+    first.
+    """
+
+    duty: Array
+    bearing: Array
+    control: Array
+    cosines: Array
+    sines: Array
+
+
 class Room(NamedTuple):
     """Room for as many cases as there are lanes.
 
-    w (layout.RING_ROWS * lanes), b (balls, layout.BALL_ROWS * lanes): rings and balls; holds,
-    groupings (lanes): the case in each lane, or -1, and how often its balls changed groups;
-    errors (balls, 2): of the balls of a case, their residuals and scales.
+    rings (layout.RING_ROWS, lanes), and the same numbers in one row, w; b (balls, layout.BALL_ROWS
+    * lanes): balls; holds, groupings (lanes): the case in each lane, or -1, and how often its balls
+    changed groups; errors (balls, 2): of the balls of a case, their residuals and scales.
     """
 
+    rings: Array
     w: Array
     b: Array
     holds: Order
@@ -47,8 +63,10 @@ class Room(NamedTuple):
 @shared
 def room_for(balls: int) -> Room:
     """Make room for cases of so many balls."""
+    rings = np.zeros((layout.RING_ROWS, _LANES))
     return Room(
-        np.zeros(layout.RING_ROWS * _LANES),
+        rings,
+        rings.reshape(rings.size),
         np.zeros((balls, layout.BALL_ROWS * _LANES)),
         np.full(_LANES, -1),
         np.zeros(_LANES, np.int64),
@@ -56,11 +74,14 @@ def room_for(balls: int) -> Room:
     )
 
 
-@inline_exact
-def empty(room: Room) -> None:
-    """Set all that stands in the lanes to zero."""
+@filling
+def begin(room: Room, batch: Batch) -> None:
+    """Empty the lanes, and put in the bearing if all cases have the same."""
     room.w[:] = 0.0
     room.b[:] = 0.0
+    if batch.bearing.shape[1] == 1:
+        for lane in range(_LANES):
+            put_numbers(room.w, layout.DUTY, lane, batch.bearing, 0)
 
 
 @inline_exact
@@ -100,12 +121,11 @@ def _over_penetration(p: Array, case: int, ball_count: int) -> Three:
 @filling
 def start(p: Array, case: int, ball_count: int, u: Array) -> None:
     """Write a first displacement of the ring: as held, or so that the balls carry too much."""
-    column = case if p.shape[1] > 1 else 0
-    x, y, z = _over_penetration(p, column, ball_count)
+    x, y, z = _over_penetration(p, case, ball_count)
     guess = (x, y, z, 0.0, 0.0)
     for i in range(layout.DEGREES_OF_FREEDOM):
-        free = p[layout.FREE + i, column] > 0.0
-        u[i] = guess[i] if free else p[layout.IMPOSED + i, column]
+        free = p[layout.FREE + i, case] > 0.0
+        u[i] = guess[i] if free else p[layout.IMPOSED + i, case]
 
 
 @inline_exact
@@ -116,14 +136,22 @@ def put_displacement(w: Array, lane: int, u: Array) -> None:
 
 
 @inline_exact
-def _begin(w: Array, lane: int) -> None:
+def put_numbers(w: Array, first: int, lane: int, numbers: Array, column: int) -> None:
+    """Put a case's parameters into a lane, from a row on, as many as there are."""
+    for row in range(min(numbers.shape[0], layout.PARAMETERS - first)):
+        w[(first + row) * _LANES + lane] = numbers[row, column]
+
+
+@inline_exact
+def begin_lane(w: Array, lane: int) -> None:
+    """Let the cage turn at its nominal speed; no step is taken yet."""
     w[layout.CAGE * _LANES + lane] = w[layout.NOMINAL_ORBIT * _LANES + lane]
     w[layout.STEPS * _LANES + lane] = 0.0
     w[layout.CAUTION * _LANES + lane] = 1.0
 
 
 @inline_exact
-def _put_ball(w: Array, b: Array, lane: int, cosine: float, sine: float, sigma: float) -> None:
+def put_ball(w: Array, b: Array, lane: int, cosine: float, sine: float, sigma: float) -> None:
     """Put a ball on its azimuth, under the control of one race: b of that ball."""
     c0, s0 = w[layout.COS_FIRST * _LANES + lane], w[layout.SIN_FIRST * _LANES + lane]
     b[layout.COS * _LANES + lane] = cosine * c0 - sine * s0
@@ -133,34 +161,36 @@ def _put_ball(w: Array, b: Array, lane: int, cosine: float, sine: float, sigma: 
 
 
 @filling
-def fill(
-    w: Array, b: Array, lane: int, p: Array, cosines: Array, sines: Array, control: Array, case: int
-) -> None:
+def fill(room: Room, lane: int, batch: Batch, case: int) -> None:
     """Put a case into a lane; where its ring stands is left open."""
-    column = case if p.shape[1] > 1 else 0
-    sigmas = case if control.shape[0] > 1 else 0
-    for row in range(layout.PARAMETERS):
-        w[row * _LANES + lane] = p[row, column]
-    _begin(w, lane)
-    for j in range(cosines.size):
-        _put_ball(w, b[j], lane, cosines[j], sines[j], control[sigmas, j])
+    w, b = room.w, room.b
+    put_numbers(w, 0, lane, batch.duty, case)
+    if batch.bearing.shape[1] > 1:
+        put_numbers(w, layout.DUTY, lane, batch.bearing, case)
+    begin_lane(w, lane)
+    sigmas = case if batch.control.shape[0] > 1 else 0
+    for j in range(b.shape[0]):
+        put_ball(w, b[j], lane, batch.cosines[j], batch.sines[j], batch.control[sigmas, j])
 
 
 @filling
-def fill_all(
-    w: Array, b: Array, p: Array, cosines: Array, sines: Array, control: Array, cases: Order
-) -> None:
+def fill_all(room: Room, batch: Batch, cases: Order) -> None:
     """Put cases into all lanes, or the first of them: row by row, as they lie in memory."""
-    one, alike = p.shape[1] == 1, control.shape[0] == 1
-    for row in range(layout.PARAMETERS):
+    w, b = room.w, room.b
+    for row in range(layout.DUTY):
         for lane in range(cases.size):
-            w[row * _LANES + lane] = p[row, 0 if one else cases[lane]]
+            w[row * _LANES + lane] = batch.duty[row, cases[lane]]
+    if batch.bearing.shape[1] > 1:
+        for row in range(layout.DUTY, layout.PARAMETERS):
+            for lane in range(cases.size):
+                w[row * _LANES + lane] = batch.bearing[row - layout.DUTY, cases[lane]]
     for lane in range(cases.size):
-        _begin(w, lane)
-    for j in range(cosines.size):
+        begin_lane(w, lane)
+    alike = batch.control.shape[0] == 1
+    for j in range(b.shape[0]):
         for lane in range(cases.size):
-            sigma = control[0 if alike else cases[lane], j]
-            _put_ball(w, b[j], lane, cosines[j], sines[j], sigma)
+            sigma = batch.control[0 if alike else cases[lane], j]
+            put_ball(w, b[j], lane, batch.cosines[j], batch.sines[j], sigma)
 
 
 @inline_exact
@@ -185,13 +215,13 @@ def read_positions(b: Array, lane: int, x: Array) -> None:
 
 
 @inline_exact
-def _tilting(p: Array, order: Order) -> bool:
+def _tilting(duty: Array, order: Order) -> bool:
     """Whether the ring of any case is free to tilt."""
+    tilting = False
     for case in order:
-        column = case if p.shape[1] > 1 else 0
-        if p[layout.FREE + 3, column] + p[layout.FREE + 4, column] > 0.0:
-            return True
-    return False
+        free = duty[layout.FREE + 3, case] + duty[layout.FREE + 4, case] > 0.0
+        tilting = tilting or free
+    return tilting
 
 
 @filling
@@ -229,10 +259,7 @@ def _lost(w: Array, lane: int) -> bool:
 
 @filling
 def solve_static(
-    p: Array,
-    control: Array,
-    cosines: Array,
-    sines: Array,
+    batch: Batch,
     order: Order,
     moving: bool,
     room: Room,
@@ -248,15 +275,15 @@ def solve_static(
     2) where they are put.
     """
     w, b = room.w, room.b
-    empty(room)
+    begin(room, batch)
     tolerance = START_TOLERANCE if moving else TOLERANCE
-    tilting = _tilting(p, order)
+    tilting = _tilting(batch.duty, order)
     for block in range(0, order.size, _LANES):
         count = min(_LANES, order.size - block)
-        fill_all(w, b, p, cosines, sines, control, order[block : block + count])
+        fill_all(room, batch, order[block : block + count])
         for lane in range(count):
             case = order[block + lane]
-            start(p, case, cosines.size, displacement[case])
+            start(room.rings, lane, b.shape[0], displacement[case])
             put_displacement(w, lane, displacement[case])
             iterations[case] = 0
         open_lanes = count
@@ -288,7 +315,7 @@ def solve_static(
                 iterations[case] = 0
             put_displacement(w, lane, displacement[case])
         if moving:
-            for j in range(cosines.size):
+            for j in range(b.shape[0]):
                 lanes.place_ball(w, b[j])
                 lanes.settle_ball(w, b[j])
             for lane in range(count):
@@ -297,10 +324,7 @@ def solve_static(
 
 @filling
 def solve_moving(
-    p: Array,
-    control: Array,
-    cosines: Array,
-    sines: Array,
+    batch: Batch,
     order: Order,
     cautious: bool,
     room: Room,
@@ -318,20 +342,20 @@ def solve_moving(
     failed, negative where it ran out of steps.
     """
     w, b = room.w, room.b
-    empty(room)
-    tilting = _tilting(p, order)
+    begin(room, batch)
+    tilting = _tilting(batch.duty, order)
     waiting = 0
     working = 0
     for lane in range(_LANES):
         room.holds[lane] = -1
-        fill(w, b, lane, p, cosines, sines, control, order[0])
+        fill(room, lane, batch, order[0])
         put_displacement(w, lane, displacement[order[0]])
         _put_positions(b, lane, position[order[0]])
     while waiting < order.size or working > 0:
         for lane in range(_LANES):
             if room.holds[lane] < 0 and waiting < order.size:
                 case = order[waiting]
-                fill(w, b, lane, p, cosines, sines, control, case)
+                fill(room, lane, batch, case)
                 put_displacement(w, lane, displacement[case])
                 _put_positions(b, lane, position[case])
                 w[layout.CAUTION * _LANES + lane] = 1.0 if cautious else 0.0
@@ -369,21 +393,24 @@ def solve_moving(
 
 
 @filling
-def _worst_ball(w: Array, b: Array, lane: int, p: Array, column: int, errors: Array) -> float:
+def _worst_ball(room: Room, lane: int) -> float:
     """The residual of a lane's case, where a ball's may be worse than the ring's."""
-    for j in range(errors.shape[0]):
-        errors[j, 0] = b[j, layout.ERROR * _LANES + lane]
-        errors[j, 1] = b[j, layout.SCALE * _LANES + lane]
-    heaviest = w[layout.HEAVIEST * _LANES + lane]
-    return worst_ball(p, column, errors, heaviest, w[layout.UNBALANCED * _LANES + lane])
+    for j in range(room.b.shape[0]):
+        room.errors[j, 0] = room.b[j, layout.ERROR * _LANES + lane]
+        room.errors[j, 1] = room.b[j, layout.SCALE * _LANES + lane]
+    heaviest, worst = room.rings[layout.HEAVIEST, lane], room.rings[layout.UNBALANCED, lane]
+    return worst_ball(room.rings, lane, room.errors, heaviest, worst)
+
+
+@inline_exact
+def arm_of(axis: int, arm: float) -> float:
+    """What turns a ring's load of an axis into N or N·m, and a shift into m or rad."""
+    return 1.0 if axis < 3 else arm
 
 
 @filling
 def judge_blocks(
-    p: Array,
-    control: Array,
-    cosines: Array,
-    sines: Array,
+    batch: Batch,
     order: Order,
     room: Room,
     displacement: Array,
@@ -396,43 +423,45 @@ def judge_blocks(
 ) -> None:
     """Judge proposals for moving balls as `accept.judge` does, many at a time.
 
-    Writes reaction (cases, 5), stiffness (cases, 5, 5) and residual (cases) where accepted, in
-    that order; what is not is left to be judged one by one.
+    Writes reaction (cases, 5), stiffness (cases, 5, 5), both in SI, and residual (cases) where
+    accepted, in that order; what is not is left to be judged one by one.
     """
     w, b = room.w, room.b
+    begin(room, batch)
     for block in range(0, order.size, _LANES):
         count = min(_LANES, order.size - block)
-        fill_all(w, b, p, cosines, sines, control, order[block : block + count])
+        fill_all(room, batch, order[block : block + count])
         for lane in range(count):
             case = order[block + lane]
             put_displacement(w, lane, displacement[case])
             _put_positions(b, lane, position[case])
             w[layout.CAGE * _LANES + lane] = cage[case]
         lanes.reset_sums(w)
-        for j in range(cosines.size):
+        for j in range(b.shape[0]):
             lanes.mark_regrouped(w, b[j])
         for lane in range(count):
             if w[layout.REGROUPED * _LANES + lane] > 0.0:
                 _regroup(w, b, lane)
         lanes.start_cage(w)
-        for j in range(cosines.size):
+        for j in range(b.shape[0]):
             lanes.judge_ball(w, b[j])
         lanes.weigh_ring(w)
-        for j in range(cosines.size):
+        for j in range(b.shape[0]):
             lanes.weigh_ball(w, b[j])
         for lane in range(count):
             case = order[block + lane]
-            column = case if p.shape[1] > 1 else 0
             sound = w[layout.UNSOUND * _LANES + lane] == 0.0 and is_finite(displacement[case])
-            if not sound or p[layout.TERMS, column] > layout.COEFFICIENTS:
+            if not sound or w[layout.TERMS * _LANES + lane] > layout.COEFFICIENTS:
                 accepted[block + lane] = False
                 continue
             residual[case] = w[layout.UNBALANCED * _LANES + lane]
             if w[layout.DOUBTFUL * _LANES + lane] > 0.0:
-                residual[case] = _worst_ball(w, b, lane, p, column, room.errors)
+                residual[case] = _worst_ball(room, lane)
             accepted[block + lane] = residual[case] <= status.TOLERANCE
+            arm = w[layout.ARM * _LANES + lane]
             for i in range(layout.DEGREES_OF_FREEDOM):
-                reaction[case, i] = w[(layout.REACTION + i) * _LANES + lane]
+                own = arm_of(i, arm)
+                reaction[case, i] = own * w[(layout.REACTION + i) * _LANES + lane]
                 for j in range(layout.DEGREES_OF_FREEDOM):
                     row = layout.MATRIX + layout.DEGREES_OF_FREEDOM * i + j
-                    stiffness[case, i, j] = w[row * _LANES + lane]
+                    stiffness[case, i, j] = own * arm_of(j, arm) * w[row * _LANES + lane]

@@ -20,7 +20,7 @@ from rolamento.kinematics import (
 )
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.ball import TINY
-from rolamento.rows.ball.problem import directions
+from rolamento.rows.ball.problem import Columns, directions
 from rolamento.rows.ball.rolling import Rolling, motion_of
 
 Floats = NDArray[np.float64]
@@ -59,7 +59,7 @@ class BallTable:
 
 
 def ball_table(
-    p: Floats,
+    p: Columns,
     control: Floats,
     displacement: Floats,
     position: Floats,
@@ -68,10 +68,10 @@ def ball_table(
 ) -> BallTable:
     """Evaluate every ball; rolling: how friction moves them, instead of raceway control.
 
-    p: parameters (layout.PARAMETERS, cases); control: +1 or -1 (cases, balls); displacement
+    control: +1 or -1 (cases, balls); displacement
     (cases, 5) in the scaled form of `rows`; position (cases, balls, 2); azimuth (cases, balls).
     """
-    column = p[:, :, np.newaxis]
+    column = p.over_balls()
     a1, a2 = groove_centres(p, displacement, azimuth)
     x1, x2 = position[..., 0], position[..., 1]
     lift = np.zeros(2) if rolling is None else np.moveaxis(rolling.lift, -1, 0)
@@ -98,10 +98,10 @@ def ball_table(
 
 
 def _motion(
-    p: Floats, control: NDArray[np.int64], inner: ContactTable, outer: ContactTable
+    p: Columns, control: NDArray[np.int64], inner: ContactTable, outer: ContactTable
 ) -> BallMotion:
     """How the balls move under raceway control, and where it holds none, with the cage."""
-    column = p[:, :, np.newaxis]
+    column = p.over_balls()
     rings = (
         inner.angle, outer.angle, column[layout.GAMMA], column[layout.INNER_SPEED],
         column[layout.OUTER_SPEED], control,
@@ -115,9 +115,9 @@ def _motion(
     )
 
 
-def groove_centres(p: Floats, displacement: Floats, azimuth: Floats) -> tuple[Floats, Floats]:
+def groove_centres(p: Columns, displacement: Floats, azimuth: Floats) -> tuple[Floats, Floats]:
     """A1, A2 of the inner groove's centre at every ball, as in `ball_table`; (cases, balls)."""
-    column = p[:, :, np.newaxis]
+    column = p.over_balls()
     x, y, z, tilt_y, tilt_z = (displacement[:, i, np.newaxis] for i in range(5))
     c0, s0 = p[layout.COS_FIRST][:, np.newaxis], p[layout.SIN_FIRST][:, np.newaxis]
     cosines, sines = directions(azimuth.shape[-1])
@@ -127,7 +127,7 @@ def groove_centres(p: Floats, displacement: Floats, azimuth: Floats) -> tuple[Fl
     return a1, a2
 
 
-def axial_load(p: Floats, a1: Floats, a2: Floats) -> tuple[Floats, ...]:
+def axial_load(p: Columns, a1: Floats, a2: Floats) -> tuple[Floats, ...]:
     """A ball at rest on the line of groove centres (a1, a2); (cases,) each.
 
     Its load Q, sin α, cos α, the approach, and d(Q sin α)/da1, K's own change left out.
@@ -142,7 +142,7 @@ def axial_load(p: Floats, a1: Floats, a2: Floats) -> tuple[Floats, ...]:
     return load, sine, cosine, approach, slope
 
 
-def _contacts(y1: Floats, y2: Floats, column: Floats, race: Race, lift: Floats) -> ContactTable:
+def _contacts(y1: Floats, y2: Floats, column: Columns, race: Race, lift: Floats) -> ContactTable:
     """Load, angle and approach of the springs along (y1, y2), as `ball.contact` has them.
 
     lift: the film between, which presses ball and groove in by as much. Past 90° nothing presses.
@@ -165,25 +165,25 @@ _ROWS: Final[dict[Race, tuple[int, int]]] = {
 }
 
 
-def _stiffness(column: Floats, first: int, cosine: Floats) -> Floats:
+def _stiffness(column: Columns, first: int, cosine: Floats) -> Floats:
     """K at an angle, from as many coefficients as the case has."""
     value = _polynomial(column, first, layout.COEFFICIENTS, cosine)
-    if len(column) > layout.COLUMN:
+    if column.length > layout.COLUMN:
         long = _polynomial(column, layout.long_polynomial(first), layout.MOST_TERMS, cosine)
         value = np.where(column[layout.TERMS] > layout.COEFFICIENTS, long, value)
     return value
 
 
-def _polynomial(column: Floats, first: int, count: int, x: Floats) -> Floats:
+def _polynomial(column: Columns, first: int, count: int, x: Floats) -> Floats:
     value = column[first + count - 1]
     for power in range(count - 2, -1, -1):
         value = value * x + column[first + power]
     return np.asarray(value)
 
 
-def hertz(p: Floats, contacts: ContactTable, race: Race) -> HertzContact:
+def hertz(p: Columns, contacts: ContactTable, race: Race) -> HertzContact:
     """Ellipse and pressure of every contact of a race at its loaded angle; (cases, balls)."""
-    column = p[:, :, np.newaxis]
+    column = p.over_balls()
     diameter = column[layout.BALL_DIAMETER]
     length = column[layout.INNER_LENGTH if race == "inner" else layout.OUTER_LENGTH]
     curvature = race_curvature(
@@ -198,7 +198,7 @@ def hertz(p: Floats, contacts: ContactTable, race: Race) -> HertzContact:
     )
 
 
-def criterion(p: Floats, table: BallTable) -> NDArray[np.int64]:
+def criterion(p: Columns, table: BallTable) -> NDArray[np.int64]:
     """Which race controls every ball by Jones's criterion: codes (cases, balls)."""
     inner, outer = hertz(p, table.inner, "inner"), hertz(p, table.outer, "outer")
     return jones_control(

@@ -1,7 +1,8 @@
 """The layout of the solver's arrays: what stands in which row.
 
 A case is a column of `COLUMN` numbers in SI units (and from `LONG` on more, where the stiffness
-needs longer polynomials), of which the vector kernels read `PARAMETERS`. Ring
+needs longer polynomials), of which the vector kernels read `PARAMETERS`. The first `DUTY` of them
+are its own; the others are the bearing's, and stand once for all cases of one bearing. Ring
 rotations and moments are carried as arm times angle (m) and moment over arm (N), with the arm R_i
 of the inner groove's centres, so that the ring's equations have one unit. The vector kernels work
 on `LANES` cases at a time: a row is a run of `LANES` numbers, and `lanes(row)` says where it
@@ -18,42 +19,46 @@ LANES: Final = 16
 COEFFICIENTS: Final = 7
 DEGREES_OF_FREEDOM: Final = 5
 
-# --- a case -----------------------------------------------------------------------------------
-OUTER_LENGTH: Final = 0  # L_o = (f_o - 1/2) D
-INNER_LENGTH: Final = 1  # L_i
-AXIAL_OFFSET: Final = 2  # A1 of the unloaded bearing
-RADIAL_OFFSET: Final = 3  # A2
-GAMMA: Final = 4  # gamma' = D / d_m
-CENTRIFUGAL: Final = 5  # m d_m / 2, or 0 where switched off
-GYROSCOPIC: Final = 6  # m d_m / 10, or 0
-INNER_SPEED: Final = 7
-OUTER_SPEED: Final = 8
-FRICTION_ARM: Final = 9  # f_i D / R_i
-LAMBDA_INNER: Final = 10  # the inner race's part of the gyroscopic moment under outer control
-COS_FIRST: Final = 11  # azimuth of the first ball
-SIN_FIRST: Final = 12
-ARM: Final = 13  # R_i
-ONE_SIDED: Final = 14  # 1 where only contact angles above zero are supported
-BALL_DIAMETER: Final = 15
-OUTER_STIFFNESS: Final = 16  # seven coefficients of K_o in cos a
-INNER_STIFFNESS: Final = 23
-SERIES_STIFFNESS: Final = 30  # of both contacts in series at one angle
-APPLIED: Final = 37  # five loads: fx, fy, fz, my / R_i, mz / R_i
-IMPOSED: Final = 42  # five displacements: x, y, z, ry R_i, rz R_i
-FREE: Final = 47  # five flags: 1 where the load is given, 0 where the displacement is
-HOLD_RATE: Final = 52  # the inner ring holds a ball by the grip Q_i rate + offset, between 0 and 1
-HOLD_OFFSET: Final = 53
-OWN_ORBIT: Final = 54  # 1 where a ball that is held has an orbit of its own, 0 in a rigid cage
-CAGE_WEIGHT: Final = 55  # load by which the cage keeps to the nominal speed
-NOMINAL_ORBIT: Final = 56  # its speed where no ball drives it
-INNER_EDGE: Final = 57  # cosine of the angle at which a groove ends at its shoulder
-OUTER_EDGE: Final = 58
-OUTER_SHARE: Final = 59  # of the outer contact in the approach of both
-INERTIA_APPROACH: Final = 60  # approach of both contacts under F_c of the nominal orbit alone
-PARAMETERS: Final = 61
-TERMS: Final = 61  # coefficients that K takes: COEFFICIENTS, or more from LONG on
-MODULUS: Final = 62  # E', which the kernels do not read: the contacts' ellipses need it
-COLUMN: Final = 63  # the whole column of a case
+# --- a case: its duty -------------------------------------------------------------------------
+APPLIED: Final = 0  # five loads: fx, fy, fz, my / R_i, mz / R_i
+IMPOSED: Final = 5  # five displacements: x, y, z, ry R_i, rz R_i
+FREE: Final = 10  # five flags: 1 where the load is given, 0 where the displacement is
+INNER_SPEED: Final = 15
+OUTER_SPEED: Final = 16
+COS_FIRST: Final = 17  # azimuth of the first ball
+SIN_FIRST: Final = 18
+NOMINAL_ORBIT: Final = 19  # the cage's speed where no ball drives it
+CAGE_WEIGHT: Final = 20  # load by which the cage keeps to that
+HOLD_RATE: Final = 21  # the inner ring holds a ball by the grip Q_i rate + offset, between 0 and 1
+INERTIA_APPROACH: Final = 22  # approach of both contacts under F_c of the nominal orbit alone
+DUTY: Final = 23
+# --- its bearing, and how that is modelled ----------------------------------------------------
+OUTER_LENGTH: Final = DUTY  # L_o = (f_o - 1/2) D
+INNER_LENGTH: Final = DUTY + 1  # L_i
+AXIAL_OFFSET: Final = DUTY + 2  # A1 of the unloaded bearing
+RADIAL_OFFSET: Final = DUTY + 3  # A2
+GAMMA: Final = DUTY + 4  # gamma' = D / d_m
+CENTRIFUGAL: Final = DUTY + 5  # m d_m / 2, or 0 where switched off
+GYROSCOPIC: Final = DUTY + 6  # m d_m / 10, or 0
+FRICTION_ARM: Final = DUTY + 7  # f_i D / R_i
+LAMBDA_INNER: Final = DUTY + 8  # the inner race's part of the gyroscopic moment, outer control
+ARM: Final = DUTY + 9  # R_i
+ONE_SIDED: Final = DUTY + 10  # 1 where only contact angles above zero are supported
+BALL_DIAMETER: Final = DUTY + 11
+HOLD_OFFSET: Final = DUTY + 12  # see HOLD_RATE
+OWN_ORBIT: Final = (
+    DUTY + 13
+)  # 1 where a ball that is held has an orbit of its own, 0 in rigid cages
+INNER_EDGE: Final = DUTY + 14  # cosine of the angle at which a groove ends at its shoulder
+OUTER_EDGE: Final = DUTY + 15
+OUTER_SHARE: Final = DUTY + 16  # of the outer contact in the approach of both
+OUTER_STIFFNESS: Final = DUTY + 17  # seven coefficients of K_o in cos a
+INNER_STIFFNESS: Final = OUTER_STIFFNESS + COEFFICIENTS
+SERIES_STIFFNESS: Final = INNER_STIFFNESS + COEFFICIENTS  # of both contacts in series at one angle
+TERMS: Final = SERIES_STIFFNESS + COEFFICIENTS  # that K takes: COEFFICIENTS, or more from LONG on
+PARAMETERS: Final = TERMS + 1
+MODULUS: Final = PARAMETERS  # E', which the kernels do not read: the contacts' ellipses need it
+COLUMN: Final = PARAMETERS + 1  # the whole column of a case
 LONG: Final = COLUMN  # where seven do not do: K_o, K_i and both in series again, longer
 MOST_TERMS: Final = 28
 

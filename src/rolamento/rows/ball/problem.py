@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import lru_cache
-from math import cos, sin
 from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.case import Case
 from rolamento.case.bearing import Bearing
 from rolamento.case.model import Model
 from rolamento.contact.hertz import effective_modulus
@@ -31,30 +30,67 @@ CAGE_WEIGHT: Final = 1e-2
 Where balls are held, that changes it by some 1e-5; with much less, a breath on one drives it."""
 
 
-def case_parameters(case: Case) -> Floats:
-    """The parameters of a case of one row in the order of `rows`; shape (layout.COLUMN,), SI."""
-    p = bearing_column(case.bearing).copy()
-    duty = case.duty
-    p[layout.INNER_SPEED] = duty.inner_speed
-    p[layout.OUTER_SPEED] = duty.outer_speed
-    apply_model(p, case.model)
-    p[layout.COS_FIRST] = cos(duty.first_ball_azimuth)
-    p[layout.SIN_FIRST] = sin(duty.first_ball_azimuth)
-    arms = ring_arms(p)
-    p[layout.APPLIED : layout.APPLIED + 5] = duty.applied_load / arms
-    p[layout.IMPOSED : layout.IMPOSED + 5] = duty.imposed_displacement * arms
-    p[layout.FREE : layout.FREE + 5] = duty.free
-    return p
+@dataclass(frozen=True, slots=True)
+class Columns:
+    """Many cases of a row of balls: their duties, and the bearing, once if all have the same.
+
+    duty (layout.DUTY, cases), bearing (layout.COLUMN - layout.DUTY or more, cases or 1): the rows
+    of `layout` in two parts. An index is a row of it, whichever part has that.
+    """
+
+    duty: Floats
+    bearing: Floats
+
+    @classmethod
+    def split(cls, whole: Floats) -> Columns:
+        """Take apart whole columns; (layout.COLUMN or more, cases)."""
+        return cls(whole[: layout.DUTY], whole[layout.DUTY :])
+
+    @property
+    def cases(self) -> int:
+        """How many."""
+        return int(self.duty.shape[1])
+
+    @property
+    def length(self) -> int:
+        """How many numbers a column has."""
+        return len(self.duty) + len(self.bearing)
+
+    def __getitem__(self, row: int | slice) -> Floats:
+        """Rows of either part; (…, cases), of the bearing (…, cases or 1)."""
+        first = row.start if isinstance(row, slice) else row
+        part, before = (self.duty, 0) if first < layout.DUTY else (self.bearing, layout.DUTY)
+        if isinstance(row, slice):
+            return part[first - before : row.stop - before]
+        return np.asarray(part[first - before])
+
+    def __setitem__(self, row: int | slice, values: Any) -> None:
+        """Fill in rows of either part."""
+        self[row][...] = values
+
+    def of(self, which: Any) -> Columns:
+        """Some of the cases; the duties of numbered ones are a copy."""
+        alike = self.bearing.shape[1] == 1
+        return Columns(self.duty[:, which], self.bearing if alike else self.bearing[:, which])
+
+    def over_balls(self) -> Columns:
+        """The same with an axis for the balls: rows (cases or 1, 1)."""
+        return Columns(self.duty[..., np.newaxis], self.bearing[..., np.newaxis])
+
+    def whole(self) -> Floats:
+        """Whole columns, a copy; (length, cases)."""
+        shape = (len(self.bearing), self.cases)
+        return np.concatenate([self.duty, np.broadcast_to(self.bearing, shape)])
 
 
-def ring_arms(p: Floats) -> Floats:
+def ring_arms(p: Columns | Floats) -> Floats:
     """The lengths (1, 1, 1, R_i, R_i) that turn tilts into shifts and moments into forces."""
-    arms = np.ones((layout.DEGREES_OF_FREEDOM, *p.shape[1:]))
+    arms = np.ones((layout.DEGREES_OF_FREEDOM, *np.shape(p[layout.ARM])))
     arms[3:] = p[layout.ARM]
     return arms
 
 
-def apply_model(p: Floats, model: Model) -> None:
+def apply_model(p: Columns | Floats, model: Model) -> None:
     """Put into columns that know their speeds what the model says of inertia and of the cage."""
     inner, outer, gamma = p[layout.INNER_SPEED], p[layout.OUTER_SPEED], p[layout.GAMMA]
     cosine = np.minimum(
@@ -98,15 +134,15 @@ def directions(balls: int) -> tuple[Floats, Floats]:
 @lru_cache(maxsize=256)
 def bearing_column(bearing: Bearing) -> Floats:
     """What does not depend on the duty, of a bearing of one row; not to be written to."""
-    p = bearing_columns(bearing, ())
-    p.flags.writeable = False
-    return p
+    own = bearing_columns(bearing, 1)
+    own.flags.writeable = False
+    return own
 
 
-def bearing_columns(bearing: Any, shape: tuple[int, ...]) -> Floats:
-    """What does not depend on the duty; (layout.COLUMN, *shape).
+def bearing_columns(bearing: Any, count: int) -> Floats:
+    """What does not depend on the duty; (layout.COLUMN - layout.DUTY or more, count).
 
-    bearing: a `Bearing`, or an object with its attributes as arrays that broadcast to the shape.
+    bearing: a `Bearing`, or an object with its attributes as arrays, (count,).
     """
     diameter, pitch = bearing.ball_diameter, bearing.pitch_diameter
     places = groove_places(
@@ -120,7 +156,10 @@ def bearing_columns(bearing: Any, shape: tuple[int, ...]) -> Floats:
     mass = ball_mass(diameter, bearing.ball_material.density)
     terms = _terms(diameter / pitch)
     long = np.max(terms) > layout.COEFFICIENTS
-    p = np.zeros((layout.COLUMN + 3 * layout.MOST_TERMS * long, *shape))
+    p = Columns(
+        np.zeros((layout.DUTY, 0)),
+        np.zeros((layout.COLUMN - layout.DUTY + 3 * layout.MOST_TERMS * long, count)),
+    )
     p[layout.OUTER_LENGTH] = places.outer_length
     p[layout.INNER_LENGTH] = places.inner_length
     p[layout.AXIAL_OFFSET] = places.axial_offset
@@ -142,7 +181,7 @@ def bearing_columns(bearing: Any, shape: tuple[int, ...]) -> Floats:
     for count in {*terms[terms > layout.COEFFICIENTS].tolist()}:
         _put_polynomials(p, bearing, int(count), where=p[layout.TERMS] == count)
     p[layout.OUTER_SHARE] = np.cbrt(p[layout.SERIES_STIFFNESS] / p[layout.OUTER_STIFFNESS]) ** 2
-    return p
+    return p.bearing
 
 
 def _terms(ratio: Any) -> Floats:
@@ -152,7 +191,7 @@ def _terms(ratio: Any) -> Floats:
     return np.asarray(counts, dtype=np.float64)[np.minimum(place, len(counts) - 1)]
 
 
-def _put_polynomials(p: Floats, bearing: Any, count: int, where: Any = True) -> None:
+def _put_polynomials(p: Columns, bearing: Any, count: int, where: Any = True) -> None:
     """Put in K_i, K_o and both in series as polynomials of so many coefficients in cos α.
 
     The exact stiffness depends on the loaded angle through the curvatures, weakly: a polynomial
@@ -160,16 +199,12 @@ def _put_polynomials(p: Floats, bearing: Any, count: int, where: Any = True) -> 
     """
     chebyshev = np.cos(np.pi * (np.arange(count) + 0.5) / count)
     cosines = 0.5 * (1.0 + chebyshev)
-    exact = race_stiffness(bearing, np.arccos(cosines).reshape(count, *(1,) * (p.ndim - 1)))
+    exact = race_stiffness(bearing, np.arccos(cosines)[:, np.newaxis])
     powers = np.vander(cosines, count, increasing=True)
     for first, values in (
         (layout.INNER_STIFFNESS, exact.inner),
         (layout.OUTER_STIFFNESS, exact.outer),
         (layout.SERIES_STIFFNESS, exact.combined),
     ):
-        found = np.linalg.solve(powers, values.reshape(count, -1)).reshape(values.shape)
         start = first if count == layout.COEFFICIENTS else layout.long_polynomial(first)
-        part = p[start : start + count]
-        np.copyto(
-            part, found.reshape(count, *(1,) * (p.ndim - found.ndim), *found.shape[1:]), where=where
-        )
+        np.copyto(p[start : start + count], np.linalg.solve(powers, values), where=where)

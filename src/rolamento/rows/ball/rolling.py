@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from rolamento.geometry import Race
 from rolamento.kinematics import BallMotion
 from rolamento.rows.ball import layout
-from rolamento.rows.ball.problem import Floats
+from rolamento.rows.ball.problem import Columns, Floats
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +67,7 @@ class Rolling:
 
 
 def motion_of(
-    p: Floats, rolling: Rolling, inner_angle: Floats, outer_angle: Floats, controlled: BallMotion
+    p: Columns, rolling: Rolling, inner_angle: Floats, outer_angle: Floats, controlled: BallMotion
 ) -> tuple[BallMotion, Floats]:
     """The motion as raceway control describes it, and the yaw β' of the balls' axes.
 

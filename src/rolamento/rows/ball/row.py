@@ -16,7 +16,13 @@ from rolamento.numerics import BoolArray, FloatArray
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.accept import GREATEST_APPROACH
 from rolamento.rows.ball.detail import ContactTable, axial_load, ball_table
-from rolamento.rows.ball.problem import apply_model, bearing_column, bearing_columns, ring_arms
+from rolamento.rows.ball.problem import (
+    Columns,
+    apply_model,
+    bearing_column,
+    bearing_columns,
+    ring_arms,
+)
 from rolamento.rows.ball.rolling import Rolling as Motion
 from rolamento.rows.ball.run import Solution, ball_azimuths, row_verdict, solve_columns
 from rolamento.rows.row import Held, Indices, RowGeometry, RowSizes
@@ -54,7 +60,10 @@ class Traction:
 
 @dataclass(slots=True)
 class HeldBalls:
-    """Balls in their places: the kernels' arrays, and the lengths that turn them into SI."""
+    """Balls in their places: the kernels' arrays, and the lengths that turn places into SI.
+
+    arms: (cases or 1, 5).
+    """
 
     solution: Solution
     arms: FloatArray
@@ -63,7 +72,7 @@ class HeldBalls:
     @property
     def force(self) -> FloatArray:
         """(cases, 5), N and N·m."""
-        return self.solution.reaction * self.arms
+        return self.solution.reaction
 
     @property
     def face_forces(self) -> FloatArray:
@@ -73,9 +82,7 @@ class HeldBalls:
     @property
     def stiffness(self) -> FloatArray:
         """(cases, 5, 5)."""
-        # of one bearing they are all alike
-        arms = self.arms[:1] if (self.arms == self.arms[:1]).all() else self.arms
-        return self.solution.stiffness * (arms[:, :, np.newaxis] * arms[:, np.newaxis, :])
+        return self.solution.stiffness
 
     @property
     def place(self) -> FloatArray:
@@ -85,7 +92,7 @@ class HeldBalls:
     @property
     def scale(self) -> FloatArray:
         """(cases,), N."""
-        return np.asarray(np.abs(self.solution.reaction).max(axis=1))
+        return np.asarray(np.abs(self.force / self.arms).max(axis=1))
 
     @property
     def number(self) -> IntArray:
@@ -110,14 +117,13 @@ class HeldBalls:
     def put(self, cases: Indices, part: Self) -> None:
         """Copy what some of the cases answered to their places."""
         self.solution.put(cases, part.solution)
-        self.arms[cases] = part.arms
 
 
 @dataclass(frozen=True, slots=True)
 class BallRow:
     """Many cases of a row of balls; p: their numbers as `layout` has them, a column a case."""
 
-    p: FloatArray
+    p: Columns
     element_count: int
     geometry: RowGeometry
     threads: int | None = None
@@ -126,12 +132,13 @@ class BallRow:
     @property
     def cases(self) -> int:
         """How many."""
-        return int(self.p.shape[1])
+        return self.p.cases
 
     @property
     def valid(self) -> BoolArray:
         """Which cases have numbers that can be solved; (cases,)."""
-        return np.asarray(np.isfinite(self.p).all(axis=0))
+        p = self.p
+        return np.asarray(np.isfinite(p.duty).all(axis=0) & np.isfinite(p.bearing).all(axis=0))
 
     @property
     def faces(self) -> tuple[float, ...]:
@@ -148,24 +155,21 @@ class BallRow:
         """For the assembly."""
         p = self.p
         reach = p[layout.INNER_LENGTH] + p[layout.OUTER_LENGTH]
-        return RowSizes(
-            arm=p[layout.ARM],
-            diameter=p[layout.BALL_DIAMETER],
-            reach=reach,
-            stiffness=p[layout.SERIES_STIFFNESS],
-            sine=np.clip(p[layout.AXIAL_OFFSET], 0.0, None) / reach,
-        )
+        sine = np.clip(p[layout.AXIAL_OFFSET], 0.0, None) / reach
+        own = (p[layout.ARM], p[layout.BALL_DIAMETER], reach, p[layout.SERIES_STIFFNESS], sine)
+        return RowSizes(*(np.broadcast_to(numbers, p.cases) for numbers in own))
 
     def refuse(self, cases: BoolArray) -> None:
         """Take some cases for invalid: they are left alone."""
-        self.p[:, cases] = np.nan
+        self.p.duty[:, cases] = np.nan
 
     def with_play(self, play: FloatArray) -> BallRow:
         """Draw the unloaded grooves apart by half of a diametral play; (cases,), m.
 
         The grooves of a self-aligning bearing stand where its rows do, whatever its play.
         """
-        p = self.p.copy()
+        bearing = self.p.bearing + np.zeros(self.cases)
+        p = Columns(self.p.duty.copy(), bearing)
         p[layout.RADIAL_OFFSET] -= 0.5 * play
         return replace(self, p=p)
 
@@ -187,11 +191,11 @@ class BallRow:
 
         control: (cases or 1, balls), of the chosen cases; the row has been `asked`.
         """
-        return self._solved(self.p if which is None else self.p[:, which], control)
+        return self._solved(self.p if which is None else self.p.of(which), control)
 
     def held(self, place: FloatArray, which: Indices, control: FloatArray) -> HeldBalls:
         """Hold some of the cases at a place; (len(which), 5)."""
-        p = self.p[:, which]
+        p = self.p.of(which)
         p[layout.FREE : layout.FREE + 5] = 0.0
         p[layout.APPLIED : layout.APPLIED + 5] = 0.0
         p[layout.IMPOSED : layout.IMPOSED + 5] = place.T * ring_arms(p)
@@ -199,9 +203,9 @@ class BallRow:
 
     def nothing(self, cases: int) -> HeldBalls:
         """Make room for so many cases without a result."""
-        return HeldBalls(Solution.empty(cases, self.element_count), np.ones((cases, 5)))
+        return HeldBalls(Solution.empty(cases, self.element_count), ring_arms(self.p).T)
 
-    def _solved(self, p: FloatArray, control: FloatArray) -> HeldBalls:
+    def _solved(self, p: Columns, control: FloatArray) -> HeldBalls:
         solution = solve_columns(
             p, control, self.element_count, threads=self.threads, fast=self.fast
         )
@@ -242,7 +246,7 @@ class BallRow:
 
     def verdict(self, held: Held, control: FloatArray, which: Index) -> IntArray:
         """Jones's criterion for every ball; (cases, balls)."""
-        return row_verdict(self.p[:, which], control, cast(HeldBalls, held).solution)
+        return row_verdict(self.p.of(which), control, cast(HeldBalls, held).solution)
 
     def rolled(self, start: HeldBalls, traction: Traction) -> HeldBalls:
         """Let friction alone move the balls of a bearing that is this row.
@@ -292,9 +296,10 @@ def ball_row(
     """
     if any(name.startswith("bearing.") for name in varied):
         with np.errstate(invalid="ignore", divide="ignore"):
-            p = bearing_columns(bearing, (cases,))
+            own = bearing_columns(bearing, cases)
     else:
-        p = np.repeat(bearing_column(place.bearing)[:, np.newaxis], cases, axis=1)
+        own = bearing_column(place.bearing).copy()
+    p = Columns(np.zeros((layout.DUTY, cases)), own)
     duty = case.duty
     p[layout.INNER_SPEED] = varied.get("duty.inner_speed", duty.inner_speed)
     p[layout.OUTER_SPEED] = varied.get("duty.outer_speed", duty.outer_speed)
@@ -315,7 +320,7 @@ def ball_row(
 class BallAnswer:
     """Where the balls of solved cases are: what their tables are made from."""
 
-    p: FloatArray
+    p: Columns
     control: FloatArray
     position: FloatArray
     displacement: FloatArray
@@ -324,9 +329,8 @@ class BallAnswer:
 
     def part(self, index: Index) -> BallAnswer:
         """Return some of the cases."""
-        p = self.p[:, index]
         return BallAnswer(
-            p,
+            self.p.of(index),
             self.control[index],
             self.position[index],
             self.displacement[index],

@@ -5,6 +5,7 @@ from __future__ import annotations
 import logging
 from collections import Counter
 from dataclasses import dataclass
+from math import prod
 from threading import Event
 from typing import Any, Final, Self
 
@@ -15,8 +16,9 @@ from rolamento import status
 from rolamento.numerics.threads import COMPILING, side_by_side
 from rolamento.rows.ball import accept, layout
 from rolamento.rows.ball.batch import solve_cases
+from rolamento.rows.ball.blocks import Batch
 from rolamento.rows.ball.detail import ball_table, criterion
-from rolamento.rows.ball.problem import Floats, directions
+from rolamento.rows.ball.problem import Columns, Floats, directions
 
 _log = logging.getLogger("rolamento")
 
@@ -40,7 +42,10 @@ LEAST_INERTIA: Final = 1e-7
 
 @dataclass(slots=True)
 class Solution:
-    """The kernels' output arrays, in the scaled form of `rows`; filled in place."""
+    """The kernels' output arrays, filled in place.
+
+    The displacement is scaled as `layout` has it; reaction and stiffness are in SI.
+    """
 
     displacement: Floats
     cage: Floats
@@ -57,13 +62,22 @@ class Solution:
     def room(cls, cases: int, balls: int) -> Solution:
         """Make room for so many cases, whatever stands in it."""
         n = layout.DEGREES_OF_FREEDOM
+        shapes = ((n,), (balls, 2), (n,), (n, n), (), ())
+        ends = np.cumsum([0, *(cases * prod(shape) for shape in shapes)])
+        # together: the system hands out many small pages more slowly than few large ones
+        whole = np.empty(ends[-1])
+        displacement, position, reaction, stiffness, residual, cage = (
+            whole[a:z].reshape(cases, *shape)
+            for a, z, shape in zip(ends[:-1], ends[1:], shapes, strict=True)
+        )
+        cage[:] = np.nan  # none at rest
         return cls(
-            displacement=np.empty((cases, n)),
-            cage=np.full(cases, np.nan),  # none at rest
-            position=np.empty((cases, balls, 2)),
-            reaction=np.empty((cases, n)),
-            stiffness=np.empty((cases, n, n)),
-            residual=np.empty(cases),
+            displacement=displacement,
+            cage=cage,
+            position=position,
+            reaction=reaction,
+            stiffness=stiffness,
+            residual=residual,
             code=np.empty(cases, np.int64),
             unsupported=np.empty(cases, np.int64),
             iterations=np.empty(cases, np.int64),
@@ -97,7 +111,7 @@ class Solution:
 
 
 def solve_columns(
-    p: Floats,
+    p: Columns,
     control: Floats,
     balls: int,
     *,
@@ -107,36 +121,41 @@ def solve_columns(
 ) -> Solution:
     """Solve every column of parameters.
 
-    p: (layout.COLUMN, cases); control: +1 or -1 (cases, balls) or (1, balls); most_work: how often
+    control: +1 or -1 (cases, balls) or (1, balls); most_work: how often
     a ball may be evaluated on a case beside the fast path. Columns that are not finite get the code
     INVALID_INPUT and are left alone.
     """
-    cases = p.shape[1]
+    cases = p.cases
     solution = Solution.room(cases, balls)
     if cases == 0:
         return solution
     moving = has_inertia(p)
-    p, control = np.ascontiguousarray(p), np.ascontiguousarray(control, dtype=np.float64)
+    batch = Batch(
+        np.ascontiguousarray(p.duty),
+        np.ascontiguousarray(p.bearing),
+        np.ascontiguousarray(control, dtype=np.float64),
+        *directions(balls),
+    )
     still = np.flatnonzero(~moving)
     if len(still):
-        _run_threads(p, control, balls, still, False, threads, fast, most_work, solution)
+        _run_threads(batch, still, False, threads, fast, most_work, solution)
         # what is left out of those is part of their residual: some have to be solved with it
         again = (solution.code == accept.NEEDS_INERTIA) | (solution.code == status.NOT_CONVERGED)
         moving |= again & turns(p)
     in_motion = np.flatnonzero(moving)
     if len(in_motion):
-        _run_threads(p, control, balls, in_motion, True, threads, fast, most_work, solution)
+        _run_threads(batch, in_motion, True, threads, fast, most_work, solution)
     solution.forget(solution.code == status.INVALID_INPUT)
     return solution
 
 
-def turns(p: Floats) -> NDArray[np.bool_]:
+def turns(p: Columns) -> NDArray[np.bool_]:
     """Which columns have any inertia: a speed, and an effect that is switched on."""
     speed = np.abs(p[layout.INNER_SPEED]) + np.abs(p[layout.OUTER_SPEED])
     return np.asarray(speed * np.maximum(p[layout.CENTRIFUGAL], p[layout.GYROSCOPIC]) > 0.0)
 
 
-def has_inertia(p: Floats) -> NDArray[np.bool_]:
+def has_inertia(p: Columns) -> NDArray[np.bool_]:
     """Which columns are solved with the balls' inertia from the first.
 
     The others are tried as at rest: their centrifugal force alone would press a ball in by
@@ -144,15 +163,13 @@ def has_inertia(p: Floats) -> NDArray[np.bool_]:
     """
     speed = np.abs(p[layout.INNER_SPEED]) + np.abs(p[layout.OUTER_SPEED])
     force = np.maximum(p[layout.CENTRIFUGAL], 5.0 * p[layout.GYROSCOPIC]) * (0.5 * speed) ** 2
-    approach = np.cbrt(force / p[layout.SERIES_STIFFNESS]) ** 2
     with np.errstate(invalid="ignore"):
-        return np.asarray(approach > LEAST_INERTIA * p[layout.OUTER_LENGTH])
+        approach = LEAST_INERTIA * p[layout.OUTER_LENGTH]
+        return np.asarray(force > p[layout.SERIES_STIFFNESS] * approach * np.sqrt(approach))
 
 
 def _run_threads(
-    p: Floats,
-    control: Floats,
-    balls: int,
+    batch: Batch,
     which: NDArray[np.intp],
     moving: bool,
     threads: int | None,
@@ -161,12 +178,11 @@ def _run_threads(
     solution: Solution,
 ) -> None:
     """Share some of the cases out to threads, in chunks small enough to keep all of them busy."""
-    cases = len(which)
-    (cosines, sines), out = directions(balls), solution.arrays()
+    cases, balls, out = len(which), batch.cosines.size, solution.arrays()
     if not _ready.is_set():
         plain = _taken["steps"] < LOADING or not solve_cases.is_cached
         if cases <= FEW and not solve_cases.is_loaded and plain:
-            if _interpret(p, control, cosines, sines, moving, which, False, PLAIN_WORK, out):
+            if _interpret(batch, moving, which, False, PLAIN_WORK, out):
                 _taken["steps"] += balls * int(solution.iterations[which].sum())
                 return
             solution.put(which, Solution.empty(cases, balls))
@@ -175,7 +191,7 @@ def _run_threads(
 
     def run(first: int) -> None:
         chunk = which[first : first + CHUNK]
-        solve_cases.compiled(p, control, cosines, sines, moving, chunk, fast, most_work, out)
+        solve_cases.compiled(batch, moving, chunk, fast, most_work, out)
         _ready.set()
 
     side_by_side(run, range(0, cases, CHUNK), threads)
@@ -196,7 +212,7 @@ def _interpret(*arguments: Any) -> bool:
     return not (codes == status.NOT_CONVERGED).any()
 
 
-def ball_azimuths(p: Floats, balls: int) -> Floats:
+def ball_azimuths(p: Columns, balls: int) -> Floats:
     """Azimuth of every ball of every case in [0, 2π); (cases, balls)."""
     first = np.arctan2(p[layout.SIN_FIRST], p[layout.COS_FIRST])
     azimuth = first[:, np.newaxis] + 2.0 * np.pi * np.arange(balls) / balls
@@ -204,7 +220,7 @@ def ball_azimuths(p: Floats, balls: int) -> Floats:
     return np.where(wrapped < 2.0 * np.pi, wrapped, 0.0)
 
 
-def row_verdict(p: Floats, control: Floats, solution: Solution) -> NDArray[np.int64]:
+def row_verdict(p: Columns, control: Floats, solution: Solution) -> NDArray[np.int64]:
     """Jones's criterion for every ball of a row; (cases, balls)."""
     azimuth = ball_azimuths(p, control.shape[1])
     return criterion(p, ball_table(p, control, solution.displacement, solution.position, azimuth))

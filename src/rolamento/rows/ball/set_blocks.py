@@ -15,7 +15,14 @@ from numpy.typing import NDArray
 from rolamento.numerics.compiled import filling, filling_kernel, inline_exact
 from rolamento.rows.ball import lanes, layout, set_lanes
 from rolamento.rows.ball.accept import judge, max_with_nan
-from rolamento.rows.ball.blocks import fill, put_displacement, read_positions
+from rolamento.rows.ball.blocks import (
+    arm_of,
+    begin_lane,
+    put_ball,
+    put_displacement,
+    put_numbers,
+    read_positions,
+)
 from rolamento.rows.ball.set_lanes import SLIDE, STAND_ROWS, TILT, UNKNOWNS, WAY
 from rolamento.rows.ball.single import FAR, Ring, ring_around
 from rolamento.rows.ball.types import Array
@@ -71,8 +78,8 @@ class Found(NamedTuple):
     Of the ring: place, force (cases, UNKNOWNS), stiffness (cases, UNKNOWNS, UNKNOWNS), scaled;
     residual, steps and whether the verdict on the rows is final, (cases,). position: of all balls,
     (cases, balls, 2).
-    Of the rows: displacement, reaction (rows, cases, 5), cage, row_residual, code (rows, cases),
-    row_stiffness (rows, cases, 5, 5).
+    Of the rows: displacement, scaled, reaction (rows, cases, 5), cage, row_residual, code (rows,
+    cases), row_stiffness (rows, cases, 5, 5).
     """
 
     place: Array
@@ -157,11 +164,12 @@ def _fill(work: Work, lane: int, rows: Rows, asked: Asked, k: int, u: Array, bou
     for row in range(rows.p.shape[0]):
         for i in range(STAND_ROWS):
             work.v[row, i * _LANES + lane] = rows.stand[row, i, k]
-        a, z = rows.ends[row], rows.ends[row + 1]
-        fill(
-            work.w[row], work.b[a:z], lane, rows.p[row], rows.cosines[a:z], rows.sines[a:z],
-            rows.control[:, a:z], k,
-        )  # fmt: skip
+        put_numbers(work.w[row], 0, lane, rows.p[row], k)
+        begin_lane(work.w[row], lane)
+        sigmas = k if rows.control.shape[0] > 1 else 0
+        for j in range(rows.ends[row], rows.ends[row + 1]):
+            sigma = rows.control[sigmas, j]
+            put_ball(work.w[row], work.b[j], lane, rows.cosines[j], rows.sines[j], sigma)
         _standing(rows.stand, row, k, u, own)
         put_displacement(work.w[row], lane, own)
         work.w[row, layout.UNBALANCED * _LANES + lane] = 1.0
@@ -364,10 +372,13 @@ def _judge(
         )  # fmt: skip
         found.code[row, case], found.row_residual[row, case] = code, residual
         sound = sound and code in (CONVERGED, OVERLOADED, NO_EQUILIBRIUM)
+        arm = column[layout.ARM, 0]
         for i in range(layout.DEGREES_OF_FREEDOM):
-            found.reaction[row, case, i] = ring.reaction[i]
+            found.reaction[row, case, i] = ring.reaction[i] * arm_of(i, arm)
             for j in range(layout.DEGREES_OF_FREEDOM):
-                found.row_stiffness[row, case, i, j] = ring.matrix[i, j]
+                found.row_stiffness[row, case, i, j] = (
+                    ring.matrix[i, j] * arm_of(i, arm) * arm_of(j, arm)
+                )
             scale = max_with_nan(scale, abs(ring.reaction[i]))
         _add_row(rows.stand, row, k, ring, work.transform, force, stiffness)
     worst = 0.0

@@ -15,7 +15,7 @@ from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.threads import COMPILING, side_by_side
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.accept import NEEDS_INERTIA
-from rolamento.rows.ball.problem import directions, ring_arms
+from rolamento.rows.ball.problem import Columns, directions, ring_arms
 from rolamento.rows.ball.row import BallRow, HeldBalls
 from rolamento.rows.ball.run import Solution, has_inertia, turns
 from rolamento.rows.ball.set_blocks import (
@@ -127,7 +127,7 @@ def settle(
 
 
 def _bounded(
-    columns: Sequence[FloatArray],
+    columns: Sequence[Columns],
     rows: Sequence[BallRow],
     stand: FloatArray,
     free: FloatArray,
@@ -153,10 +153,10 @@ def _bounded(
 
 @dataclass(frozen=True, slots=True)
 class _Run:
-    """The numbers of the cases and the room for what is found; columns: of each row, (…, n)."""
+    """The numbers of the cases and the room for what is found; columns: of each row."""
 
     rows: Sequence[BallRow]
-    columns: list[FloatArray]
+    columns: list[Columns]
     control: FloatArray
     stand: FloatArray
     asked: Asked
@@ -172,7 +172,7 @@ class _Run:
         asked: tuple[FloatArray, FloatArray, FloatArray],
     ) -> _Run:
         every = len(which) == rows[0].cases
-        columns = [row.p if every else row.p[:, which] for row in rows]
+        columns = [row.p if every else row.p.of(which) for row in rows]
         count, n = len(rows), len(which)
         balls = sum(row.element_count for row in rows)
         five = layout.DEGREES_OF_FREEDOM
@@ -201,12 +201,12 @@ class _Run:
         """Solve some of the cases, in threads, chunks of them at a time."""
         pairs = [directions(row.element_count) for row in self.rows]
         cosines, sines = (np.concatenate(part) for part in zip(*pairs, strict=True))
-        longest = max(len(p) for p in self.columns)
+        longest = max(p.length for p in self.columns)
 
         def run(some: IntArray) -> None:
             p = np.zeros((len(self.rows), longest, len(some)))
             for own, columns in zip(p, self.columns, strict=True):
-                own[: len(columns)] = columns[:, some]
+                own[: columns.length] = columns.of(some).whole()
             control = self.control if len(self.control) == 1 else self.control[some]
             # one order in memory: the kernels are compiled for each that they meet
             stand, control = map(np.ascontiguousarray, (self.stand[:, :, some], control))

@@ -18,7 +18,7 @@ from rolamento.geometry import Race, race_curvature
 from rolamento.numerics.threads import side_by_side
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.detail import BallTable, ball_table
-from rolamento.rows.ball.problem import Floats, directions
+from rolamento.rows.ball.problem import Columns, Floats, directions, ring_arms
 from rolamento.rows.ball.rolling import Rolling
 from rolamento.rows.ball.run import Solution, ball_azimuths, has_inertia
 from rolamento.rows.ball.traction import balance, system
@@ -54,7 +54,7 @@ _PATIENCE: Final = "some half a minute"
 
 
 def solve_rolling(
-    p: Floats,
+    p: Columns,
     start: Solution,
     balls: int,
     friction: Floats,
@@ -66,11 +66,11 @@ def solve_rolling(
 ) -> tuple[Solution, Rolling]:
     """Let friction control the balls of every case.
 
-    p: (layout.COLUMN, cases); start: under outer raceway control; friction: μ, (cases,); drag: the
+    start: under outer raceway control; friction: μ, (cases,); drag: the
     torque that holds the cage back, (cases,), N·m; film: what shears in the contacts. Returns the
     solution, scaled as `run` has it, and the motions.
     """
-    cases = p.shape[1]
+    cases = p.cases
     constants = case_constants(p, friction)
     solution = Solution.empty(cases, balls)
     solution.put(np.arange(cases), start)
@@ -122,7 +122,7 @@ class _Problem:
     @classmethod
     def of(
         cls,
-        p: Floats,
+        p: Columns,
         constants: Floats,
         drag: Floats,
         balls: int,
@@ -131,7 +131,7 @@ class _Problem:
     ) -> _Problem:
         """Prepare the arrays of a batch."""
         return cls(
-            np.ascontiguousarray(p), constants, drag, *directions(balls),
+            p.whole(), constants, drag, *directions(balls),
             ellipse_nodes(*COARSEST), ellipse_nodes(*MESHES[mesh]), film,
         )  # fmt: skip
 
@@ -171,11 +171,12 @@ def _solve_case(problem: _Problem, case: int, solution: Solution, rolling: Rolli
     rolling.inner[case] = forces[:, balance.OF_INNER : balance.OF_OUTER]
     rolling.outer[case] = forces[:, balance.OF_OUTER : balance.FORCES]
     solution.displacement[case], solution.position[case] = place.u[:5], place.x
-    solution.reaction[case] = reaction
-    solution.stiffness[case] = tangent
+    arms = ring_arms(problem.p[:, case])
+    solution.reaction[case] = reaction * arms
+    solution.stiffness[case] = tangent * np.outer(arms, arms)
 
 
-def _check_power(p: Floats, drag: Floats, solution: Solution, rolling: Rolling) -> None:
+def _check_power(p: Columns, drag: Floats, solution: Solution, rolling: Rolling) -> None:
     """Compare the work of shaft and housing with the losses; a case that fails has no result."""
     work = p[layout.INNER_SPEED] * rolling.torque("inner")
     work += p[layout.OUTER_SPEED] * rolling.torque("outer")
@@ -196,9 +197,9 @@ def _mean_orbit(table: BallTable) -> Floats:
     return np.asarray(mean)
 
 
-def case_constants(p: Floats, friction: Floats) -> Floats:
+def case_constants(p: Columns, friction: Floats) -> Floats:
     """What the kernel needs beside `rows`; (CONSTANTS, cases)."""
-    cases = p.shape[1]
+    cases = p.cases
     k = np.zeros((CONSTANTS, cases))
     diameter = p[layout.BALL_DIAMETER]
     pitch = diameter / p[layout.GAMMA]
@@ -222,7 +223,7 @@ _RACES: Final[tuple[tuple[Race, int, int, int], ...]] = (
 )
 
 
-def _axes_polynomials(p: Floats, conformity: Floats, race: Race) -> Floats:
+def _axes_polynomials(p: Columns, conformity: Floats, race: Race) -> Floats:
     """Coefficients of a / Q^(1/3) and b / Q^(1/3) in cos α; (14, cases)."""
     count = layout.COEFFICIENTS
     chebyshev = np.cos(np.pi * (np.arange(count) + 0.5) / count)
