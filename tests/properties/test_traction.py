@@ -137,7 +137,7 @@ def test_every_ball_is_in_balance(solved: tuple[Case, Solved, Rolling]) -> None:
     scale = np.maximum(table.outer.load[0], 1e-6 * table.outer.load.max())
     assert (np.linalg.norm(total, axis=1) <= 1e-8 * scale).all()
 
-    p = batch.answer.p[:, 0]
+    p = batch.answer.p.whole()[:, 0]
     inertia = p[layout.GYROSCOPIC] * p[layout.GAMMA] * p[layout.BALL_DIAMETER]
     omega = in_space(batch, np.nan_to_num(rolling.angular_velocity[0]), (0, 2, 1))
     turning = inertia * np.cross([rolling.cage_speed[0], 0.0, 0.0], omega)
@@ -193,7 +193,7 @@ def test_ring_is_in_balance(solved: tuple[Case, Solved, Rolling]) -> None:
 def _groove_to_ball(batch: Solved) -> tuple[Floats, Floats]:
     """From the ball's centre to the inner groove's, along x and outward."""
     answer = batch.answer
-    p, u, psi = answer.p[:, 0], answer.displacement[0], batch.elements.azimuth[0]
+    p, u, psi = answer.p.whole()[:, 0], answer.displacement[0], batch.elements.azimuth[0]
     axial = p[layout.AXIAL_OFFSET] + u[0] + u[3] * np.cos(psi) - u[4] * np.sin(psi)
     radial = p[layout.RADIAL_OFFSET] + u[2] * np.cos(psi) + u[1] * np.sin(psi)
     return axial - answer.position[0, :, 0], radial - answer.position[0, :, 1]

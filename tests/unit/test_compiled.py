@@ -17,6 +17,7 @@ from rolamento.case import Case
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.batch import solve_cases
 from rolamento.rows.ball.blocks import Batch
+from rolamento.rows.ball.mirror import mirror
 from rolamento.rows.ball.run import Solution
 from rolamento.rows.ball.set_blocks import solve_sets
 
@@ -27,7 +28,9 @@ def test_both_ways_agree(case_218: Case, speed: float) -> None:
     p[layout.INNER_SPEED] = speed
     azimuth = 2.0 * np.pi * np.arange(16) / 16
     bearing = p.bearing.copy()
-    batch = Batch(p.duty, bearing, np.ones((1, 16)), np.cos(azimuth), np.sin(azimuth))
+    batch = Batch(
+        p.duty, bearing, np.ones((1, 16)), np.cos(azimuth), np.sin(azimuth), mirror(16, 0)
+    )
     results = []
     for run in (solve_cases, solve_cases.compiled):
         solution = Solution.empty(1, 16)

@@ -21,6 +21,7 @@ from rolamento.rows.ball.blocks import (
     room_for,
 )
 from rolamento.rows.ball.elimination import elimination
+from rolamento.rows.ball.mirror import mirror
 from rolamento.rows.ball.problem import Columns, apply_model, directions, ring_arms
 from rolamento.rows.ball.run import Solution, solve_columns
 from rolamento.rows.ball.settle import settle
@@ -62,7 +63,7 @@ def filled(case_218: Case) -> tuple[np.ndarray, ...]:
     u = rng.uniform(-1e-5, 4e-5, (N, 5))
     room, columns = room_for(BALLS), Columns.split(p)
     w, b = room.w, room.b
-    batch = Batch(columns.duty, columns.bearing, control, cosines, sines)
+    batch = Batch(columns.duty, columns.bearing, control, cosines, sines, mirror(BALLS, 0))
     begin(room, batch)
     fill_all(room, batch, np.arange(N))
     for lane in range(N):
@@ -247,7 +248,7 @@ def test_judged_in_lanes_as_one_by_one(setting: str, case_218: Case) -> None:
     accepted = np.zeros(cases, np.bool_)
     ring = ring_around.python(BALLS)
     errors = np.zeros((BALLS, 2))
-    batch = Batch(columns.duty, columns.bearing, control, cosines, sines)
+    batch = Batch(columns.duty, columns.bearing, control, cosines, sines, mirror(BALLS, 0))
     judge_blocks.compiled(
         batch, order, room_for(BALLS), solution.displacement, solution.cage, solution.position,
         together.reaction, together.stiffness, together.residual, accepted,

@@ -135,7 +135,7 @@ def solve_cases(
         code[case] = status.INVALID_INPUT
     order = order[finite]
     errors, on_groove = np.zeros((cosines.size, 2)), np.zeros(cosines.size)
-    ring, room = ring_around(cosines.size), room_for(cosines.size)
+    ring, room = ring_around(cosines.size), room_for(batch.mirror.seats.shape[0])
     p = np.empty((layout.DUTY + batch.bearing.shape[0], 1))
     accepted, few = np.zeros(order.size, np.bool_), False
     if fast and order.size > 0:

@@ -16,6 +16,7 @@ from rolamento import status
 from rolamento.numerics.compiled import filling, inline_exact, shared
 from rolamento.rows.ball import lanes, layout
 from rolamento.rows.ball.accept import is_finite, worst_ball
+from rolamento.rows.ball.mirror import Mirror
 from rolamento.rows.ball.single import FAR, changes_groove
 from rolamento.rows.ball.types import Array, Order, Three
 
@@ -34,7 +35,7 @@ class Batch(NamedTuple):
 
     duty (layout.DUTY, cases), bearing (the rest of layout.COLUMN, cases or 1): their parameters;
     control (cases or 1, balls): +1 or -1; cosines, sines (balls): of the balls' azimuths from the
-    first.
+    first; mirror: which of them the lanes hold.
     """
 
     duty: Array
@@ -42,6 +43,7 @@ class Batch(NamedTuple):
     control: Array
     cosines: Array
     sines: Array
+    mirror: Mirror
 
 
 class Room(NamedTuple):
@@ -170,7 +172,9 @@ def fill(room: Room, lane: int, batch: Batch, case: int) -> None:
     begin_lane(w, lane)
     sigmas = case if batch.control.shape[0] > 1 else 0
     for j in range(b.shape[0]):
-        put_ball(w, b[j], lane, batch.cosines[j], batch.sines[j], batch.control[sigmas, j])
+        ball = batch.mirror.seats[j, 0]
+        sigma = batch.control[sigmas, ball]
+        put_ball(w, b[j], lane, batch.cosines[ball], batch.sines[ball], sigma)
 
 
 @filling
@@ -188,9 +192,10 @@ def fill_all(room: Room, batch: Batch, cases: Order) -> None:
         begin_lane(w, lane)
     alike = batch.control.shape[0] == 1
     for j in range(b.shape[0]):
+        ball = batch.mirror.seats[j, 0]
         for lane in range(cases.size):
-            sigma = batch.control[0 if alike else cases[lane], j]
-            put_ball(w, b[j], lane, batch.cosines[j], batch.sines[j], sigma)
+            sigma = batch.control[0 if alike else cases[lane], ball]
+            put_ball(w, b[j], lane, batch.cosines[ball], batch.sines[ball], sigma)
 
 
 @inline_exact
@@ -200,18 +205,25 @@ def _read_displacement(w: Array, lane: int, u: Array) -> None:
 
 
 @inline_exact
-def _put_positions(b: Array, lane: int, x: Array) -> None:
-    for j in range(x.shape[0]):
-        b[j, _X + lane] = x[j, 0]
-        b[j, _X + _LANES + lane] = x[j, 1]
+def _put_positions(b: Array, lane: int, x: Array, seats: Order) -> None:
+    for j in range(b.shape[0]):
+        b[j, _X + lane] = x[seats[j, 0], 0]
+        b[j, _X + _LANES + lane] = x[seats[j, 0], 1]
 
 
 @inline_exact
-def read_positions(b: Array, lane: int, x: Array) -> None:
-    """Write where the balls of a lane are; x (balls, 2)."""
-    for j in range(x.shape[0]):
-        x[j, 0] = b[j, _X + lane]
-        x[j, 1] = b[j, _X + _LANES + lane]
+def read_position(b: Array, lane: int, x: Array, ball: int) -> None:
+    """Write where a ball of a lane is; b of that ball, x (balls, 2)."""
+    x[ball, 0] = b[_X + lane]
+    x[ball, 1] = b[_X + _LANES + lane]
+
+
+@inline_exact
+def _read_positions(b: Array, lane: int, x: Array, seats: Order) -> None:
+    """Write where the balls of a lane and their mirror images are."""
+    for j in range(b.shape[0]):
+        read_position(b[j], lane, x, seats[j, 0])
+        read_position(b[j], lane, x, seats[j, 1])
 
 
 @inline_exact
@@ -283,15 +295,15 @@ def solve_static(
         fill_all(room, batch, order[block : block + count])
         for lane in range(count):
             case = order[block + lane]
-            start(room.rings, lane, b.shape[0], displacement[case])
+            start(room.rings, lane, batch.cosines.size, displacement[case])
             put_displacement(w, lane, displacement[case])
             iterations[case] = 0
         open_lanes = count
         for step in range(STATIC_STEPS):
             if tilting:
-                lanes.step_static(w, b)
+                lanes.step_static(w, b, batch.mirror)
             else:
-                lanes.step_static_untilted(w, b)
+                lanes.step_static_untilted(w, b, batch.mirror)
             for lane in range(count):
                 case = order[block + lane]
                 balanced = w[layout.UNBALANCED * _LANES + lane] <= tolerance
@@ -319,7 +331,7 @@ def solve_static(
                 lanes.place_ball(w, b[j])
                 lanes.settle_ball(w, b[j])
             for lane in range(count):
-                read_positions(b, lane, position[order[block + lane]])
+                _read_positions(b, lane, position[order[block + lane]], batch.mirror.seats)
 
 
 @filling
@@ -350,14 +362,14 @@ def solve_moving(
         room.holds[lane] = -1
         fill(room, lane, batch, order[0])
         put_displacement(w, lane, displacement[order[0]])
-        _put_positions(b, lane, position[order[0]])
+        _put_positions(b, lane, position[order[0]], batch.mirror.seats)
     while waiting < order.size or working > 0:
         for lane in range(_LANES):
             if room.holds[lane] < 0 and waiting < order.size:
                 case = order[waiting]
                 fill(room, lane, batch, case)
                 put_displacement(w, lane, displacement[case])
-                _put_positions(b, lane, position[case])
+                _put_positions(b, lane, position[case], batch.mirror.seats)
                 w[layout.CAUTION * _LANES + lane] = 1.0 if cautious else 0.0
                 room.holds[lane] = case
                 room.groupings[lane] = 0
@@ -365,9 +377,9 @@ def solve_moving(
                 working += 1
 
         if tilting:
-            lanes.step_moving(w, b, TOLERANCE)
+            lanes.step_moving(w, b, batch.mirror, TOLERANCE)
         else:
-            lanes.step_moving_untilted(w, b, TOLERANCE)
+            lanes.step_moving_untilted(w, b, batch.mirror, TOLERANCE)
 
         for lane in range(_LANES):
             case = room.holds[lane]
@@ -387,7 +399,7 @@ def solve_moving(
             iterations[case] = steps if settled > 0.0 else (-steps if settled == 0.0 else 0)
             _read_displacement(w, lane, displacement[case])
             cage[case] = w[layout.CAGE * _LANES + lane]
-            read_positions(b, lane, position[case])
+            _read_positions(b, lane, position[case], batch.mirror.seats)
             room.holds[lane] = -1
             working -= 1
 
@@ -434,7 +446,7 @@ def judge_blocks(
         for lane in range(count):
             case = order[block + lane]
             put_displacement(w, lane, displacement[case])
-            _put_positions(b, lane, position[case])
+            _put_positions(b, lane, position[case], batch.mirror.seats)
             w[layout.CAGE * _LANES + lane] = cage[case]
         lanes.reset_sums(w)
         for j in range(b.shape[0]):
@@ -442,9 +454,7 @@ def judge_blocks(
         for lane in range(count):
             if w[layout.REGROUPED * _LANES + lane] > 0.0:
                 _regroup(w, b, lane)
-        lanes.start_cage(w)
-        for j in range(b.shape[0]):
-            lanes.judge_ball(w, b[j])
+        lanes.judge_balls(w, b, batch.mirror)
         lanes.weigh_ring(w)
         for j in range(b.shape[0]):
             lanes.weigh_ball(w, b[j])

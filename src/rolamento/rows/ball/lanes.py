@@ -25,6 +25,7 @@ from rolamento.rows.ball.accept import (
 from rolamento.rows.ball.ball import contact_fast, linearised_fast, linearised_short, polar_fast
 from rolamento.rows.ball.elimination import elimination
 from rolamento.rows.ball.layout import lanes
+from rolamento.rows.ball.mirror import Mirror
 from rolamento.rows.ball.settle import PLACE_SLACK
 from rolamento.rows.ball.single import cage_part, changes_groove, is_rounding
 from rolamento.rows.ball.types import (
@@ -78,7 +79,7 @@ _ONE_SIDED, _BALL_DIAMETER = lanes(layout.ONE_SIDED), lanes(layout.BALL_DIAMETER
 _OUTER_SHARE, _INERTIA_APPROACH = lanes(layout.OUTER_SHARE), lanes(layout.INERTIA_APPROACH)
 _THREE, _FIVE = np.uintp(3), np.uintp(layout.DEGREES_OF_FREEDOM)
 _ROW = tuple(lanes(row) for row in range(layout.COEFFICIENTS))
-_RESET = lanes(layout.SUMS)
+_RESET, _SUMS = lanes(layout.SUMS), np.uintp(layout.SUMS)
 
 LOOSE_CAGE: Final = 0.1
 """Unbalanced load, over the ring's loads, below which the cage's speed is free: it follows what the
@@ -273,11 +274,19 @@ def mark_regrouped(w: Array, b: Array) -> None:
         w[_REGROUPED + i] = max(w[_REGROUPED + i], changes)
 
 
+@vector_loop
+def reflect(w: Array, factors: Array) -> None:
+    """Add to the sums over some balls what their mirror images do (see `mirror`)."""
+    for row in range(_SUMS):
+        for i in range(N):
+            w[_FX + row * N + i] *= factors[row]
+
+
 @filling
-def start_cage(w: Array) -> None:
+def start_cage(w: Array, part: float) -> None:
     """What the nominal speed pulls at the cage, before any ball does (see `single.empty_ring`)."""
     for i in range(N):
-        pull = w[_CAGE_WEIGHT + i]
+        pull = part * w[_CAGE_WEIGHT + i]
         w[_LAG + i] = pull * (w[_NOMINAL + i] - w[_CAGE + i])
         w[_LAG_NOW + i] = w[_LAG + i]
         w[_LAG_BY_CAGE + i] = -pull
@@ -339,6 +348,18 @@ def judge_ball(w: Array, b: Array) -> None:
             _if(bears, h2),
         )  # fmt: skip
         _add_to_ring_exact(w, i, c, s, force, stiffness)
+
+
+@filling
+def judge_balls(w: Array, b: Array, mirror: Mirror) -> None:
+    """Judge all balls, those that have a mirror image first."""
+    start_cage(w, 1.0 if mirror.pairs == 0 else 0.5)
+    for j in range(mirror.pairs):
+        judge_ball(w, b[j])
+    if mirror.pairs > 0:
+        reflect(w, mirror.factors)
+    for j in range(mirror.pairs, b.shape[0]):
+        judge_ball(w, b[j])
 
 
 @filling
@@ -638,25 +659,33 @@ def _steps(tilting: bool) -> tuple[Any, Any]:
     measure_ring, condense_cage, step_ring, step_cage = _ring(tilting)
 
     @filling
-    def step_static(w: Array, b: Array) -> None:
+    def step_static(w: Array, b: Array, mirror: Mirror) -> None:
         """Newton's step of the rings alone, every ball on the line of the groove centres.
 
         b (balls, layout.BALL_ROWS * LANES). UNBALANCED is how far they were from balance before.
         """
         reset_sums(w)
-        for j in range(b.shape[0]):
+        for j in range(mirror.pairs):
+            add_static_ball(w, b[j])
+        if mirror.pairs > 0:
+            reflect(w, mirror.factors)
+        for j in range(mirror.pairs, b.shape[0]):
             add_static_ball(w, b[j])
         measure_ring(w)
         step_ring(w)
 
     @filling
-    def step_moving(w: Array, b: Array, tolerance: float) -> None:
+    def step_moving(w: Array, b: Array, mirror: Mirror, tolerance: float) -> None:
         """Newton's step of rings, cages and balls together.
 
         SETTLED is what they were before it, to a tolerance of all residuals.
         """
         reset_sums(w)
-        for j in range(b.shape[0]):
+        for j in range(mirror.pairs):
+            add_moving_ball(w, b[j], tolerance)
+        if mirror.pairs > 0:
+            reflect(w, mirror.factors)
+        for j in range(mirror.pairs, b.shape[0]):
             add_moving_ball(w, b[j], tolerance)
         measure_ring(w)
         measure_cage(w)

@@ -122,9 +122,10 @@ def directions(balls: int) -> tuple[Floats, Floats]:
     """
     part = np.arange(balls)
     quarter, rest = np.divmod(4 * part, balls)
-    late = 2 * rest > balls
+    late, middle = 2 * rest > balls, 2 * rest == balls
     angle = 0.5 * np.pi * np.where(late, balls - rest, rest) / balls
-    c, s = np.cos(angle), np.sin(angle)
+    c = np.cos(angle)
+    s = np.where(middle, c, np.sin(angle))
     c, s = np.where(late, s, c), np.where(late, c, s)
     cosines = np.choose(quarter, [c, -s, -c, s])
     sines = np.choose(quarter, [s, c, -s, -c])

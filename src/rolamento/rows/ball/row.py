@@ -217,7 +217,7 @@ class BallRow:
         length = p[layout.INNER_LENGTH] + p[layout.OUTER_LENGTH]
         square = np.maximum(length**2 - p[layout.RADIAL_OFFSET] ** 2, 0.0)
         touching = np.sqrt(square) - p[layout.AXIAL_OFFSET]
-        return np.asarray(np.where(p[layout.ONE_SIDED] > 0.0, 0.0, touching))
+        return np.broadcast_to(np.where(p[layout.ONE_SIDED] > 0.0, 0.0, touching), p.cases)
 
     def pressed_in(self, force: FloatArray) -> FloatArray:
         """Place along x under an axial force at rest; (cases,), m, NaN where there is none.
@@ -299,7 +299,8 @@ def ball_row(
             own = bearing_columns(bearing, cases)
     else:
         own = bearing_column(place.bearing).copy()
-    p = Columns(np.zeros((layout.DUTY, cases)), own)
+    p = Columns(np.empty((layout.DUTY, cases)), own)  # zeros would come page by page
+    p.duty[...] = 0.0
     duty = case.duty
     p[layout.INNER_SPEED] = varied.get("duty.inner_speed", duty.inner_speed)
     p[layout.OUTER_SPEED] = varied.get("duty.outer_speed", duty.outer_speed)

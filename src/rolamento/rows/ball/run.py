@@ -18,6 +18,7 @@ from rolamento.rows.ball import accept, layout
 from rolamento.rows.ball.batch import solve_cases
 from rolamento.rows.ball.blocks import Batch
 from rolamento.rows.ball.detail import ball_table, criterion
+from rolamento.rows.ball.mirror import mirror, planes
 from rolamento.rows.ball.problem import Columns, Floats, directions
 
 _log = logging.getLogger("rolamento")
@@ -135,16 +136,18 @@ def solve_columns(
         np.ascontiguousarray(p.bearing),
         np.ascontiguousarray(control, dtype=np.float64),
         *directions(balls),
+        mirror(balls, 0),
     )
+    plane = planes(p, control) if fast else np.zeros(cases, np.int8)
     still = np.flatnonzero(~moving)
     if len(still):
-        _run_threads(batch, still, False, threads, fast, most_work, solution)
+        _run_planes(batch, plane, still, False, threads, fast, most_work, solution)
         # what is left out of those is part of their residual: some have to be solved with it
         again = (solution.code == accept.NEEDS_INERTIA) | (solution.code == status.NOT_CONVERGED)
         moving |= again & turns(p)
     in_motion = np.flatnonzero(moving)
     if len(in_motion):
-        _run_threads(batch, in_motion, True, threads, fast, most_work, solution)
+        _run_planes(batch, plane, in_motion, True, threads, fast, most_work, solution)
     solution.forget(solution.code == status.INVALID_INPUT)
     return solution
 
@@ -166,6 +169,24 @@ def has_inertia(p: Columns) -> NDArray[np.bool_]:
     with np.errstate(invalid="ignore"):
         approach = LEAST_INERTIA * p[layout.OUTER_LENGTH]
         return np.asarray(force > p[layout.SERIES_STIFFNESS] * approach * np.sqrt(approach))
+
+
+def _run_planes(
+    batch: Batch,
+    plane: NDArray[np.int8],
+    which: NDArray[np.intp],
+    moving: bool,
+    threads: int | None,
+    fast: bool,
+    most_work: float,
+    solution: Solution,
+) -> None:
+    """Solve some of the cases by their planes of symmetry: with half of the balls if one."""
+    of_each = plane[which]
+    for number in np.unique(of_each).tolist():
+        some = which[of_each == number]
+        own = batch._replace(mirror=mirror(batch.cosines.size, number))
+        _run_threads(own, some, moving, threads, fast, most_work, solution)
 
 
 def _run_threads(

@@ -21,7 +21,7 @@ from rolamento.rows.ball.blocks import (
     put_ball,
     put_displacement,
     put_numbers,
-    read_positions,
+    read_position,
 )
 from rolamento.rows.ball.set_lanes import SLIDE, STAND_ROWS, TILT, UNKNOWNS, WAY
 from rolamento.rows.ball.single import FAR, Ring, ring_around
@@ -323,7 +323,8 @@ def _settle_moving(
                 found.place[case, i] = s[(set_lanes.PLACE + i) * _LANES + lane]
             for row in range(w.shape[0]):
                 found.cage[row, case] = w[row, layout.CAGE * _LANES + lane]
-            read_positions(b, lane, found.position[case])
+            for j in range(b.shape[0]):
+                read_position(b[j], lane, found.position[case], j)
             holds[lane] = -1
             working -= 1
 
