@@ -56,6 +56,11 @@ def moments_given(cases: int = CASES) -> Duties:
     return duties
 
 
+def in_a_plane(cases: int = CASES) -> Duties:
+    """The first duty set without its fy: load and ring have a plane of symmetry."""
+    return tilts_held(cases) | {"fy": np.zeros(cases)}
+
+
 def hard(cases: int = CASES) -> Duties:
     """Where a solver has a hard time: light and fast, or with little axial load, and tilted.
 

@@ -21,8 +21,9 @@ from rolamento.solved import Solved
 
 PROMISED_RESIDUAL: Final = 1e-8
 
-SETS: Final[dict[str, tuple[Callable[[int], duty_sets.Duties], Target, bool]]] = {
+SETS: Final[dict[str, tuple[Callable[[int], duty_sets.Duties], Target | None, bool]]] = {
     "duty set, tilts held": (duty_sets.tilts_held, at_least(1e6, 500e3), True),
+    "tilts held, load in a plane": (duty_sets.in_a_plane, None, True),
     "duty set, moments given": (duty_sets.moments_given, at_least(700e3, 350e3), True),
     "hard set": (duty_sets.hard, at_least(300e3, 150e3), False),
 }

@@ -179,7 +179,7 @@ def test_ring_is_in_balance(solved: tuple[Case, Solved, Rolling]) -> None:
     outward, _ = directions(batch)
     reach = np.hypot(*_groove_to_ball(batch))
     angle = table.inner.contact_angle[0]
-    arm = (p[layout.ARM, 0] - reach * np.cos(angle))[:, None] * outward
+    arm = (p[layout.ARM][0] - reach * np.cos(angle))[:, None] * outward
     arm[:, 0] = -reach * np.sin(angle)
     turning = (np.cross(arm, force) + moment).sum(axis=0)
     found = np.append(force.sum(axis=0), turning[1:])
