@@ -509,4 +509,5 @@ def _rollers_consistent(bearing: Any, own: RollerBearing) -> BoolArray:
 def _within_reason(displacement: FloatArray, bearing: Any) -> BoolArray:
     """A ring does not move by a rolling element, as `Case` has it; (cases,)."""
     limit = getattr(bearing, "ball_diameter", getattr(bearing, "roller_diameter", 0.0))
-    return np.asarray(np.all(np.abs(displacement.T[:3]) <= limit, axis=0))
+    x, y, z = displacement.T[:3]
+    return np.asarray((np.abs(x) <= limit) & (np.abs(y) <= limit) & (np.abs(z) <= limit))

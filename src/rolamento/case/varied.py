@@ -168,7 +168,20 @@ def _columns(values: Any) -> list[tuple[Any, Any]]:
 
 
 def _numbers(field: Field, value: Any) -> Floats:
-    """Return a column as floats; NaN for what is missing or masked."""
+    """Return a column as floats that nobody writes to; NaN for what is missing or masked."""
+    if type(value) is np.ndarray and value.dtype == np.float64 and _is_frozen(value):
+        return value
+    numbers = _copied(field, value)
+    numbers.flags.writeable = False
+    return numbers
+
+
+def _is_frozen(array: NDArray[Any]) -> bool:
+    """Whether nobody can write to an array, here or where it comes from."""
+    return array.base is None and not array.flags.writeable
+
+
+def _copied(field: Field, value: Any) -> Floats:
     if isinstance(value, np.ma.MaskedArray):
         plain, mask = value.data, np.ma.getmaskarray(value)
         if plain.dtype.kind in "OUT":

@@ -162,16 +162,29 @@ def put_ball(w: Array, b: Array, lane: int, cosine: float, sine: float, sigma: f
     b[layout.OFF * _LANES + lane] = 0.0
 
 
+@inline_exact
+def _stand_alike(w: Array, lane: int, batch: Batch, case: int) -> bool:
+    """Whether the balls of a case stand where those of the case before it in the lane did."""
+    cosine, sine = w[layout.COS_FIRST * _LANES + lane], w[layout.SIN_FIRST * _LANES + lane]
+    same = cosine == batch.duty[layout.COS_FIRST, case]
+    same = same and sine == batch.duty[layout.SIN_FIRST, case]
+    return same and batch.control.shape[0] == 1
+
+
 @filling
 def fill(room: Room, lane: int, batch: Batch, case: int) -> None:
     """Put a case into a lane; where its ring stands is left open."""
     w, b = room.w, room.b
+    alike = _stand_alike(w, lane, batch, case)
     put_numbers(w, 0, lane, batch.duty, case)
     if batch.bearing.shape[1] > 1:
         put_numbers(w, layout.DUTY, lane, batch.bearing, case)
     begin_lane(w, lane)
     sigmas = case if batch.control.shape[0] > 1 else 0
     for j in range(b.shape[0]):
+        if alike:
+            b[j, layout.OFF * _LANES + lane] = 0.0
+            continue
         ball = batch.mirror.seats[j, 0]
         sigma = batch.control[sigmas, ball]
         put_ball(w, b[j], lane, batch.cosines[ball], batch.sines[ball], sigma)

@@ -18,7 +18,7 @@ from rolamento.rows.ball import accept, layout
 from rolamento.rows.ball.batch import solve_cases
 from rolamento.rows.ball.blocks import Batch
 from rolamento.rows.ball.detail import ball_table, criterion
-from rolamento.rows.ball.mirror import mirror, planes
+from rolamento.rows.ball.mirror import AXES, mirror, planes
 from rolamento.rows.ball.problem import Columns, Floats, directions
 
 _log = logging.getLogger("rolamento")
@@ -183,10 +183,11 @@ def _run_planes(
 ) -> None:
     """Solve some of the cases by their planes of symmetry: with half of the balls if one."""
     of_each = plane[which]
-    for number in np.unique(of_each).tolist():
+    for number in (0, *AXES):
         some = which[of_each == number]
-        own = batch._replace(mirror=mirror(batch.cosines.size, number))
-        _run_threads(own, some, moving, threads, fast, most_work, solution)
+        if len(some):
+            own = batch._replace(mirror=mirror(batch.cosines.size, number))
+            _run_threads(own, some, moving, threads, fast, most_work, solution)
 
 
 def _run_threads(
