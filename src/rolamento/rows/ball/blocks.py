@@ -107,14 +107,14 @@ def _over_penetration(p: Array, case: int, ball_count: int) -> Three:
     if abs(fx) * a2 < radial * sine * length:
         # few balls carry, at the angle of the load itself
         load = sqrt(fx * fx + radial * radial)
-        reach = length + (4.5 * load / stiffness) ** (2.0 / 3.0)
+        reach = length + np.cbrt(4.5 * load / stiffness) ** 2
         x = reach * fx / load - a1 - tilt
         away = reach * radial / load - a2
     else:
         axial = (abs(fx) + 2.0 * sqrt(my * my + mz * mz)) / max(sine, 0.2)
-        reach = length + (axial / stiffness) ** (2.0 / 3.0)
+        reach = length + np.cbrt(axial / stiffness) ** 2
         x = sqrt(max(reach * reach - a2 * a2, 0.0)) * (1.0 if fx > 0.0 else -1.0) - a1
-        away = (4.5 * radial / stiffness) ** (2.0 / 3.0)
+        away = np.cbrt(4.5 * radial / stiffness) ** 2
     if fx == 0.0 or (fx < 0.0 and p[layout.ONE_SIDED, case] > 0.0):
         x = 0.0
     return x, away * toward_y, away * toward_z
@@ -194,6 +194,9 @@ def fill(room: Room, lane: int, batch: Batch, case: int) -> None:
 def fill_all(room: Room, batch: Batch, cases: Order) -> None:
     """Put cases into all lanes, or the first of them: row by row, as they lie in memory."""
     w, b = room.w, room.b
+    alike = True
+    for lane in range(cases.size):
+        alike = alike and _stand_alike(w, lane, batch, cases[lane])
     for row in range(layout.DUTY):
         for lane in range(cases.size):
             w[row * _LANES + lane] = batch.duty[row, cases[lane]]
@@ -203,11 +206,13 @@ def fill_all(room: Room, batch: Batch, cases: Order) -> None:
                 w[row * _LANES + lane] = batch.bearing[row - layout.DUTY, cases[lane]]
     for lane in range(cases.size):
         begin_lane(w, lane)
-    alike = batch.control.shape[0] == 1
     for j in range(b.shape[0]):
         ball = batch.mirror.seats[j, 0]
         for lane in range(cases.size):
-            sigma = batch.control[0 if alike else cases[lane], ball]
+            if alike:
+                b[j, layout.OFF * _LANES + lane] = 0.0
+                continue
+            sigma = batch.control[cases[lane] if batch.control.shape[0] > 1 else 0, ball]
             put_ball(w, b[j], lane, batch.cosines[ball], batch.sines[ball], sigma)
 
 
