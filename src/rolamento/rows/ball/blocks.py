@@ -168,33 +168,37 @@ def _stand_alike(w: Array, lane: int, batch: Batch, case: int) -> bool:
     cosine, sine = w[layout.COS_FIRST * _LANES + lane], w[layout.SIN_FIRST * _LANES + lane]
     same = cosine == batch.duty[layout.COS_FIRST, case]
     same = same and sine == batch.duty[layout.SIN_FIRST, case]
-    return same and batch.control.shape[0] == 1
+    return bool(same and batch.control.shape[0] == 1)
+
+
+@inline_exact
+def _put_balls(room: Room, lane: int, batch: Batch, case: int, alike: bool) -> None:
+    """Put the balls of a case into a lane; alike: those before stood where these do."""
+    sigmas = case if batch.control.shape[0] > 1 else 0
+    for j in range(room.b.shape[0]):
+        if alike:
+            room.b[j, layout.OFF * _LANES + lane] = 0.0
+        else:
+            ball = batch.mirror.seats[j, 0]
+            cosine, sine = batch.cosines[ball], batch.sines[ball]
+            put_ball(room.w, room.b[j], lane, cosine, sine, batch.control[sigmas, ball])
 
 
 @filling
 def fill(room: Room, lane: int, batch: Batch, case: int) -> None:
     """Put a case into a lane; where its ring stands is left open."""
-    w, b = room.w, room.b
-    alike = _stand_alike(w, lane, batch, case)
-    put_numbers(w, 0, lane, batch.duty, case)
+    alike = _stand_alike(room.w, lane, batch, case)
+    put_numbers(room.w, 0, lane, batch.duty, case)
     if batch.bearing.shape[1] > 1:
-        put_numbers(w, layout.DUTY, lane, batch.bearing, case)
-    begin_lane(w, lane)
-    sigmas = case if batch.control.shape[0] > 1 else 0
-    for j in range(b.shape[0]):
-        if alike:
-            b[j, layout.OFF * _LANES + lane] = 0.0
-            continue
-        ball = batch.mirror.seats[j, 0]
-        sigma = batch.control[sigmas, ball]
-        put_ball(w, b[j], lane, batch.cosines[ball], batch.sines[ball], sigma)
+        put_numbers(room.w, layout.DUTY, lane, batch.bearing, case)
+    begin_lane(room.w, lane)
+    _put_balls(room, lane, batch, case, alike)
 
 
 @filling
 def fill_all(room: Room, batch: Batch, cases: Order) -> None:
     """Put cases into all lanes, or the first of them: row by row, as they lie in memory."""
-    w, b = room.w, room.b
-    alike = True
+    w, alike = room.w, True
     for lane in range(cases.size):
         alike = alike and _stand_alike(w, lane, batch, cases[lane])
     for row in range(layout.DUTY):
@@ -206,14 +210,7 @@ def fill_all(room: Room, batch: Batch, cases: Order) -> None:
                 w[row * _LANES + lane] = batch.bearing[row - layout.DUTY, cases[lane]]
     for lane in range(cases.size):
         begin_lane(w, lane)
-    for j in range(b.shape[0]):
-        ball = batch.mirror.seats[j, 0]
-        for lane in range(cases.size):
-            if alike:
-                b[j, layout.OFF * _LANES + lane] = 0.0
-                continue
-            sigma = batch.control[cases[lane] if batch.control.shape[0] > 1 else 0, ball]
-            put_ball(w, b[j], lane, batch.cosines[ball], batch.sines[ball], sigma)
+        _put_balls(room, lane, batch, cases[lane], alike)
 
 
 @inline_exact
