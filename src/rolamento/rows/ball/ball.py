@@ -24,7 +24,7 @@ case, like the displacement of the ring.
 
 The formulas are written for scalars and without branches, so that the same text compiles to
 vector code over many cases (`_fast`) and to the plain form that checks it (`_exact`), which is
-vector code too where seven coefficients make K (`_short`): to the last bit the same.
+vector code too where K is at hand (`_given`): to the last bit the same.
 """
 
 from __future__ import annotations
@@ -53,6 +53,9 @@ TINY: Final = 1e-300
 """So that grooves whose centres coincide have a direction, any, and no NaN."""
 
 
+long_polynomial = inline_exact(layout.long_polynomial)
+
+
 def _short_polynomial(c: float, stiffness: Coefficients) -> Two:
     """K(cos a) and dK/d(cos a) from seven coefficients, by Horner's scheme."""
     k0, k1, k2, k3, k4, k5, k6 = stiffness
@@ -72,16 +75,18 @@ def _short_polynomial(c: float, stiffness: Coefficients) -> Two:
     return value, slope
 
 
+def _at_hand(c: float, stiffness: Two) -> Two:
+    """K(cos a) and dK/d(cos a), evaluated before."""
+    return stiffness
+
+
 @inline_exact
 def stored_polynomial(c: float, stiffness: StoredPolynomial) -> Two:
     """K(cos a) and dK/d(cos a) to the last digits: as many coefficients as the case has."""
     p, first, case = stiffness
     count = int(p[layout.TERMS, case])
     if count > layout.COEFFICIENTS:
-        first = (
-            layout.LONG
-            + (first - layout.OUTER_STIFFNESS) // layout.COEFFICIENTS * layout.MOST_TERMS
-        )
+        first = long_polynomial(first)
     value = p[first + count - 1, case]
     slope = 0.0
     for power in range(count - 2, -1, -1):
@@ -94,17 +99,21 @@ def _formulas(inline: Callable[..., Any], polynomial: Callable[..., Two]) -> tup
     """Build the formulas of a ball: how to compile them, and how to evaluate K."""
 
     @inline
+    def towards(y1: float, y2: float) -> Four:
+        """Sin a and cos a of a vector to the flanks of a groove, its length, and 1 over that."""
+        up = max(y2, 0.0)
+        length = sqrt(y1 * y1 + up * up + TINY)
+        inverse = 1.0 / length
+        return y1 * inverse, up * inverse, length, inverse
+
+    @inline
     def contact(y1: float, y2: float, free_length: float, stiffness: Any) -> Seven:
         """A Hertz spring along y: sin a, cos a, da/dt (1/|y|), approach, Q, dQ/d|y|, dQ/da.
 
         Beyond 90° the flanks are taken to go on straight up, for the sake of a force without
         jumps on the way to the solution: there is none against a ball between them.
         """
-        up = max(y2, 0.0)
-        length = sqrt(y1 * y1 + up * up + TINY)
-        inverse = 1.0 / length
-        s = y1 * inverse
-        c = up * inverse
+        s, c, length, inverse = towards(y1, y2)
         delta = max(length - free_length, 0.0)
         value, slope = polynomial(c, stiffness)
         root = sqrt(delta)
@@ -321,13 +330,13 @@ def _formulas(inline: Callable[..., Any], polynomial: Callable[..., Two]) -> tup
             (f1, f2, f1 + arm * m_i, lag, -lag_c),
         )
 
-    return contact, inertia, polar, linearised
+    return towards, contact, inertia, polar, linearised
 
 
-contact_fast, inertia_fast, polar_fast, linearised_fast = _formulas(
+_, contact_fast, inertia_fast, polar_fast, linearised_fast = _formulas(
     inline_fast, inline_fast(_short_polynomial)
 )
-_, _, _, linearised_short = _formulas(inline_exact, inline_exact(_short_polynomial))
-contact_exact, inertia_exact, polar_exact, linearised_exact = _formulas(
+*_, linearised_given = _formulas(inline_exact, inline_exact(_at_hand))
+towards_exact, contact_exact, inertia_exact, polar_exact, linearised_exact = _formulas(
     inline_exact, stored_polynomial
 )

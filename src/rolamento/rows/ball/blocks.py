@@ -51,7 +51,8 @@ class Room(NamedTuple):
 
     rings (layout.RING_ROWS, lanes), and the same numbers in one row, w; b (balls, layout.BALL_ROWS
     * lanes): balls; holds, groupings (lanes): the case in each lane, or -1, and how often its balls
-    changed groups; errors (balls, 2): of the balls of a case, their residuals and scales.
+    changed groups; errors (balls, 2): of the balls of a case, their residuals and scales; stiffness
+    (6 * lanes): of the contacts of a ball.
     """
 
     rings: Array
@@ -60,6 +61,7 @@ class Room(NamedTuple):
     holds: Order
     groupings: Order
     errors: Array
+    stiffness: Array
 
 
 @shared
@@ -73,6 +75,7 @@ def room_for(balls: int) -> Room:
         np.full(_LANES, -1),
         np.zeros(_LANES, np.int64),
         np.zeros((balls, 2)),
+        np.zeros(6 * _LANES),
     )
 
 
@@ -469,14 +472,16 @@ def judge_blocks(
         for lane in range(count):
             if w[layout.REGROUPED * _LANES + lane] > 0.0:
                 _regroup(w, b, lane)
-        lanes.judge_balls(w, b, batch.mirror)
+        lanes.judge_balls(w, b, batch.mirror, batch.bearing, room.stiffness)
         lanes.weigh_ring(w)
         for j in range(b.shape[0]):
             lanes.weigh_ball(w, b[j])
         for lane in range(count):
             case = order[block + lane]
             sound = w[layout.UNSOUND * _LANES + lane] == 0.0 and is_finite(displacement[case])
-            if not sound or w[layout.TERMS * _LANES + lane] > layout.COEFFICIENTS:
+            # of bearings that differ the lanes have seven coefficients of K
+            more = w[layout.TERMS * _LANES + lane] > layout.COEFFICIENTS
+            if not sound or (more and batch.bearing.shape[1] > 1):
                 accepted[block + lane] = False
                 continue
             residual[case] = w[layout.UNBALANCED * _LANES + lane]

@@ -22,7 +22,14 @@ from rolamento.rows.ball.accept import (
     max_with_nan,
     own_scale,
 )
-from rolamento.rows.ball.ball import contact_fast, linearised_fast, linearised_short, polar_fast
+from rolamento.rows.ball.ball import (
+    contact_fast,
+    linearised_fast,
+    linearised_given,
+    long_polynomial,
+    polar_fast,
+    towards_exact,
+)
 from rolamento.rows.ball.elimination import elimination
 from rolamento.rows.ball.layout import lanes
 from rolamento.rows.ball.mirror import Mirror
@@ -77,7 +84,8 @@ _OFF, _LOST_WAY = lanes(layout.OFF), lanes(layout.LOST_WAY)
 _INNER_EDGE, _OUTER_EDGE = lanes(layout.INNER_EDGE), lanes(layout.OUTER_EDGE)
 _ONE_SIDED, _BALL_DIAMETER = lanes(layout.ONE_SIDED), lanes(layout.BALL_DIAMETER)
 _OUTER_SHARE, _INERTIA_APPROACH = lanes(layout.OUTER_SHARE), lanes(layout.INERTIA_APPROACH)
-_THREE, _FIVE = np.uintp(3), np.uintp(layout.DEGREES_OF_FREEDOM)
+_TWO, _THREE, _FIVE = np.uintp(2), np.uintp(3), np.uintp(layout.DEGREES_OF_FREEDOM)
+_OUTER, _INNER = lanes(0), lanes(3)  # cos a, K and its slope, of either contact
 _ROW = tuple(lanes(row) for row in range(layout.COEFFICIENTS))
 _RESET, _SUMS = lanes(layout.SUMS), np.uintp(layout.SUMS)
 
@@ -196,7 +204,7 @@ def _sums(inline: Callable[..., Any], tilting: bool) -> tuple[Any, Any, Any]:
 
 
 _groove_fast, groove_exact = inline_fast(_groove), inline_exact(_groove)
-_coefficients_fast, _coefficients_exact = inline_fast(_coefficients), inline_exact(_coefficients)
+_coefficients_fast = inline_fast(_coefficients)
 _motion_fast, _motion_exact = inline_fast(_motion), inline_exact(_motion)
 _control_fast, _control_exact = inline_fast(_control), inline_exact(_control)
 
@@ -294,16 +302,58 @@ def start_cage(w: Array, part: float) -> None:
 
 
 @filling
-def judge_ball(w: Array, b: Array) -> None:
-    """A ball in motion as `accept.judge` sees it, to the last bit; what is wrong is UNSOUND."""
+def _evaluate(k: Array, contact: np.uintp, w: Array, own: np.uintp, p: Array, shared: int) -> None:
+    """K(cos a) and its derivative of a contact, as `ball.stored_polynomial` has them.
+
+    own: where its seven coefficients begin in the lanes, shared: in p, if that is of all lanes.
+    """
+    value, slope = contact + N, contact + _TWO * N
+    alike = p.shape[1] == 1
+    count = int(p[layout.TERMS - layout.DUTY, 0]) if alike else layout.COEFFICIENTS
+    if count > layout.COEFFICIENTS:
+        shared = long_polynomial(shared)
+    row = shared - layout.DUTY + count - 1
+    for i in range(N):
+        k[value + i] = p[row, 0] if alike else w[own + _ROW[6] + i]
+        k[slope + i] = 0.0
+    for power in range(count - 2, -1, -1):
+        lane_row = own + np.uintp(power) * N
+        for i in range(N):
+            coefficient = p[shared - layout.DUTY + power, 0] if alike else w[lane_row + i]
+            k[slope + i] = k[slope + i] * k[contact + i] + k[value + i]
+            k[value + i] = k[value + i] * k[contact + i] + coefficient
+
+
+@filling
+def evaluate_stiffness(w: Array, b: Array, p: Array, k: Array) -> None:
+    """K of a ball's contacts from as many coefficients as its bearing has.
+
+    p: of the bearings, from layout.DUTY on: of one, or of more, of which the lanes have seven; k
+    (6 * LANES): cos a, K and dK/d(cos a), of the outer contact and of the inner.
+    """
+    for i in range(N):
+        a1, a2 = groove_exact(w, b, i)
+        x1, x2 = b[_X1 + i], b[_X2 + i]
+        _, k[_OUTER + i], _, _ = towards_exact(x1, x2)
+        _, k[_INNER + i], _, _ = towards_exact(a1 - x1, a2 - x2)
+    _evaluate(k, _OUTER, w, _K_O, p, layout.OUTER_STIFFNESS)
+    _evaluate(k, _INNER, w, _K_I, p, layout.INNER_STIFFNESS)
+
+
+@filling
+def judge_ball(w: Array, b: Array, k: Array) -> None:
+    """A ball in motion as `accept.judge` sees it, to the last bit; what is wrong is UNSOUND.
+
+    k: of its contacts, as `evaluate_stiffness` writes it.
+    """
     for i in range(N):
         a1, a2 = groove_exact(w, b, i)
         x1, x2, l_o = b[_X1 + i], b[_X2 + i], w[_L_O + i]
-        outer = (l_o, _coefficients_exact(w, _K_O, i))
-        inner = (w[_L_I + i] + b[_OFF + i], _coefficients_exact(w, _K_I, i))
+        outer = (l_o, (k[_OUTER + N + i], k[_OUTER + _TWO * N + i]))
+        inner = (w[_L_I + i] + b[_OFF + i], (k[_INNER + N + i], k[_INNER + _TWO * N + i]))
         cage = (w[_CAGE + i], w[_HOLD_RATE + i], w[_HOLD_OFFSET + i], w[_OWN + i])
         sigma, lambda_i = _control_exact(w, b, i)
-        residual, _, force, stiffness, scale, touch, drive, before = linearised_short(
+        residual, _, force, stiffness, scale, touch, drive, before = linearised_given(
             a1, a2, x1, x2, inner, outer, _motion_exact(w, i), cage, sigma, lambda_i
         )
         load, c_i, c_o, approach, s_i = touch
@@ -351,15 +401,17 @@ def judge_ball(w: Array, b: Array) -> None:
 
 
 @filling
-def judge_balls(w: Array, b: Array, mirror: Mirror) -> None:
-    """Judge all balls, those that have a mirror image first."""
+def judge_balls(w: Array, b: Array, mirror: Mirror, p: Array, k: Array) -> None:
+    """Judge all balls, those that have a mirror image first; p, k as of `evaluate_stiffness`."""
     start_cage(w, 1.0 if mirror.pairs == 0 else 0.5)
     for j in range(mirror.pairs):
-        judge_ball(w, b[j])
+        evaluate_stiffness(w, b[j], p, k)
+        judge_ball(w, b[j], k)
     if mirror.pairs > 0:
         reflect(w, mirror.factors)
     for j in range(mirror.pairs, b.shape[0]):
-        judge_ball(w, b[j])
+        evaluate_stiffness(w, b[j], p, k)
+        judge_ball(w, b[j], k)
 
 
 @filling
