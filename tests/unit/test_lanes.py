@@ -221,12 +221,17 @@ def test_steps_of_its_own_bring_a_ball_to_rest(filled: tuple[np.ndarray, ...]) -
     assert np.mean(off[1] <= off[0]) > 0.9
 
 
-@pytest.mark.parametrize("setting", ["combined", "light", "off the groove", "moments"])
+@pytest.mark.parametrize(
+    "setting", ["combined", "light", "off the groove", "moments", "one bearing", "large balls"]
+)
 def test_judged_in_lanes_as_one_by_one(setting: str, case_218: Case) -> None:
     """The judgement in lanes has the bits of the plain one; what it does not accept has none."""
     rng = np.random.default_rng(5)
-    cases = 3 * N + 5
-    p = np.repeat(spread(case_218).rows[0].row.p.whole(), cases, axis=1)
+    cases, own = 3 * N + 5, case_218
+    if setting == "large balls":  # whose stiffness takes more than seven coefficients
+        own = own.replace(bearing=own.bearing.replace(ball_count=10, pitch_diameter=0.085))
+    balls = own.bearing.ball_count
+    p = np.repeat(spread(own).rows[0].row.p.whole(), cases, axis=1)
     p[layout.FREE : layout.FREE + 5] = 1.0
     p[layout.FREE + 3 : layout.FREE + 5] = setting == "moments"
     fx = 50.0 if setting == "light" else rng.uniform(5e3, 4e4, cases)
@@ -238,19 +243,22 @@ def test_judged_in_lanes_as_one_by_one(setting: str, case_218: Case) -> None:
         p[layout.IMPOSED + 3 : layout.IMPOSED + 5] = rng.uniform(-1.2e-4, 1.2e-4, (2, cases))
     p[layout.INNER_SPEED] = rng.uniform(600.0, 1500.0, cases)
     p[layout.OUTER_SPEED] = 0.0
-    apply_model(p, case_218.model)
-    control = np.ones((1, BALLS))
+    apply_model(p, own.model)
+    control = np.ones((1, balls))
     columns = Columns.split(p)
-    solution = solve_columns(columns, control, BALLS, threads=1)
-    (cosines, sines), order = directions(BALLS), np.arange(cases)
+    if setting in ("one bearing", "large balls"):
+        columns = Columns(columns.duty, columns.bearing[:, :1].copy())
+    assert (columns.length > layout.COLUMN) == (setting == "large balls")
+    solution = solve_columns(columns, control, balls, threads=1)
+    (cosines, sines), order = directions(balls), np.arange(cases)
 
-    together = Solution.empty(cases, BALLS)
+    together = Solution.empty(cases, balls)
     accepted = np.zeros(cases, np.bool_)
-    ring = ring_around.python(BALLS)
-    errors = np.zeros((BALLS, 2))
-    batch = Batch(columns.duty, columns.bearing, control, cosines, sines, mirror(BALLS, 0))
+    ring = ring_around.python(balls)
+    errors = np.zeros((balls, 2))
+    batch = Batch(columns.duty, columns.bearing, control, cosines, sines, mirror(balls, 0))
     judge_blocks.compiled(
-        batch, order, room_for(BALLS), solution.displacement, solution.cage, solution.position,
+        batch, order, room_for(balls), solution.displacement, solution.cage, solution.position,
         together.reaction, together.stiffness, together.residual, accepted,
     )  # fmt: skip
     arms = ring_arms(p[:, 0])
@@ -259,7 +267,7 @@ def test_judged_in_lanes_as_one_by_one(setting: str, case_218: Case) -> None:
     for case in np.flatnonzero(accepted):
         u, x = solution.displacement[case], solution.position[case].copy()
         on_groove = control[0].copy()
-        for j in range(BALLS):
+        for j in range(balls):
             a1, a2 = groove(p, case, u, *direction(p, case, cosines[j], sines[j]))
             if a2 <= x[j, 1] and abs(a1 - x[j, 0]) > p[layout.INNER_LENGTH, case]:
                 on_groove[j] *= OFF_GROOVE

@@ -301,43 +301,45 @@ def start_cage(w: Array, part: float) -> None:
         w[_PULL + i] = pull
 
 
-@filling
-def _evaluate(k: Array, contact: np.uintp, w: Array, own: np.uintp, p: Array, shared: int) -> None:
-    """K(cos a) and its derivative of a contact, as `ball.stored_polynomial` has them.
-
-    own: where its seven coefficients begin in the lanes, shared: in p, if that is of all lanes.
-    """
-    value, slope = contact + N, contact + _TWO * N
-    alike = p.shape[1] == 1
-    count = int(p[layout.TERMS - layout.DUTY, 0]) if alike else layout.COEFFICIENTS
-    if count > layout.COEFFICIENTS:
-        shared = long_polynomial(shared)
-    row = shared - layout.DUTY + count - 1
-    for i in range(N):
-        k[value + i] = p[row, 0] if alike else w[own + _ROW[6] + i]
-        k[slope + i] = 0.0
-    for power in range(count - 2, -1, -1):
-        lane_row = own + np.uintp(power) * N
-        for i in range(N):
-            coefficient = p[shared - layout.DUTY + power, 0] if alike else w[lane_row + i]
-            k[slope + i] = k[slope + i] * k[contact + i] + k[value + i]
-            k[value + i] = k[value + i] * k[contact + i] + coefficient
+@inline_exact
+def _horner(k: Array, contact: np.uintp, i: int, coefficient: float) -> None:
+    """One step of Horner's scheme on the derivative of K by cos a, and on K."""
+    value, slope = contact + N + i, contact + _TWO * N + i
+    k[slope] = k[slope] * k[contact + i] + k[value]
+    k[value] = k[value] * k[contact + i] + coefficient
 
 
 @filling
 def evaluate_stiffness(w: Array, b: Array, p: Array, k: Array) -> None:
-    """K of a ball's contacts from as many coefficients as its bearing has.
+    """K of a ball's contacts from as many coefficients as its bearing has, and its derivative.
 
-    p: of the bearings, from layout.DUTY on: of one, or of more, of which the lanes have seven; k
-    (6 * LANES): cos a, K and dK/d(cos a), of the outer contact and of the inner.
+    As `ball.stored_polynomial` does. p: of the bearings, from layout.DUTY on: of one, or of more,
+    of which the lanes have seven coefficients; k (6 * LANES): cos a, K and dK/d(cos a), of the
+    outer contact and of the inner.
     """
     for i in range(N):
         a1, a2 = groove_exact(w, b, i)
         x1, x2 = b[_X1 + i], b[_X2 + i]
         _, k[_OUTER + i], _, _ = towards_exact(x1, x2)
         _, k[_INNER + i], _, _ = towards_exact(a1 - x1, a2 - x2)
-    _evaluate(k, _OUTER, w, _K_O, p, layout.OUTER_STIFFNESS)
-    _evaluate(k, _INNER, w, _K_I, p, layout.INNER_STIFFNESS)
+        k[_OUTER + N + i], k[_OUTER + _TWO * N + i] = 0.0, 0.0
+        k[_INNER + N + i], k[_INNER + _TWO * N + i] = 0.0, 0.0
+    if p.shape[1] > 1:
+        for power in range(layout.COEFFICIENTS - 1, -1, -1):
+            row = np.uintp(power) * N
+            for i in range(N):
+                _horner(k, _OUTER, i, w[_K_O + row + i])
+                _horner(k, _INNER, i, w[_K_I + row + i])
+        return
+    count = int(p[layout.TERMS - layout.DUTY, 0])
+    outer, inner = layout.OUTER_STIFFNESS, layout.INNER_STIFFNESS
+    if count > layout.COEFFICIENTS:
+        outer, inner = long_polynomial(outer), long_polynomial(inner)
+    for power in range(count - 1, -1, -1):
+        of_outer, of_inner = p[outer - layout.DUTY + power, 0], p[inner - layout.DUTY + power, 0]
+        for i in range(N):
+            _horner(k, _OUTER, i, of_outer)
+            _horner(k, _INNER, i, of_inner)
 
 
 @filling
