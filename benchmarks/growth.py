@@ -71,7 +71,7 @@ def _alone(cases: int) -> dict[str, Any]:
 
 
 def _here(cases: int) -> None:
-    case, few = duty_sets.example(), duty_sets.tilts_held(3_000)
+    case, few = duty_sets.example(), duty_sets.tilts_held(100)
     rolamento.solve(case, **few)
     before = peak_megabytes()
     duties = duty_sets.tilts_held(cases)
@@ -219,7 +219,7 @@ def draw(findings: Findings, path: Path) -> None:
     cases, seconds = points("growth over cases", "time")
     _, megabytes = points("growth over cases", "memory")
     axes[0].loglog(cases, seconds, "o-", label="time, s")
-    axes[0].loglog(cases, [max(m, 0.1) for m in megabytes], "s--", label="memory, MB")
+    axes[0].loglog(cases, [m or math.nan for m in megabytes], "s--", label="memory, MB")
     axes[0].set_xlabel("cases, 16 balls, two threads")
     axes[0].legend()
     axes[1].loglog(*points("growth over balls"), "o-")
