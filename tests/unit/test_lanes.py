@@ -61,7 +61,7 @@ def filled(case_218: Case) -> tuple[np.ndarray, ...]:
     cosines, sines = np.cos(azimuth), np.sin(azimuth)
     control = rng.choice([-1.0, 1.0], (N, BALLS))
     u = rng.uniform(-1e-5, 4e-5, (N, 5))
-    room, columns = room_for(BALLS), Columns.split(p)
+    room, columns = room_for(BALLS), Columns(p[: layout.DUTY], p[layout.DUTY :])
     w, b = room.w, room.b
     batch = Batch(columns.duty, columns.bearing, control, cosines, sines, mirror(BALLS, 0))
     begin(room, batch)
@@ -245,7 +245,7 @@ def test_judged_in_lanes_as_one_by_one(setting: str, case_218: Case) -> None:
     p[layout.OUTER_SPEED] = 0.0
     apply_model(p, own.model)
     control = np.ones((1, balls))
-    columns = Columns.split(p)
+    columns = Columns(p[: layout.DUTY], p[layout.DUTY :])
     if setting in ("one bearing", "large balls"):
         columns = Columns(columns.duty, columns.bearing[:, :1].copy())
     assert (columns.length > layout.COLUMN) == (setting == "large balls")

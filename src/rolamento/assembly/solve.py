@@ -140,7 +140,7 @@ def result(cases: Cases, balanced: Balanced) -> Solved:
     geometry = [placed.row.geometry for placed, _ in faces]
     displacement = _forgotten(balanced.place, lost)
     load = balanced.force
-    np.copyto(load, cases.load, where=cases.free)
+    np.copyto(load, cases.load, where=cases.free)  # in place: what was given, to the last bit
     load = _forgotten(load, lost)
     return Solved(
         case=cases.case,

@@ -75,6 +75,12 @@ def _short_polynomial(c: float, stiffness: Coefficients) -> Two:
     return value, slope
 
 
+@inline_exact
+def horner(value: float, slope: float, c: float, coefficient: float) -> Two:
+    """K and dK/d(cos a) with one coefficient more, the next lower."""
+    return value * c + coefficient, slope * c + value
+
+
 def _at_hand(c: float, stiffness: Two) -> Two:
     """K(cos a) and dK/d(cos a), evaluated before."""
     return stiffness
@@ -90,8 +96,7 @@ def stored_polynomial(c: float, stiffness: StoredPolynomial) -> Two:
     value = p[first + count - 1, case]
     slope = 0.0
     for power in range(count - 2, -1, -1):
-        slope = slope * c + value
-        value = value * c + p[first + power, case]
+        value, slope = horner(value, slope, c, p[first + power, case])
     return value, slope
 
 

@@ -14,7 +14,6 @@ from rolamento.rows.ball.accept import judge
 from rolamento.rows.ball.blocks import (
     Batch,
     Room,
-    arm_of,
     judge_blocks,
     room_for,
     solve_moving,
@@ -24,7 +23,7 @@ from rolamento.rows.ball.blocks import (
 from rolamento.rows.ball.continuation import heaviest_factor, put_factors, solve_by_steps
 from rolamento.rows.ball.edges import solve_off_groove
 from rolamento.rows.ball.robust import escaped, solve_robust
-from rolamento.rows.ball.single import direction, groove, ring_around
+from rolamento.rows.ball.single import direction, groove, read_ring, ring_around
 from rolamento.rows.ball.types import Array, Order, Output
 
 SEVERAL: Final = 8
@@ -214,8 +213,4 @@ def solve_cases(
             )
             safe[case] = True
             iterations[case] += steps
-        arm = p[layout.ARM, 0]
-        for i in range(layout.DEGREES_OF_FREEDOM):
-            reaction[case, i] = arm_of(i, arm) * ring.reaction[i]
-            for j in range(layout.DEGREES_OF_FREEDOM):
-                stiffness[case, i, j] = arm_of(i, arm) * arm_of(j, arm) * ring.matrix[i, j]
+        read_ring(ring, p[layout.ARM, 0], reaction[case], stiffness[case])

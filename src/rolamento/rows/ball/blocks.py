@@ -17,7 +17,7 @@ from rolamento.numerics.compiled import filling, inline_exact, shared
 from rolamento.rows.ball import lanes, layout
 from rolamento.rows.ball.accept import is_finite, worst_ball
 from rolamento.rows.ball.mirror import Mirror
-from rolamento.rows.ball.single import FAR, changes_groove
+from rolamento.rows.ball.single import FAR, arm_of, changes_groove
 from rolamento.rows.ball.types import Array, Order, Three
 
 STATIC_STEPS: Final = 10
@@ -430,12 +430,6 @@ def _worst_ball(room: Room, lane: int) -> float:
         room.errors[j, 1] = room.b[j, layout.SCALE * _LANES + lane]
     heaviest, worst = room.rings[layout.HEAVIEST, lane], room.rings[layout.UNBALANCED, lane]
     return worst_ball(room.rings, lane, room.errors, heaviest, worst)
-
-
-@inline_exact
-def arm_of(axis: int, arm: float) -> float:
-    """What turns a ring's load of an axis into N or N·m, and a shift into m or rad."""
-    return 1.0 if axis < 3 else arm
 
 
 @filling

@@ -68,8 +68,8 @@ def ball_table(
 ) -> BallTable:
     """Evaluate every ball; rolling: how friction moves them, instead of raceway control.
 
-    control: +1 or -1 (cases, balls); displacement
-    (cases, 5) in the scaled form of `rows`; position (cases, balls, 2); azimuth (cases, balls).
+    control: +1 or -1 (cases, balls); displacement (cases, 5) in the scaled form of `rows`; position
+    (cases, balls, 2); azimuth (cases, balls).
     """
     column = p.over_balls()
     a1, a2 = groove_centres(p, displacement, azimuth)

@@ -24,6 +24,7 @@ from rolamento.rows.ball.accept import (
 )
 from rolamento.rows.ball.ball import (
     contact_fast,
+    horner,
     linearised_fast,
     linearised_given,
     long_polynomial,
@@ -302,11 +303,10 @@ def start_cage(w: Array, part: float) -> None:
 
 
 @inline_exact
-def _horner(k: Array, contact: np.uintp, i: int, coefficient: float) -> None:
-    """One step of Horner's scheme on the derivative of K by cos a, and on K."""
+def _take(k: Array, contact: np.uintp, i: int, coefficient: float) -> None:
+    """Take one coefficient more of K, the next lower."""
     value, slope = contact + N + i, contact + _TWO * N + i
-    k[slope] = k[slope] * k[contact + i] + k[value]
-    k[value] = k[value] * k[contact + i] + coefficient
+    k[value], k[slope] = horner(k[value], k[slope], k[contact + i], coefficient)
 
 
 @filling
@@ -328,8 +328,8 @@ def evaluate_stiffness(w: Array, b: Array, p: Array, k: Array) -> None:
         for power in range(layout.COEFFICIENTS - 1, -1, -1):
             row = np.uintp(power) * N
             for i in range(N):
-                _horner(k, _OUTER, i, w[_K_O + row + i])
-                _horner(k, _INNER, i, w[_K_I + row + i])
+                _take(k, _OUTER, i, w[_K_O + row + i])
+                _take(k, _INNER, i, w[_K_I + row + i])
         return
     count = int(p[layout.TERMS - layout.DUTY, 0])
     outer, inner = layout.OUTER_STIFFNESS, layout.INNER_STIFFNESS
@@ -338,8 +338,8 @@ def evaluate_stiffness(w: Array, b: Array, p: Array, k: Array) -> None:
     for power in range(count - 1, -1, -1):
         of_outer, of_inner = p[outer - layout.DUTY + power, 0], p[inner - layout.DUTY + power, 0]
         for i in range(N):
-            _horner(k, _OUTER, i, of_outer)
-            _horner(k, _INNER, i, of_inner)
+            _take(k, _OUTER, i, of_outer)
+            _take(k, _INNER, i, of_inner)
 
 
 @filling

@@ -18,6 +18,7 @@ import numpy as np
 LANES: Final = 16
 COEFFICIENTS: Final = 7
 DEGREES_OF_FREEDOM: Final = 5
+SHIFTS: Final = 3  # of those, before the tilts
 
 # --- a case: its duty -------------------------------------------------------------------------
 APPLIED: Final = 0  # five loads: fx, fy, fz, my / R_i, mz / R_i
@@ -46,9 +47,7 @@ ARM: Final = DUTY + 9  # R_i
 ONE_SIDED: Final = DUTY + 10  # 1 where only contact angles above zero are supported
 BALL_DIAMETER: Final = DUTY + 11
 HOLD_OFFSET: Final = DUTY + 12  # see HOLD_RATE
-OWN_ORBIT: Final = (
-    DUTY + 13
-)  # 1 where a ball that is held has an orbit of its own, 0 in rigid cages
+OWN_ORBIT: Final = DUTY + 13  # 1 where a ball that is held has its own orbit, 0 in a rigid cage
 INNER_EDGE: Final = DUTY + 14  # cosine of the angle at which a groove ends at its shoulder
 OUTER_EDGE: Final = DUTY + 15
 OUTER_SHARE: Final = DUTY + 16  # of the outer contact in the approach of both

@@ -70,10 +70,7 @@ def planes(p: Columns, control: Floats) -> NDArray[np.int8]:
         own, image = mirror(balls, plane).seats.T
         alike = (control[:, own] == control[:, image]).all(axis=1) & (found == 0)
         for row in (layout.APPLIED, layout.IMPOSED):
-            for axis in (shift, tilt):
-                alike &= p[row + axis] == 0.0
-                if not alike.any():
-                    break
+            alike &= (p[row + shift] == 0.0) & (p[row + tilt] == 0.0)
         alike &= (p[layout.SIN_FIRST] == 0.0) & (p[layout.COS_FIRST] == 1.0)
         found[alike] = plane
     return found

@@ -41,11 +41,6 @@ class Columns:
     duty: Floats
     bearing: Floats
 
-    @classmethod
-    def split(cls, whole: Floats) -> Columns:
-        """Take apart whole columns; (layout.COLUMN or more, cases)."""
-        return cls(whole[: layout.DUTY], whole[layout.DUTY :])
-
     @property
     def cases(self) -> int:
         """How many."""

@@ -122,9 +122,9 @@ def solve_columns(
 ) -> Solution:
     """Solve every column of parameters.
 
-    control: +1 or -1 (cases, balls) or (1, balls); most_work: how often
-    a ball may be evaluated on a case beside the fast path. Columns that are not finite get the code
-    INVALID_INPUT and are left alone.
+    control: +1 or -1 (cases, balls) or (1, balls); most_work: how often a ball may be evaluated on
+    a case beside the fast path. Columns that are not finite get the code INVALID_INPUT and are left
+    alone.
     """
     cases = p.cases
     solution = Solution.room(cases, balls)
@@ -139,15 +139,19 @@ def solve_columns(
         mirror(balls, 0),
     )
     plane = planes(p, control) if fast else np.zeros(cases, np.int8)
-    still = np.flatnonzero(~moving)
-    if len(still):
-        _run_planes(batch, plane, still, False, threads, fast, most_work, solution)
+
+    def run(which: NDArray[np.bool_], moving: bool) -> None:
+        for number in (0, *AXES):
+            own = batch._replace(mirror=mirror(balls, number))
+            some = np.flatnonzero(which & (plane == number))
+            _run_threads(own, some, moving, threads, fast, most_work, solution)
+
+    if not moving.all():
+        run(~moving, False)
         # what is left out of those is part of their residual: some have to be solved with it
         again = (solution.code == accept.NEEDS_INERTIA) | (solution.code == status.NOT_CONVERGED)
         moving |= again & turns(p)
-    in_motion = np.flatnonzero(moving)
-    if len(in_motion):
-        _run_planes(batch, plane, in_motion, True, threads, fast, most_work, solution)
+    run(moving, True)
     solution.forget(solution.code == status.INVALID_INPUT)
     return solution
 
@@ -171,25 +175,6 @@ def has_inertia(p: Columns) -> NDArray[np.bool_]:
         return np.asarray(force > p[layout.SERIES_STIFFNESS] * approach * np.sqrt(approach))
 
 
-def _run_planes(
-    batch: Batch,
-    plane: NDArray[np.int8],
-    which: NDArray[np.intp],
-    moving: bool,
-    threads: int | None,
-    fast: bool,
-    most_work: float,
-    solution: Solution,
-) -> None:
-    """Solve some of the cases by their planes of symmetry: with half of the balls if one."""
-    of_each = plane[which]
-    for number in (0, *AXES):
-        some = which[of_each == number]
-        if len(some):
-            own = batch._replace(mirror=mirror(batch.cosines.size, number))
-            _run_threads(own, some, moving, threads, fast, most_work, solution)
-
-
 def _run_threads(
     batch: Batch,
     which: NDArray[np.intp],
@@ -201,6 +186,8 @@ def _run_threads(
 ) -> None:
     """Share some of the cases out to threads, in chunks small enough to keep all of them busy."""
     cases, balls, out = len(which), batch.cosines.size, solution.arrays()
+    if cases == 0:
+        return
     if not _ready.is_set():
         plain = _taken["steps"] < LOADING or not solve_cases.is_cached
         if cases <= FEW and not solve_cases.is_loaded and plain:

@@ -16,7 +16,6 @@ from rolamento.numerics.compiled import filling, filling_kernel, inline_exact
 from rolamento.rows.ball import lanes, layout, set_lanes
 from rolamento.rows.ball.accept import judge, max_with_nan
 from rolamento.rows.ball.blocks import (
-    arm_of,
     begin_lane,
     put_ball,
     put_displacement,
@@ -24,7 +23,7 @@ from rolamento.rows.ball.blocks import (
     read_position,
 )
 from rolamento.rows.ball.set_lanes import SLIDE, STAND_ROWS, TILT, UNKNOWNS, WAY
-from rolamento.rows.ball.single import FAR, Ring, ring_around
+from rolamento.rows.ball.single import FAR, Ring, read_ring, ring_around
 from rolamento.rows.ball.types import Array
 from rolamento.status import CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED, OVERLOADED
 
@@ -373,13 +372,9 @@ def _judge(
         )  # fmt: skip
         found.code[row, case], found.row_residual[row, case] = code, residual
         sound = sound and code in (CONVERGED, OVERLOADED, NO_EQUILIBRIUM)
-        arm = column[layout.ARM, 0]
+        reaction, row_stiffness = found.reaction[row, case], found.row_stiffness[row, case]
+        read_ring(ring, column[layout.ARM, 0], reaction, row_stiffness)
         for i in range(layout.DEGREES_OF_FREEDOM):
-            found.reaction[row, case, i] = ring.reaction[i] * arm_of(i, arm)
-            for j in range(layout.DEGREES_OF_FREEDOM):
-                found.row_stiffness[row, case, i, j] = (
-                    ring.matrix[i, j] * arm_of(i, arm) * arm_of(j, arm)
-                )
             scale = max_with_nan(scale, abs(ring.reaction[i]))
         _add_row(rows.stand, row, k, ring, work.transform, force, stiffness)
     worst = 0.0

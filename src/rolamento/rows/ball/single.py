@@ -264,6 +264,21 @@ def condense_cage(ring: Ring) -> None:
 
 
 @inline_exact
+def arm_of(axis: int, arm: float) -> float:
+    """What turns a ring's scaled load of an axis into N or N·m."""
+    return 1.0 if axis < layout.SHIFTS else arm
+
+
+@filling
+def read_ring(ring: Ring, arm: float, reaction: Array, stiffness: Array) -> None:
+    """Write reaction (5,) and stiffness (5, 5) in SI; arm: R_i."""
+    for i in range(layout.DEGREES_OF_FREEDOM):
+        reaction[i] = arm_of(i, arm) * ring.reaction[i]
+        for j in range(layout.DEGREES_OF_FREEDOM):
+            stiffness[i, j] = arm_of(i, arm) * arm_of(j, arm) * ring.matrix[i, j]
+
+
+@inline_exact
 def cage_part(lag: float, pull: float, inner_speed: float, outer_speed: float) -> float:
     """How far the cage is from the mean of its drives, as a part of a ball's F_c, about."""
     scale = pull * (0.1 * (abs(inner_speed) + abs(outer_speed)))
