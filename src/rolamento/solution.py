@@ -112,9 +112,8 @@ def _delivered(solved: Solved, case: Case, given: Mapping[str, ArrayLike]) -> De
     """The bearing before its mounting, with the nominal contact angle of every case and row."""
     running = solved.rows.free_contact_angle
     angle = running.copy()
-    rows = case.bearing.rows
     for index, place in enumerate(case.bearing.places):
-        own = rows is not None and rows[index].own.keys() & _TELLS_ANGLE
+        own = case.bearing.own_fields(index) & _TELLS_ANGLE
         if not own and "bearing.diametral_clearance" in given:
             angle[:, index] = 0.0
         elif not own and "bearing.contact_angle" in given:

@@ -191,7 +191,7 @@ def spread(
     free, load, displacement = _duty(case, arrays, cases)
     kind, amount = _preload(case.bearing, arrays, cases)
     # what the rows have in common has to be sound by itself, as the case has it
-    common = _varied(case.bearing, case.bearing, set(), arrays)
+    common = _varied(case.bearing, case.bearing, frozenset(), arrays)
     _check_own_fields(case.bearing, arrays)
     valid &= _consistent(common, case.bearing)
     valid &= _within_reason(displacement, common)
@@ -206,7 +206,7 @@ def spread(
             grooved = make(case, place, common, arrays, cases, threads=threads)
             placed.append(PlacedRow(grooved, place.sign, position))
             continue
-        bearing = _varied(case.bearing, place.bearing, _own_fields(case.bearing, place), arrays)
+        bearing = _varied(case.bearing, place.bearing, case.bearing.own_fields(index), arrays)
         varied = arrays
         if states is not None:
             own = states[index].geometry
@@ -362,7 +362,10 @@ def _preload(
 
 
 def _varied(
-    bearing: RollingBearing, row: RollingBearing, own: set[str], arrays: Mapping[str, FloatArray]
+    bearing: RollingBearing,
+    row: RollingBearing,
+    own: frozenset[str],
+    arrays: Mapping[str, FloatArray],
 ) -> Any:
     """A row's bearing with the arrays for its attributes; what the row has of its own stays."""
     numbers = row.VARIES
@@ -372,8 +375,8 @@ def _varied(
         for rival in Case.fields()[f"bearing.{name}"].rivals:
             given.setdefault(rival.removeprefix("bearing."), None)  # type: ignore[arg-type]
     rings = _material(row.ring_material, "ring_material", arrays)
-    follows = row.MATERIAL not in bearing.model_fields_set
-    elements = _material(rings if follows else row.element_material, row.MATERIAL, arrays)
+    material = rings if row.elements_follow_rings else row.element_material
+    elements = _material(material, row.MATERIAL, {} if row.MATERIAL in own else arrays)
     attributes = {name: getattr(row, name) for name in (*numbers, *row.STAYS)}
     made = {**attributes, **given, "ring_material": rings, row.MATERIAL: elements}
     known = given.keys() | own | bearing.model_fields_set
@@ -383,15 +386,6 @@ def _varied(
     if "effective_length" in given and "roller_length" not in known:
         made["roller_length"] = given["effective_length"]
     return SimpleNamespace(**made)
-
-
-def _own_fields(bearing: RollingBearing, place: RowPlace) -> set[str]:
-    """What the row does not take from the set; an own angle excludes the set's clearance too."""
-    if place.bearing.element != bearing.element:
-        return set(place.bearing.VARIES)  # nothing: other elements roll in it
-    if bearing.rows is None:
-        return set()
-    return set(bearing.rows[bearing.places.index(place)].own)
 
 
 def _material(material: Any, part: str, arrays: Mapping[str, FloatArray]) -> Any:
@@ -433,6 +427,10 @@ def _check_own_fields(bearing: RollingBearing, arrays: Mapping[str, FloatArray])
                 said("is no quantity of such a bearing: {element}", element=bearing.element),
                 field=name,
                 example="bearing.pitch_diameter",
+            )
+        if table == "bearing" and bearing.is_of_rows(leaf.partition(".")[0]):
+            raise InputError(
+                said("has no effect: every row has its own"), field=name, example="duty.load.fz"
             )
     foreign: tuple[str, ...] = ()
     if bearing.element != "ball":

@@ -142,7 +142,8 @@ def running_set(case: Case) -> Case:
     if preload is None and not any(one.angular for one in placed):
         clamped = False
     rows = []
-    for place, one in zip(case.bearing.places, placed, strict=True):
+    listed = case.bearing.rows or [None] * len(placed)
+    for place, own, one in zip(case.bearing.places, listed, placed, strict=True):
         shut = bool(one.closed[0])
         _refuse_shut(one)
         numbers = {name: float(array[0]) for name, array in one.row.geometry.items()}
@@ -159,6 +160,7 @@ def running_set(case: Case) -> Case:
                 position=place.position,
                 phase=place.phase,
                 offset=float(offset[0]),
+                designation=None if own is None else own.designation,  # and all that it tells
                 **{**_inside(place), **numbers},
             )
         )
@@ -356,8 +358,7 @@ def _angular(case: Case, index: int, arrays: Mapping[str, FloatArray]) -> bool:
     row = case.bearing.places[index].bearing
     if row.element != "ball":
         return row.element == "tapered"
-    own = case.bearing.rows[index].own if case.bearing.rows is not None else {}
-    if not own.keys() & set(_OWN):
+    if not case.bearing.own_fields(index) & set(_OWN):
         if "bearing.diametral_clearance" in arrays:
             return False
         if "bearing.contact_angle" in arrays:

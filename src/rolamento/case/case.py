@@ -169,11 +169,10 @@ class Case(Record):
             return Case.from_mapping(changed(self._own_mapping(given), given, Case))
 
     def _own_mapping(self, changes: Iterable[str]) -> dict[str, Any]:
-        """The tables of the case's file; balls of the rings' material go on following it."""
-        mapping = self.to_mapping()
-        follows = self.bearing.MATERIAL not in self.bearing.model_fields_set
-        if follows and not any(change.startswith("bearing.ball_material") for change in changes):
-            mapping["bearing"].pop("ball_material", None)
+        """The tables of the case's file, with the elements' material where a part of it changes."""
+        mapping, material = self.to_mapping(), self.bearing.MATERIAL
+        if any(change.startswith(f"bearing.{material}.") for change in changes):
+            mapping["bearing"].setdefault(material, self.bearing.element_material.to_mapping())
         return mapping
 
     @property

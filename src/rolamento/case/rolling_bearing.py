@@ -183,6 +183,15 @@ class RollingBearing(Record):
         raise NotImplementedError
 
     @property
+    def elements_follow_rings(self) -> bool:
+        """Whether the rolling elements are of the rings' material, for lack of one of their own.
+
+        A material that a designation names ("HC": ceramic balls) is one of their own.
+        """
+        given = self.MATERIAL in self.model_fields_set
+        return not given and self.element_material == self.ring_material
+
+    @property
     def origins(self) -> Mapping[str, str]:
         """Where each field that a designation fills in comes from; empty without one.
 
@@ -270,6 +279,21 @@ class RollingBearing(Record):
     def places(self) -> tuple[RowPlace, ...]:
         """The rows of elements along +x, each as a bearing of one row; one if it is no set."""
         return places_of(self)
+
+    def own_fields(self, index: int) -> frozenset[str]:
+        """Return the fields of its geometry that a row does not take from the set."""
+        if self.rows is None:
+            return frozenset()
+        row = self.rows[index]
+        if _takes_after(row, self):
+            return frozenset(row.own)
+        record = BY_ELEMENT[row.element]
+        return frozenset({*record.VARIES, record.MATERIAL})
+
+    def is_of_rows(self, field: str) -> bool:
+        """Whether every row has a field of its own, so that the set's says nothing."""
+        rows = range(len(self.rows or ()))
+        return bool(rows) and all(field in self.own_fields(index) for index in rows)
 
     @model_validator(mode="wrap")
     @classmethod
@@ -359,17 +383,15 @@ class RollingBearing(Record):
     def _without_what_is_filled_in(
         self, handler: SerializerFunctionWrapHandler, info: SerializationInfo
     ) -> dict[str, Any]:
-        """Write to a file the user's own fields only, where others are filled in."""
+        """Write to a file the user's own fields only, where others are filled in or follow."""
         fields: dict[str, Any] = handler(self)
         for name in self._never_written:
             fields.pop(name, None)
-        if (self.designation or self.rows) is None or not at_the_border(info.context):
+        if not at_the_border(info.context):
             return fields
-        told = self.FILLED_IN.keys() - self.model_fields_set
-        material = self.MATERIAL
-        if self.told is None or material not in self.told.fields:
-            told -= {material}
-        return {name: value for name, value in fields.items() if name not in told}
+        alone = (self.designation or self.rows) is None
+        unsaid = ({self.MATERIAL} if alone else self.FILLED_IN.keys()) - self.model_fields_set
+        return {name: value for name, value in fields.items() if name not in unsaid}
 
     @property
     def _never_written(self) -> tuple[str, ...]:
@@ -511,6 +533,8 @@ def places_of(bearing: RollingBearing) -> tuple[RowPlace, ...]:
         return tuple(_placed(one, sign, row.position, row.phase) for row, sign in signs)
     if told is None or "arrangement" in told.fields:
         names = bearing.FILLED_IN.keys() - bearing.model_fields_set - plain.keys()
+        if bearing.elements_follow_rings:
+            names.discard(bearing.MATERIAL)
         values = {name: getattr(bearing, name) for name in names}
         plain.update({"designation": None, **values})  # of the first row
     places = []
@@ -528,14 +552,19 @@ def _alone(
     bearing: RollingBearing, row: BallRow | RollerRow, plain: Mapping[str, Any]
 ) -> RollingBearing:
     """A row of a set as a bearing: the set's, but for what the row has of its own."""
-    kind = BY_ELEMENT[row.element]
-    alike = (row.element == "tapered") == (bearing.element == "tapered")
-    if kind is type(bearing) and alike and row.designation is None:
+    if _takes_after(row, bearing):
         return bearing.replace(**{**plain, **row.own, "element": row.element})
     shared = {"ring_material"} & bearing.model_fields_set
     materials = {name: getattr(bearing, name) for name in shared}
     given = {name: value for name, value in row.own.items() if value is not None}
-    return kind(**{**materials, **given, "element": row.element})
+    return BY_ELEMENT[row.element](**{**materials, **given, "element": row.element})
+
+
+def _takes_after(row: RowOfElements, bearing: RollingBearing) -> bool:
+    """Whether what a row has not of its own is the set's."""
+    alike = (row.element == "tapered") == (bearing.element == "tapered")
+    same_record = BY_ELEMENT[row.element] is type(bearing)
+    return same_record and alike and row.designation is None
 
 
 def _placed(bearing: RollingBearing, *place: Any) -> RowPlace:

@@ -6,7 +6,7 @@ case's own numbers.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Set
 from types import SimpleNamespace
 from typing import Any, Final
 
@@ -72,7 +72,7 @@ def operating_batch(
     assert case.mounting is not None
     assert not case.bearing.is_set, "a set has a preload too: see rolamento.assembly.mounted"
     arrays = {name: np.asarray(array, np.float64) for name, array in values.items()}
-    bearing = row_bearing(case.bearing, case.bearing, {}, arrays)
+    bearing = row_bearing(case.bearing, case.bearing, frozenset(), arrays)
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
         clearance = _clearance(case, bearing, arrays)
         field, running = _as_given(bearing, clearance)
@@ -170,7 +170,7 @@ def _as_given(bearing: Any, clearance: FloatArray) -> tuple[str, FloatArray]:
 def row_bearing(
     bearing: Bearing | RollerBearing,
     row: Bearing | RollerBearing,
-    own: Mapping[str, Any],
+    own: Set[str],
     arrays: Mapping[str, FloatArray],
 ) -> Any:
     """A row's bearing with the arrays for its attributes; own: what the row has of its own.
@@ -193,8 +193,8 @@ def row_bearing(
     elif row.element == "ball" and "contact_angle" in common:
         given["diametral_clearance"] = None
     rings = _material(row.ring_material, "ring_material", arrays)
-    follows = row.MATERIAL not in bearing.model_fields_set
-    elements = _material(rings if follows else row.element_material, row.MATERIAL, arrays)
+    material = rings if row.elements_follow_rings else row.element_material
+    elements = _material(material, row.MATERIAL, {} if row.MATERIAL in own else arrays)
     return SimpleNamespace(
         **given, element=row.element, ring_material=rings, element_material=elements
     )

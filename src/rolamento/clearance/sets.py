@@ -161,8 +161,7 @@ def running_rows(
     ]
     rows, strains = [], None
     for index, place in enumerate(case.bearing.places):
-        own = case.bearing.rows[index].own if case.bearing.rows is not None else {}
-        bearing = row_bearing(case.bearing, place.bearing, own, arrays)
+        bearing = row_bearing(case.bearing, place.bearing, case.bearing.own_fields(index), arrays)
         assembly = gathered(bearing, mounting, warm, *speeds)
         strains = assembly.strains
         try:

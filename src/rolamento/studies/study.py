@@ -244,9 +244,6 @@ class Study(Record):
         table: dict[str, Any] = handler(self)
         if not at_the_border(info.context):
             return table
-        if "ball_material" not in self.case.bearing.model_fields_set:
-            # it goes on following the rings', or the designation
-            table["case"]["bearing"].pop("ball_material", None)
         kept = {key: value for key, value in table.items() if value not in ("", (), [], None)}
         return {
             key: list(value) if isinstance(value, tuple) else value for key, value in kept.items()
