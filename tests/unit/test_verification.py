@@ -26,7 +26,7 @@ from rolamento.document.markdown import markdown
 from rolamento.document.terminal import terminal
 from rolamento.errors import InputError
 from rolamento.pages.verification import COMMAND, term, verification_page
-from rolamento.verification import Check, Source, Verification, registry, run, sources
+from rolamento.verification import Check, Source, Verification, held_out, registry, run, sources
 from rolamento.verification.check import cut, half_unit, rounded
 from rolamento.words import Note, speaking
 
@@ -464,3 +464,12 @@ def test_wrong_input_is_told_in_one_line(
 )
 def test_the_file_of_json_may_be_left_out(given: list[str], parsed: list[str]) -> None:
     assert with_values(given, {"--source", "--markdown", "--lang"}, False) == parsed
+
+
+def test_what_was_held_out_says_how_much_of_it_holds() -> None:
+    for one in held_out():
+        assert one.what.text != one.what.key
+        assert (one.of is None) == (one.hold is None)
+        assert one.within or one.of is not None
+        if one.of is not None and one.hold is not None:
+            assert 0 < one.hold <= one.of

@@ -20,7 +20,14 @@ from rolamento.document import (
     Title,
     Tone,
 )
-from rolamento.verification import VERDICTS, Check, CheckVerdict, SourceResult, Verification
+from rolamento.verification import (
+    VERDICTS,
+    Check,
+    CheckVerdict,
+    SourceResult,
+    Verification,
+    held_out,
+)
 from rolamento.words import ABSENT, manner, marked, said, said_in
 
 __all__ = ["COMMAND", "summary", "verification_page"]
@@ -92,7 +99,7 @@ def verification_page(found: Verification, *, introduction: bool = False) -> Doc
         Whether to begin with what the page is, for the documentation.
     """
     title = said("Verification")
-    sections = [_introduction(title)] if introduction else []
+    sections = [_introduction(title), _held_out()] if introduction else []
     for result in found.results:
         sections += _of_source(result)
     sections.append(Section(blocks=(Statement(_proof_note(), "faint"),), key="proof"))
@@ -131,6 +138,28 @@ def _introduction(title: str) -> Section:
         " it fails."
     )
     return Section(blocks=(Title(title), Statement(text), Statement(meaning)))
+
+
+def _held_out() -> Section:
+    """What took no part in the development."""
+    text = said(
+        "What was kept back while the program was written, and tried on it afterwards (version"
+        " 0.1.0): a number that agrees here was not at hand to be matched."
+    )
+    tried = held_out()
+    columns = (
+        Column(head=said("held out"), key="held_out", values=[one.what.text for one in tried]),
+        Column(head=said("tried"), key="tried", values=[one.of for one in tried]),
+        Column(head=said("hold"), key="hold", values=[one.hold for one in tried]),
+        Column(
+            head=said("within"),
+            key="within",
+            values=[one.within or None for one in tried],
+            align="right",
+        ),
+    )
+    table = Table(columns=columns, key="held_out")
+    return Section(said("Held out"), (Statement(text), table), "held_out")
 
 
 def _proof_note() -> str:

@@ -5,6 +5,7 @@ data; what the program gives for it is computed here, every time; `check` judges
 """
 
 from rolamento.verification.check import VERDICTS, Check, CheckVerdict
+from rolamento.verification.held_out import HeldOut, held_out
 from rolamento.verification.registry import (
     Progress,
     Source,
@@ -18,10 +19,12 @@ __all__ = [
     "VERDICTS",
     "Check",
     "CheckVerdict",
+    "HeldOut",
     "Progress",
     "Source",
     "SourceResult",
     "Verification",
+    "held_out",
     "run",
     "sources",
 ]

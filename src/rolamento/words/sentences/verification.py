@@ -10,6 +10,21 @@ if TYPE_CHECKING:
     from rolamento.words.sentences import Sentence
 
 SENTENCES: Final[dict[str, Sentence]] = {
+    "held_out_states": marked(
+        "states of ball bearings under random duties, solved anew with exact Hertzian contacts"
+    ),
+    "held_out_rollers": marked(
+        "loads and displacements of roller bearings by an independent model of slices"
+    ),
+    "held_out_catalogue": marked("rows of makers' catalogues"),
+    "held_out_races": marked(
+        "recordings of a damaged race in which that race alone is named; in none a wrong part"
+    ),
+    "held_out_healthy": marked("recordings of healthy machines, not called damaged"),
+    "held_out_synthetic": marked(
+        "synthetic records of healthy machines without impacts at multiples of the shaft speed, "
+        "not called damaged"
+    ),
     "verify_campanha_whole_load": marked(
         "The author puts the whole load on one ball, and the maximum shear at half the minor "
         "semi-axis. The heaviest of 8 balls carries 5/8 of the load, and the exact depth for "
