@@ -81,6 +81,19 @@ class Letters:
         levels: dict[str, str] = designation_data()["levels"]
         return None if self.preload is None else levels.get(self.preload.text)
 
+    @property
+    def at_speed(self) -> tuple[Part, ...]:
+        """Of the parts, those that bear on the limiting speed: tolerance, cage, seals, design."""
+        data = designation_data()
+        known = {text for texts in data["bears_on_speed"].values() for text in texts}
+        suffixes, prefixes = data["suffixes"], data["prefixes"]
+        return tuple(
+            part
+            for part in self.parts  # M behind a set is a preload, behind a number a cage
+            if part.text in known
+            and part.meaning in (suffixes.get(part.text), prefixes.get(part.text))
+        )
+
     def __add__(self, other: Letters) -> Letters:
         """Put what stands behind to what stands before; what is said last counts."""
         return Letters(
