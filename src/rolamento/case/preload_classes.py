@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from functools import cache
 from math import degrees
-from typing import Final, Literal, cast
+from typing import Final, Literal, cast, get_args
 
 from rolamento._data import toml_of
 from rolamento.errors import InputError, nearest
@@ -16,7 +16,8 @@ from rolamento.words import said
 
 __all__ = ["Level", "level_of_force", "listed_designations", "listed_preload"]
 
-Level = Literal["extra_light", "light", "medium", "heavy"]
+Level = Literal["extra_light", "light", "medium", "heavy", "A", "B", "C", "D"]
+"""Classes of preload: A to D, from the lightest on, are SKF's of its spindle bearings."""
 
 _SAME_ANGLE: Final = 1.5
 """Degrees by which a bearing's contact angle may differ from the listed nominal one."""
@@ -55,11 +56,12 @@ def listed_preload(designation: str, level: Level, contact_angle: float | None) 
     for record, angle in zip(records, nominal, strict=True):
         if given is not None and abs(angle - given) <= _SAME_ANGLE:
             if level not in record:
+                known = [name for name in get_args(Level) if name in record]
                 raise InputError(
-                    said("has no such class of preload in its maker's list"),
+                    said("is no class of its maker's list: {known}", known=", ".join(known)),
                     field="level",
                     value=level,
-                    example='level = "light"',
+                    example=f'level = "{known[0]}", or preload = "500 N"',
                 )
             return to_si(record[level], "force")
     angles = ", ".join(f"{angle:g} deg" for angle in nominal)

@@ -200,6 +200,7 @@ def bearing_page(geometry: InternalGeometry) -> Document:
         entries.append(Entry(said("no effect on results"), idle))
     if entries:
         head.append(KeyValues(tuple(entries)))
+    head += [Statement(note.text, "warning-strong") for note in geometry.notes]
     sections = [Section(blocks=tuple(head), key="head"), _published(bearing)]
     if not geometry.has_elements and bearing.has_rollers:
         text = said(
