@@ -84,9 +84,9 @@ def notes_on(solved: Solved) -> tuple[Note, ...]:
     if not solved.converged[0]:
         return ()
     checks = (
-        _other_than_said, _lost_rows, _lost_contacts, _pressures, _past_edge, _shoulders, _speeds, _tilts,
-        _free_directions, _free_tilt, _control, _gyroscopic_slip, _gyroscopic_left_out, _arches,
-        _rolling, _estimated_geometry, _letters, _nearly_lost,
+        _other_than_said, _lost_rows, _lost_contacts, _pressures, _past_edge, _shoulders, _speeds,
+        _tilts, _free_directions, _free_tilt, _control, _gyroscopic_slip, _gyroscopic_left_out,
+        _arches, _rolling, _estimated_geometry, _letters, _nearly_lost,
     )  # fmt: skip
     notes = tuple(note for check in checks for note in check(solved))
     return notes if solved.rollers is None else (*notes, *notes_on_rollers(solved))

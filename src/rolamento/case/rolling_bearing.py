@@ -80,6 +80,7 @@ DISPLACED: Final = (
     "roller_length",
     "effective_length",
     "roller_half_angle",
+    "roller_end_radius",
     "inner_ribs",
     "outer_ribs",
     "pitch_diameter",

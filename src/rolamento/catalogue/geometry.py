@@ -25,7 +25,7 @@ from rolamento.catalogue.search import (
     standard_width,
 )
 from rolamento.errors import InputError
-from rolamento.geometry import apex_half_angle
+from rolamento.geometry import apex_half_angle, usual_end_radius
 from rolamento.ratings import SELF_ALIGNING_CONFORMITY, THRUST_CONFORMITY
 from rolamento.units import MILLIMETRE, readable
 from rolamento.words import Note, said
@@ -301,6 +301,13 @@ def _roller_geometry(
             size = (fields["roller_diameter"], fields["pitch_diameter"])
             fields["roller_half_angle"] = float(apex_half_angle(*size, angle))
             origins["roller_half_angle"] = "inferred"
+            end = (
+                fields["roller_diameter"],
+                fields["effective_length"],
+                fields["roller_half_angle"],
+            )
+            fields["roller_end_radius"] = float(usual_end_radius(*end))
+            origins["roller_end_radius"] = "assumed"
     else:
         fields["inner_ribs"], fields["outer_ribs"] = _RIBS.get(type_, ("none", "none"))
         origins["inner_ribs"] = origins["outer_ribs"] = "published"

@@ -90,6 +90,7 @@ _NAMES: Final = {
     "roller_diameter": marked("roller diameter D_we"),
     "effective_length": marked("effective roller length L_we"),
     "roller_half_angle": marked("half angle of the rollers φ"),
+    "roller_end_radius": marked("radius of the roller ends"),
     "inner_ribs": marked("ribs of the inner ring"),
     "outer_ribs": marked("ribs of the outer ring"),
     "axial_play": marked("axial play between the ribs"),
