@@ -268,8 +268,10 @@ def _fatigue_load_method(case: Case) -> FatigueLoad:
     tells C and C_0, not the conformities on which the pressure depends. Ceramic balls have no C_0
     to estimate it from.
     """
-    inferred = [_is_inferred(place.bearing) for place in case.bearing.places]
-    return "estimate" if any(inferred) and _is_of_steel(case.bearing) else "contacts"
+    bearing = case.bearing
+    rows = [bearing] if bearing.rows is None else [place.bearing for place in bearing.places]
+    inferred = any(_is_inferred(row) for row in rows)
+    return "estimate" if inferred and _is_of_steel(bearing) else "contacts"
 
 
 def _is_inferred(bearing: RollingBearing) -> bool:

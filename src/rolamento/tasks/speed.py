@@ -309,7 +309,7 @@ def _boundary(case: Case) -> Boundary:
         angle = told.bearing.contact_angle or told.designation.contact_angle
     if angle is None and row.contact_angle:
         angle = row.contact_angle
-    series = _series(row, told, sizes["bore"], sizes["outside_diameter"], angle is not None)
+    series = _series(bearing, told, sizes["bore"], sizes["outside_diameter"], angle is not None)
     together = rows_of_one_bearing(bearing)
     ratings = []
     for name in ("dynamic_rating", "static_rating"):
@@ -347,7 +347,7 @@ def _rating(row: Bearing | RollerBearing, name: str, angle: float) -> float:
 
 
 def _series(
-    row: Bearing | RollerBearing,
+    bearing: Bearing | RollerBearing,
     told: InternalGeometry | None,
     bore: float | None,
     outside: float | None,
@@ -369,7 +369,7 @@ def _series(
             return f"{named.bearing_type}{named.series}"
         if kind not in ("deep_groove", "angular_contact"):
             return ""
-    if isinstance(row, RollerBearing) or row.kind is not None:
+    if isinstance(bearing, RollerBearing) or bearing.kind is not None:
         return ""
     return _series_of_size(bore, outside, angular)
 
