@@ -227,7 +227,8 @@ def test_a_size_alone_borrows_no_series_of_another_kind() -> None:
         '[bearing]\nkind = "four_point"\nball_count = 14\nball_diameter = "12.7 mm"\n'
         'pitch_diameter = "70 mm"\ncontact_angle = "35 deg"\nshim_angle = "20 deg"\n'
         'inner_conformity = 0.52\nouter_conformity = 0.52\n[duty.load]\nfx = "1 kN"\n'
-        '[film]\nstarvation = "replenishment"\nsupply = "bath"\nbore = "50 mm"\noutside_diameter = "90 mm"\n'
+        '[film]\nstarvation = "replenishment"\nsupply = "bath"\n'
+        'bore = "50 mm"\noutside_diameter = "90 mm"\n'
     )
     found = speed_limits(case)
     assert found.boundary.series == ""
