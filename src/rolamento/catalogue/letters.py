@@ -196,7 +196,8 @@ def _said_by(part: str, kind: _Kind, designation: str) -> Letters:
         return _acting(Part(part, data["universal"][part]))
     if kind == "preload":
         known = Part(part, data["preloads"][part])
-        return Letters(preload=known, parts=(known,))
+        preload = None if part in data["pair_clearance"]["none"] else known
+        return Letters(preload=preload, parts=(known,))
     if kind in ("suffix", "tolerance"):
         return _acting(Part(part, _meaning(part)))
     return Letters(unknown=(part,))
