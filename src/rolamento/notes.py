@@ -84,12 +84,17 @@ def notes_on(solved: Solved) -> tuple[Note, ...]:
     if not solved.converged[0]:
         return ()
     checks = (
-        _lost_rows, _lost_contacts, _pressures, _past_edge, _shoulders, _speeds, _tilts,
-        _free_directions, _free_tilt, _control, _gyroscopic_slip, _gyroscopic_left_out, _arches,
-        _rolling, _estimated_geometry, _letters, _nearly_lost,
+        _other_than_said, _lost_rows, _lost_contacts, _pressures, _past_edge, _shoulders, _speeds,
+        _tilts, _free_directions, _free_tilt, _control, _gyroscopic_slip, _gyroscopic_left_out,
+        _arches, _rolling, _estimated_geometry, _letters, _nearly_lost,
     )  # fmt: skip
     notes = tuple(note for check in checks for note in check(solved))
     return notes if solved.rollers is None else (*notes, *notes_on_rollers(solved))
+
+
+LEADING: Final = frozenset({"designation_preload", "pair_clearance_not_listed", "stainless_rating"})
+"""Notes by which the bearing that is solved is another than its designation says: they stand
+above the result."""
 
 
 def jones_verdict(solved: Solved) -> NDArray[np.int64]:
@@ -399,6 +404,28 @@ def _estimated_geometry(solved: Solved) -> Iterator[Note]:
         yield Note("geometry_estimated_uniquely", {"designation": name})
 
 
+def _other_than_said(solved: Solved) -> Iterator[Note]:
+    """What the designation says and the solved bearing is not: see `LEADING`."""
+    case = solved.case
+    bearing = case.bearing
+    told = bearing.told
+    if told is None:
+        return
+    preload, own = told.designation.letters.preload, case.life
+    if preload is not None and bearing.preload is None:
+        values = {"part": preload.text, "meaning": preload.meaning}
+        yield Note("designation_preload", {"designation": bearing.designation, **values})
+    for note in told.notes:
+        rated = own is not None and own.dynamic_rating is not None
+        if note.key == "stainless_rating" and rated:
+            continue
+        if note.key == "pair_clearance_not_listed" and (
+            not bearing.is_set or bearing.preload is not None
+        ):
+            continue
+        yield note
+
+
 def _letters(solved: Solved) -> Iterator[Note]:
     """What of a designation changes nothing, or is not understood."""
     bearing = solved.case.bearing
@@ -412,9 +439,6 @@ def _letters(solved: Solved) -> Iterator[Note]:
     if told.idle:
         parts = [list(part) for part in told.idle]
         yield Note("designation_without_effect", {"designation": name, "parts": parts})
-    if letters.preload is not None and bearing.preload is None:
-        values = {"part": letters.preload.text, "meaning": letters.preload.meaning}
-        yield Note("designation_preload", {"designation": name, **values})
     if letters.unknown:
         unknown = list(letters.unknown)
         yield Note("designation_not_understood", {"designation": name, "parts": unknown})

@@ -10,7 +10,12 @@ from hypothesis import strategies as st
 from rolamento import Bearing, Case, Duty, Load
 from rolamento.life import LifeConditions, life
 from rolamento.life.contamination import class_of_code, class_of_grease, contamination_factor
-from rolamento.life.equivalent_load import equivalent_load, load_factors, static_equivalent_load
+from rolamento.life.equivalent_load import (
+    ListedFactors,
+    equivalent_load,
+    load_factors,
+    static_equivalent_load,
+)
 from rolamento.life.iso281 import basic_rating_life
 from rolamento.life.iso281_modified import life_modification_factor
 from rolamento.life.iso16281 import race_ratings, reference_life, system_life
@@ -250,3 +255,23 @@ def test_rating_life_is_the_reference_life_of_half_a_ring(
     ratings = race_ratings(rating, count, ball, pitch, 0.52, 0.52, angle)
     life = continuous_life(0.5, ratings, 0.1 * rating / np.cos(angle), count)
     assert life == pytest.approx(1000.0, rel=2e-3)
+
+
+@given(st.floats(8.0, 40.0), st.floats(0.0, 1e5), st.floats(0.0, 1e5))
+def test_listed_factors_of_the_standard_s_angle_change_nothing(
+    degrees: float, radial: float, axial: float
+) -> None:
+    angle = np.radians(degrees)
+    cotangent = 1.0 / np.tan(angle)
+    exact = ListedFactors(1.5 / cotangent, 0.4 * cotangent, 0.22 * cotangent)
+    for double in (False, True):
+        plain = equivalent_load(radial, axial, angle, 0.0, double_row=double, kind="roller")
+        made = equivalent_load(
+            radial, axial, angle, 0.0, double_row=double, kind="roller", listed=exact
+        )
+        still = static_equivalent_load(radial, axial, angle, double_row=double, kind="roller")
+        made_still = static_equivalent_load(
+            radial, axial, angle, double_row=double, kind="roller", listed=exact
+        )
+        assert made.load == pytest.approx(plain.load, rel=1e-12)
+        assert made_still == pytest.approx(still, rel=1e-12)

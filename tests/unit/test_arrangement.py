@@ -154,13 +154,13 @@ def test_a_rows_own_angle_takes_the_place_of_the_sets_clearance() -> None:
         ({"preload": {"offset": "11 mm"}}, "preload.offset", "at most 10 mm"),
         (
             {"preload": {"level": "light"}},
-            "preload",
-            "level and designation must be given together",
+            "preload.designation",
+            "a level of preload is that of a bearing in a maker's list",
         ),
         (
             {"preload": {"force": 1.0, "designation": "S 6012 C"}},
-            "preload",
-            "level and designation must be given together",
+            "preload.designation",
+            "is of a level of preload only",
         ),
         (
             {"preload": {"level": "light", "designation": "S 6012 C"}},

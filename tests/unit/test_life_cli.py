@@ -248,7 +248,7 @@ def test_a_spectrum(run: Run) -> None:
     found = life_under(load_case(CASE), read_spectrum("6305_steps.csv"))
     damage = 100.0 * found["iso16281_modified"].damage
     assert f"Step 3 contributes most: {damage[2]:.3g} % of the damage in 10 % of the time." in out
-    rows = re.findall(r"^ +(\d) .*?(\d+\.\d)(?: +█*)?$", out, re.MULTILINE)
+    rows = re.findall(r"^ +(\d) .*?(\d+\.\d)(?: +[█▏▎▍▌▋▊▉]*)?$", out, re.MULTILINE)
     assert rows[-3:] == [(str(n + 1), f"{damage[n]:.1f}") for n in range(3)]
 
 

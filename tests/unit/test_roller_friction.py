@@ -268,7 +268,7 @@ def test_a_pair_by_designation_beside_the_makers_models() -> None:
     assert set(found.models) >= {"roller_sliding", "palmgren", "skf"}
     own, made = float(found.torque[0]), found.models["skf"]
     assert 0.5 < own / float(made.total[0]) < 1.5
-    assert 1.0 < own / float(found.models["palmgren"].total[0]) < 2.0
+    assert 0.5 < own / float(found.models["palmgren"].total[0]) < 2.0
     assert made.starting is not None
     assert 0.5 < float(found.starting_torque[0]) / float(made.starting[0]) < 1.5
     mapping = found.to_mapping()["models"]

@@ -11,11 +11,14 @@ from typer.testing import CliRunner
 
 from rolamento import InputError, parse_case
 from rolamento._data import toml_of
+from rolamento.case.bearing import Bearing
+from rolamento.case.preload_classes import level_of_force
 from rolamento.cli.app import app
 from rolamento.document.terminal import terminal
 from rolamento.pages.speed import speed_page
-from rolamento.ratings import roller_dynamic_rating
+from rolamento.ratings import dynamic_rating, roller_dynamic_rating, static_rating
 from rolamento.speeds import (
+    ceramic_factor,
     heat_shares,
     minimum_axial_load,
     minimum_axial_load_of_thrust,
@@ -23,10 +26,12 @@ from rolamento.speeds import (
     minimum_radial_load,
     reference_coefficients,
     reference_heat_flow,
+    set_factor,
     speed_class,
     speed_ratio,
     thermal_reference_speed,
 )
+from rolamento.tasks.bearing import case_of
 from rolamento.tasks.speed import speed_limits
 
 RPM = pi / 30.0
@@ -84,9 +89,7 @@ def test_printed_limiting_speeds_lie_near_their_class() -> None:
     """n d_m is a class only if it hardly changes with the size: within 12 % of the mean."""
     for row in toml_of("speeds")["classes"]["series"]:
         angle = row.get("contact_angle_deg")
-        found = speed_class(
-            row["series"][0], None if angle is None else angle * pi / 180.0, matched=False
-        )
+        found = speed_class(row["series"][0], None if angle is None else angle * pi / 180.0)
         assert found is not None
         for one in row["bearings"]:
             mean = 0.5e-3 * (one["d"] + one["D"])
@@ -95,19 +98,143 @@ def test_printed_limiting_speeds_lie_near_their_class() -> None:
 
 
 def test_classes_of_sets_and_angles() -> None:
-    alone = speed_class("70", 15.0 * pi / 180.0, matched=False)
-    pair = speed_class("70", 15.0 * pi / 180.0, matched=True)
-    steep = speed_class("70", 30.0 * pi / 180.0, matched=False)
+    alone = speed_class("70", 15.0 * pi / 180.0)
+    steep = speed_class("70", 30.0 * pi / 180.0)
     assert alone is not None
-    assert pair is not None
     assert steep is not None
-    assert steep.grease < pair.grease < alone.grease < alone.oil_bath < alone.high_speed
-    assert pair.high_speed != pair.high_speed
+    assert steep.grease < alone.grease < alone.oil_bath < alone.high_speed
     # 7010 C in pairs: 10 000 and 14 000 rpm (NSK E1102, page B54)
-    assert pair.grease / 0.065 / RPM == pytest.approx(10_000, rel=0.05)
-    assert pair.oil_bath / 0.065 / RPM == pytest.approx(14_000, rel=0.05)
-    assert speed_class("70", None, matched=False) is None
-    assert speed_class("99", None, matched=False) is None
+    matched = set_factor(2, None)
+    assert (matched.name, matched.level) == ("matched", "")
+    assert matched.value * alone.grease / 0.065 / RPM == pytest.approx(10_000, rel=0.05)
+    assert matched.value * alone.oil_bath / 0.065 / RPM == pytest.approx(14_000, rel=0.05)
+    assert speed_class("70", None) is None
+    assert speed_class("99", None) is None
+
+
+def test_preload_sets_and_ceramic_balls_by_gmn() -> None:
+    """GMN, limiting speed for spindle bearings, f_n2 and f_n4, figure by figure."""
+    assert ceramic_factor().value == 1.25
+    assert set_factor(2, "spring") == ("spring", 1.0, "")
+    pairs = {level: set_factor(2, level).value for level in ("light", "medium", "heavy")}
+    assert pairs == {"light": 0.8, "medium": 0.7, "heavy": 0.5}
+    for count in (3, 4):  # the lowest of its lines of sets of more than two
+        sets = {level: set_factor(count, level).value for level in ("light", "medium", "heavy")}
+        assert sets == {"light": 0.6, "medium": 0.5, "heavy": 0.3}
+    for unknown in (None, "extra_light", "A"):
+        assert set_factor(2, unknown) == set_factor(4, unknown) == ("matched", 0.82, "")
+    assert set_factor(4, "spring").name == "matched"
+
+
+def test_a_force_has_the_lightest_class_that_reaches_up_to_it() -> None:
+    angle = 15.0 * pi / 180.0
+    # 47 kN: light to 0.63 %, medium to 1.68 %, heavy to 3.36 % of C
+    levels = [level_of_force(share * 47e3, 47e3, angle) for share in (1e-6, 0.0062, 0.0064, 0.02)]
+    assert levels == ["light", "light", "medium", "heavy"]
+    assert level_of_force(0.04 * 47e3, 47e3, angle) is None
+    assert level_of_force(100.0, 47e3, 40.0 * pi / 180.0) is None
+
+
+def _limits(designation: str, *settings: str) -> dict[str, float]:
+    found = speed_limits(designation, settings)
+    return {one.name: one.speed / RPM for one in found.limits}
+
+
+def test_what_a_designation_says_is_considered_or_said_not_to_be() -> None:
+    alone, hybrid = _limits("7014C"), _limits("7014C/HCP4A")
+    for name in ("grease", "oil_bath", "high_speed"):
+        assert hybrid[name] == pytest.approx(1.25 * alone[name])
+    light, heavy = _limits("7014C DBL"), _limits("7014C DBH")
+    assert light["high_speed"] == pytest.approx(0.8 * alone["high_speed"])
+    assert heavy["grease"] == pytest.approx(0.5 * alone["grease"])
+    sprung = _limits("7014C DB", 'bearing.preload={spring="240 N"}')
+    assert sprung == pytest.approx(alone)
+    assert _limits("7014C DB", "bearing.preload=240 N") == pytest.approx(light)
+
+    found = speed_limits("7014C/HCP4ADBA")
+    assert [one.name for one in found.limits] == ["grease", "oil_bath"]
+    assert [factor.name for factor in found.limits[0].factors] == ["matched", "ceramic"]
+    note = found.leading[0]
+    assert note.key == "speed_class_leaves_out"
+    assert [part for part, _ in note.values["parts"]] == ["P4A"]
+    assert note.values["preload"]
+    assert not note.values["ceramic"]
+    page = terminal(speed_page(found))
+    assert page.index("P4A") < page.index("Limits of the speed")
+    assert "×1.25 (GMN)" in page
+    assert found.to_mapping()["limits"][0]["factors"][1] == {
+        "name": "ceramic",
+        "value": 1.25,
+        "level": "",
+    }
+
+
+@pytest.mark.parametrize(
+    ("designation", "left_out"),
+    [
+        ("6205-2RS1", {"2RS1"}), ("6205/HC5", {"ceramic"}), ("6205 DB", {"rows"}),
+        ("30206 DB", {"rows"}), ("6205", set()), ("6205/C3", set()), ("S 6012 C DUM", set()),
+        ("7014CTYNP4", {"TYN", "P4"}), ("NU 205 ECP", {"P"}),
+    ],
+)  # fmt: skip
+def test_what_no_table_knows_leads(designation: str, left_out: set[str]) -> None:
+    found = speed_limits(designation)
+    values = next(
+        (note.values for note in found.leading if note.key == "speed_class_leaves_out"),
+        {"parts": []},
+    )
+    named = {part for part, _ in values["parts"]}
+    named |= {name for name in ("rows", "ceramic") if values.get(name)}
+    assert named == left_out
+
+
+def test_a_limit_above_leads() -> None:
+    found = speed_limits("6210", ["duty.inner_speed=20000 rpm"])
+    assert found.leading[0].key == "speed_above_limits"
+    page = terminal(speed_page(found))
+    assert page.index("The speed is above") < page.index("Limits of the speed")
+    assert page.count("The speed is above") == 1
+
+
+@pytest.mark.parametrize(
+    ("designation", "series", "rows"),
+    [
+        ("QJ 210", "QJ2", 1), ("QJ 310", "QJ3", 1), ("3210", "32", 1), ("5210", "52", 1),
+        ("1210", "12", 1), ("2310", "23", 1), ("7014C DBL", "70", 2), ("S 6012 C", "70", 1),
+        ("EX 70 15deg", "70", 1), ("NU 205 ET", "NU2", 1), ("51210", "512", 1),
+    ],
+)  # fmt: skip
+def test_series_and_bearings_side_by_side(designation: str, series: str, rows: int) -> None:
+    boundary = speed_limits(designation).boundary
+    assert (boundary.series, boundary.rows) == (series, rows)
+
+
+def test_two_rows_of_one_bearing_are_rated_once() -> None:
+    """C of a list is that of both rows, C_0 of QJ that of both pairs of arcs."""
+    double = speed_limits("3210", ["duty.load.fz=1 kN"])
+    assert double.boundary.dynamic_rating == 53e3
+    assert double.minimum_loads[0].load == pytest.approx(530.0)
+    four_point = speed_limits("QJ 210").boundary
+    row = case_of("QJ 210").bearing
+    assert isinstance(row, Bearing)
+    sizes = (row.ball_count, row.ball_diameter, row.pitch_diameter, row.contact_angle)
+    assert four_point.static_rating == pytest.approx(2.0 * static_rating(*sizes))
+    assert four_point.dynamic_rating == pytest.approx(2.0**0.7 * dynamic_rating(*sizes))
+
+
+def test_a_size_alone_borrows_no_series_of_another_kind() -> None:
+    case = parse_case(
+        '[bearing]\nkind = "four_point"\nball_count = 14\nball_diameter = "12.7 mm"\n'
+        'pitch_diameter = "70 mm"\ncontact_angle = "35 deg"\nshim_angle = "20 deg"\n'
+        'inner_conformity = 0.52\nouter_conformity = 0.52\n[duty.load]\nfx = "1 kN"\n'
+        '[film]\nstarvation = "replenishment"\nsupply = "bath"\n'
+        'bore = "50 mm"\noutside_diameter = "90 mm"\n'
+    )
+    found = speed_limits(case)
+    assert found.boundary.series == ""
+    assert not found.limits
+    assert [note.key for note in found.leading] == ["no_series_for_speed"]
+    assert speed_limits(case, series="QJ2", width=0.02).limits[0].name == "reference"
 
 
 def test_minimum_loads_by_hand() -> None:
@@ -173,7 +300,8 @@ def test_a_set_by_its_size(tmp_path: Path) -> None:
     found = speed_limits(parse_case(PAIR))
     assert found.boundary.series == "70"  # as 6014 has this size
     assert found.n_dm == pytest.approx(1.35e6)
-    assert [one.name for one in found.limits] == ["grease", "oil_bath"]
+    assert [one.name for one in found.limits] == ["grease", "oil_bath", "high_speed"]
+    assert found.limits[0].factors[0].level == "light"  # 250 N
     keys = {note.key for note in found.notes}
     assert {"no_reference_coefficients", "speed_above_limits", "preload_for_minimum_load"} <= keys
     page = terminal(speed_page(found))

@@ -12,11 +12,15 @@ from math import pi
 
 import pytest
 
+from rolamento.case.bearing import Bearing
+from rolamento.ratings import static_rating
 from rolamento.speeds import (
     reference_coefficients,
     speed_ratio,
     thermal_reference_speed,
 )
+from rolamento.tasks.bearing import case_of
+from rolamento.tasks.speed import speed_limits
 
 PRINTED = {
     "6000": ("60", 10, 26, 8, 1960, 27_600),
@@ -81,6 +85,34 @@ def test_skf_prints_reference_speeds_of_its_own_friction_model(name: str) -> Non
         1e-3 * bore, 1e-3 * outside, 1e-3 * width, 1e3 * rating, coefficients
     )
     assert 0.80 < found * 30.0 / pi / printed < 1.01
+
+
+ANNEX = {
+    "QJ2": (2.0, 3.7e-4), "QJ3": (3.0, 3.7e-4), "32": (5.0, 3.5e-4), "33": (7.0, 3.5e-4),
+    "12": (2.5, 8e-5), "22": (3.0, 8e-5), "13": (3.5, 8e-5), "23": (4.0, 8e-5),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("series", ANNEX)
+def test_coefficients_of_four_point_double_row_and_self_aligning_series(series: str) -> None:
+    """ISO 15312:2003, annex A, figure by figure."""
+    found = reference_coefficients(series)
+    assert found is not None
+    assert (found.f_0r, found.f_1r) == ANNEX[series]
+
+
+def test_reference_speed_of_qj_210() -> None:
+    """6600 r/min as a maker prints; C_0 of both pairs of arcs of 14 balls of 12.7 mm, 35°."""
+    coefficients = reference_coefficients("QJ2")
+    assert coefficients is not None
+    bearing = case_of("QJ 210").bearing
+    assert isinstance(bearing, Bearing)
+    row = (bearing.ball_count, bearing.ball_diameter, bearing.pitch_diameter, bearing.contact_angle)
+    rating = 2.0 * float(static_rating(*row))
+    found = thermal_reference_speed(50e-3, 90e-3, 20e-3, rating, coefficients)
+    assert found * 30.0 / pi == pytest.approx(6600, rel=WITHIN)
+    (limit, *_) = speed_limits("QJ 210").limits
+    assert (limit.name, limit.speed) == ("reference", pytest.approx(found))
 
 
 def test_permissible_speed_of_the_example() -> None:

@@ -28,7 +28,7 @@ from rolamento.case.roller_bearing import (
 from rolamento.case.rolling_bearing import RollingBearing, elements_fit
 from rolamento.case.varied import bounded, is_of_mounting, varied_arrays
 from rolamento.errors import InputError
-from rolamento.geometry import apex_half_angle, sphere_conformity
+from rolamento.geometry import apex_half_angle, sphere_conformity, usual_end_radius
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.rows.ball.row import BallRow, Traction, ball_row
 from rolamento.rows.row import Row
@@ -385,6 +385,9 @@ def _varied(
         made["roller_half_angle"] = apex_half_angle(*sizes)
     if "effective_length" in given and "roller_length" not in known:
         made["roller_length"] = given["effective_length"]
+    if made.get("roller_end_radius") is not None and "roller_end_radius" not in known:
+        ends = (made[name] for name in ("roller_diameter", "roller_length", "roller_half_angle"))
+        made["roller_end_radius"] = usual_end_radius(*ends)
     return SimpleNamespace(**made)
 
 

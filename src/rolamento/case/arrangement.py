@@ -267,11 +267,12 @@ class Preload(Record):
         Constant axial force, in N, by which springs push the outer rings of the rows that
         face ``-``, together and free to slide, into their balls.
     level
-        ``"light"``, ``"medium"`` or ``"heavy"`` (of NSK also ``"extra_light"``) as a maker lists
-        it for pairs of the bearing named by `designation`; the rings are clamped with the offset of
-        such a pair.
+        ``"light"``, ``"medium"`` or ``"heavy"`` (of NSK also ``"extra_light"``, of SKF ``"A"`` to
+        ``"D"``) as a maker lists it for pairs of the bearing named by `designation`; the rings are
+        clamped with the offset of such a pair.
     designation
-        In the makers' lists (`rolamento.case.preload_classes`), such as ``"S 6012 C"``.
+        In the makers' lists (`rolamento.case.preload_classes`), such as ``"S 6012 C"``; that of
+        the bearing if not given.
 
     Raises
     ------
@@ -311,9 +312,11 @@ class Preload(Record):
                 value=", ".join(given) or "none",
                 example='preload = { force = "500 N" }',
             )
-        if (self.level is None) != (self.designation is None):
+        if self.level is None and self.designation is not None:
             raise InputError(
-                said("level and designation must be given together"),
+                said("is of a level of preload only"),
+                field="designation",
+                value=self.designation,
                 example='preload = { level = "light", designation = "S 6012 C" }',
             )
         return self

@@ -126,7 +126,9 @@ class LifeModel(Record):
     fatigue_load_limit
         C_u of one row, in N; if not given by
     fatigue_load_method
-        ``"contacts"`` from the contact pressure, or ``"estimate"`` from the static rating.
+        ``"contacts"`` from the contact pressure, or ``"estimate"`` from the static rating. If not
+        given, C_u is that which the maker lists; else the estimate where balls or rollers are
+        inferred from the ratings, and from the contacts where they are known.
     contamination
         e_C, 0 (dirt decides) to 1 (clean); or
     cleanliness
@@ -174,7 +176,7 @@ class LifeModel(Record):
     dynamic_rating: _Rating | None = Field(None, examples=["20.6 kN"])
     static_rating: _Rating | None = Field(None, examples=["11.2 kN"])
     fatigue_load_limit: _Rating | None = Field(None, examples=["475 N"])
-    fatigue_load_method: Literal["contacts", "estimate"] = Field("contacts", examples=["contacts"])
+    fatigue_load_method: Literal["contacts", "estimate"] | None = Field(None, examples=["contacts"])
     contamination: Annotated[
         Annotated[float, Ratio(at_least=0.0, at_most=1.0, varies=True)] | None,
         Replaces(*DIRT, "oil_supply", "filter_ratio"),

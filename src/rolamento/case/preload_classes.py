@@ -7,16 +7,17 @@ from __future__ import annotations
 
 from functools import cache
 from math import degrees
-from typing import Final, Literal
+from typing import Final, Literal, cast, get_args
 
 from rolamento._data import toml_of
 from rolamento.errors import InputError, nearest
 from rolamento.units import to_si
 from rolamento.words import said
 
-__all__ = ["Level", "listed_designations", "listed_preload"]
+__all__ = ["Level", "level_of_force", "listed_designations", "listed_preload"]
 
-Level = Literal["extra_light", "light", "medium", "heavy"]
+Level = Literal["extra_light", "light", "medium", "heavy", "A", "B", "C", "D"]
+"""Classes of preload: A to D, from the lightest on, are SKF's of its spindle bearings."""
 
 _SAME_ANGLE: Final = 1.5
 """Degrees by which a bearing's contact angle may differ from the listed nominal one."""
@@ -55,11 +56,12 @@ def listed_preload(designation: str, level: Level, contact_angle: float | None) 
     for record, angle in zip(records, nominal, strict=True):
         if given is not None and abs(angle - given) <= _SAME_ANGLE:
             if level not in record:
+                known = [name for name in get_args(Level) if name in record]
                 raise InputError(
-                    said("has no such class of preload in its maker's list"),
+                    said("is no class of its maker's list: {known}", known=", ".join(known)),
                     field="level",
                     value=level,
-                    example='level = "light"',
+                    example=f'level = "{known[0]}", or preload = "500 N"',
                 )
             return to_si(record[level], "force")
     angles = ", ".join(f"{angle:g} deg" for angle in nominal)
@@ -69,6 +71,28 @@ def listed_preload(designation: str, level: Level, contact_angle: float | None) 
         value=designation,
         example='contact_angle = "15 deg", or preload = "500 N"',
     )
+
+
+def level_of_force(force: float, dynamic_rating: float, contact_angle: float) -> Level | None:
+    """Return the lightest class whose preloads reach up to a force; None beyond the heaviest.
+
+    Parameters
+    ----------
+    force
+        Axial preload of a pair of angular-contact ball bearings, N.
+    dynamic_rating
+        C of one of them, N.
+    contact_angle
+        Nominal, rad: 15° or 25°, else None is returned.
+
+    By the greatest F/C of each class in the lists of SNFA and GMN; no maker prints such a rule.
+    """
+    for row in toml_of("preloads")["share_of_dynamic_rating"]:
+        if abs(degrees(contact_angle - to_si(row["contact_angle"], "angle"))) > _SAME_ANGLE:
+            continue
+        if force <= row["high"] * dynamic_rating:
+            return cast("Level", row["class"])
+    return None
 
 
 def listed_designations() -> tuple[str, ...]:

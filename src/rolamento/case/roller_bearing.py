@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import Annotated, Any, ClassVar, Final, Self, cast
 
 import numpy as np
@@ -29,7 +30,7 @@ from rolamento.case.rolling_bearing import (
     elements_fit,
 )
 from rolamento.errors import InputError
-from rolamento.geometry import apex_half_angle
+from rolamento.geometry import apex_half_angle, usual_end_radius
 from rolamento.units import readable
 from rolamento.words import said
 
@@ -64,6 +65,23 @@ def _half_angle_of_one_apex(told: dict[str, Any]) -> float | None:
     if told.get("element") != "tapered" or not all(known):
         return None
     return float(apex_half_angle(*cast("list[float]", known)))
+
+
+_SHAPE: Final = frozenset(
+    {
+        *("roller_diameter", "roller_length", "effective_length"),
+        *("pitch_diameter", "contact_angle", "roller_half_angle"),
+    }
+)
+"""Of tapered rollers: what the usual radius of their ends follows from."""
+
+
+def _usual_end_radius(told: dict[str, Any]) -> float | None:
+    """That of the tapered rollers of a designation; None of others."""
+    known = [told.get(name) for name in ("roller_diameter", "roller_length", "roller_half_angle")]
+    if told.get("designation") is None or told.get("element") != "tapered" or not all(known):
+        return None
+    return float(usual_end_radius(*cast("list[float]", known)))
 
 
 def _usual_outer_ribs(told: dict[str, Any]) -> Ribs:
@@ -122,7 +140,9 @@ class RollerBearing(RollingBearing):
         if not given, a tenth of the roller's diameter.
     roller_end_radius
         Of the sphere that ends a tapered roller, in m; with the height of the contact it gives the
-        direction of the rib's force. A sphere about the apex of the roller's cone if not given.
+        direction of the rib's force, and the film there. If not given, that of a designation is
+        assumed, 0.95 of the distance from the apex (`rolamento.geometry.usual_end_radius`); without
+        a designation the sphere is about the apex, and the film at the rib is not known.
     roller_profile
         A `Profile` of the rollers, or its kind: ``"iso"``, the logarithmic one of ISO/TS 16281 and
         the default, ``"none"`` …
@@ -160,6 +180,7 @@ class RollerBearing(RollingBearing):
         "pitch_diameter": "length",
         "contact_angle": "angle",
         "roller_half_angle": "angle",
+        "roller_end_radius": "length",
         "diametral_clearance": "length",
         "inner_ribs": None,
         "outer_ribs": None,
@@ -229,7 +250,7 @@ class RollerBearing(RollingBearing):
     ) = Field(None, examples=["0.8 mm"])
     roller_end_radius: (
         Annotated[float, Quantity("length", above="0 mm", at_most="100 m", varies=True)] | None
-    ) = Field(None, examples=["120 mm"])
+    ) = Field(default_factory=_usual_end_radius, examples=["120 mm"])
     roller_profile: ProfileField = Field(
         default_factory=lambda: Profile(kind="iso"), examples=["iso"]
     )
@@ -252,6 +273,12 @@ class RollerBearing(RollingBearing):
         examples=['[{ element = "cylindrical", position = "0 mm" }]'],
     )
     preload: PreloadField | None = Field(None, examples=["500 N"])
+
+    @classmethod
+    def _adjust(cls, given: Mapping[str, Any], found: dict[str, Any], *, in_file: bool) -> None:
+        """Rollers of another shape than the catalogue's have ends of their own."""
+        if any(given.get(name) is not None for name in _SHAPE):
+            found.pop("roller_end_radius", None)
 
     @property
     def element_count(self) -> int:
@@ -304,7 +331,7 @@ class RollerBearing(RollingBearing):
     def _never_written(self) -> tuple[str, ...]:
         given = self.model_fields_set
         names = (
-            "roller_length", "roller_half_angle", "inner_ribs", "outer_ribs",
+            "roller_length", "roller_half_angle", "roller_end_radius", "inner_ribs", "outer_ribs",
             "roller_profile", "inner_profile", "outer_profile",
         )  # fmt: skip
         return tuple(name for name in names if name not in given)

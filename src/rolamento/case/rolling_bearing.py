@@ -80,6 +80,7 @@ DISPLACED: Final = (
     "roller_length",
     "effective_length",
     "roller_half_angle",
+    "roller_end_radius",
     "inner_ribs",
     "outer_ribs",
     "pitch_diameter",
@@ -308,6 +309,7 @@ class RollingBearing(Record):
         records: tuple[CatalogueBearing, ...] = ()
         if isinstance(designation, str):
             geometry = cls._geometry(designation, given)
+            given = {**given, **_preload_of_this(geometry, given)}
             found = cls._of_catalogue(geometry, given, in_file=in_file)
             records = geometry.records
         else:
@@ -439,6 +441,12 @@ class RollingBearing(Record):
                 field=f"rows.{own[0]}.offset",
                 example='preload = { offset = "5 um" }',
             )
+        if self.preload is not None and self.preload.level and not self.preload.designation:
+            raise InputError(
+                said("is missing: a level of preload is that of a bearing in a maker's list"),
+                field="preload.designation",
+                example='preload = { level = "light", designation = "S 6012 C" }',
+            )
         if self.preload is not None:
             try:
                 self.preload.pair_force(self.contact_angle)
@@ -494,15 +502,36 @@ def _own_fields(given: Mapping[str, Any]) -> set[str]:
 def _listed_preload(geometry: InternalGeometry, given: Mapping[str, Any]) -> dict[str, Any] | None:
     """Return the preload that the letters name, if a maker lists it for this bearing."""
     level = geometry.designation.letters.preload_level
-    angle = geometry.fields.get("contact_angle")
     if level is None or given.get("contact_angle") is not None:
         return None
+    name = _listed_for_preload(geometry, level)
+    return None if name is None else {"level": level, "designation": name}
+
+
+def _listed_for_preload(geometry: InternalGeometry, level: str) -> str | None:
+    """Return by which name a maker lists the preload of this bearing; None if none does."""
+    angle = geometry.fields.get("contact_angle")
     listed = geometry.bearing.designation
     for name in (listed, _WRITTEN_ANGLE.sub("", listed)):
         with suppress(InputError):
             listed_preload(name, cast("Level", level), angle)
-            return {"level": level, "designation": name}
+            return name
     return None
+
+
+def _preload_of_this(geometry: InternalGeometry, given: Mapping[str, Any]) -> dict[str, Any]:
+    """Return a preload that gives a level alone as that of this bearing.
+
+    Where no list has it, the message names the bearing that was looked for.
+    """
+    preload = given.get("preload")
+    if isinstance(preload, Preload):
+        preload = {name: getattr(preload, name) for name in preload.model_fields_set}
+    if not isinstance(preload, Mapping) or "level" not in preload or preload.get("designation"):
+        return {}
+    name = _listed_for_preload(geometry, str(preload["level"]))
+    named = _WRITTEN_ANGLE.sub("", geometry.bearing.designation)
+    return {"preload": {**preload, "designation": name or named}}
 
 
 class RowPlace(NamedTuple):

@@ -13,7 +13,7 @@ from typing import Any, Final, Literal, TypeVar
 from rolamento._data import toml_of
 from rolamento.catalogue.designation import Designation, folded
 from rolamento.catalogue.inference import Candidate, inferred_geometry
-from rolamento.catalogue.letters import ClearanceClass, Letters, Part
+from rolamento.catalogue.letters import ClearanceClass, Letters, Part, designation_data
 from rolamento.catalogue.records import CatalogueBearing
 from rolamento.catalogue.roller_inference import RollerCandidate, inferred_rollers, nominal_angle
 from rolamento.catalogue.search import (
@@ -25,10 +25,10 @@ from rolamento.catalogue.search import (
     standard_width,
 )
 from rolamento.errors import InputError
-from rolamento.geometry import apex_half_angle
+from rolamento.geometry import apex_half_angle, usual_end_radius
 from rolamento.ratings import SELF_ALIGNING_CONFORMITY, THRUST_CONFORMITY
 from rolamento.units import MILLIMETRE, readable
-from rolamento.words import said
+from rolamento.words import Note, said
 
 _C = TypeVar("_C", Candidate, RollerCandidate)
 Origin = Literal["published", "inferred", "assumed", "designation"]
@@ -136,6 +136,23 @@ class InternalGeometry:
     def idle(self) -> tuple[Part, ...]:
         """Parts of the designation that are understood and change no result."""
         return self.designation.letters.idle
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """What of the letters the figures here do not have: stainless steel, a pair's clearance."""
+        found, letters = [], self.designation.letters
+        values = {"designation": self.designation.text}
+        if letters.stainless is not None:
+            low, high = designation_data()["stainless"]["share"]
+            part = letters.stainless.text
+            found.append(
+                Note("stainless_rating", {**values, "part": part, "low": low, "high": high})
+            )
+        if letters.pair_clearance is not None:
+            found.append(
+                Note("pair_clearance_not_listed", {**values, "part": letters.pair_clearance.text})
+            )
+        return tuple(found)
 
     @property
     def width(self) -> float | None:
@@ -284,6 +301,13 @@ def _roller_geometry(
             size = (fields["roller_diameter"], fields["pitch_diameter"])
             fields["roller_half_angle"] = float(apex_half_angle(*size, angle))
             origins["roller_half_angle"] = "inferred"
+            end = (
+                fields["roller_diameter"],
+                fields["effective_length"],
+                fields["roller_half_angle"],
+            )
+            fields["roller_end_radius"] = float(usual_end_radius(*end))
+            origins["roller_end_radius"] = "assumed"
     else:
         fields["inner_ribs"], fields["outer_ribs"] = _RIBS.get(type_, ("none", "none"))
         origins["inner_ribs"] = origins["outer_ribs"] = "published"

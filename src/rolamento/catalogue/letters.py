@@ -81,6 +81,30 @@ class Letters:
         levels: dict[str, str] = designation_data()["levels"]
         return None if self.preload is None else levels.get(self.preload.text)
 
+    @property
+    def stainless(self) -> Part | None:
+        """The part that says that the rings are of stainless steel; None if none does."""
+        return next((part for part in self.parts if _is_stainless(part)), None)
+
+    @property
+    def pair_clearance(self) -> Part | None:
+        """The part by which a pair has an axial clearance, not a preload; None if none does."""
+        known = designation_data()["pair_clearance"]["parts"]
+        return next((part for part in self.parts if part.text in known), None)
+
+    @property
+    def at_speed(self) -> tuple[Part, ...]:
+        """Of the parts, those that bear on the limiting speed: tolerance, cage, seals, design."""
+        data = designation_data()
+        known = {text for texts in data["bears_on_speed"].values() for text in texts}
+        suffixes, prefixes = data["suffixes"], data["prefixes"]
+        return tuple(
+            part
+            for part in self.parts  # M behind a set is a preload, behind a number a cage
+            if part.text in known
+            and part.meaning in (suffixes.get(part.text), prefixes.get(part.text))
+        )
+
     def __add__(self, other: Letters) -> Letters:
         """Put what stands behind to what stands before; what is said last counts."""
         return Letters(
@@ -172,7 +196,8 @@ def _said_by(part: str, kind: _Kind, designation: str) -> Letters:
         return _acting(Part(part, data["universal"][part]))
     if kind == "preload":
         known = Part(part, data["preloads"][part])
-        return Letters(preload=known, parts=(known,))
+        preload = None if part in data["pair_clearance"]["none"] else known
+        return Letters(preload=preload, parts=(known,))
     if kind in ("suffix", "tolerance"):
         return _acting(Part(part, _meaning(part)))
     return Letters(unknown=(part,))
@@ -183,9 +208,19 @@ def _acting(part: Part, *, takes_part: bool = False) -> Letters:
     data = designation_data()
     material, rings = data["balls"].get(part.text), data["rings"].get(part.text)
     idle = (Part(part.text, rings),) if rings else ()
-    if material is None and not rings and not takes_part:
+    acts = takes_part or _is_stainless(part) or part.text in data["pair_clearance"]["parts"]
+    if material is None and not rings and not acts:
         idle = (part,)
     return Letters(ball_material=material, parts=(part,), idle=idle)
+
+
+def _is_stainless(part: Part) -> bool:
+    """Whether a part names a stainless steel: S before a spindle bearing's number means sealed."""
+    data = designation_data()
+    return any(
+        part.text in data["stainless"][table] and part.meaning == data[table][part.text]
+        for table in ("prefixes", "inserts")
+    )
 
 
 def _meaning(part: str) -> str:

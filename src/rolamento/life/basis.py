@@ -17,6 +17,7 @@ from rolamento.life.contamination import (
     contamination_factor,
 )
 from rolamento.life.equivalent_load import (
+    ListedFactors,
     equivalent_load,
     minimum_axial_load,
     static_equivalent_load,
@@ -86,7 +87,10 @@ _MAXIMUM_OF_STEEL: Final = 120.0 + 273.15
 
 @dataclass(frozen=True, slots=True, eq=False)
 class EquivalentLoads:
-    """P, P_0, X, Y, e and the static safety; arrays (cases,), N; NaN where there is no P."""
+    """P, P_0, X, Y, e and the static safety; arrays (cases,), N; NaN where there is no P.
+
+    listed: whether Y, Y_0 and e are those that the maker lists.
+    """
 
     dynamic: FloatArray
     static: FloatArray
@@ -94,6 +98,7 @@ class EquivalentLoads:
     radial_factor: FloatArray
     axial_factor: FloatArray
     limit: FloatArray
+    listed: bool = False
 
 
 Notes = dict[str, BoolArray]
@@ -510,17 +515,49 @@ def _equivalent_loads(solved: Solved, angles: FloatArray, ratings: Ratings) -> E
     facing_otherwise = len(set(rows.sign.tolist())) > 1 and not facing
     if ratings.mixed or facing_otherwise or not _equal_rows(rows, angles):
         nothing = np.full(cases, np.nan)
-        return EquivalentLoads(*([nothing] * 6))
+        return EquivalentLoads(nothing, nothing, nothing, nothing, nothing, nothing)
     carrying = np.where(facing & (angle > 0.0), 1.0, float(len(rows)))
     relative = axial / (carrying * rows.element_count[0] * rows.ball_diameter[:, 0] ** 2)
+    listed = listed_factors(solved, angles)
     found = equivalent_load(
-        radial, axial, angle, relative, double_row=facing, kind=kind, wide=_is_wide(solved)
+        radial, axial, angle, relative, double_row=facing, kind=kind, wide=_is_wide(solved),
+        listed=listed,
+    )  # fmt: skip
+    static = static_equivalent_load(
+        radial, axial, angle, double_row=facing, kind=kind, listed=listed
     )
-    static = static_equivalent_load(radial, axial, angle, double_row=facing, kind=kind)
     safety = static_safety(ratings.static_of_set, static)
     factors = (found.radial_factor, found.axial_factor, found.limit)
     unsolved = np.where(np.isnan(radial), np.nan, 0.0)
-    return EquivalentLoads(found.load, static, safety, *(a + unsolved for a in factors))
+    x, y, e = (factor + unsolved for factor in factors)
+    return EquivalentLoads(found.load, static, safety, x, y, e, listed=listed is not None)
+
+
+def listed_factors(solved: Solved, angles: FloatArray) -> ListedFactors | None:
+    """e, Y and Y_0 as the maker of a tapered bearing lists them; None where they do not hold.
+
+    angles: nominal, (cases, rows), rad. A contact angle of the user's own has its own factors.
+    """
+    found = set()
+    for place in solved.case.bearing.places:
+        row, published = place.bearing, place.bearing.published
+        if row.element != "tapered" or published is None or row.contact_angle is None:
+            return None
+        if row.origins.get("contact_angle") == "given":
+            return None
+        if not np.allclose(angles, row.contact_angle, rtol=_SAME, atol=0.0, equal_nan=True):
+            return None
+        values = (
+            published.axial_limit,
+            published.axial_factor,
+            published.static_axial_factor,
+        )
+        found.add(values)
+    (first, *others) = found
+    e, y, y_0 = first
+    if others or e is None or y is None or y_0 is None:
+        return None
+    return ListedFactors(e, y, y_0)
 
 
 def _equal_rows(rows: Rows, angle: FloatArray) -> bool:

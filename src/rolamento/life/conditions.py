@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from rolamento.case import Case
 from rolamento.case.life_model import LEVELS, LifeModel, TallianFactors
+from rolamento.case.rolling_bearing import RollingBearing
 from rolamento.errors import InputError
 from rolamento.life._figures import positive, within
 from rolamento.life.contamination import (
@@ -167,21 +168,26 @@ def conditions_of(source: Case | Solved) -> LifeConditions:
         given = varied.get(f"life.{name}")
         return getattr(model, name) if given is None else np.asarray(given, np.float64)
 
-    limit = number("fatigue_load_limit")
     dirt = number("contamination")
-    numbers = {name: number(name) for name in _NUMBERS}
     delivered = source.before_mounting if isinstance(source, Solved) else None
-    published, sources = _published_ratings(case if delivered is None else delivered.case)
-    taken = {name: value for name, value in published.items() if numbers[name] is None}
+    as_delivered = case if delivered is None else delivered.case
+    published, origins = _published_ratings(as_delivered)
+    if model.fatigue_load_method is not None:
+        published.pop("fatigue_load_limit", None)
+    taken = {name: value for name, value in published.items() if number(name) is None}
+    sources = {name: origins.get(name, "catalogue") for name in taken}
+    limit = taken.pop("fatigue_load_limit", number("fatigue_load_limit"))
+    if limit is None:
+        limit = model.fatigue_load_method or _fatigue_load_method(as_delivered)
     conditions = LifeConditions(
-        **{**numbers, **taken},
-        sources={name: sources.get(name, "catalogue") for name in taken},
+        **{**{name: number(name) for name in _NUMBERS}, **taken},
+        sources=sources,
         reliability=model.reliability,
         wanted_life=model.wanted_life,
         edition=model.edition,
         contamination=_class_of(model) if dirt is None else dirt,
         additives=model.additives,
-        fatigue_load_limit=model.fatigue_load_method if limit is None else limit,
+        fatigue_load_limit=limit,
         depth=model.depth,
         tallian_subsurface=model.tallian_subsurface,
         tallian_surface=model.tallian_surface,
@@ -238,15 +244,39 @@ def _class_of(model: LifeModel) -> ContaminationClass | ContaminationLevel | Non
 
 
 def _published_ratings(case: Case) -> tuple[dict[str, float], Mapping[str, str]]:
-    """Ratings of the catalogue and their sources; the static one is for steel balls."""
+    """Ratings of the catalogue and their sources; C_0 and C_u are of steel balls or rollers."""
     bearing = case.bearing
     published = bearing.published
     if published is None or bearing.rows is not None:
         return {}, {}
-    steel = bearing.element_material.youngs_modulus == bearing.ring_material.youngs_modulus
-    names = ("dynamic_rating", "static_rating") if steel else ("dynamic_rating",)
+    names = ["dynamic_rating"]
+    if _is_of_steel(bearing):
+        names += ["static_rating", "fatigue_load_limit"]
     found = {name: getattr(published, name) for name in names}
     return {name: value for name, value in found.items() if value is not None}, published.sources
+
+
+def _is_of_steel(bearing: RollingBearing) -> bool:
+    """Whether balls or rollers are as stiff as the rings."""
+    return bearing.element_material.youngs_modulus == bearing.ring_material.youngs_modulus
+
+
+def _fatigue_load_method(case: Case) -> FatigueLoad:
+    """How C_u is found where neither the user nor the maker gives it.
+
+    From the contacts only where these are known: an interior that is inferred from the ratings
+    tells C and C_0, not the conformities on which the pressure depends. Ceramic balls have no C_0
+    to estimate it from.
+    """
+    bearing = case.bearing
+    rows = [bearing] if bearing.rows is None else [place.bearing for place in bearing.places]
+    inferred = any(_is_inferred(row) for row in rows)
+    return "estimate" if inferred and _is_of_steel(bearing) else "contacts"
+
+
+def _is_inferred(bearing: RollingBearing) -> bool:
+    """Whether balls or rollers are inferred from the ratings, and not given or published."""
+    return "inferred" in [bearing.origins.get(name) for name in bearing.INSIDE]
 
 
 def with_lubricant(conditions: LifeConditions, source: Case | Solved) -> LifeConditions:

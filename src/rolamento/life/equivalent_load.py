@@ -13,6 +13,10 @@ Y_0 = 0.44 cot α. Thrust bearings have an axial P_a = X F_r + F_a with X = 1.25
 Roller bearings have factors by the angle alone, e = 1.5 tan α; see `_factors_of_rollers`. At 0° the
 standard has P = F_r and no axial load; what ribs carry of it is reckoned as the maker does.
 
+Where a maker lists e, Y and Y_0 of a tapered roller bearing (`ListedFactors`), these lead: they are
+rounded, and P is what the maker's customers find. Rows that face each other have the factors of one
+row in the proportion of the standard, Y_1 = 0.45/0.4 Y, Y_2 = 0.67/0.4 Y and twice Y_0.
+
 Sources: ISO 281:2007, tables 3, 5, 8 and 11; ISO 76:2006, tables 2 and 4, 5.2 and 8.2.
 """
 
@@ -35,6 +39,8 @@ from rolamento.words import said
 MAXIMUM_ANGLE: Final = float(np.radians(45.0))
 """Beyond it a bearing is a thrust bearing, with tables of its own."""
 _ROUNDING: Final = 1e-9
+_ROLLER_SINGLE, _ROLLER_DOUBLE, _ROLLER_BELOW = 0.4, 0.67, 0.45
+"""X, and Y over cot α, of one row and of two rows beyond e; Y over cot α of two up to it."""
 _SAME_AS: Final = {"e2": "e"}
 """e of double rows is that of single ones at most angles."""
 
@@ -58,6 +64,15 @@ class EquivalentLoad:
     radial_factor: FloatArray
     axial_factor: FloatArray
     limit: FloatArray
+
+
+@dataclass(frozen=True, slots=True)
+class ListedFactors:
+    """e, Y and Y_0 of one row, as the maker of a tapered roller bearing lists them."""
+
+    limit: float
+    axial: float
+    static_axial: float
 
 
 def load_factors(
@@ -102,6 +117,7 @@ def equivalent_load(
     double_row: bool = False,
     kind: RatedType | RollerRated = "radial",
     wide: bool = False,
+    listed: ListedFactors | None = None,
 ) -> EquivalentLoad:
     """Dynamic equivalent load: P, of thrust bearings the axial P_a.
 
@@ -114,6 +130,7 @@ def equivalent_load(
     kind : what the bearing is rated as.
     wide : whether a cylindrical roller bearing, whose ribs carry the axial load, is of a wide
         series: 12, 20, 22, 23 and those of width 8, 9 and 30 on.
+    listed : of radial roller bearings, the maker's factors, in the place of those by the angle.
 
     Returns
     -------
@@ -126,6 +143,8 @@ def equivalent_load(
     axial = positive(axial_load, "axial_load", zero=True)
     if kind == "radial":
         found = load_factors(contact_angle, relative_axial_load, double_row=double_row)
+    elif kind == "roller" and listed is not None:
+        found = _factors_of_maker(listed, np.shape(contact_angle), double_row)
     elif kind in ("roller", "roller_thrust"):
         found = _factors_of_rollers(contact_angle, kind == "roller_thrust", double_row, wide)
     else:
@@ -144,19 +163,22 @@ def static_equivalent_load(
     *,
     double_row: bool = False,
     kind: RatedType | RollerRated = "radial",
+    listed: ListedFactors | None = None,
 ) -> FloatArray:
     """Static equivalent load P_0 = X_0 F_r + Y_0 F_a, at least F_r; N.
 
     Parameters: arrays that broadcast, N and rad. Between the angles of the table X_0 and Y_0 are
     interpolated in proportion; two rows of radial contact count as one. Of roller bearings X_0 is
-    0.5 and Y_0 0.22 cot α, of two rows 1 and 0.44 cot α; at 0° P_0 = F_r. Of thrust bearings
-    P_0a = 2.3 F_r tan α + F_a, at 90° F_a. ISO 76:2006, tables 2 and 4, 5.1.2, 5.2.2, 7.2, 8.2.
+    0.5 and Y_0 0.22 cot α, or as listed, of two rows 1 and twice that; at 0° P_0 = F_r. Of thrust
+    bearings P_0a = 2.3 F_r tan α + F_a, at 90° F_a. ISO 76:2006, tables 2 and 4, 5.1.2, 5.2.2, 7.2
+    and 8.2.
     """
     radial = positive(radial_load, "radial_load", zero=True)
     axial = positive(axial_load, "axial_load", zero=True)
     if kind == "roller":
-        x, y = (1.0, 0.44) if double_row else (0.5, 0.22)
-        return np.asarray(np.maximum(radial, x * radial + y * _cotangent(contact_angle) * axial))
+        rows = 2.0 if double_row else 1.0
+        y = 0.22 * _cotangent(contact_angle) if listed is None else listed.static_axial
+        return np.asarray(np.maximum(radial, rows * (0.5 * radial + y * axial)))
     if kind != "radial":
         tangent = _tangent(contact_angle)
         if kind == "self_aligning":
@@ -270,13 +292,25 @@ def _factors_of_rollers(
         return LoadFactors(x_below, y_below, slope, ones, 1.5 * slope)
     ribs = figures()["equivalent_load_of_ribs"]["wide" if wide else "narrow"]
     flat, cotangent = tangent == 0.0, _cotangent(contact_angle)
-    x, y = (0.67, 0.67) if double_row else (0.4, 0.4)
+    x = _ROLLER_DOUBLE if double_row else _ROLLER_SINGLE
     return LoadFactors(
         ones,
-        0.45 * cotangent if double_row else 0.0 * ones,
+        _ROLLER_BELOW * cotangent if double_row else 0.0 * ones,
         np.where(flat, ribs["X"], x),
-        np.where(flat, ribs["Y"], y * cotangent),
+        np.where(flat, ribs["Y"], x * cotangent),
         np.where(flat, ribs["e"], 1.5 * tangent),
+    )
+
+
+def _factors_of_maker(
+    listed: ListedFactors, shape: tuple[int, ...], double_row: bool
+) -> LoadFactors:
+    """X, Y and e of tapered rows by the maker's factors of one row."""
+    ones = np.ones(shape)
+    x = _ROLLER_DOUBLE if double_row else _ROLLER_SINGLE
+    below = _ROLLER_BELOW / _ROLLER_SINGLE * listed.axial if double_row else 0.0
+    return LoadFactors(
+        ones, below * ones, x * ones, x / _ROLLER_SINGLE * listed.axial * ones, listed.limit * ones
     )
 
 

@@ -61,7 +61,8 @@ class Ratings:
     """C, C_0 and C_u of each row (cases, rows), and of all of them (cases,); N.
 
     kinds: what the rows are rated as; of thrust bearings the ratings are axial. A set of balls and
-    rollers has no rating of all its rows: NaN.
+    rollers has no rating of all its rows: NaN. fatigue_by_contacts: where C_u is estimated, what
+    the contacts of the interior would give for all rows; None elsewhere.
     """
 
     dynamic: FloatArray
@@ -71,6 +72,7 @@ class Ratings:
     static_of_set: FloatArray
     fatigue_of_set: FloatArray
     kinds: tuple[Rated, ...]
+    fatigue_by_contacts: FloatArray | None = None
 
     @property
     def kind(self) -> Rated:
@@ -175,17 +177,18 @@ def ratings_of(solved: Solved, angle: FloatArray, given: LifeConditions) -> Rati
             example="dynamic_rating = 20600.0",
         )
     method = given.fatigue_load_limit
+    by_contacts = np.full(shape, np.nan)
     if not isinstance(method, str):
         fatigue = _rating_or(method, static, together)
     else:
         for kind in dict.fromkeys(kinds):
             own = np.flatnonzero([one == kind for one in kinds])
-            limit = (
-                _fatigue_by_contacts(solved, angle, kind, own)
+            by_contacts[:, own] = _fatigue_by_contacts(solved, angle, kind, own)
+            fatigue[:, own] = (
+                by_contacts[:, own]
                 if method == "contacts"
                 else _fatigue_by_static(rows, static, kind, own, steel=steel)
             )
-            fatigue[:, own] = limit
     nothing = np.nan if mixed else 1.0
     return Ratings(
         dynamic,
@@ -195,6 +198,9 @@ def ratings_of(solved: Solved, angle: FloatArray, given: LifeConditions) -> Rati
         nothing * static.sum(axis=1),
         nothing * fatigue.sum(axis=1),
         kinds,
+        nothing * by_contacts.sum(axis=1)
+        if isinstance(method, str) and method == "estimate"
+        else None,
     )
 
 

@@ -111,7 +111,8 @@ class LifeSummary:
         "rows" of a set of balls and rollers: each row's own, by its designation or its geometry.
         """
         given, limit = self.conditions, self.conditions.fatigue_load_limit
-        found = {"fatigue": limit if isinstance(limit, str) else "given"}
+        listed = given.sources.get("fatigue_load_limit", "given")
+        found = {"fatigue": limit if isinstance(limit, str) else listed}
         for name in ("dynamic", "static"):
             own = getattr(given, f"{name}_rating") is not None
             other = "rows" if self.ratings.mixed else "geometry"
@@ -157,11 +158,15 @@ class LifeSummary:
         share = _at(self.limit.share, case)
         return {
             "headline": self.headline.to_mapping(case),
-            "loads": {name: _at(array, case) for name, array in loads.items()},
+            "loads": {
+                **{name: _at(array, case) for name, array in loads.items()},
+                "factors_listed": self.loads.listed,
+            },
             "ratings": {
                 "dynamic": _at(self.ratings.dynamic_of_set, case),
                 "static": _at(self.ratings.static_of_set, case),
                 "fatigue": _at(self.ratings.fatigue_of_set, case),
+                "fatigue_by_contacts": _at(self.ratings.fatigue_by_contacts, case),
                 "sources": self.rating_sources,
                 **self._of_rows(case),
             },

@@ -90,6 +90,7 @@ _NAMES: Final = {
     "roller_diameter": marked("roller diameter D_we"),
     "effective_length": marked("effective roller length L_we"),
     "roller_half_angle": marked("half angle of the rollers φ"),
+    "roller_end_radius": marked("radius of the roller ends"),
     "inner_ribs": marked("ribs of the inner ring"),
     "outer_ribs": marked("ribs of the outer ring"),
     "axial_play": marked("axial play between the ribs"),
@@ -200,6 +201,7 @@ def bearing_page(geometry: InternalGeometry) -> Document:
         entries.append(Entry(said("no effect on results"), idle))
     if entries:
         head.append(KeyValues(tuple(entries)))
+    head += [Statement(note.text, "warning-strong") for note in geometry.notes]
     sections = [Section(blocks=tuple(head), key="head"), _published(bearing)]
     if not geometry.has_elements and bearing.has_rollers:
         text = said(

@@ -32,7 +32,7 @@ from rolamento.life.iso16281 import THEORY as REFERENCE
 from rolamento.life.iso16281_modified import THEORY as MODIFIED_REFERENCE
 from rolamento.life.record import BOUNDS, OUTSIDE, note_of
 from rolamento.life.theories import THEORIES
-from rolamento.pages.given import head, untitled
+from rolamento.pages.given import head, other_notes, untitled
 from rolamento.pages.state import notes_section
 from rolamento.units import HOUR
 from rolamento.words import ABSENT, Note, said
@@ -55,6 +55,7 @@ __all__ = [
     "limit_section",
     "limiting_sentences",
     "percent",
+    "rating_source",
     "ratings_section",
     "reached",
     "remarks",
@@ -124,7 +125,7 @@ def life_page(
         ]
         pictures = (*_charts(summary), *figures)
         sections += [Section("", pictures, key="figures")] * bool(pictures)
-    sections += notes_section(list(solved.notes[0]))
+    sections += notes_section(other_notes(solved))
     return Document(
         solved.title or untitled(solved.case), tuple(sections), kind="life", main="theories"
     )
@@ -651,31 +652,31 @@ def validity_section(summary: LifeSummary) -> Section:
 
 def ratings_section(summary: LifeSummary) -> Section:
     """Show ratings with their sources, and the loads that stand against them."""
-    ratings, loads, sources = summary.ratings, summary.loads, summary.rating_sources
-    if sources["fatigue"] == "estimate" and bool(ratings.rollers.all()):
-        sources["fatigue"] = "estimate_of_rollers"
+    ratings, loads = summary.ratings, summary.loads
     load = float(loads.dynamic[0])
     dynamic = float(ratings.dynamic_of_set[0])
     axial = "a" if ratings.is_axial else ""
     rows = [
-        (f"C{'_a' if axial else ''}", dynamic, _source(sources["dynamic"], "dynamic", dynamic)),
-        *(
-            (symbol, float(values[0]), _source(sources[name], name, float(values[0])))
-            for symbol, name, values in (
-                (f"C_0{axial}", "static", ratings.static_of_set),
-                ("C_u", "fatigue", ratings.fatigue_of_set),
-            )
-        ),
+        (symbol, float(values[0]), rating_source(summary, name))
+        for symbol, name, values in (
+            (f"C{'_a' if axial else ''}", "dynamic", ratings.dynamic_of_set),
+            (f"C_0{axial}", "static", ratings.static_of_set),
+            ("C_u", "fatigue", ratings.fatigue_of_set),
+        )
     ]
     if ratings.mixed:
         rows = [*_ratings_of_rows(ratings)]
     if isfinite(load):
-        text = said(
-            "X = {x:.3}, Y = {y:.3}, e = {e:.3}; C/P = {ratio:.3}",
-            x=float(loads.radial_factor[0]),
-            y=float(loads.axial_factor[0]),
-            e=float(loads.limit[0]),
-            ratio=dynamic / load if load > 0.0 else nan,
+        values = {
+            "x": float(loads.radial_factor[0]),
+            "y": float(loads.axial_factor[0]),
+            "e": float(loads.limit[0]),
+            "ratio": dynamic / load if load > 0.0 else nan,
+        }
+        text = (
+            said("X = {x:.3}, Y = {y:.3}, e = {e:.3}, the maker's; C/P = {ratio:.3}", **values)
+            if loads.listed
+            else said("X = {x:.3}, Y = {y:.3}, e = {e:.3}; C/P = {ratio:.3}", **values)
         )
         rows.append((f"P{'_a' if axial else ''}", load, text))
         rows.append((f"P_0{axial}", float(loads.static[0]), _safety(float(loads.safety[0]))))
@@ -731,18 +732,33 @@ def _permissible(load: RibLoad) -> tuple[str, float, str]:
     return "F_ap", float(load.permissible[0]), text
 
 
-def _source(source: str, rating: str, value: float) -> str:
-    """Say where a rating comes from; what is no word of the engine is the catalogue's source."""
-    if not isfinite(value):
+def rating_source(summary: LifeSummary, rating: str) -> str:
+    """Say where C, C_0 or C_u of the first case comes from: the catalogue's source, or how.
+
+    rating: ``"dynamic"``, ``"static"`` or ``"fatigue"``.
+    """
+    ratings, source = summary.ratings, summary.rating_sources[rating]
+    if not isfinite(getattr(ratings, f"{rating}_of_set")[0]):
         return said("not known")
+    if source == "estimate" and ratings.fatigue_by_contacts is not None:
+        own = float(ratings.fatigue_by_contacts[0])
+        return (
+            said(
+                "estimate C_0/8.2, ISO 281; by its contacts this interior has {own:.4 [kN]} kN",
+                own=own,
+            )
+            if ratings.rollers.all()
+            else said(
+                "estimate C_0/22, ISO 281; by its contacts this interior has {own:.4 [kN]} kN",
+                own=own,
+            )
+        )
     return {
         "given": said("given"),
         "geometry": said("from the geometry, ISO 281")
         if rating == "dynamic"
         else said("from the geometry, ISO 76"),
         "contacts": said("where the weaker race reaches 1500 MPa, ISO 281"),
-        "estimate": said("estimate C_0/22, ISO 281"),
-        "estimate_of_rollers": said("estimate C_0/8.2, ISO 281"),
     }.get(source, source)
 
 

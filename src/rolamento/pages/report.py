@@ -38,6 +38,7 @@ from rolamento.pages.clearance import STEPS
 from rolamento.pages.elements import element_tables, roller_pictures
 from rolamento.pages.equations import equations_of, references_of
 from rolamento.pages.given import untitled
+from rolamento.pages.life import rating_source
 from rolamento.pages.preload import STAGE_NAMES
 from rolamento.pages.state import rosette_section, stiffness_section
 from rolamento.studies.names import torque_model_name
@@ -811,23 +812,12 @@ def _rating_sources(report: Report) -> tuple[str, ...]:
     return tuple(legends)
 
 
-_RATING_SOURCES: Final = {
-    ("dynamic", "geometry"): marked("from the geometry, ISO 281"),
-    ("static", "geometry"): marked("from the geometry, ISO 76"),
-    ("fatigue", "contacts"): marked("where the weaker race reaches 1500 MPa, ISO 281"),
-    ("fatigue", "estimate"): marked("estimate C_0/22, ISO 281"),
-}
-
-
 def _rating_source(case: CaseReport, name: str) -> str:
     life = case.analysis.life
     if life is None or case.number(f"analysis.life.ratings.{name}") is None:
         return ""
-    source = life.rating_sources[name]
-    if source == "given":
-        return said("case file")
-    known = _RATING_SOURCES.get((name, source))
-    return said(known) if known else source
+    given = life.rating_sources[name] == "given"
+    return said("case file") if given else rating_source(life, name)
 
 
 # --- lives ----------------------------------------------------------------------------------------

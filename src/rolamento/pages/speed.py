@@ -12,13 +12,14 @@ from rolamento.document import (
     KeyValues,
     Number,
     Section,
+    Statement,
     Table,
     Title,
     Tone,
 )
 from rolamento.pages.state import notes_section
 from rolamento.words import marked, said, said_in
-from rolamento.words.sentences.speeds import LIMIT_NAMES
+from rolamento.words.sentences.speeds import LIMIT_NAMES, factor_text
 
 if TYPE_CHECKING:
     from rolamento.tasks.speed import MinimumLoad, SpeedLimit, SpeedLimits
@@ -43,12 +44,14 @@ def speed_page(found: SpeedLimits) -> Document:
         What `rolamento.tasks.speed.speed_limits` gives.
     """
     title = found.title or said("Limiting speeds")
-    sections = [Section("", (Title(title),), key="head"), _given(found)]
+    leading = found.leading
+    first = tuple(Statement(note.text, "warning-strong") for note in leading)
+    sections = [Section("", (Title(title), *first), key="head"), _given(found)]
     if found.limits:
         sections.append(_limits(found))
     if found.minimum_loads:
         sections.append(_loads(found.minimum_loads))
-    sections += notes_section(found.notes)
+    sections += notes_section([note for note in found.notes if note not in leading])
     return Document(title, tuple(sections), kind="speed")
 
 
@@ -71,7 +74,7 @@ def _given(found: SpeedLimits) -> Section:
             )
         entries.append(Entry(said("size"), size))
     if given.rows > 1:
-        entries.append(Entry(said("rows"), Number(given.rows)))
+        entries.append(Entry(said("bearings"), Number(given.rows)))
     entries += [
         Entry("C, C_0", said(
             "{dynamic:.4 [kN]}, {static:.4 kN}",
@@ -124,7 +127,8 @@ def _limits(found: SpeedLimits) -> Section:
     for one in limits:
         thermal = one.name in ("catalogue", "reference", "permissible")
         name = said(LIMIT_NAMES[one.name]) if thermal else said("limiting speeds")
-        origins.setdefault(name, one.source.text)
+        texts = (one.source.text, *(factor_text(*factor) for factor in one.factors))
+        origins.setdefault(name, "; ".join(texts))
     table = Table(columns=tuple(columns), key="limits", legends=(legend,), rule=True, fixed=1)
     entries = tuple(Entry(f"{name}:", text, tone="faint") for name, text in origins.items())
     block = KeyValues(entries, indent=2)

@@ -41,7 +41,7 @@ from rolamento.pages.elements import (
     roller_pictures,
     without_rounding,
 )
-from rolamento.pages.given import BOTH, facing, head, untitled
+from rolamento.pages.given import BOTH, facing, head, other_notes, untitled
 from rolamento.pages.preload import stage_table
 from rolamento.solved import NO_LOAD, RACES, Preloading, Rolling, Solved
 from rolamento.words import ABSENT, Note, decimals_for, in_unit, manner, said, worded
@@ -70,7 +70,7 @@ def state_page(solved: Solved, analysis: Analysis | None = None) -> Document:
         What follows from it; film, friction and life are shown if it has them.
     """
     sections: list[Section | Beside] = [head(solved)]
-    notes = list(solved.notes[0])
+    notes = other_notes(solved)
     if solved.converged[0]:
         sections += [*_set(solved), _middle(solved), stiffness_section(solved)]
         sections += [*element_sections(solved), *roller_pictures(solved), *_rolling(solved)]

@@ -1,8 +1,9 @@
 """What limits the speed of a bearing, and what load keeps its elements rolling.
 
 A file a question: heat in balance under reference conditions (`reference`) and under one's own
-(`permissible`), a maker's experience (`class_of_maker`), the load that keeps balls and rollers
-from sliding (`minimum_load`). See docs/theory/speeds.md.
+(`permissible`), a maker's experience (`class_of_maker`) and what preload, sets and ceramic balls
+make of it (`speed_factors`), the load that keeps balls and rollers from sliding (`minimum_load`).
+See docs/theory/speeds.md.
 """
 
 from rolamento.speeds.class_of_maker import SpeedClass, speed_class
@@ -22,11 +23,14 @@ from rolamento.speeds.reference import (
     reference_heat_flow,
     thermal_reference_speed,
 )
+from rolamento.speeds.speed_factors import SpeedFactor, ceramic_factor, set_factor
 
 __all__ = [
     "HeatShares",
     "ReferenceCoefficients",
     "SpeedClass",
+    "SpeedFactor",
+    "ceramic_factor",
     "heat_shares",
     "minimum_axial_load",
     "minimum_axial_load_of_thrust",
@@ -37,6 +41,7 @@ __all__ = [
     "reference_coefficients",
     "reference_heat_flow",
     "roller_load_factor",
+    "set_factor",
     "speed_class",
     "speed_ratio",
     "thermal_reference_speed",

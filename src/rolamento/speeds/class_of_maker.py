@@ -30,12 +30,10 @@ class SpeedClass(NamedTuple):
     series
         As in a designation.
     grease, oil_bath
-        Limits of single bearings, as ω d_m.
+        Limits, as ω d_m.
     high_speed
-        Limit with oil mist, oil-air or a jet; NaN for matched bearings and for rollers, of which
-        nothing is on file.
-    matched
-        Whether the limits are those of bearings side by side.
+        Limit with oil mist, oil-air or a jet, cage and accuracy made for it; NaN for rollers, of
+        which nothing is on file.
     source
         Where they come from.
     """
@@ -44,7 +42,6 @@ class SpeedClass(NamedTuple):
     grease: float
     oil_bath: float
     high_speed: float
-    matched: bool
     source: Note
 
 
@@ -53,8 +50,8 @@ def _rows() -> tuple[dict[str, Any], ...]:
     return tuple(toml_of("speeds")["classes"]["series"])
 
 
-def speed_class(series: str, contact_angle: float | None, *, matched: bool) -> SpeedClass | None:
-    """Return the class of a series; None where the maker lists none.
+def speed_class(series: str, contact_angle: float | None) -> SpeedClass | None:
+    """Return the class of single bearings of a series; None where the maker lists none.
 
     Parameters
     ----------
@@ -62,8 +59,6 @@ def speed_class(series: str, contact_angle: float | None, *, matched: bool) -> S
         Such as ``"62"``, ``"70"`` or ``"NU2"``.
     contact_angle
         Nominal, of angular-contact ball bearings; rad, None of others.
-    matched
-        Whether bearings run side by side as a set.
     """
     data = toml_of("speeds")["classes"]
     for row in _rows():
@@ -74,15 +69,14 @@ def speed_class(series: str, contact_angle: float | None, *, matched: bool) -> S
             contact_angle is None or abs(degrees(contact_angle) - angle) > _SAME_ANGLE
         ):
             continue
-        share = data["matched"] if matched else 1.0
-        grease, oil = (share * _mean(row, name) for name in ("grease", "oil"))
+        grease, oil = (_mean(row, name) for name in ("grease", "oil"))
         rollers = row.get("rollers", False)
         kind = "deep_groove" if angle is None else "angular_contact"
-        high = float("nan") if matched or rollers else oil * data[f"high_speed_{kind}"]
+        high = float("nan") if rollers else oil * data[f"high_speed_{kind}"]
         bearings = ", ".join(bearing["name"] for bearing in row["bearings"])
         source = data["source_of_rollers" if rollers else "source"]
         note = Note("source_speed_class", {"source": source, "bearings": bearings})
-        return SpeedClass(series, grease, oil, high, matched, note)
+        return SpeedClass(series, grease, oil, high, note)
     return None
 
 

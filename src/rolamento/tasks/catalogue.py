@@ -81,6 +81,7 @@ def bearing_mapping(geometry: InternalGeometry) -> dict[str, Any]:
         "meanings": dict(geometry.designation.meanings),
         "unknown": list(geometry.designation.unknown),
         "without_effect": [part for part, _ in geometry.idle],
+        "notes": [note.to_mapping() for note in geometry.notes],
         "inside": inside if geometry.has_elements else None,
         "candidates": [_candidate_mapping(one) for one in geometry.candidates],
         "same_size": [_bearing_mapping(one) for one in geometry.sisters],

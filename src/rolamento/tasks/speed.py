@@ -4,17 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from math import degrees, hypot, isfinite, nan, pi
+from math import degrees, hypot, isfinite, nan, pi, prod
 from typing import Any, Final, Literal
 
 from rolamento._json import plain
 from rolamento.case import Case
 from rolamento.case.bearing import Bearing
+from rolamento.case.preload_classes import level_of_force
 from rolamento.case.roller_bearing import RollerBearing
+from rolamento.catalogue import InternalGeometry, parse_designation
 from rolamento.errors import InputError
 from rolamento.friction.palmgren import friction_load
 from rolamento.life.equivalent_load import equivalent_load
 from rolamento.life.equivalent_load import minimum_axial_load as minimum_thrust_load
+from rolamento.life.row_ratings import rows_of_one_bearing
 from rolamento.lubrication.oil_state import oil_state
 from rolamento.ratings import (
     dynamic_rating,
@@ -23,6 +26,8 @@ from rolamento.ratings import (
     static_rating,
 )
 from rolamento.speeds import (
+    SpeedFactor,
+    ceramic_factor,
     heat_shares,
     minimum_axial_load,
     minimum_axial_load_of_thrust,
@@ -33,6 +38,7 @@ from rolamento.speeds import (
     reference_coefficients,
     reference_heat_flow,
     roller_load_factor,
+    set_factor,
     speed_class,
     speed_ratio,
     thermal_reference_speed,
@@ -47,9 +53,18 @@ LimitName = Literal["catalogue", "reference", "permissible", "grease", "oil_bath
 _RPM: Final = 30.0 / pi
 _ISO_SERIES: Final = {"60": "70", "62": "72", "63": "73", "69": "719", "68": "718"}
 """Angular-contact series of the same boundary dimensions as a deep-groove series (ISO 15)."""
+_ROW_SHARE: Final = 0.7
+"""C of i equal rows of balls is i^0.7 times that of one. ISO 281:2007, 5.1.1."""
+_LIGHT_BALLS: Final = 0.5
+"""Density of the balls over that of the rings below which they are ceramic."""
 _LIGHT: Final = 1.0 / 12.0
 _PURE: Final = 0.2
 """P/C and F_a/F_r up to which the maker's limiting speeds stand (NSK E1102, page A37)."""
+LEADING: Final = (
+    "speed_above_limits", "speed_class_leaves_out", "reference_speed_leaves_out",
+    "no_series_for_speed", "no_reference_coefficients", "no_speed_class",
+)  # fmt: skip
+"""Notes without which the limits would be read as more than they are, in the order of a page."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,15 +76,16 @@ class Boundary:
     designation
         empty without one
     series
-        of the designation, or that of the catalogue's ball bearings of this size
+        of the designation, or that of the catalogue's deep-groove or angular-contact ball bearings
+        of this size; empty where neither is known
     bore, outside_diameter, width
         d, D and B, or T of tapered roller bearings
     contact_angle
         nominal, of angular-contact and tapered roller bearings
     dynamic_rating, static_rating
-        C and C_0 of one row
+        C and C_0 of one bearing: of both rows of a double row, of both pairs of arcs of QJ
     rows
-        side by side
+        bearings side by side
     """
 
     designation: str
@@ -105,12 +121,15 @@ class SpeedLimit:
         the case's speed over it; NaN where it stands still
     source
         where it comes from
+    factors
+        what makes of it a limit of the set, the preload and the balls of the case
     """
 
     name: LimitName
     speed: float
     share: float
     source: Note
+    factors: tuple[SpeedFactor, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -177,6 +196,12 @@ class SpeedLimits:
     notes: tuple[Note, ...]
 
     @property
+    def leading(self) -> tuple[Note, ...]:
+        """What has to be known before the limits are read, the weightiest first."""
+        found = [note for note in self.notes if note.key in LEADING]
+        return tuple(sorted(found, key=lambda note: LEADING.index(note.key)))
+
+    @property
     def speed_factor(self) -> float:
         """N d_m as ω d_m; m/s."""
         return self.speed * self.mean_diameter
@@ -201,6 +226,7 @@ class SpeedLimits:
                     "speed": plain(limit.speed),
                     "share": plain(limit.share),
                     "source": limit.source.to_mapping(),
+                    "factors": [factor._asdict() for factor in limit.factors],
                 }
                 for limit in self.limits
             ],
@@ -283,17 +309,17 @@ def _boundary(case: Case) -> Boundary:
         angle = told.bearing.contact_angle or told.designation.contact_angle
     if angle is None and row.contact_angle:
         angle = row.contact_angle
-    series = "" if told is None else told.designation.series
-    if told is not None and row.element in ("cylindrical", "needle"):
-        series = f"{told.designation.bearing_type}{series}"
-    if not series and row.element == "ball":
-        series = _series_of_size(sizes["bore"], sizes["outside_diameter"], angle is not None)
+    series = _series(bearing, told, sizes["bore"], sizes["outside_diameter"], angle is not None)
+    together = rows_of_one_bearing(bearing)
     ratings = []
     for name in ("dynamic_rating", "static_rating"):
         own = None if case.life is None else getattr(case.life, name)
         listed = None if published is None else getattr(published, name)
         known = own if own is not None else listed
-        ratings.append(_rating(row, name, angle or 0.0) if known is None else known)
+        if known is None:
+            known = _rating(row, name, angle or 0.0)
+            known *= together if name == "static_rating" else together**_ROW_SHARE
+        ratings.append(known)
     return Boundary(
         bearing.designation or "",
         series,
@@ -303,7 +329,7 @@ def _boundary(case: Case) -> Boundary:
         angle,
         ratings[0],
         ratings[1],
-        len(bearing.places),
+        len(bearing.places) // together,
     )
 
 
@@ -318,6 +344,34 @@ def _rating(row: Bearing | RollerBearing, name: str, angle: float) -> float:
         return nan
     of_balls = dynamic_rating if name == "dynamic_rating" else static_rating
     return float(of_balls(row.ball_count, row.ball_diameter, row.pitch_diameter, angle))
+
+
+def _series(
+    bearing: Bearing | RollerBearing,
+    told: InternalGeometry | None,
+    bore: float | None,
+    outside: float | None,
+    angular: bool,
+) -> str:
+    """The series of the designation, of the bearing that it is listed as, or of its size.
+
+    Only deep-groove and angular-contact bearings have a series by their size alone.
+    """
+    if told is not None:
+        named, kind = told.designation, told.bearing.kind
+        if not named.series:  # found by its whole name: its letters were not taken apart
+            listed = parse_designation(told.bearing.designation)
+            named = listed if listed.is_angular_contact or listed.kind == kind else named
+        if kind == "angular_contact" and not named.is_angular_contact:
+            if named.series:  # GMN's S 6012 C has the size of a 7012
+                return _ISO_SERIES.get(named.series, "")
+        elif named.series:
+            return f"{named.bearing_type}{named.series}"
+        if kind not in ("deep_groove", "angular_contact"):
+            return ""
+    if isinstance(bearing, RollerBearing) or bearing.kind is not None:
+        return ""
+    return _series_of_size(bore, outside, angular)
 
 
 def _series_of_size(bore: float | None, outside: float | None, angular: bool) -> str:
@@ -407,7 +461,8 @@ class _Asked:
             return None
         found = reference_coefficients(given.series)
         if found is None:
-            notes.append(Note("no_reference_coefficients", {"series": given.series}))
+            if given.series:
+                notes.append(Note("no_reference_coefficients", {"series": given.series}))
             return None
         if given.bore is None or given.outside_diameter is None or given.width is None:
             notes.append(Note("no_boundary_dimensions"))
@@ -421,8 +476,9 @@ class _Asked:
         limits.append(self._limit("reference", speed, Note("source_reference_speed", values)))
         if not found.checked:
             notes.append(Note("reference_coefficients_unchecked", {"series": given.series}))
-        if given.rows > 1:
-            notes.append(Note("reference_speed_of_one_row"))
+        left_out = {"rows": given.rows > 1, "ceramic": self._is_hybrid, "parts": self._parts}
+        if any(left_out.values()):
+            notes.append(Note("reference_speed_leaves_out", left_out))
         if self.viscosity is None:
             notes.append(Note("no_permissible_speed"))
             return None
@@ -450,21 +506,77 @@ class _Asked:
 
     def _of_maker(self, limits: list[SpeedLimit], notes: list[Note]) -> None:
         given = self.boundary
-        found = speed_class(given.series, given.contact_angle, matched=given.rows > 1)
+        if not given.series:
+            notes.append(Note("no_series_for_speed"))
+            return
+        found = speed_class(given.series, given.contact_angle)
+        factors, left_out = self._factors()
+        listed = any(one.name == "catalogue" for one in limits)
+        if any(left_out.values()) and (listed or found is not None):
+            notes.append(Note("speed_class_leaves_out", left_out))
         if found is None:
-            if limits and limits[0].name == "catalogue":
+            if listed:
                 return
             angle = None if given.contact_angle is None else degrees(given.contact_angle)
             notes.append(Note("no_speed_class", {"series": given.series, "angle": angle}))
             return
+        share = prod(factor.value for factor in factors)
         for name in ("grease", "oil_bath", "high_speed"):
-            product = getattr(found, name)
+            product = share * getattr(found, name)
+            if name == "high_speed" and (left_out["rows"] or left_out["preload"]):
+                continue  # the maker allows it for single bearings only
             if isfinite(product):
-                limits.append(self._limit(name, product / self.mean_diameter, found.source))
+                limit = self._limit(name, product / self.mean_diameter, found.source)
+                limits.append(replace(limit, factors=factors))
         radial, axial = self.loads
         load = max(radial, axial) / given.rows
         if load > _LIGHT * given.dynamic_rating or axial > _PURE * max(radial, 1e-9):
             notes.append(Note("speed_class_of_light_load"))
+
+    def _factors(self) -> tuple[tuple[SpeedFactor, ...], dict[str, Any]]:
+        """Factors on the maker's class, and what of the bearing they leave out.
+
+        They are of angular-contact ball bearings: of others a set and ceramic balls are left out.
+        """
+        given = self.boundary
+        angular = self.element == "ball" and bool(given.contact_angle)
+        left_out = {
+            "rows": given.rows > 1 and not angular,
+            "preload": False,
+            "ceramic": self._is_hybrid and not angular,
+            "parts": self._parts,
+        }
+        factors = []
+        if given.rows > 1 and angular:
+            factors.append(set_factor(given.rows, self._preload_kind))
+            left_out["preload"] = factors[0].name == "matched"
+        if self._is_hybrid and angular:
+            factors.append(ceramic_factor())
+        return tuple(factors), left_out
+
+    @property
+    def _is_hybrid(self) -> bool:
+        """Whether balls of silicon nitride run between rings of steel."""
+        row = self.case.bearing.places[0].bearing
+        return row.element_material.density < _LIGHT_BALLS * row.ring_material.density
+
+    @property
+    def _preload_kind(self) -> str | None:
+        """``"spring"``, or the level of the rigid preload; None where it is not known."""
+        preload, given = self.case.bearing.preload, self.boundary
+        if preload is None:
+            return None
+        if preload.force is not None and given.contact_angle is not None:
+            return level_of_force(preload.force, given.dynamic_rating, given.contact_angle)
+        return "spring" if preload.spring is not None else preload.level
+
+    @property
+    def _parts(self) -> list[list[str]]:
+        """Letters of the designation that bear on its limiting speed, with their meanings."""
+        told = self.case.bearing.told
+        if told is None:
+            return []
+        return [list(part) for part in told.designation.letters.at_speed]
 
     # --- minimum load ---------------------------------------------------------------------------
 
@@ -508,7 +620,7 @@ class _Asked:
         found = []
         share = minimum_share() or 0.0
         if isfinite(given.dynamic_rating) and self.case.bearing.kind != "thrust":
-            needed = share * given.dynamic_rating * given.rows**0.7
+            needed = share * given.dynamic_rating * given.rows**_ROW_SHARE
             source = Note("source_minimum_share", {"share": share})
             found.append(MinimumLoad("share", needed, self._equivalent_load(), source))
         if self.case.bearing.kind == "thrust" and isfinite(given.static_rating):

@@ -26,7 +26,7 @@ from rolamento.contact.hertz import effective_modulus
 from rolamento.contact.line import contact_constant, roller_share, slice_places
 from rolamento.contact.profile import drop
 from rolamento.errors import InputError
-from rolamento.geometry import Race
+from rolamento.geometry import Race, apex_distance
 from rolamento.kinematics import BallMotion, centrifugal_force
 from rolamento.numerics import FloatArray
 from rolamento.roller_kinematics import (
@@ -261,7 +261,7 @@ def _rib_normal(
         return np.zeros_like(diameter), np.zeros_like(diameter)
     below = 0.5 * diameter + 0.5 * length * np.tan(half) - height
     given = bearing.roller_end_radius
-    sphere = 0.5 * diameter / np.tan(half) + 0.5 * length if given is None else given
+    sphere = apex_distance(diameter, length, half) if given is None else given
     sine = np.where(below < sphere, below / sphere, np.nan)
     return np.arcsin(sine), 0.5 * length * sine - below * np.sqrt(1.0 - sine**2)
 

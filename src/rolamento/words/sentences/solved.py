@@ -311,10 +311,26 @@ def _designation_without_effect(values: Values) -> str:
     )
 
 
+def _stainless(values: Values) -> str:
+    low, high = values["low"], values["high"]
+    return said(
+        "{designation} is of stainless steel ({part}), but C and C_0 here are those of bearing"
+        " steel. Stainless ball bearings have {low:.2 [%]} to {high:.2 %} of them (SMB Bearings),"
+        " and {short:.2 [%]} to {long:.2 %} of the rating life: give life.dynamic_rating and"
+        " life.static_rating.",
+        designation=values["designation"],
+        part=values["part"],
+        low=low,
+        high=high,
+        short=low**3,
+        long=high**3,
+    )
+
+
 def _designation_preload(values: Values) -> str:
     return said(
-        "{designation} names a preload ({part}: {meaning}) whose force is in no list here: without"
-        " bearing.preload the rows are set without one.",
+        "{designation} names a preload ({part}: {meaning}) whose force is in no list here: the rows"
+        " are set without preload. Give bearing.preload.",
         designation=values["designation"],
         part=values["part"],
         meaning=said(values["meaning"]),
@@ -397,6 +413,11 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "designation_without_effect": _designation_without_effect,
     "designation_preload": _designation_preload,
     "designation_not_understood": _designation_not_understood,
+    "stainless_rating": _stainless,
+    "pair_clearance_not_listed": marked(
+        "{designation} has a small axial clearance in a pair ({part}), which is in no list here:"
+        " the rows are set without clearance or preload. Give bearing.preload as a negative offset."
+    ),
     "preload_nearly_lost": marked(
         "Row {row} is about to lose its preload: it lifts off the inner ring at {factor:.3} times"
         " this load. More preload keeps it in contact."

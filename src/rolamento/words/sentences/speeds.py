@@ -11,7 +11,7 @@ from rolamento.words.speaking import marked, said
 if TYPE_CHECKING:
     from rolamento.words.sentences import Sentence
 
-__all__ = ["LIMIT_NAMES", "SENTENCES"]
+__all__ = ["FACTOR_NAMES", "LIMIT_NAMES", "SENTENCES", "factor_text"]
 
 LIMIT_NAMES: Final = {
     "catalogue": marked("limiting speed of the catalogue, oil"),
@@ -29,9 +29,64 @@ def _above(values: Mapping[str, Any]) -> str:
     return said("The speed is above: {names}.", names=names)
 
 
+FACTOR_NAMES: Final = {
+    "ceramic": marked("ceramic balls ×{value:.3} (GMN)"),
+    "matched": marked("side by side ×{value:.3} (NSK, matched bearings)"),
+    "spring": marked("pair preloaded by springs ×{value:.3} (GMN)"),
+    "rigid_pair": marked("pair with {level} rigid preload ×{value:.3} (GMN)"),
+    "rigid_set": marked("set with {level} rigid preload ×{value:.3} or more (GMN)"),
+}
+"""Of `rolamento.speeds.SpeedFactor.name`."""
+_LEVELS: Final = {"light": marked("light"), "medium": marked("medium"), "heavy": marked("heavy")}
+
+
+def factor_text(name: str, value: float, level: str) -> str:
+    """Say what a factor on the maker's limiting speeds is, and whose."""
+    known = _LEVELS.get(level, "")
+    return said(FACTOR_NAMES[name], value=value, level=said(known) if known else "")
+
+
+def _what(values: Mapping[str, Any]) -> str:
+    """What of a bearing a limit leaves out, as a list."""
+    what = [said("bearings side by side")] if values["rows"] else []
+    what += [said("ceramic balls")] if values["ceramic"] else []
+    what += [
+        said("{part} ({meaning})", part=part, meaning=said(meaning))
+        for part, meaning in values["parts"]
+    ]
+    return listed(what)
+
+
+def _class_leaves_out(values: Mapping[str, Any]) -> str:
+    texts = []
+    if what := _what(values):
+        texts.append(
+            said(
+                "The maker's limiting speeds are of single open bearings with steel balls and"
+                " ordinary cages. Not considered, though it may change them much: {what}.",
+                what=what,
+            )
+        )
+    if values["preload"]:
+        texts.append(
+            said(
+                "The preload of the set is not known: the limits are those of NSK's matched"
+                " bearings. GMN gives a pair 0.8 of the single bearing's speed at light, 0.7 at"
+                " medium and 0.5 at heavy rigid preload: give bearing.preload."
+            )
+        )
+    return " ".join(texts)
+
+
+def _reference_leaves_out(values: Mapping[str, Any]) -> str:
+    return said(
+        "Thermal reference and permissible speed are those of one open standard bearing alone"
+        " (ISO 15312). Not considered: {what}.",
+        what=_what(values),
+    )
+
+
 def _no_class(values: Mapping[str, Any]) -> str:
-    if not values["series"]:
-        return said("The series is not known, and so no class of a maker: give --series.")
     if values["angle"] is None:
         return said(
             "No limiting speeds of a maker are on file for the series {series}.",
@@ -41,16 +96,6 @@ def _no_class(values: Mapping[str, Any]) -> str:
         "No limiting speeds of a maker are on file for the series {series} at {angle:.3}°.",
         series=values["series"],
         angle=values["angle"],
-    )
-
-
-def _no_coefficients(values: Mapping[str, Any]) -> str:
-    if not values["series"]:
-        return said("The series is not known, and so no thermal reference speed: give --series.")
-    return said(
-        "No coefficients of ISO 15312 are on file for the series {series}: there is no thermal"
-        " reference speed.",
-        series=values["series"],
     )
 
 
@@ -94,7 +139,14 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "no_reference_speed_of_thrust": marked(
         "ISO 15312 excludes thrust ball bearings: they have no thermal reference speed."
     ),
-    "no_reference_coefficients": _no_coefficients,
+    "no_series_for_speed": marked(
+        "The series is not known, and so neither a thermal reference speed nor a maker's limiting"
+        " speeds: give --series."
+    ),
+    "no_reference_coefficients": marked(
+        "No coefficients of ISO 15312 are on file for the series {series}: there is no thermal"
+        " reference speed."
+    ),
     "reference_coefficients_unchecked": marked(
         "f_0r and f_1r of the series {series} are from general knowledge of ISO 15312 and of a"
         " maker's table, not checked against a print."
@@ -109,10 +161,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "no_permissible_speed": marked(
         "The permissible speed needs a lubricant and its temperature: --lubricant, --temperature."
     ),
-    "reference_speed_of_one_row": marked(
-        "Thermal reference and permissible speed are those of one bearing alone: bearings side by"
-        " side warm each other."
-    ),
+    "reference_speed_leaves_out": _reference_leaves_out,
     "permissible_speed_of_thin_oil": marked(
         "ν n is below 2000 mm²/s·rpm, where the friction of the oil no longer falls: the"
         " permissible speed is too high."
@@ -122,6 +171,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " 70 °C, ambient at 20 °C): oil circulation raises it, a warm machine lowers it."
     ),
     "no_speed_class": _no_class,
+    "speed_class_leaves_out": _class_leaves_out,
     "speed_class_of_light_load": marked(
         "The maker's limiting speeds are for C/P of 12 and above and F_a/F_r up to 0.2; this load"
         " lowers them."
