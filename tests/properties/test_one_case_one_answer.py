@@ -465,3 +465,14 @@ def test_what_no_row_takes_of_the_set_is_refused(field: str) -> None:
     case = case_of("one ceramic row in its seats")
     with pytest.raises(InputError, match="every row has its own"):
         rolamento.solve(case, {field: [0.012]})
+
+
+@pytest.mark.parametrize("designation", ["7014 C DB", "QJ 210", "2208"])
+def test_equal_bearings_differ_in_what_follows(designation: str) -> None:
+    """Balls given in the rings' material do not follow it, whichever bearing was asked first."""
+    follows = Case.from_mapping(_of(designation))
+    own = follows.replace(bearing=follows.bearing.replace(ball_material="100Cr6"))
+    assert follows == own
+    for case in (follows, own):
+        places = case.bearing.places
+        assert {place.bearing.elements_follow_rings for place in places} == {case is follows}

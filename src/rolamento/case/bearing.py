@@ -239,7 +239,9 @@ class Bearing(RollingBearing):
         A four-point bearing has one row of balls, and is two rows of contacts at one place: that
         of the arcs which carry toward +x, and its mirror image.
         """
-        return _faces(self) if self._set_by_kind else super().places
+        if not self._set_by_kind:
+            return super().places
+        return _faces(self, frozenset(self.model_fields_set))
 
     @property
     def carries_one_way(self) -> bool:
@@ -492,10 +494,10 @@ def clearance_fits(clearance: Any, groove_distance: Any, closed: Any = 1.0) -> A
 
 
 @lru_cache(maxsize=1024)
-def _faces(bearing: Bearing) -> tuple[RowPlace, ...]:
+def _faces(bearing: Bearing, given: frozenset[str]) -> tuple[RowPlace, ...]:
     """The two rows of contacts of a four-point bearing, or the rows of a self-aligning one.
 
-    Each as it would be alone: one groove a ring, at its own angle.
+    Each as it would be alone: one groove a ring, at its own angle. given: the user's own fields.
     """
     alone = bearing.model_copy(
         update={

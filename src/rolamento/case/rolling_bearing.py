@@ -279,7 +279,7 @@ class RollingBearing(Record):
     @property
     def places(self) -> tuple[RowPlace, ...]:
         """The rows of elements along +x, each as a bearing of one row; one if it is no set."""
-        return places_of(self)
+        return _places_of(self, frozenset(self.model_fields_set))
 
     def own_fields(self, index: int) -> frozenset[str]:
         """Return the fields of its geometry that a row does not take from the set."""
@@ -548,8 +548,11 @@ class RowPlace(NamedTuple):
 
 
 @lru_cache(maxsize=1024)
-def places_of(bearing: RollingBearing) -> tuple[RowPlace, ...]:
-    """The rows of a set that share the shaft, or the one of a bearing."""
+def _places_of(bearing: RollingBearing, given: frozenset[str]) -> tuple[RowPlace, ...]:
+    """The rows of a set that share the shaft, or the one of a bearing.
+
+    given: the user's own fields, which bearings that are equal may differ in.
+    """
     rows = _rows(bearing)
     if rows is None:
         return (_placed(bearing, 1.0, 0.0, 0.0),)

@@ -539,7 +539,7 @@ def listed_factors(solved: Solved, angles: FloatArray) -> ListedFactors | None:
     angles: nominal, (cases, rows), rad. A contact angle of the user's own has its own factors.
     """
     found = set()
-    for place in solved.case.bearing.places:
+    for place in solved.delivered_case.bearing.places:
         row, published = place.bearing, place.bearing.published
         if row.element != "tapered" or published is None or row.contact_angle is None:
             return None

@@ -169,8 +169,7 @@ def conditions_of(source: Case | Solved) -> LifeConditions:
         return getattr(model, name) if given is None else np.asarray(given, np.float64)
 
     dirt = number("contamination")
-    delivered = source.before_mounting if isinstance(source, Solved) else None
-    as_delivered = case if delivered is None else delivered.case
+    as_delivered = source.delivered_case if isinstance(source, Solved) else case
     published, origins = _published_ratings(as_delivered)
     if model.fatigue_load_method is not None:
         published.pop("fatigue_load_limit", None)

@@ -115,6 +115,11 @@ class Solved:
 
     # --- cases ----------------------------------------------------------------------------------
 
+    @property
+    def delivered_case(self) -> Case:
+        """The case with its bearing as the maker delivers it, by which standards rate it."""
+        return self.case if self.before_mounting is None else self.before_mounting.case
+
     def __len__(self) -> int:
         """Count the cases."""
         return len(self.status.number)
