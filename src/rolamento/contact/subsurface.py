@@ -47,8 +47,8 @@ _DEEPEST_PEAK = 1.5
 _SEARCH_POINTS = 17
 _SEARCH_ROUNDS = 9
 _ROLLING_ALONE = 0.243
-"""Poisson's ratio above which the maximum shear lies in the plane of rolling, whatever the ellipse: the
-two planes are alike in a line contact at 0.2424, and in all others below that."""
+"""Poisson's ratio above which the maximum shear lies in the plane of rolling, whatever the ellipse:
+the two planes are alike in a line contact at 0.2424, and in all others below that."""
 _PEAK_STEPS = 5
 """Of Newton: from where `_start` begins, four bring the depth to rounding over all ellipses and
 materials."""

@@ -91,8 +91,13 @@ def _counts(summary: Summary) -> list[Block]:
             Column(head=said("reason"), key="reason", values=list(reasons)),
         )
         blocks.append(Table(columns=columns, key="failures", headless=True, indent=4))
-    for message in summary.messages:
-        text = said("some cases are not valid: {message}", message=message)
+    for status, one in summary.first.items():
+        text = said(
+            "{reason}, first in case {number}: {why}",
+            reason=reason(status),
+            number=one.case + 1,
+            why=one.reason.text,
+        )
         blocks.append(Statement(text, indent=2))
     return blocks
 

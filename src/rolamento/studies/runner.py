@@ -27,10 +27,10 @@ from rolamento.errors import FileError, InputError, cause
 from rolamento.numerics.threads import thread_count
 from rolamento.status import CONVERGED, STATUS_NAMES
 from rolamento.studies.outputs import Output
-from rolamento.studies.plan import Part, Plan
+from rolamento.studies.plan import REASON, Part, Plan, Reasons
 from rolamento.studies.store import Store
 from rolamento.studies.study import Study
-from rolamento.words import said
+from rolamento.words import Note, said
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -44,7 +44,6 @@ beginning, then after every chunk."""
 
 _MOST_BYTES: Final = 4 * 2**30
 """Of a result in memory."""
-_MOST_MESSAGES: Final = 5
 _LONGEST_UNWRITTEN: Final = 2.0
 """Seconds that a solved chunk waits for others before it is written."""
 _PATIENCE: Final = 2.0
@@ -114,10 +113,10 @@ def run(
     tally.tell()
     for part in (executor or local_threads(threads))(plan, range(plan.chunks)):
         first, last = plan.bounds(part.index)
-        for name, array in part.arrays.items():
-            whole[name][first:last] = array
         tally.add(part)
-    return dataset(plan, whole, tally.counts, tally.some_messages)
+        for name, array in tally.reasons.renumbered(part).arrays.items():
+            whole[name][first:last] = array
+    return dataset(plan, whole, tally.counts, tally.reasons.notes)
 
 
 def run_to_file(
@@ -189,7 +188,7 @@ def run_to_file(
         solved=tally.done - tally.kept,
         seconds=seconds,
         counts=dict(tally.counts),
-        messages=tally.some_messages,
+        first=dict(tally.first),
         ranges=ranges,
     )
 
@@ -305,12 +304,13 @@ def _assembled(plan: Plan, store: Store, tally: _Tally, result: Path) -> tuple[O
     """Put the parts together in one file, in order, and gather the ranges of the outputs."""
     spreads = Spreads(plan)
     try:
-        counts, messages = tally.counts, tally.some_messages
-        with open_result(store.result, result.suffix.lower(), plan, counts, messages) as file:
+        reasons = tally.reasons
+        ending = result.suffix.lower()
+        with open_result(store.result, ending, plan, tally.counts, reasons.notes) as file:
             for first in range(0, plan.chunks, plan.chunks_together):
                 last = min(first + plan.chunks_together, plan.chunks)
                 part = Part.joined([store.get(index) for index in range(first, last)])
-                file.put(part)
+                file.put(reasons.renumbered(part))
                 spreads.add(part)
     except FileError as error:
         if error.source != str(store.result):
@@ -342,18 +342,14 @@ class _Tally:
     def __init__(self, plan: Plan, progress: Progress | None) -> None:
         self._plan, self._progress = plan, progress
         self.counts: Counter[str] = Counter()
-        self.messages: list[str] = []
+        self.reasons = Reasons()
+        self.first: dict[str, FirstCase] = {}
         self.done = self.kept = 0
 
     def add(self, part: Part) -> None:
         """Count a part that was solved now."""
         self._count(part)
         self.tell()
-
-    @property
-    def some_messages(self) -> tuple[str, ...]:
-        """The first few of the messages."""
-        return tuple(self.messages[:_MOST_MESSAGES])
 
     def keep(self, part: Part) -> None:
         """Count a part of an earlier run."""
@@ -368,10 +364,16 @@ class _Tally:
             )
 
     def _count(self, part: Part) -> None:
-        codes, numbers = np.unique(part.arrays["status"], return_counts=True)
-        for code, number in zip(codes, numbers, strict=True):
-            self.counts[STATUS_NAMES[int(code)]] += int(number)
-        self.messages += [text for text in part.messages if text not in self.messages]
+        found = np.unique(part.arrays["status"], return_counts=True, return_index=True)
+        begin, _ = self._plan.bounds(part.index)
+        for code, place, number in zip(*(array.tolist() for array in found), strict=True):
+            name = STATUS_NAMES[code]
+            self.counts[name] += number
+            known, reason = self.first.get(name), int(part.arrays[REASON][place])
+            if reason >= 0 and (known is None or begin + place < known.case):
+                self.first[name] = FirstCase(begin + place, part.reasons[reason])
+        for note in part.reasons:
+            self.reasons.number(note)
         self.done += self._plan.size(part.index)
 
 
@@ -395,6 +397,14 @@ def _move(unfinished: Path, result: Path) -> None:
         os.replace(unfinished, result)
     except OSError as error:
         raise _unwritable(result, error) from None
+
+
+@dataclass(frozen=True, slots=True)
+class FirstCase:
+    """The first case that ended in some way, counted from 0, and why it has no result."""
+
+    case: int
+    reason: Note
 
 
 @dataclass(frozen=True, slots=True)
@@ -427,8 +437,8 @@ class Summary:
         that this took
     counts
         of cases by status
-    messages
-        why some cases are not valid
+    first
+        of each status but "converged", the first case and its reason
     ranges
         of the outputs
     """
@@ -438,7 +448,7 @@ class Summary:
     solved: int
     seconds: float
     counts: Mapping[str, int]
-    messages: tuple[str, ...]
+    first: Mapping[str, FirstCase]
     ranges: tuple[OutputRange, ...]
 
     @property
@@ -515,7 +525,7 @@ def _check_ending(result: Path) -> None:
 
 @contextmanager
 def open_result(
-    place: Path, ending: str, plan: Plan, counts: Mapping[str, int], messages: tuple[str, ...]
+    place: Path, ending: str, plan: Plan, counts: Mapping[str, int], reasons: tuple[Note, ...]
 ) -> Iterator[PartWriter]:
     """Open the writer of a kind of file; what the disk refuses is told as a `FileError`."""
     opener: Callable[..., AbstractContextManager[PartWriter]]
@@ -527,7 +537,7 @@ def open_result(
     else:
         from rolamento.studies.tables import parquet_writer as opener
     try:
-        with opener(place, plan, counts, messages) as opened:
+        with opener(place, plan, counts, reasons) as opened:
             yield opened
     except FileError:
         raise

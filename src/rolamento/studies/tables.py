@@ -14,8 +14,9 @@ import pyarrow.csv
 import pyarrow.parquet
 
 from rolamento.status import STATUS_NAMES
-from rolamento.studies.plan import BALL, ROW, Layout, Part, Plan, Variable
+from rolamento.studies.plan import BALL, REASON, ROW, Layout, Part, Plan, Variable
 from rolamento.studies.study import SAMPLE
+from rolamento.words import Note
 
 __all__ = ["ATTRIBUTES", "csv_writer", "parquet_writer"]
 
@@ -50,10 +51,14 @@ class _Table:
 
     def _outputs(self, part: Part) -> Iterator[Any]:
         names = np.array(list(STATUS_NAMES.values()))
+        texts = np.array([*self._layout.reasons, ""])  # the last is that of -1
         for variable in self._layout.outputs:
             values = part.arrays[variable.name]
             if variable.name == "status":
                 yield names[values]
+                yield texts[part.arrays[REASON]]
+            elif variable.name == REASON:
+                continue
             elif values.ndim == 2:
                 yield from values.T
             else:
@@ -62,10 +67,10 @@ class _Table:
 
 @contextmanager
 def csv_writer(
-    path: Path, plan: Plan, counts: Mapping[str, int], messages: tuple[str, ...]
+    path: Path, plan: Plan, counts: Mapping[str, int], reasons: tuple[Note, ...]
 ) -> Iterator[_Table]:
     """Open a CSV file: UTF-8, a header with units, an empty field where there is no number."""
-    layout = Layout(plan)
+    layout = Layout(plan, reasons)
     names = [f"{name} [{unit}]" if unit else name for name, unit, _ in _columns(layout)]
     schema = pa.schema(
         [(name, kind) for name, (_, _, kind) in zip(names, _columns(layout), strict=True)]
@@ -77,15 +82,15 @@ def csv_writer(
 
 @contextmanager
 def parquet_writer(
-    path: Path, plan: Plan, counts: Mapping[str, int], messages: tuple[str, ...]
+    path: Path, plan: Plan, counts: Mapping[str, int], reasons: tuple[Note, ...]
 ) -> Iterator[_Table]:
     """Open a Parquet file: a row group a part, units with each column, attributes in the schema."""
-    layout = Layout(plan)
+    layout = Layout(plan, reasons)
     record = {
         "sizes": {name: layout.sizes[name] for name in layout.dims},
         "balls": layout.sizes.get(BALL, 0),
         "rows": layout.sizes.get(ROW, 0),
-        "attributes": layout.attrs(counts, messages),
+        "attributes": layout.attrs(counts),
     }
     fields = [
         pa.field(name, kind, metadata={"units": unit} if unit else None)
@@ -108,7 +113,9 @@ def _columns(layout: Layout) -> list[tuple[str, str, Any]]:
     for variable in layout.outputs:
         unit, kind = _unit_and_type(variable)
         if variable.name == "status":
-            columns.append((variable.name, "", pa.string()))
+            columns += [(variable.name, "", pa.string()), (REASON, "", pa.string())]
+        elif variable.name == REASON:
+            continue
         elif (along := variable.dims[-1]) in (BALL, ROW):
             columns += [
                 (f"{variable.name}_{place}", unit, kind) for place in range(layout.sizes[along])

@@ -19,7 +19,7 @@ from rolamento.studies.plan import Part, Plan
 from rolamento.studies.solving import CONVERGED
 from rolamento.studies.study import Study
 from rolamento.tasks.report import number_of_field, with_life
-from rolamento.words import said
+from rolamento.words import Note, said
 
 __all__ = ["Curve", "Scale", "curve_over", "fields_over", "outputs_over", "usual_range"]
 
@@ -58,8 +58,8 @@ class Curve:
         how the solution of each point ended, (points,)
     present
         place of the case itself among the points; None where it has no such number
-    messages
-        why there are no such cases
+    reasons
+        why points have no result, each once
     """
 
     case: Case
@@ -69,7 +69,7 @@ class Curve:
     numbers: Floats
     status: NDArray[np.str_]
     present: int | None
-    messages: tuple[str, ...]
+    reasons: tuple[Note, ...]
 
     @property
     def missing(self) -> NDArray[np.bool_]:
@@ -142,7 +142,7 @@ def curve_over(
     status = np.array([STATUS_NAMES[int(code)] for code in codes], np.str_)
     numbers = np.where(status == CONVERGED, part.arrays[output], np.nan).astype(np.float64)
     present = None if own is None else int(np.searchsorted(values, own))
-    return Curve(case, known, found, values, numbers, status, present, part.messages)
+    return Curve(case, known, found, values, numbers, status, present, part.reasons)
 
 
 def _solved(study: Study) -> Part:
