@@ -144,7 +144,8 @@ class TestInMemory:
         result = run(Study(case=case_218, outputs=("x", "iterations"), axes=[axis]))
         assert result.status.values.tolist() == [0, 0, 4, 4]
         assert np.isnan(result.x[2:]).all()
-        assert "do not fit" in result.attrs["invalid_input_messages"]
+        assert result.reason.values.tolist()[:2] == [-1, -1]
+        assert all("do not fit" in text for text in result.reason_text.values[result.reason[2:]])
 
     def test_values_out_of_range_of_a_scattered_field(self, case_218: Case) -> None:
         wide = Distribution(distribution="normal", mean=0.5232, standard_deviation=0.05)
@@ -159,7 +160,7 @@ class TestInMemory:
         axis = Axis(field="bearing.spacing", values=["20 mm", "30 mm"])
         result = run(Study(case=case_218, outputs=("x",), axes=[axis]))
         assert (result.status == 4).all()
-        assert "spacing" in result.attrs["invalid_input_messages"]
+        assert "spacing" in result.reason_text.values[result.reason.values[0]]
 
     def test_a_rival_takes_the_place_of_the_case_s(self, case_218: Case) -> None:
         axis = Axis(field="duty.displacement.x", values=["0.01 mm", "0.02 mm"])

@@ -17,7 +17,9 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
+from importlib import import_module
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Final, Protocol
 
 import numpy as np
@@ -35,6 +37,8 @@ from rolamento.words import Note, said
 if TYPE_CHECKING:
     import xarray as xr
 
+    from rolamento.studies.tables import CaseColumn, KeptCases
+
 Executor = Callable[[Plan, Sequence[int]], Iterator[Part]]
 """Solves chunks of a plan, given by number; parts come in any order."""
 
@@ -50,7 +54,6 @@ _PATIENCE: Final = 2.0
 """Seconds that threads are given to end in when a run stops; they end by themselves later."""
 _MOST_KEPT: Final = 200_000
 """Values of an output that are kept for its median."""
-_ENDINGS: Final = (".nc", ".csv", ".parquet")
 
 
 class Interrupted(KeyboardInterrupt):
@@ -128,6 +131,8 @@ def run_to_file(
     restart: bool = False,
     progress: Progress | None = None,
     chunk: int | None = None,
+    keep_cases: bool = False,
+    writers: Mapping[str, Opener] = MappingProxyType({}),
 ) -> Summary:
     """Solve a study in bounded memory and write the result to a file.
 
@@ -145,6 +150,10 @@ def run_to_file(
     chunk
         Cases in a chunk, after each of which a run can be stopped; by default some 10 ms of the
         solver, or 32 where a case takes milliseconds. The last digits depend on it.
+    keep_cases
+        Whether the summary has the cases too, as columns in memory; at most 2²⁰ - 1.
+    writers
+        Of files with other endings, by these.
 
     Returns
     -------
@@ -160,7 +169,8 @@ def run_to_file(
         On Ctrl-C.
     """
     result = Path(path)
-    _check_ending(result)
+    openers = {**_WRITERS, **writers}
+    _check_ending(result, openers)
     _check_place(result)
     began = time.perf_counter()
     plan = Plan(study, chunk)
@@ -177,7 +187,8 @@ def run_to_file(
                     shelf.add(part)
                     tally.add(part)
             seconds = time.perf_counter() - began
-            ranges = _assembled(plan, store, tally, result)
+            opener = openers[result.suffix.lower()]
+            ranges, cases = _assembled(plan, store, tally, result, opener, keep=keep_cases)
             _move(store.result, result)
         except KeyboardInterrupt:
             raise Interrupted(tally.done, plan.cases, store.folder) from None
@@ -190,6 +201,7 @@ def run_to_file(
         counts=dict(tally.counts),
         first=dict(tally.first),
         ranges=ranges,
+        columns=cases,
     )
 
 
@@ -300,18 +312,26 @@ class _Shelf:
         self._written = time.monotonic()
 
 
-def _assembled(plan: Plan, store: Store, tally: _Tally, result: Path) -> tuple[OutputRange, ...]:
-    """Put the parts together in one file, in order, and gather the ranges of the outputs."""
-    spreads = Spreads(plan)
+def _assembled(
+    plan: Plan, store: Store, tally: _Tally, result: Path, opener: Opener, *, keep: bool
+) -> tuple[tuple[OutputRange, ...], tuple[CaseColumn, ...]]:
+    """Put the parts together in one file, in order: ranges of the outputs, and the cases kept."""
+    spreads, reasons = Spreads(plan), tally.reasons
+    kept_cases: KeptCases | None = None
+    if keep:
+        from rolamento.studies.tables import KeptCases
+
+        kept_cases = KeptCases(plan, reasons.notes)
     try:
-        reasons = tally.reasons
-        ending = result.suffix.lower()
-        with open_result(store.result, ending, plan, tally.counts, reasons.notes) as file:
+        with open_result(store.result, opener, plan, tally.counts, reasons.notes) as file:
             for first in range(0, plan.chunks, plan.chunks_together):
                 last = min(first + plan.chunks_together, plan.chunks)
                 part = Part.joined([store.get(index) for index in range(first, last)])
-                file.put(reasons.renumbered(part))
+                part = reasons.renumbered(part)
+                file.put(part)
                 spreads.add(part)
+                if kept_cases is not None:
+                    kept_cases.put(part)
     except FileError as error:
         if error.source != str(store.result):
             raise
@@ -320,7 +340,7 @@ def _assembled(plan: Plan, store: Store, tally: _Tally, result: Path) -> tuple[O
             "{rule}; what was solved is kept in {folder}", rule=error.rule, folder=str(store.folder)
         )
         raise FileError(kept, source=str(result)) from None
-    return spreads.ranges()
+    return spreads.ranges(), () if kept_cases is None else kept_cases.columns
 
 
 def _solved(plan: Plan, kept: Iterable[int], executor: Executor) -> Iterator[Part]:
@@ -441,6 +461,8 @@ class Summary:
         of each status but "converged", the first case and its reason
     ranges
         of the outputs
+    columns
+        of the cases, where they were to be kept
     """
 
     path: Path
@@ -450,6 +472,7 @@ class Summary:
     counts: Mapping[str, int]
     first: Mapping[str, FirstCase]
     ranges: tuple[OutputRange, ...]
+    columns: tuple[CaseColumn, ...] = ()
 
     @property
     def converged(self) -> int:
@@ -514,28 +537,26 @@ class PartWriter(Protocol):
         ...
 
 
-def _check_ending(result: Path) -> None:
-    if result.suffix.lower() not in _ENDINGS:
+def _check_ending(result: Path, known: Iterable[str]) -> None:
+    if result.suffix.lower() not in known:
         raise FileError(
-            said("must end in {known}", known=", ".join(_ENDINGS)),
+            said("must end in {known}", known=", ".join(known)),
             source=str(result),
             example="result.nc",
         )
 
 
+Opener = Callable[
+    [Path, Plan, Mapping[str, int], tuple[Note, ...]], AbstractContextManager[PartWriter]
+]
+"""Opens the writer of a kind of file, given cases by status and why some have no result."""
+
+
 @contextmanager
 def open_result(
-    place: Path, ending: str, plan: Plan, counts: Mapping[str, int], reasons: tuple[Note, ...]
+    place: Path, opener: Opener, plan: Plan, counts: Mapping[str, int], reasons: tuple[Note, ...]
 ) -> Iterator[PartWriter]:
-    """Open the writer of a kind of file; what the disk refuses is told as a `FileError`."""
-    opener: Callable[..., AbstractContextManager[PartWriter]]
-    # each brings a library that the others do not need
-    if ending == ".nc":
-        from rolamento.studies.netcdf import netcdf_writer as opener
-    elif ending == ".csv":
-        from rolamento.studies.tables import csv_writer as opener
-    else:
-        from rolamento.studies.tables import parquet_writer as opener
+    """Open the writer of a file; what the disk refuses is a `FileError`."""
     try:
         with opener(place, plan, counts, reasons) as opened:
             yield opened
@@ -543,6 +564,25 @@ def open_result(
         raise
     except OSError as error:
         raise _unwritable(place, error) from None
+
+
+def _of_module(module: str, name: str) -> Opener:
+    """An opener that brings a library which the others do not need."""
+
+    def opened(
+        place: Path, plan: Plan, counts: Mapping[str, int], reasons: tuple[Note, ...]
+    ) -> AbstractContextManager[PartWriter]:
+        opener: Opener = getattr(import_module(module), name)
+        return opener(place, plan, counts, reasons)
+
+    return opened
+
+
+_WRITERS: Final[Mapping[str, Opener]] = {
+    ".nc": _of_module("rolamento.studies.netcdf", "netcdf_writer"),
+    ".csv": _of_module("rolamento.studies.tables", "csv_writer"),
+    ".parquet": _of_module("rolamento.studies.tables", "parquet_writer"),
+}
 
 
 def _unwritable(path: Path, error: OSError) -> FileError:

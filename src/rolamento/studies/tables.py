@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
@@ -12,13 +13,18 @@ import numpy as np
 import pyarrow as pa
 import pyarrow.csv
 import pyarrow.parquet
+from numpy.typing import NDArray
 
+from rolamento.errors import InputError
 from rolamento.status import STATUS_NAMES
 from rolamento.studies.plan import BALL, REASON, ROW, Layout, Part, Plan, Variable
 from rolamento.studies.study import SAMPLE
-from rolamento.words import Note
+from rolamento.words import Note, said
 
-__all__ = ["ATTRIBUTES", "csv_writer", "parquet_writer"]
+__all__ = ["ATTRIBUTES", "CaseColumn", "KeptCases", "csv_writer", "parquet_writer"]
+
+MOST_KEPT_CASES: Final = 2**20 - 1
+"""Lines of a sheet of a workbook below its head."""
 
 ATTRIBUTES: Final = b"rolamento"
 """Key of a Parquet schema's metadata: sizes of the dimensions and attributes, as JSON."""
@@ -33,13 +39,16 @@ class _Table:
         self._plan, self._layout, self._schema, self._write = plan, layout, schema, write
 
     def put(self, part: Part) -> None:
-        first, last = self._plan.bounds_of(part)
-        columns = [*self._inputs(first, last), *self._outputs(part)]
         arrays = [
             pa.array(c, t.type, from_pandas=True)
-            for c, t in zip(columns, self._schema, strict=True)
+            for c, t in zip(self.columns(part), self._schema, strict=True)
         ]
         self._write(pa.record_batch(arrays, schema=self._schema))
+
+    def columns(self, part: Part) -> list[Any]:
+        """What the cases of a part have in each column."""
+        first, last = self._plan.bounds_of(part)
+        return [*self._inputs(first, last), *self._outputs(part)]
 
     def _inputs(self, first: int, last: int) -> Iterator[Any]:
         places = dict(zip(self._layout.dims, self._plan.places(first, last), strict=True))
@@ -63,6 +72,60 @@ class _Table:
                 yield from values.T
             else:
                 yield values
+
+
+@dataclass(frozen=True, slots=True)
+class CaseColumn:
+    """What all cases of a study have in one column, in order; SI.
+
+    unit: SI; empty of texts and numbers without one. given: whether it is an input.
+    """
+
+    name: str
+    unit: str
+    values: NDArray[Any]
+    given: bool
+
+
+class KeptCases:
+    """Keeps the cases of a run as columns: what a page writes to its own tables.
+
+    Raises
+    ------
+    InputError
+        If they are more than a sheet of a workbook can have.
+    """
+
+    def __init__(self, plan: Plan, reasons: tuple[Note, ...]) -> None:
+        if plan.cases > MOST_KEPT_CASES:
+            raise InputError(
+                said(
+                    "would hold {cases} cases, and takes {most} at most; --output writes more",
+                    cases=plan.cases,
+                    most=MOST_KEPT_CASES,
+                ),
+                field="cases",
+                example="--output result.csv",
+            )
+        layout = Layout(plan, reasons)
+        self._heads = _columns(layout)
+        self._given = len(layout.names) + (SAMPLE in layout.dims)
+        self._parts: list[list[Any]] = []
+        self._table = _Table(plan, layout, None, lambda _: None)
+
+    def put(self, part: Part) -> None:
+        """Take in a part."""
+        self._parts.append(self._table.columns(part))
+
+    @property
+    def columns(self) -> tuple[CaseColumn, ...]:
+        """The columns so far."""
+        return tuple(
+            CaseColumn(name, unit, np.concatenate(values), place < self._given)
+            for place, ((name, unit, _), values) in enumerate(
+                zip(self._heads, zip(*self._parts, strict=True), strict=True)
+            )
+        )
 
 
 @contextmanager

@@ -13,7 +13,7 @@ from rolamento.case import Case
 from rolamento.errors import InputError
 from rolamento.status import STATUS_NAMES
 from rolamento.studies.axes import Axis
-from rolamento.studies.fields import Field, known_fields, read_field
+from rolamento.studies.fields import Field, known_fields, no_range, read_field
 from rolamento.studies.outputs import Output, catalogue, outputs_of, refuse_missing
 from rolamento.studies.plan import Part, Plan
 from rolamento.studies.solving import CONVERGED
@@ -211,7 +211,7 @@ def _end(field: Field, given: object, name: str) -> float:
 def _continuous(name: str) -> Field:
     field = read_field(name)
     if not field.continuous:
-        raise InputError(said("takes no range"), field="field", value=name,
+        raise InputError(no_range(name), field="field", value=name,
                          example='"duty.load.fz"')  # fmt: skip
     return field
 
