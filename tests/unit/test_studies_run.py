@@ -351,7 +351,7 @@ class TestToFile:
         store.open()
         hostile = np.array([print], dtype=object)
         with (store.folder / "part-0000000.npz").open("wb") as file:
-            np.savez(file, status=hostile, _messages=np.array([], dtype=np.str_))
+            np.savez(file, status=hostile, _reasons=np.array([], dtype=np.str_))
         assert store.open() == {}
 
     @pytest.mark.skipif(os.name != "posix", reason="locks are POSIX ones")
