@@ -63,7 +63,8 @@ def same(one: Plan, parts: Sequence[Part], other: Sequence[Part]) -> bool:
 class TestInMemory:
     def test_each_case_is_that_of_solve(self, study: Study, case_218: Case) -> None:
         result = run(study)
-        assert dict(result.sizes) == {"fx": 4, "inner_speed": 3, "sample": 5, "ball": 16}
+        sizes = {"fx": 4, "inner_speed": 3, "sample": 5, "ball": 16}
+        assert dict(result.sizes) == {**sizes, "reason_text": 1}
         for k in range(2):
             angle = float(result.contact_angle[k])
             bearing = case_218.bearing.replace(contact_angle=angle)
