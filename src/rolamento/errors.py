@@ -15,10 +15,10 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import Any, Final, Self
 
-from rolamento.words import marked, said
+from rolamento.words import Note, languages, marked, said, speaking
 from rolamento.words.naming import shortened
 
 __all__ = [
@@ -31,6 +31,7 @@ __all__ = [
     "guess",
     "nearest",
     "printable",
+    "refusal",
     "shown",
 ]
 
@@ -160,6 +161,23 @@ class UnknownKeyError(InputError):
 
 class UnitError(InputError):
     """A unit that is missing, unknown or of another quantity."""
+
+
+def refusal(attempt: Callable[[], object]) -> Note | None:
+    """Return which rule an attempt violates, as a note; None if it violates none.
+
+    Its values: "field", dotted; "rule", the message of the `InputError` by language.
+    """
+    field, rules = "", {}
+    for code in languages():
+        with speaking(code):
+            try:
+                attempt()
+            except InputError as error:
+                field, rules[code] = error.field, str(error)
+            else:
+                return None
+    return Note("invalid_input", {"field": field, "rule": rules})
 
 
 def shown(value: object) -> str:

@@ -470,15 +470,15 @@ def advice_on(solved: Solved, case: int = 0) -> Note | None:
     if code == NO_EQUILIBRIUM:
         axial = float(np.nan_to_num(solved.field("duty.load.fx")[case]))
         return _no_equilibrium(given, int(solved.status.unsupported[case]), axial)
+    if code == INVALID_INPUT:
+        return Note("invalid_input") if solved.refusals is None else solved.refusals.note(case)
     factor = _speed_factor(solved[case])
-    if factor > _FASTEST and code != INVALID_INPUT:
+    if factor > _FASTEST:
         return Note("overspeed", {"speed_factor": factor, "limit": _FASTEST})
     rolls = any(place.bearing.element != "ball" for place in given.bearing.places)
     if code == OVERLOADED:
         key = "overloaded_rollers" if rolls else "overloaded"
         return Note(key, {"limit": _GREATEST_APPROACH})
-    if code == INVALID_INPUT:
-        return Note("invalid_input")
     if code == OVER_SHOULDER and given.bearing.kind == "thrust":
         return _out_of_the_washers(solved[case])
     if code == OVER_SHOULDER:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any, Unpack
 
 import numpy as np
@@ -13,10 +13,11 @@ from numpy.typing import ArrayLike
 from rolamento.assembly import solve_cases, spread
 from rolamento.case import Case, load_case
 from rolamento.case.varied import DutyFields, bounded, varied_arrays
-from rolamento.errors import InputError
+from rolamento.errors import InputError, refusal
 from rolamento.numerics import FloatArray
 from rolamento.numerics.threads import thread_count
-from rolamento.solved import Delivered, Solved
+from rolamento.solved import Delivered, Index, Solved
+from rolamento.units import readable
 from rolamento.words import Note, said
 
 __all__ = ["solve"]
@@ -68,7 +69,8 @@ def solve(
     InputError
         For an unknown field, arrays of different lengths, fields that exclude each other, fewer
         threads than one, or a mounting that is not one for this bearing or closes it. A value
-        that the case would refuse is that case's affair: its status is "invalid_input".
+        that the case would refuse is that case's affair: its status is "invalid_input", and
+        `Solved.advice` says which rule it violates.
     FileError
         If the file cannot be read.
 
@@ -88,12 +90,65 @@ def solve(
     given = varied_arrays(values, **fields)
     if not given:
         return _solve_one(case, preload_loss)
+    solved = _solve_varied(case, given, threads)
+    return replace(solved, refusals=Refused(case, _spread_over(len(solved), given)))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Refused:
+    """Cases of a batch, and what each would be refused for as a case of its own.
+
+    Attributes
+    ----------
+    case
+        as it is given
+    values
+        what varies from it, by the dotted names of fields; (cases,) each, SI
+    """
+
+    case: Case
+    values: Mapping[str, FloatArray]
+
+    def part(self, index: Index) -> Refused:
+        """Return some of the cases."""
+        return Refused(self.case, {name: array[index] for name, array in self.values.items()})
+
+    def note(self, case: int) -> Note:
+        """Return the note on a case: the rule that it violates."""
+        own = {name: float(array[case]) for name, array in self.values.items()}
+        return refusal(lambda: self._running(own)) or Note("invalid_input")
+
+    def _running(self, values: Mapping[str, float]) -> Case:
+        """The case of some values as it runs.
+
+        Raises
+        ------
+        InputError
+            If it is none, or its mounting leaves no bearing.
+        """
+        for name, value in values.items():  # sooner than the whole case, and by its own name
+            field = Case.fields()[name]
+            if field.dimension is not None and np.isfinite(value):
+                field.checked(readable(value, field.dimension), in_file=True)
+            else:
+                field.checked(value, in_file=False)
+        case = self.case.with_(values)
+        if case.mounting is not None and case.bearing.is_set:
+            from rolamento.assembly.mounted import running_set
+
+            return running_set(case)
+        from rolamento.clearance import operating_case
+
+        return operating_case(case)
+
+
+def _solve_varied(case: Case, given: Mapping[str, FloatArray], threads: int | None) -> Solved:
     if case.mounting is None:
         return _solve_many(case, given, threads)
     if case.bearing.is_set:
-        from rolamento.assembly.mounted import mounted_cases
+        from rolamento.assembly.mounted import solve_mounted
 
-        solved = solve_cases(mounted_cases(case, bounded(given), threads=threads))
+        solved = solve_mounted(case, bounded(given), threads=threads)
         delivered = _delivered(solved, case, given)
         varied = _spread_over(len(solved), given)
         return replace(solved, case=case, varied=varied, before_mounting=delivered)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-import tomllib
+from collections.abc import Collection
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import pytest
@@ -11,16 +12,22 @@ from typer.testing import CliRunner
 
 from rolamento import solve
 from rolamento.case import Case, parse_case
+from rolamento.catalogue import catalogue
 from rolamento.cli.app import app
 from rolamento.errors import InputError
 from rolamento.tasks.new_case import TABLES, case_template, file_name
 from rolamento.words import speaking
 
-ASLEEP = re.compile(r"# ([a-z_0-9]+) = (.+)$")
+HEADING = re.compile(r"(?:# )?\[([a-z._]+)\]")
+FIELD = re.compile(r"(?:# )?([a-z_0-9]+) = ")
 DESIGNATIONS = (
     *("6310/C3", "6008", "6212-2Z", "6320", "S 6012 C", "EX 70 25deg", "S 61912 C"),
     *("SKF 6205", "QJ210", "1210", "51210"),
     *("NU 205/C3", "NJ 2210", "30206", "NA 4905"),
+)
+WOKEN = (
+    *("6310/C3", "7014 C/HCP4A DBA", "S 6012 C", "QJ210", "1210", "51210", "3205-BD"),
+    *("NU 205/C3", "NA 4905", "30206", "32210 J2/QDB"),
 )
 
 
@@ -40,10 +47,10 @@ def test_it_solves_at_once(designation: str | None) -> None:
 def fields_in(text: str) -> list[str]:
     table, found = "", []
     for line in text.splitlines():
-        if heading := re.fullmatch(r"(?:# )?\[([a-z._]+)\]", line):
+        if heading := HEADING.fullmatch(line):
             table = f"{heading[1]}."
-        elif field := re.match(r"(?:# )?([a-z_0-9]+) = ", line):
-            found.append(f"{table}{field[1]}")
+        elif one := FIELD.match(line):
+            found.append(f"{table}{one[1]}")
     return found
 
 
@@ -72,17 +79,106 @@ def test_balls_have_no_fields_of_rollers_and_rollers_none_of_balls() -> None:
     assert "bearing.inner_ribs" in needles - cones
 
 
-@pytest.mark.parametrize("designation", ["6310/C3", "S 6012 C", "NU 205/C3", "30210"])
-def test_every_field_that_sleeps_can_be_read(designation: str) -> None:
-    table, known = "", Case.fields()
-    for line in case_template(designation).splitlines():
-        if heading := re.fullmatch(r"(?:# )?\[([a-z._]+)\]", line):
-            table = f"{heading[1]}."
-        elif field := ASLEEP.match(line):
-            name = f"{table}{field[1]}"
-            value = tomllib.loads(f"value = {field[2]}")["value"]  # the comment behind it is one
-            if known[name].kind != "list" and name != "bearing.preload":
-                assert known[name].checked(value, in_file=True) is not None
+@dataclass
+class Lines:
+    """The lines of a template by the names of their fields, to be woken as their comments say."""
+
+    text: list[str]
+    place: dict[str, int] = field(default_factory=dict)
+    heading: dict[str, int] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        table = ""
+        for index, line in enumerate(self.text):
+            if heading := HEADING.fullmatch(line):
+                table = heading[1]
+                self.heading[table] = index
+            elif found := FIELD.match(line):
+                self.place[f"{table}.{found[1]}" if table else found[1]] = index
+
+    @property
+    def asleep(self) -> list[str]:
+        return [name for name, index in self.place.items() if self.text[index].startswith("# ")]
+
+    def woken(self, name: str) -> str:
+        """The file with a field woken, what it goes with too, and what it replaces asleep."""
+        text, waiting, awake = list(self.text), [name], set()
+        while waiting:
+            needed, _, value = waiting.pop().partition(" = ")
+            awake.add(needed)
+            index = self.place[needed]
+            line = text[index].removeprefix("# ")
+            text[index] = f"{needed.rpartition('.')[2]} = {value}" if value else line
+            table = needed.rpartition(".")[0]
+            above = self.heading.get(table)
+            if above is not None:
+                text[above] = text[above].removeprefix("# ")
+            for rival in self._named(line, "; instead of ", table) - awake:
+                if rival in self.place and not text[self.place[rival]].startswith("# "):
+                    text[self.place[rival]] = f"# {text[self.place[rival]]}"
+            waiting += self._named(line, "; with ", table) - awake if needed == name else ()
+        return "\n".join(text)
+
+    def _named(self, line: str, words: str, table: str) -> set[str]:
+        """The fields that a comment names behind some words, by their full names."""
+        named = line.partition(words)[2].partition(";")[0]
+        full = {f"{table}.{one}" for one in named.split(", ")} if named else set()
+        return {
+            one if one.partition(" = ")[0] in self.place else one.removeprefix(f"{table}.")
+            for one in full
+        }
+
+
+def every_line_loads(designation: str | None, only: Collection[str] = ()) -> int:
+    """Wake every field, or only some, and return how many they were."""
+    lines = Lines(case_template(designation).splitlines())
+    chosen = [name for name in lines.asleep if not only or name in only]
+    for name in chosen:
+        try:
+            case = parse_case(lines.woken(name))
+        except InputError as error:
+            pytest.fail(f"{designation}: {name}: {error}")
+        assert name == "bearing.designation" or case.bearing.designation == designation
+    return len(chosen)
+
+
+@pytest.mark.parametrize("designation", [*WOKEN, None])
+def test_every_line_loads_again_when_it_is_woken(designation: str | None) -> None:
+    assert every_line_loads(designation) > 60
+
+
+@pytest.mark.sweep
+@pytest.mark.parametrize("part", range(20))
+def test_every_line_of_every_bearing_of_the_catalogue(part: int) -> None:
+    """Of what a line shows of the bearing itself; the other lines are those of its kind."""
+    own = {name for name in Case.fields() if name.startswith(("bearing.", "mounting.", "life."))}
+    kinds: set[object] = set()
+    for bearing in catalogue().bearings[part::20]:
+        name = bearing.designation
+        try:
+            template = case_template(name)
+        except InputError as error:
+            assert "has no inner ring" in str(error)  # its clearance follows from shaft and housing
+            continue
+        shown = {
+            one for one in own
+            if one in (lines := Lines(template.splitlines())).place
+            and Case.fields()[one].example not in lines.text[lines.place[one]]
+        }  # fmt: skip
+        every_line_loads(name, () if bearing.kind not in kinds else shown)
+        kinds.add(bearing.kind)
+
+
+@pytest.mark.parametrize("designation", ["7014 C/HCP4A DBA", "6205/HC5C3"])
+def test_the_material_of_a_designation_is_a_name(designation: str) -> None:
+    assert '# ball_material = "Si3N4"' in case_template(designation)
+
+
+def test_what_a_bearing_cannot_have_is_left_out() -> None:
+    washers, set_of_two = (fields_in(case_template(name)) for name in ("51210", "7014 C/P4A DB"))
+    assert not any(name.startswith("mounting.") for name in washers)
+    assert "bearing.kind" not in set_of_two
+    assert "bearing.kind" in fields_in(case_template("6310"))
 
 
 def test_what_the_bearing_has_stands_in_the_comments() -> None:

@@ -33,7 +33,7 @@ from rolamento.studies import (
     study_to_toml,
 )
 from rolamento.studies.plan import Part, Plan
-from rolamento.studies.runner import open_result
+from rolamento.studies.runner import _WRITERS, open_result
 
 
 @pytest.fixture(scope="module")
@@ -88,14 +88,16 @@ def test_csv(study: Study, result: xr.Dataset, tmp_path: Path) -> None:
     with (tmp_path / "r.csv").open(encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
     assert len(rows) == 48
-    assert list(rows[0])[:9] == [
+    assert list(rows[0])[:10] == [
         "sample", "force [N]", "raceway_control", "gyroscopic_moment", "ball_count", "fz [N]",
-        "inner_conformity", "status", "x [m]",
+        "inner_conformity", "status", "reason", "x [m]",
     ]  # fmt: skip
     x = [float(row["x [m]"] or "nan") for row in rows]
     assert np.allclose(x, result.x.values.ravel(), rtol=1e-9, equal_nan=True)
     assert {row["status"] for row in rows} == {"converged", "no_equilibrium"}
     failed = next(row for row in rows if row["status"] != "converged")
+    assert "inner ring" in failed["reason"]
+    assert {row["reason"] for row in rows if row["status"] == "converged"} == {""}
     assert failed["x [m]"] == failed["inner_load_3 [N]"] == ""
     assert (rows[0]["raceway_control"], rows[0]["gyroscopic_moment"]) == ("outer", "true")
     assert rows[0]["inner_load_15 [N]"] != ""
@@ -198,7 +200,7 @@ def test_what_the_disk_refuses_is_told(study: Study, tmp_path: Path, ending: str
     place = tmp_path / "none" / f"r{ending}"
     with (
         pytest.raises(FileError, match="cannot be written"),
-        open_result(place, place.suffix, plan, {}, ()) as file,
+        open_result(place, _WRITERS[place.suffix], plan, {}, ()) as file,
     ):
         file.put(Part(0, plan.empty(48)))
 

@@ -63,7 +63,8 @@ def same(one: Plan, parts: Sequence[Part], other: Sequence[Part]) -> bool:
 class TestInMemory:
     def test_each_case_is_that_of_solve(self, study: Study, case_218: Case) -> None:
         result = run(study)
-        assert dict(result.sizes) == {"fx": 4, "inner_speed": 3, "sample": 5, "ball": 16}
+        sizes = {"fx": 4, "inner_speed": 3, "sample": 5, "ball": 16}
+        assert dict(result.sizes) == {**sizes, "reason_text": 1}
         for k in range(2):
             angle = float(result.contact_angle[k])
             bearing = case_218.bearing.replace(contact_angle=angle)
@@ -144,7 +145,8 @@ class TestInMemory:
         result = run(Study(case=case_218, outputs=("x", "iterations"), axes=[axis]))
         assert result.status.values.tolist() == [0, 0, 4, 4]
         assert np.isnan(result.x[2:]).all()
-        assert "do not fit" in result.attrs["invalid_input_messages"]
+        assert result.reason.values.tolist()[:2] == [-1, -1]
+        assert all("do not fit" in text for text in result.reason_text.values[result.reason[2:]])
 
     def test_values_out_of_range_of_a_scattered_field(self, case_218: Case) -> None:
         wide = Distribution(distribution="normal", mean=0.5232, standard_deviation=0.05)
@@ -159,7 +161,7 @@ class TestInMemory:
         axis = Axis(field="bearing.spacing", values=["20 mm", "30 mm"])
         result = run(Study(case=case_218, outputs=("x",), axes=[axis]))
         assert (result.status == 4).all()
-        assert "spacing" in result.attrs["invalid_input_messages"]
+        assert "spacing" in result.reason_text.values[result.reason.values[0]]
 
     def test_a_rival_takes_the_place_of_the_case_s(self, case_218: Case) -> None:
         axis = Axis(field="duty.displacement.x", values=["0.01 mm", "0.02 mm"])
@@ -350,7 +352,7 @@ class TestToFile:
         store.open()
         hostile = np.array([print], dtype=object)
         with (store.folder / "part-0000000.npz").open("wb") as file:
-            np.savez(file, status=hostile, _messages=np.array([], dtype=np.str_))
+            np.savez(file, status=hostile, _reasons=np.array([], dtype=np.str_))
         assert store.open() == {}
 
     @pytest.mark.skipif(os.name != "posix", reason="locks are POSIX ones")

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from scipy import optimize
 
+from rolamento.contact import subsurface
 from rolamento.contact.subsurface import (
     ShearPlane,
     axis_stresses,
@@ -108,6 +109,63 @@ def test_greatest_shear_is_the_greatest_of_a_fine_search() -> None:
         plane, place = np.unravel_index(np.argmax(shears), shears.shape)
         assert found.depth == pytest.approx(zeta[place], abs=2e-4)
         assert found.plane == plane
+
+
+def test_maximum_shear_is_a_peak_for_all_ellipses_and_materials() -> None:
+    """By a search of its own: the derivative has a root there, and no point is higher."""
+    k, nu = np.meshgrid(
+        np.concatenate([[1.0, 1.0001], np.geomspace(1.01, 1e4, 25), [1e8]]),
+        np.linspace(0.0, 0.49, 15),
+    )
+    found = maximum_shear(1.0, k, 1.0, nu)
+    lower, upper = np.maximum(found.depth - 0.02, 0.0), found.depth + 0.02
+
+    def shears(depth: np.ndarray) -> np.ndarray:
+        s = axis_stresses(depth, 1.0, k, 1.0, nu)
+        return 0.5 * np.abs([s.minor - s.normal, s.major - s.normal, s.minor - s.major])
+
+    def own(depth: np.ndarray) -> np.ndarray:
+        return np.take_along_axis(shears(depth), found.plane[np.newaxis], axis=0)[0]
+
+    golden = 0.5 * (np.sqrt(5.0) - 1.0)
+    for _ in range(60):
+        near, far = upper - golden * (upper - lower), lower + golden * (upper - lower)
+        rising = own(near) < own(far)
+        lower, upper = np.where(rising, near, lower), np.where(rising, upper, far)
+    np.testing.assert_allclose(found.shear, own(0.5 * (lower + upper)), rtol=1e-13)
+    np.testing.assert_allclose(found.depth, 0.5 * (lower + upper), atol=1e-7)
+    for depth in np.linspace(0.0, 1.5, 61):
+        assert np.all(shears(np.full(k.shape, depth)).max(axis=0) <= found.shear * (1.0 + 1e-12))
+
+
+def test_the_upright_plane_never_has_the_maximum() -> None:
+    k, nu, zeta = np.meshgrid(
+        np.geomspace(1.0, 1e4, 25), np.linspace(0.0, 0.49, 11), np.linspace(0.0, 5.0, 101)
+    )
+    s = axis_stresses(zeta, 1.0, k, 1.0, nu)
+    beside = np.maximum(np.abs(s.minor - s.normal), np.abs(s.major - s.normal))
+    assert np.all(np.abs(s.minor - s.major) <= beside)
+
+
+def test_the_two_planes_are_alike_in_a_line_contact_at_0_2424() -> None:
+    """Above that the search across rolling is left out: no ellipse has its maximum there."""
+    plane = maximum_shear(1.0, 1e8, 1.0, [0.242, 0.2425]).plane
+    np.testing.assert_array_equal(plane, [ShearPlane.TRANSVERSE, ShearPlane.ROLLING])
+    slender = maximum_shear(1.0, np.geomspace(1.0001, 1e4, 60), 1.0, 0.2429)
+    np.testing.assert_array_equal(slender.plane, ShearPlane.ROLLING)
+    assert subsurface._ROLLING_ALONE > 0.2425
+
+
+@pytest.mark.parametrize("nu", [0.3, 0.1])
+def test_the_compiled_loop_gives_the_same_to_the_last_bit(nu: float) -> None:
+    k = np.geomspace(1.0, 60.0, 50)
+    for plane, formula, loop in (
+        (ShearPlane.ROLLING, subsurface._rolling_peak, subsurface._fill_rolling),
+        (ShearPlane.TRANSVERSE, subsurface._transverse_peak, subsurface._fill_transverse),
+    ):
+        start, out = subsurface._start(k, np.full(50, nu), plane), np.empty((2, 50))
+        loop.compiled(k, np.full(50, nu), start, out)
+        np.testing.assert_array_equal(out, formula(k, np.full(50, nu), start))
 
 
 def test_plane_of_the_greatest_shear_changes_with_poissons_ratio() -> None:

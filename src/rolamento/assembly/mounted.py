@@ -8,7 +8,7 @@ one way only the differences between rows act, and x counts from the mean of the
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, Final, NamedTuple
 
@@ -17,7 +17,7 @@ import numpy as np
 from rolamento.assembly.cases import Cases, RowState, spread
 from rolamento.assembly.preload import between_rows
 from rolamento.assembly.ring import pressed_in
-from rolamento.assembly.solve import solve_cases
+from rolamento.assembly.solve import joined, solve_cases
 from rolamento.case import Case
 from rolamento.case.arrangement import Preload
 from rolamento.case.bearing import Bearing, RowPlace
@@ -29,17 +29,18 @@ from rolamento.clearance.sets import RunningRow, Stage, running_rows, width_of
 from rolamento.clearance.standards import Limit
 from rolamento.errors import InputError
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.solved import PreloadStage
+from rolamento.rows.row import IntArray
+from rolamento.solved import PreloadStage, Solved
 from rolamento.units import from_si
 from rolamento.words import Note, said
 
 __all__ = [
     "LIMITS",
     "clearances_of_set",
-    "mounted_cases",
     "notes_on_set",
     "preload_stages",
     "running_set",
+    "solve_mounted",
 ]
 
 LIMITS: Final[tuple[Limit, Limit, Limit]] = ("maximum", "mean", "minimum")
@@ -83,10 +84,10 @@ class _Unmounted(NamedTuple):
     springs: bool
 
 
-def mounted_cases(
+def solve_mounted(
     case: Case, values: Mapping[str, FloatArray], *, threads: int | None = None
-) -> Cases:
-    """Cases of a mounted set, each with the geometry and the preload that it runs with.
+) -> Solved:
+    """Solve cases of a mounted set, each with the geometry and the preload that it runs with.
 
     Parameters
     ----------
@@ -98,9 +99,17 @@ def mounted_cases(
     Raises
     ------
     InputError
-        As `spread` and `rolamento.clearance.sets.running_rows`. A row without free contact angle is
-        that case's affair: it is not valid.
+        As `spread` and `rolamento.clearance.sets.running_rows`. What closes the bearing of a case,
+        past all sense or for want of seats, is that case's affair: it is not valid.
     """
+    groups = _mounted_groups(case, values, threads)
+    return joined([(index, solve_cases(cases)) for index, cases in groups])
+
+
+def _mounted_groups(
+    case: Case, values: Mapping[str, FloatArray], threads: int | None
+) -> Iterator[tuple[IntArray, Cases]]:
+    """The cases in which the same rows have kept a free contact angle: which, and how they run."""
     arrays = {name: np.asarray(array, np.float64) for name, array in values.items()}
     plain = _plain(case)
     of_set = {name: array for name, array in arrays.items() if not is_of_mounting(name)}
@@ -110,17 +119,26 @@ def mounted_cases(
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
         unmounted = _unmounted(case, arrays, None, cases)
         placed = _placed(case, arrays, "running", unmounted, cases)
-        shut = [bool(np.all(one.closed)) for one in placed]
-        states = [_state(one, shut=all_shut) for one, all_shut in zip(placed, shut, strict=True)]
-    own = _of_rows(case)
-    kept = {name: array for name, array in of_set.items() if name not in own}
-    found = spread(plain, kept, threads=threads, states=states)
-    varied = {name: array for name, array in kept.items() if name in arrays}
+        closed = np.stack([np.broadcast_to(one.closed, cases) for one in placed], axis=1)
     # beyond its bounds a value is NaN, also where this mounting makes nothing of it
     refused = np.any([np.broadcast_to(np.isnan(one), cases) for one in arrays.values()], axis=0)
-    for part in found.rows:
-        part.row.refuse(refused)
-    return replace(found, varied=varied, valid=found.valid & ~refused)
+    for one in placed:
+        if one.element != "tapered":
+            refused = refused | one.row.shut
+    kept = {name: array for name, array in of_set.items() if name not in _of_rows(case)}
+    for pattern in np.unique(closed, axis=0) if cases else closed[:1]:
+        index = np.flatnonzero((closed == pattern).all(axis=1))
+        states = [
+            _some(_state(one, shut=bool(shut)), index)
+            for one, shut in zip(placed, pattern, strict=True)
+        ]
+        own = {name: array[index] for name, array in kept.items()}
+        found = spread(plain, own, threads=threads, states=states)
+        lost = refused[index]
+        for part in found.rows:
+            part.row.refuse(lost)
+        varied = {name: array for name, array in found.varied.items() if name in arrays}
+        yield index, replace(found, varied=varied, valid=found.valid & ~lost)
 
 
 def running_set(case: Case) -> Case:
@@ -379,6 +397,14 @@ def _state(one: _Placed, *, shut: bool) -> RowState:
         return RowState(geometry, one.offset)
     geometry.update(contact_angle=None, diametral_clearance=one.row.clearance)
     return RowState(geometry, one.axial)
+
+
+def _some(state: RowState, index: IntArray) -> RowState:
+    """The state of a row in some of the cases."""
+    geometry = {
+        name: None if array is None else array[index] for name, array in state.geometry.items()
+    }
+    return RowState(geometry, None if state.press is None else state.press[index])
 
 
 def _without_load(

@@ -220,9 +220,9 @@ def _given_by(solved: Solved) -> _Given:
 def _solved(case: Case, values: Mapping[str, FloatArray], press: Press | None) -> Solved:
     """Solve cases; those of a mounted set with the geometry that each of them runs with."""
     if case.mounting is not None:
-        from rolamento.assembly.mounted import mounted_cases
+        from rolamento.assembly.mounted import solve_mounted
 
-        return solve_cases(mounted_cases(case, values, threads=1))
+        return solve_mounted(case, values, threads=1)
     cases = spread(case, values, threads=1)
     if press is not None:
         pairs = zip(cases.rows, press, strict=True)

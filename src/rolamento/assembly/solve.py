@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import reduce
 from typing import TYPE_CHECKING, Any
 
@@ -230,3 +230,80 @@ def _beside(one: Any, other: Any) -> Any:
         return None if one is None else np.concatenate([one, other], axis=min(one.ndim - 1, 1))
     names = type(one).__dataclass_fields__
     return type(one)(*(_beside(getattr(one, name), getattr(other, name)) for name in names))
+
+
+@dataclass(frozen=True, slots=True)
+class GroupedAnswers:
+    """What groups of cases answer, one group after the other.
+
+    order: where each case stands among those of all groups; (cases,).
+    """
+
+    groups: tuple[Answer, ...]
+    ends: IntArray
+    order: IntArray
+
+    def part(self, index: Index) -> GroupedAnswers:
+        """Return some of the cases."""
+        chosen = self.order[index]
+        group = np.searchsorted(self.ends, chosen, side="right")
+        starts = np.concatenate([[0], self.ends[:-1]])
+        parts, places = [], []
+        for number, answer in enumerate(self.groups):
+            own = np.flatnonzero(group == number)
+            if len(own):
+                parts.append(answer.part(chosen[own] - starts[number]))
+                places.append(own)
+        if not parts:  # no case at all
+            return GroupedAnswers((self.groups[0].part(chosen),), np.zeros(1, np.int64), chosen)
+        ends = np.cumsum([len(own) for own in places])
+        return GroupedAnswers(tuple(parts), ends, np.argsort(np.concatenate(places)))
+
+    def tables(self) -> Tables:
+        """Evaluate every element of every case."""
+        found: Tables = _behind([group.tables() for group in self.groups], self.order)
+        return found
+
+
+def joined(groups: Sequence[tuple[IntArray, Solved]]) -> Solved:
+    """Return one result of groups of cases of a bearing, each with the places of its cases."""
+    if len(groups) == 1:
+        return groups[0][1]
+    places, parts = zip(*groups, strict=True)
+    order = np.argsort(np.concatenate(places))
+    first = parts[0]
+    varied = {
+        name: np.concatenate([part.varied[name] for part in parts])[order] for name in first.varied
+    }
+    shared = ("sign", "element_count", "element")
+    return Solved(
+        case=first.case,
+        varied=varied,
+        status=_behind([part.status for part in parts], order),
+        displacement=RingDisplacement(
+            *np.concatenate([part.displacement.array for part in parts])[order].T
+        ),
+        load=RingLoad(*np.concatenate([part.load.array for part in parts])[order].T),
+        stiffness=_behind([part.stiffness for part in parts], order),
+        rows=_behind([part.rows for part in parts], order, shared),
+        answer=GroupedAnswers(
+            tuple(part.answer for part in parts), np.cumsum([len(own) for own in places]), order
+        ),
+    )
+
+
+def _behind(records: Sequence[Any], order: IntArray, shared: tuple[str, ...] = ("row",)) -> Any:
+    """Join records of arrays over cases, one behind the other, and put the cases in order.
+
+    shared: what has no axis of cases.
+    """
+    first, changed = records[0], {}
+    for part in fields(first):
+        values = [getattr(record, part.name) for record in records]
+        if part.name in shared or values[0] is None:
+            continue
+        together = isinstance(values[0], np.ndarray)
+        changed[part.name] = (
+            np.concatenate(values)[order] if together else _behind(values, order, shared)
+        )
+    return replace(first, **changed)

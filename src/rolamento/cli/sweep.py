@@ -48,7 +48,8 @@ def sweep(
             "--output",
             "-o",
             metavar="FILE",
-            help="Result: a .nc (NetCDF), .csv or .parquet file; by default named after the study.",
+            help="Result: a .nc (NetCDF), .csv, .parquet or .xlsx file; by default named after the"
+            " study.",
         ),
     ] = None,
     given: CaseOptions = NOTHING_GIVEN,
@@ -114,6 +115,7 @@ def sweep(
                     scheduler=scheduler,
                     restart=restart,
                     progress=progress,
+                    keep_cases=outputs.csv is not None or outputs.xlsx is not None,
                 )
         except KeyboardInterrupt as stop:
             _tell_what_is_kept(stop)

@@ -21,13 +21,12 @@ from rolamento.numerics import FloatArray
 from rolamento.numerics.compiled import inline_exact, kernel
 from rolamento.numerics.elementwise import of_each
 
-_EPSILON = float(np.finfo(np.float64).eps)
 _NEAR = 1e-8  # of both means: the next step would square it
 STEPS: Final = 5
 """Of the arithmetic-geometric mean, enough from 1 - m = 1e-5 on, an ellipse of 300 to 1."""
-_DUPLICATIONS = 80
-# The first term left out of the series below is of sixth order in the spread of the arguments.
-_SPREAD = (0.1 * _EPSILON) ** (1.0 / 6.0)
+_DUPLICATIONS: Final = 11
+"""Of Carlson's integrals: some four bring arguments of 1e-16 and 1 near each other, and each of the
+others divides their spread by 4, of which the series below leaves out the sixth order."""
 
 
 def complete(complement: ArrayLike) -> tuple[FloatArray, FloatArray]:
@@ -122,94 +121,41 @@ def _fill(m1: FloatArray, out: FloatArray) -> None:
         out[0, i], out[1, i] = usual_associate(m1[i])
 
 
-def carlson_rf(x: ArrayLike, y: ArrayLike, z: ArrayLike) -> FloatArray:
-    """Carlson's symmetric integral of the first kind, R_F(x, y, z).
+@inline_exact
+def carlson_rf_rd(x: FloatArray, y: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Carlson's symmetric integrals R_F(x, y, 1) and R_D(x, y, 1), of numbers or of arrays.
 
     Parameters
     ----------
-    x, y, z : arrays that broadcast, not negative, at most one of them zero.
+    x, y : numbers or arrays that broadcast, in [0, 1], at most one of them zero; the other above
+        1e-16. Dimensionless.
 
     Returns
     -------
-    Array of the broadcast shape; NaN for a negative argument.
+    R_F, R_D, to rounding, after a fixed number of duplications, which both integrals share; NaN for
+    a negative argument.
 
-    DLMF 19.36.1 after duplication 19.26.18.
+    DLMF 19.36.1 and 19.36.2 after duplication, 19.26.18 and 19.26.20.
     """
-    return carlson_rf_rd(x, y, z)[0]
-
-
-def carlson_rd(x: ArrayLike, y: ArrayLike, z: ArrayLike) -> FloatArray:
-    """Carlson's symmetric integral of the second kind, R_D(x, y, z).
-
-    Parameters
-    ----------
-    x, y : arrays that broadcast, not negative, at most one of them zero.
-    z : array, positive.
-
-    Returns
-    -------
-    Array of the broadcast shape; NaN for a negative argument.
-
-    DLMF 19.36.2 after duplication 19.26.20.
-    """
-    return carlson_rf_rd(x, y, z)[1]
-
-
-def carlson_rf_rd(x: ArrayLike, y: ArrayLike, z: ArrayLike) -> tuple[FloatArray, FloatArray]:
-    """R_F and R_D of the same arguments: their duplications are the same.
-
-    Parameters as of `carlson_rd`; each is NaN or infinite where it is so by itself.
-    """
-    x, y, z = np.broadcast_arrays(*(np.asarray(v, dtype=np.float64) for v in (x, y, z)))
-    power, total = 1.0, np.zeros_like(z)
-    first = second = None
-    with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
-        for _ in range(_DUPLICATIONS):
-            if first is None:
-                mean = (x + y + z) / 3.0
-                if not _spread(mean, x, y, z):
-                    first = _first_kind(x, y, z, mean)
-            if second is None:
-                heavier = (x + y + 3.0 * z) / 5.0
-                if not _spread(heavier, x, y, z):
-                    second = _second_kind(x, y, z, heavier, power, total)
-            if first is not None and second is not None:
-                return first, second
-            root = _lambda(x, y, z)
-            if second is None:
-                total = total + power / (np.sqrt(z) * (z + root))
-                power *= 0.25
-            x, y, z = 0.25 * (x + root), 0.25 * (y + root), 0.25 * (z + root)
-        return (
-            _first_kind(x, y, z, mean) if first is None else first,
-            _second_kind(x, y, z, heavier, power, total) if second is None else second,
-        )
-
-
-def _first_kind(x: FloatArray, y: FloatArray, z: FloatArray, mean: FloatArray) -> FloatArray:
-    """R_F of arguments that are nearly alike; DLMF 19.36.1."""
+    z, power, total = 1.0 + 0.0 * x, 1.0, 0.0 * x
+    for _ in range(_DUPLICATIONS):
+        a, b, c = np.sqrt(x), np.sqrt(y), np.sqrt(z)
+        root = a * b + b * c + c * a
+        total = total + power / (c * (z + root))
+        power *= 0.25
+        x, y, z = 0.25 * (x + root), 0.25 * (y + root), 0.25 * (z + root)
+    mean = (x + y + z) / 3.0
     u, v = 1.0 - x / mean, 1.0 - y / mean
-    w = -u - v
-    e2, e3 = u * v - w * w, u * v * w
+    e2, e3 = u * v - (u + v) ** 2, -u * v * (u + v)
     series = 1.0 - e2 / 10.0 + e3 / 14.0 + e2 * e2 / 24.0 - 3.0 * e2 * e3 / 44.0
-    return np.asarray(series / np.sqrt(mean))
-
-
-def _second_kind(
-    x: FloatArray,
-    y: FloatArray,
-    z: FloatArray,
-    mean: FloatArray,
-    power: float,
-    total: FloatArray,
-) -> FloatArray:
-    """R_D of arguments that are nearly alike, and what duplication has summed; DLMF 19.36.2."""
+    first = series / np.sqrt(mean)
+    mean = (x + y + 3.0 * z) / 5.0
     u, v = 1.0 - x / mean, 1.0 - y / mean
     w = -(u + v) / 3.0
     e2 = u * v - 6.0 * w * w
     e3 = (3.0 * u * v - 8.0 * w * w) * w
     e4 = 3.0 * (u * v - w * w) * w * w
-    e5 = u * v * w**3
+    e5 = u * v * w * w * w
     series = (
         1.0
         - 3.0 * e2 / 14.0
@@ -219,15 +165,4 @@ def _second_kind(
         - 9.0 * e2 * e3 / 52.0
         + 3.0 * e5 / 26.0
     )
-    return np.asarray(power * series / (mean * np.sqrt(mean)) + 3.0 * total)
-
-
-def _lambda(x: FloatArray, y: FloatArray, z: FloatArray) -> FloatArray:
-    a, b, c = np.sqrt(x), np.sqrt(y), np.sqrt(z)
-    return np.asarray(a * b + b * c + c * a)
-
-
-def _spread(mean: FloatArray, x: FloatArray, y: FloatArray, z: FloatArray) -> bool:
-    """Whether some element's arguments are still too far from their mean for the series."""
-    widest = np.maximum(np.maximum(np.abs(mean - x), np.abs(mean - y)), np.abs(mean - z))
-    return bool((widest > _SPREAD * mean).any())
+    return first, power * series / (mean * np.sqrt(mean)) + 3.0 * total

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final
 
@@ -21,8 +22,9 @@ from rolamento.words.reasons import reason
 
 if TYPE_CHECKING:
     from rolamento.studies import OutputRange, Summary
+    from rolamento.studies.tables import CaseColumn
 
-__all__ = ["in_row", "study_page"]
+__all__ = ["cases_table", "in_row", "study_page"]
 
 _SHOWN: Final = {
     "m": "µm",
@@ -40,6 +42,8 @@ _SHOWN: Final = {
     "1": "",
 }
 """The unit in which people read a quantity; others are shown in SI."""
+_GIVEN: Final = {**_SHOWN, "m": "mm", "K": "°C"}
+"""That in which they give one."""
 
 
 def study_page(summary: Summary, title: str = "") -> Document:
@@ -58,7 +62,34 @@ def study_page(summary: Summary, title: str = "") -> Document:
         sections.append(Section(blocks=(_ranges(summary.ranges),), key="ranges"))
     written = said("Written to {path}.", path=str(summary.path))
     sections.append(Section(blocks=(Statement(written),)))
-    return Document(title or said("Study"), tuple(sections), "sweep")
+    if summary.columns:
+        sections.append(Section(blocks=(cases_table(summary.columns),)))
+    return Document(title or said("Study"), tuple(sections), "sweep", main="cases")
+
+
+def cases_table(columns: Sequence[CaseColumn]) -> Table:
+    """Return the cases of a study, a line each, in the units that people read; for files only."""
+    return Table(
+        columns=tuple(
+            Column(
+                head=one.name,
+                key=one.name,
+                unit=_unit_in_files(one),
+                values=one.values.tolist(),
+            )
+            for one in columns
+        ),
+        key="cases",
+        only_in_files=True,
+    )
+
+
+def _unit_in_files(column: CaseColumn) -> str:
+    """The unit of a column: lengths that are given in mm, those that come out in µm."""
+    if column.unit == "rad" and re.sub(r"_\d+$", "", column.name).endswith(ANGLES):
+        return "°"
+    shown = _GIVEN if column.given else _SHOWN
+    return shown.get(column.unit, column.unit.replace("*", "·"))
 
 
 def _counts(summary: Summary) -> list[Block]:
@@ -91,8 +122,13 @@ def _counts(summary: Summary) -> list[Block]:
             Column(head=said("reason"), key="reason", values=list(reasons)),
         )
         blocks.append(Table(columns=columns, key="failures", headless=True, indent=4))
-    for message in summary.messages:
-        text = said("some cases are not valid: {message}", message=message)
+    for status, one in summary.first.items():
+        text = said(
+            "{reason}, first in case {number}: {why}",
+            reason=reason(status),
+            number=one.case + 1,
+            why=one.reason.text,
+        )
         blocks.append(Statement(text, indent=2))
     return blocks
 

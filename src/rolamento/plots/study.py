@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from rolamento.errors import InputError, nearest
 from rolamento.plots.axes_units import NONE, ReadableUnit, readable_unit
-from rolamento.plots.texts import capitalised
+from rolamento.plots.texts import capitalised, shown_text
 from rolamento.studies.names import setting_name, variable_name
 from rolamento.studies.study import SAMPLE, VARIANT
 from rolamento.words import said
@@ -26,6 +26,7 @@ Floats = NDArray[np.float64]
 
 
 _STATUS: Final = "status"
+_REASON, _REASON_TEXT = "reason", "reason_text"
 _CONVERGED: Final = "converged"
 _TELLING: Final = (
     "max_inner_max_pressure",
@@ -119,7 +120,7 @@ class PlottedVariable:
 
 def outputs(study: StudyData) -> list[str]:
     """Return the names of the outputs that are numbers."""
-    names = [str(name) for name in study.data_vars if str(name) != _STATUS]
+    names = [str(name) for name in study.data_vars if str(name) not in (_STATUS, _REASON)]
     return [name for name in names if _numeric(study.data_vars[name])]
 
 
@@ -194,7 +195,11 @@ def input_of(study: StudyData, name: str) -> PlottedVariable:
 def inputs(study: StudyData) -> list[str]:
     """Return the names of the inputs that vary along one axis."""
     named = {str(name): coordinate for name, coordinate in study.coords.items()}
-    return [name for name, coordinate in named.items() if len(coordinate.dims) == 1]
+    return [
+        name
+        for name, coordinate in named.items()
+        if len(coordinate.dims) == 1 and name != _REASON_TEXT
+    ]
 
 
 def has_result(study: StudyData, name: str) -> bool:
@@ -213,6 +218,17 @@ def common_failure(study: StudyData) -> str:
     known.pop(_CONVERGED, None)
     worst = max(known, key=lambda code: known[code], default="")
     return worst if known.get(worst) else ""
+
+
+def first_reason(*studies: StudyData) -> str:
+    """Return why the first case without a result has none, on one line; nothing if unknown."""
+    for study in studies:
+        if _REASON in study.data_vars and _REASON_TEXT in study.coords:
+            numbers = np.asarray(study.data_vars[_REASON].values)
+            known = numbers[numbers >= 0]
+            if len(known):
+                return shown_text(str(study.coords[_REASON_TEXT].values[known[0]]))
+    return ""
 
 
 def _input(name: str, coordinate: Variable) -> PlottedVariable:

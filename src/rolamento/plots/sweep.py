@@ -34,6 +34,7 @@ from rolamento.plots.study import (
     StudyData,
     axis_of,
     common_failure,
+    first_reason,
     input_of,
     inputs,
     most_telling,
@@ -173,7 +174,7 @@ def compared_lines(
         else:
             _line(axes, x, across, values, series(index), line.label or None)
     for table in tables.values():
-        _mark_missing(axes, _shown(table.x, x), table.values)
+        _mark_missing(axes, _shown(table.x, x), table.values, first_reason(*studies.values()))
     _scale(axes, "x", x)
     label_y(axes, y.label)
     alone = len(tables) == 1 and len(first.others) == 1 and not banded
@@ -208,7 +209,7 @@ def study_map(
     axes.grid(False)
     if missing:
         axes.add_patch(Rectangle((0, 0), 1, 1, transform=axes.transAxes, zorder=0.5, **_HATCH))
-        count = no_result_count(missing, table.values.size)
+        count = no_result_count(missing, table.values.size, first_reason(study))
         legend_above(axes, handles=[Patch(label=count, **_HATCH)])
     return axes
 
@@ -216,7 +217,9 @@ def study_map(
 def nothing_to_draw(axes: Axes, study: StudyData) -> Axes:
     """Draw an empty frame with the reason that most cases give."""
     failure = common_failure(study)
-    return empty_frame(axes, no_result(failure) if failure else said("No case has this number"))
+    if not failure:
+        return empty_frame(axes, said("No case has this number"))
+    return empty_frame(axes, ": ".join(filter(None, (no_result(failure), first_reason(study)))))
 
 
 class _Table(NamedTuple):
@@ -432,7 +435,7 @@ def _percentile(values: Floats, percent: float) -> Floats:
     return np.array([percentile(row, percent) for row in values])
 
 
-def _mark_missing(axes: Axes, across: Floats, values: Floats) -> None:
+def _mark_missing(axes: Axes, across: Floats, values: Floats, why: str) -> None:
     missing = np.isnan(values)
     count = int(missing.sum())
     if count:
@@ -444,7 +447,7 @@ def _mark_missing(axes: Axes, across: Floats, values: Floats) -> None:
             color=GREY,
             linestyle="",
             marker="x",
-            label=no_result_count(count, values.size),
+            label=no_result_count(count, values.size, why),
         )
 
 
@@ -607,7 +610,7 @@ def compared_histograms(
             linestyle=look.linestyle, linewidth=1.4,
             label=f"{label}: {median}".removesuffix(f" {NONE.symbol}"),
         )  # fmt: skip
-    _count_missing(axes, np.concatenate(list(shown.values())))
+    _count_missing(axes, np.concatenate(list(shown.values())), first_reason(*studies.values()))
     label_x(axes, output.label)
     label_y(axes, PERCENT.label(said("Share of the samples")))
     legend_above(axes)
@@ -661,7 +664,7 @@ def study_scatter(
         rasterized=True,
     )
     _draw_percentiles(axes, values, output.unit, upright=False)
-    _count_missing(axes, output.values)
+    _count_missing(axes, output.values, first_reason(study))
     label_x(axes, across.label)
     if across.texts:
         axes.set_xticks(np.arange(float(len(across.texts))), list(across.texts))
@@ -706,9 +709,9 @@ def _draw_percentiles(axes: Axes, values: Floats, unit: ReadableUnit, *, upright
         draw(value, color="black", linewidth=1.1, linestyle=style, label=label)
 
 
-def _count_missing(axes: Axes, values: Floats) -> None:
-    """Say in the legend how many samples have no result."""
+def _count_missing(axes: Axes, values: Floats, why: str) -> None:
+    """Say in the legend how many samples have no result, and why the first has none."""
     missing = int(np.isnan(values).sum())
     if missing:
-        label = no_result_count(missing, values.size)
+        label = no_result_count(missing, values.size, why)
         axes.add_line(Line2D([], [], color=GREY, linestyle="", marker="x", label=label))

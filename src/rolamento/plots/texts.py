@@ -46,8 +46,12 @@ def no_result(code: str = "") -> str:
     return said("No result: {reason}", reason=reason(code))
 
 
-def no_result_count(count: int, total: int) -> str:
-    """Say how many have no result."""
+def no_result_count(count: int, total: int, why: str = "") -> str:
+    """Say how many have no result, and why the first of them has none if that is known."""
+    if why:
+        return said(
+            "no result: {count} of {total}; first: {why}", count=count, total=total, why=why
+        )
     return said("no result: {count} of {total}", count=count, total=total)
 
 

@@ -33,6 +33,7 @@ from rolamento.solved.tables import (
     IntArray,
     Preloading,
     Pressed,
+    Refusals,
     RingDisplacement,
     RingLoad,
     Rolling,
@@ -95,6 +96,8 @@ class Solved:
         of a single case of a set whose rows press on each other; else None
     before_mounting
         the bearing as it is delivered, which standards rate; None without a mounting
+    refusals
+        of many cases, the rules that those with the status "invalid_input" violate; see `advice`
     """
 
     case: Case
@@ -107,6 +110,7 @@ class Solved:
     answer: Answer
     preload: Preloading | None = None
     before_mounting: Delivered | None = None
+    refusals: Refusals | None = None
     first_notes: tuple[Note, ...] = ()
     """Notes before those on the equilibrium: the clearance in operation."""
     written_notes: tuple[tuple[Note, ...], ...] | None = None
@@ -142,6 +146,7 @@ class Solved:
             stiffness=Stiffness(self.stiffness.array[some]),
             rows=taken(self.rows, some, shared=("sign", "element_count", "element")),
             answer=self.answer.part(some),
+            refusals=None if self.refusals is None else self.refusals.part(some),
             before_mounting=None
             if self.before_mounting is None
             else replace(
@@ -278,10 +283,16 @@ class Solved:
 
     @cached_property
     def advice(self) -> tuple[Note | None, ...]:
-        """What a person can do about each case without a result; None where there is one."""
+        """Why each case has no result and what a person can do; None where there is one.
+
+        Of an "invalid_input" the field, the value and the rule that it violates.
+        """
         if self.written_advice is not None:
             return self.written_advice
-        return tuple(advice_on(self, case) for case in range(len(self)))
+        found: list[Note | None] = [None] * len(self)
+        for case in np.flatnonzero(~self.converged).tolist():
+            found[case] = advice_on(self, case)
+        return tuple(found)
 
     def __repr__(self) -> str:
         """Say in some ten lines what was solved and what came out."""

@@ -25,7 +25,7 @@ from rolamento.kinematics import SurfaceSpeeds, spin_to_roll, surface_speeds
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.solved.rollers import Line, Rollers, line_contact
 from rolamento.status import CONVERGED, STATUS_NAMES
-from rolamento.words import said
+from rolamento.words import Note, said
 
 RACES: Final[tuple[Race, Race]] = ("inner", "outer")
 
@@ -279,6 +279,18 @@ class Answer(Protocol):
 
     def tables(self) -> Tables:
         """Evaluate every element of every case."""
+        ...
+
+    def part(self, index: Index) -> Self:
+        """Return some of the cases."""
+        ...
+
+
+class Refusals(Protocol):
+    """Cases of which some are no case at all, and the rules that these violate."""
+
+    def note(self, case: int) -> Note:
+        """Return the note on a case that is not valid."""
         ...
 
     def part(self, index: Index) -> Self:

@@ -10,7 +10,7 @@ From the inside out: `fields` (what may vary), `axes` and `scatter` (how), `samp
 
 from rolamento.case.variant import Variant
 from rolamento.studies.axes import Axis
-from rolamento.studies.runner import Interrupted, OutputRange, Summary, run, run_to_file
+from rolamento.studies.runner import FirstCase, Interrupted, OutputRange, Summary, run, run_to_file
 from rolamento.studies.scatter import Correlation, Distribution, Scatter
 from rolamento.studies.study import Study, load_study, parse_study, study_to_json, study_to_toml
 
@@ -18,6 +18,7 @@ __all__ = [
     "Axis",
     "Correlation",
     "Distribution",
+    "FirstCase",
     "Interrupted",
     "OutputRange",
     "Scatter",

@@ -185,7 +185,11 @@ class Axis(Record):
             for name in ("first", "last")
         )
         if isinstance(first, bool | str) or isinstance(last, bool | str):
-            raise InputError(said("takes no range; give values"), field="field", value=field.name)
+            raise InputError(
+                said("{rule}; give values", rule=fields.no_range(field.name)),
+                field="field",
+                value=field.name,
+            )
         if count == 1 and first != last:
             raise InputError(said("must be at least 2 for a range"), field="count", value=count)
         if self.spacing == "log" and not first * last > 0.0:

@@ -18,7 +18,7 @@ from rolamento._foreign.readers import NetcdfVariables
 from rolamento.errors import FileError
 from rolamento.studies.plan import Layout, Plan, Variable, slabs
 from rolamento.studies.study import SAMPLE
-from rolamento.words import marked, said
+from rolamento.words import Note, marked, said
 
 __all__ = ["dataset", "load_result"]
 
@@ -31,10 +31,10 @@ def dataset(
     plan: Plan,
     arrays: Mapping[str, NDArray[Any]],
     counts: Mapping[str, int],
-    messages: tuple[str, ...],
+    reasons: tuple[Note, ...],
 ) -> xr.Dataset:
     """Return the result of a plan whose status and outputs are given over all its cases."""
-    layout = Layout(plan)
+    layout = Layout(plan, reasons)
     coords = {variable.name: _coordinate(variable, variable.values) for variable in layout.axes}
     if plan.sampler is not None:
         drawn = plan.sampler.draw(0, layout.sizes[SAMPLE])
@@ -49,7 +49,7 @@ def dataset(
         )
         for variable in layout.outputs
     }
-    return xr.Dataset(variables, coords, layout.attrs(counts, messages))
+    return xr.Dataset(variables, coords, layout.attrs(counts))
 
 
 def load_result(path: str | os.PathLike[str]) -> xr.Dataset:

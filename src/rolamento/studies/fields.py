@@ -28,6 +28,13 @@ def known_fields() -> Mapping[str, Field]:
     }
 
 
+def no_range(name: str) -> str:
+    """Say that a field takes no range; of a table that may be given as text, which of its do."""
+    inside = (one for one, field in known_fields().items() if field.continuous)
+    inner = next((one for one in inside if one.startswith(f"{name}.")), "")
+    return said("takes no range; {inner} does", inner=inner) if inner else said("takes no range")
+
+
 def read_field(name: str, *, at: str = "field") -> Field:
     """Return the field of a name.
 

@@ -17,6 +17,7 @@ import numpy as np
 
 from rolamento._writing import check_space
 from rolamento.studies.plan import Layout, Part, Plan, Variable, slabs
+from rolamento.words import Note
 
 __all__ = ["netcdf_writer"]
 
@@ -40,13 +41,13 @@ class _NetCDF:
 
 @contextmanager
 def netcdf_writer(
-    path: Path, plan: Plan, counts: Mapping[str, int], messages: tuple[str, ...]
+    path: Path, plan: Plan, counts: Mapping[str, int], reasons: tuple[Note, ...]
 ) -> Iterator[_NetCDF]:
     """Open a NetCDF file for the parts of a result; coordinates are written at once."""
-    layout = Layout(plan)
+    layout = Layout(plan, reasons)
     check_space(_size(layout), path)
     with _Disk(path) as disk, h5netcdf.File(disk, "w") as file:
-        file.attrs.update(_with_sized_integers(layout.attrs(counts, messages)))
+        file.attrs.update(_with_sized_integers(layout.attrs(counts)))
         file.dimensions = dict(layout.sizes)
         for variable in layout.axes:
             _write_coordinate(file, variable)

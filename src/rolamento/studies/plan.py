@@ -15,7 +15,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,7 +24,7 @@ import rolamento
 from rolamento.case import Case, case_to_toml
 from rolamento.case.arrangement import ARRANGEMENTS
 from rolamento.catalogue import CatalogueBearing, geometry_of, listed
-from rolamento.errors import InputError
+from rolamento.errors import InputError, refusal
 from rolamento.status import INVALID_INPUT, STATUS_NAMES
 from rolamento.studies.axes import Axis
 from rolamento.studies.fields import Field, Value, read_field
@@ -41,6 +41,10 @@ from rolamento.studies.study import (
     study_to_json,
     study_to_toml,
 )
+from rolamento.words import Note, speaking
+
+if TYPE_CHECKING:
+    from rolamento.solved import Solved
 
 Indices = NDArray[np.intp]
 Floats = NDArray[np.float64]
@@ -53,9 +57,12 @@ _MOST_CASES: Final = 512
 _CELLS_TOGETHER: Final = 2**18
 """Cases times balls of chunks that are written together: 2 MB for each array over balls."""
 _MOST_CASES_TOGETHER: Final = 2**14
-_MOST_MESSAGES: Final = 5
 _MOST_GROUPS: Final = 64
 """Base cases in a chunk: each takes some 10 ms."""
+
+
+REASON: Final = "reason"
+"""Why a case has no result, beside its status."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,12 +83,13 @@ class Task:
 class Part:
     """A solved chunk, or several that follow each other, of which index is the first.
 
-    arrays: "status" and the outputs, over the cases. messages: why some of them are not valid.
+    arrays: "status", "reason" and the outputs, over the cases. reasons: why some of them have no
+    result, by the numbers of "reason", which is -1 of a case with one.
     """
 
     index: int
     arrays: Mapping[str, NDArray[Any]]
-    messages: tuple[str, ...] = ()
+    reasons: tuple[Note, ...] = ()
 
     @property
     def cases(self) -> int:
@@ -93,10 +101,32 @@ class Part:
         """Return one part of several that follow each other."""
         if len(parts) == 1:
             return parts[0]
-        first = parts[0]
+        first, reasons = parts[0], Reasons()
+        parts = [reasons.renumbered(part) for part in parts]
         arrays = {name: np.concatenate([p.arrays[name] for p in parts]) for name in first.arrays}
-        messages = dict.fromkeys(text for part in parts for text in part.messages)
-        return cls(first.index, arrays, tuple(messages))
+        return cls(first.index, arrays, reasons.notes)
+
+
+class Reasons:
+    """Why cases have no result, each reason once and with a number."""
+
+    def __init__(self) -> None:
+        self._numbers: dict[Note, int] = {}
+
+    @property
+    def notes(self) -> tuple[Note, ...]:
+        """The reasons so far, by their numbers."""
+        return tuple(self._numbers)
+
+    def number(self, note: Note) -> int:
+        """The number of a reason."""
+        return self._numbers.setdefault(note, len(self._numbers))
+
+    def renumbered(self, part: Part) -> Part:
+        """Return a part with the numbers that its reasons have here."""
+        own = np.array([*map(self.number, part.reasons), -1], np.int32)  # the last is that of -1
+        arrays = {**part.arrays, REASON: own[part.arrays[REASON]]}
+        return Part(part.index, arrays, self.notes)
 
 
 class Plan:
@@ -177,22 +207,32 @@ class Plan:
         arrays = self.empty(last - first)
         inputs = self.inputs(first, last)
         varied = {name: inputs[name] for name in inputs if name in array_fields()}
-        messages: list[str] = []
+        reasons = Reasons()
         for group, cases in self._groups(first, last):
             # Twice if alone: a single case may be solved by plain Python, or by compiled code,
             # whose last digits differ, as the process happens to have it loaded.
             cases = cases if len(cases) > 1 else np.repeat(cases, 2)
             values = {name: values[cases] for name, values in varied.items()}
-            try:
+
+            def attempt(
+                group: int = group, values: Mapping[str, Floats] = values, count: int = len(cases)
+            ) -> tuple[Case, Solved]:
                 case = self._base_case(group)
-                found = solve(case, values, cases=len(cases), threads=threads)
-            except InputError as error:
-                if str(error) not in messages and len(messages) < _MOST_MESSAGES:
-                    messages.append(str(error))
+                return case, solve(case, values, cases=count, threads=threads)
+
+            try:
+                case, found = attempt()
+            except InputError:
+                refused = refusal(attempt)
+                assert refused is not None  # it was a moment ago
+                arrays[REASON][cases] = reasons.number(refused)
                 continue
             arrays["status"][cases] = found.status.number
+            for place, note in enumerate(found.advice if not found.converged.all() else ()):
+                if note is not None:
+                    arrays[REASON][cases[place]] = reasons.number(note)
             self._put(arrays, cases, Evaluation(found), case)
-        return Part(index, arrays, tuple(messages))
+        return Part(index, arrays, reasons.notes)
 
     def task(self, index: int) -> Task:
         """A chunk as a message to another process."""
@@ -205,7 +245,10 @@ class Plan:
 
     def empty(self, cases: int) -> dict[str, NDArray[Any]]:
         """Status and outputs of so many cases, none of them solved."""
-        arrays: dict[str, NDArray[Any]] = {"status": np.full(cases, INVALID_INPUT, np.int8)}
+        arrays: dict[str, NDArray[Any]] = {
+            "status": np.full(cases, INVALID_INPUT, np.int8),
+            REASON: np.full(cases, -1, np.int32),
+        }
         for output in self.outputs:
             shape = (cases, *{"ball": (self.balls,), "row": (self.rows,)}.get(output.along, ()))
             arrays[output.name] = np.full(shape, output.absent, output.dtype)
@@ -313,6 +356,8 @@ def _plan(study: str, chunk: int, bearings: tuple[CatalogueBearing, ...]) -> Pla
 
 BALL: Final = "ball"
 ROW: Final = "row"
+REASON_TEXT: Final = "reason_text"
+"""The dimension of the reasons, and their texts."""
 _UNIT: Final = re.compile(r"[\d.+-]+(?:[eE][+-]?\d+)?\s*(.*)", re.DOTALL)
 
 
@@ -342,11 +387,16 @@ class Layout:
     samples
         scattered fields, along ``"sample"``
     outputs
-        the status, then what was asked for
+        the status, the number of the reason where some cases have no result, then what was asked
+        for
+    reasons
+        in English, by their numbers
     """
 
-    def __init__(self, plan: Plan) -> None:
+    def __init__(self, plan: Plan, reasons: Sequence[Note] = ()) -> None:
         self.plan = plan
+        with speaking("en"):
+            self.reasons = tuple(note.text for note in reasons)
         study = plan.study
         self.names = {**({VARIANT: VARIANT} if study.variants else {}), **coordinate_names(study)}
         self.dims = tuple(study.sizes)
@@ -354,6 +404,8 @@ class Layout:
         for along, size in ((BALL, plan.balls), (ROW, plan.rows)):
             if any(output.along == along for output in plan.outputs):
                 self.sizes[along] = size
+        if self.reasons:
+            self.sizes[REASON_TEXT] = len(self.reasons)
         self.axes = tuple(self._along_axes())
         scattered = tuple(study.scatter.fields) if study.scatter is not None else ()
         self.samples = tuple(
@@ -362,7 +414,7 @@ class Layout:
             )
             for name in scattered
         )
-        self.outputs = (self._status(), *self._chosen())
+        self.outputs = (*self._ends(), *self._chosen())
 
     @property
     def coordinates(self) -> str:
@@ -370,11 +422,8 @@ class Layout:
         names = [variable.name for variable in (*self.axes, *self.samples)]
         return " ".join(name for name in names if name not in self.sizes)
 
-    def attrs(self, counts: Mapping[str, int], messages: tuple[str, ...]) -> dict[str, Any]:
-        """Return the attributes of the whole result.
-
-        counts: cases by status; messages: why some are not valid.
-        """
+    def attrs(self, counts: Mapping[str, int]) -> dict[str, Any]:
+        """Return the attributes of the whole result; counts: cases by status."""
         study = self.plan.study
         attrs: dict[str, Any] = {
             "title": study.title or study.case.title,
@@ -385,8 +434,6 @@ class Layout:
             "cases": self.plan.cases,
         }
         attrs.update({f"cases_{name}": count for name, count in counts.items() if count})
-        if messages:
-            attrs["invalid_input_messages"] = "\n".join(messages)
         return attrs
 
     def _along_axes(self) -> Iterator[Variable]:
@@ -405,14 +452,21 @@ class Layout:
             if along in self.sizes:
                 numbers = np.arange(self.sizes[along])
                 yield Variable(along, (along,), np.dtype(np.int64), {}, numbers)
+        if self.reasons:
+            texts = np.array(self.reasons)
+            attrs = {"long_name": "why cases have no result"}
+            yield Variable(REASON_TEXT, (REASON_TEXT,), texts.dtype, attrs, texts)
 
-    def _status(self) -> Variable:
+    def _ends(self) -> Iterator[Variable]:
         attrs = {
             "long_name": "how the solution ended",
             "flag_values": np.array(list(STATUS_NAMES), np.int8),
             "flag_meanings": " ".join(STATUS_NAMES.values()),
         }
-        return Variable("status", self.dims, np.dtype(np.int8), attrs)
+        yield Variable("status", self.dims, np.dtype(np.int8), attrs)
+        if self.reasons:
+            about = {"long_name": f"number of the reason in {REASON_TEXT}; -1 with a result"}
+            yield Variable(REASON, self.dims, np.dtype(np.int32), about)
 
     def _chosen(self) -> Iterator[Variable]:
         for output in self.plan.outputs:

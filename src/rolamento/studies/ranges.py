@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.errors import InputError
-from rolamento.studies.fields import Field, read_field
+from rolamento.studies.fields import Field, no_range, read_field
 from rolamento.words import said
 
 __all__ = ["MOST_POINTS", "MOST_SINGLE", "Range", "read_range", "refuse_many_singles"]
@@ -64,7 +64,7 @@ def read_range(text: str, points: int = 40, *, log: bool = False) -> Range:
     name, first, last = (part.strip() for part in match.groups())
     field = read_field(name, at="--over")
     if not field.continuous:
-        raise InputError(said("takes no range"), field="--over", value=name, example=_EXAMPLE)
+        raise InputError(no_range(name), field="--over", value=name, example=_EXAMPLE)
     begin, end = _value(field, _with_unit(first, last)), _value(field, last)
     if log and not begin * end > 0.0:
         raise InputError(

@@ -17,7 +17,9 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, contextmanager
 from dataclasses import dataclass
+from importlib import import_module
 from pathlib import Path
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Final, Protocol
 
 import numpy as np
@@ -27,13 +29,15 @@ from rolamento.errors import FileError, InputError, cause
 from rolamento.numerics.threads import thread_count
 from rolamento.status import CONVERGED, STATUS_NAMES
 from rolamento.studies.outputs import Output
-from rolamento.studies.plan import Part, Plan
+from rolamento.studies.plan import REASON, Part, Plan, Reasons
 from rolamento.studies.store import Store
 from rolamento.studies.study import Study
-from rolamento.words import said
+from rolamento.words import Note, said
 
 if TYPE_CHECKING:
     import xarray as xr
+
+    from rolamento.studies.tables import CaseColumn, KeptCases
 
 Executor = Callable[[Plan, Sequence[int]], Iterator[Part]]
 """Solves chunks of a plan, given by number; parts come in any order."""
@@ -44,14 +48,12 @@ beginning, then after every chunk."""
 
 _MOST_BYTES: Final = 4 * 2**30
 """Of a result in memory."""
-_MOST_MESSAGES: Final = 5
 _LONGEST_UNWRITTEN: Final = 2.0
 """Seconds that a solved chunk waits for others before it is written."""
 _PATIENCE: Final = 2.0
 """Seconds that threads are given to end in when a run stops; they end by themselves later."""
 _MOST_KEPT: Final = 200_000
 """Values of an output that are kept for its median."""
-_ENDINGS: Final = (".nc", ".csv", ".parquet")
 
 
 class Interrupted(KeyboardInterrupt):
@@ -114,10 +116,10 @@ def run(
     tally.tell()
     for part in (executor or local_threads(threads))(plan, range(plan.chunks)):
         first, last = plan.bounds(part.index)
-        for name, array in part.arrays.items():
-            whole[name][first:last] = array
         tally.add(part)
-    return dataset(plan, whole, tally.counts, tally.some_messages)
+        for name, array in tally.reasons.renumbered(part).arrays.items():
+            whole[name][first:last] = array
+    return dataset(plan, whole, tally.counts, tally.reasons.notes)
 
 
 def run_to_file(
@@ -129,6 +131,8 @@ def run_to_file(
     restart: bool = False,
     progress: Progress | None = None,
     chunk: int | None = None,
+    keep_cases: bool = False,
+    writers: Mapping[str, Opener] = MappingProxyType({}),
 ) -> Summary:
     """Solve a study in bounded memory and write the result to a file.
 
@@ -146,6 +150,10 @@ def run_to_file(
     chunk
         Cases in a chunk, after each of which a run can be stopped; by default some 10 ms of the
         solver, or 32 where a case takes milliseconds. The last digits depend on it.
+    keep_cases
+        Whether the summary has the cases too, as columns in memory; at most 2²⁰ - 1.
+    writers
+        Of files with other endings, by these.
 
     Returns
     -------
@@ -161,7 +169,8 @@ def run_to_file(
         On Ctrl-C.
     """
     result = Path(path)
-    _check_ending(result)
+    openers = {**_WRITERS, **writers}
+    _check_ending(result, openers)
     _check_place(result)
     began = time.perf_counter()
     plan = Plan(study, chunk)
@@ -178,7 +187,8 @@ def run_to_file(
                     shelf.add(part)
                     tally.add(part)
             seconds = time.perf_counter() - began
-            ranges = _assembled(plan, store, tally, result)
+            opener = openers[result.suffix.lower()]
+            ranges, cases = _assembled(plan, store, tally, result, opener, keep=keep_cases)
             _move(store.result, result)
         except KeyboardInterrupt:
             raise Interrupted(tally.done, plan.cases, store.folder) from None
@@ -189,8 +199,9 @@ def run_to_file(
         solved=tally.done - tally.kept,
         seconds=seconds,
         counts=dict(tally.counts),
-        messages=tally.some_messages,
+        first=dict(tally.first),
         ranges=ranges,
+        columns=cases,
     )
 
 
@@ -301,17 +312,26 @@ class _Shelf:
         self._written = time.monotonic()
 
 
-def _assembled(plan: Plan, store: Store, tally: _Tally, result: Path) -> tuple[OutputRange, ...]:
-    """Put the parts together in one file, in order, and gather the ranges of the outputs."""
-    spreads = Spreads(plan)
+def _assembled(
+    plan: Plan, store: Store, tally: _Tally, result: Path, opener: Opener, *, keep: bool
+) -> tuple[tuple[OutputRange, ...], tuple[CaseColumn, ...]]:
+    """Put the parts together in one file, in order: ranges of the outputs, and the cases kept."""
+    spreads, reasons = Spreads(plan), tally.reasons
+    kept_cases: KeptCases | None = None
+    if keep:
+        from rolamento.studies.tables import KeptCases
+
+        kept_cases = KeptCases(plan, reasons.notes)
     try:
-        counts, messages = tally.counts, tally.some_messages
-        with open_result(store.result, result.suffix.lower(), plan, counts, messages) as file:
+        with open_result(store.result, opener, plan, tally.counts, reasons.notes) as file:
             for first in range(0, plan.chunks, plan.chunks_together):
                 last = min(first + plan.chunks_together, plan.chunks)
                 part = Part.joined([store.get(index) for index in range(first, last)])
+                part = reasons.renumbered(part)
                 file.put(part)
                 spreads.add(part)
+                if kept_cases is not None:
+                    kept_cases.put(part)
     except FileError as error:
         if error.source != str(store.result):
             raise
@@ -320,7 +340,7 @@ def _assembled(plan: Plan, store: Store, tally: _Tally, result: Path) -> tuple[O
             "{rule}; what was solved is kept in {folder}", rule=error.rule, folder=str(store.folder)
         )
         raise FileError(kept, source=str(result)) from None
-    return spreads.ranges()
+    return spreads.ranges(), () if kept_cases is None else kept_cases.columns
 
 
 def _solved(plan: Plan, kept: Iterable[int], executor: Executor) -> Iterator[Part]:
@@ -342,18 +362,14 @@ class _Tally:
     def __init__(self, plan: Plan, progress: Progress | None) -> None:
         self._plan, self._progress = plan, progress
         self.counts: Counter[str] = Counter()
-        self.messages: list[str] = []
+        self.reasons = Reasons()
+        self.first: dict[str, FirstCase] = {}
         self.done = self.kept = 0
 
     def add(self, part: Part) -> None:
         """Count a part that was solved now."""
         self._count(part)
         self.tell()
-
-    @property
-    def some_messages(self) -> tuple[str, ...]:
-        """The first few of the messages."""
-        return tuple(self.messages[:_MOST_MESSAGES])
 
     def keep(self, part: Part) -> None:
         """Count a part of an earlier run."""
@@ -368,10 +384,16 @@ class _Tally:
             )
 
     def _count(self, part: Part) -> None:
-        codes, numbers = np.unique(part.arrays["status"], return_counts=True)
-        for code, number in zip(codes, numbers, strict=True):
-            self.counts[STATUS_NAMES[int(code)]] += int(number)
-        self.messages += [text for text in part.messages if text not in self.messages]
+        found = np.unique(part.arrays["status"], return_counts=True, return_index=True)
+        begin, _ = self._plan.bounds(part.index)
+        for code, place, number in zip(*(array.tolist() for array in found), strict=True):
+            name = STATUS_NAMES[code]
+            self.counts[name] += number
+            known, reason = self.first.get(name), int(part.arrays[REASON][place])
+            if reason >= 0 and (known is None or begin + place < known.case):
+                self.first[name] = FirstCase(begin + place, part.reasons[reason])
+        for note in part.reasons:
+            self.reasons.number(note)
         self.done += self._plan.size(part.index)
 
 
@@ -395,6 +417,14 @@ def _move(unfinished: Path, result: Path) -> None:
         os.replace(unfinished, result)
     except OSError as error:
         raise _unwritable(result, error) from None
+
+
+@dataclass(frozen=True, slots=True)
+class FirstCase:
+    """The first case that ended in some way, counted from 0, and why it has no result."""
+
+    case: int
+    reason: Note
 
 
 @dataclass(frozen=True, slots=True)
@@ -427,10 +457,12 @@ class Summary:
         that this took
     counts
         of cases by status
-    messages
-        why some cases are not valid
+    first
+        of each status but "converged", the first case and its reason
     ranges
         of the outputs
+    columns
+        of the cases, where they were to be kept
     """
 
     path: Path
@@ -438,8 +470,9 @@ class Summary:
     solved: int
     seconds: float
     counts: Mapping[str, int]
-    messages: tuple[str, ...]
+    first: Mapping[str, FirstCase]
     ranges: tuple[OutputRange, ...]
+    columns: tuple[CaseColumn, ...] = ()
 
     @property
     def converged(self) -> int:
@@ -504,35 +537,52 @@ class PartWriter(Protocol):
         ...
 
 
-def _check_ending(result: Path) -> None:
-    if result.suffix.lower() not in _ENDINGS:
+def _check_ending(result: Path, known: Iterable[str]) -> None:
+    if result.suffix.lower() not in known:
         raise FileError(
-            said("must end in {known}", known=", ".join(_ENDINGS)),
+            said("must end in {known}", known=", ".join(known)),
             source=str(result),
             example="result.nc",
         )
 
 
+Opener = Callable[
+    [Path, Plan, Mapping[str, int], tuple[Note, ...]], AbstractContextManager[PartWriter]
+]
+"""Opens the writer of a kind of file, given cases by status and why some have no result."""
+
+
 @contextmanager
 def open_result(
-    place: Path, ending: str, plan: Plan, counts: Mapping[str, int], messages: tuple[str, ...]
+    place: Path, opener: Opener, plan: Plan, counts: Mapping[str, int], reasons: tuple[Note, ...]
 ) -> Iterator[PartWriter]:
-    """Open the writer of a kind of file; what the disk refuses is told as a `FileError`."""
-    opener: Callable[..., AbstractContextManager[PartWriter]]
-    # each brings a library that the others do not need
-    if ending == ".nc":
-        from rolamento.studies.netcdf import netcdf_writer as opener
-    elif ending == ".csv":
-        from rolamento.studies.tables import csv_writer as opener
-    else:
-        from rolamento.studies.tables import parquet_writer as opener
+    """Open the writer of a file; what the disk refuses is a `FileError`."""
     try:
-        with opener(place, plan, counts, messages) as opened:
+        with opener(place, plan, counts, reasons) as opened:
             yield opened
     except FileError:
         raise
     except OSError as error:
         raise _unwritable(place, error) from None
+
+
+def _of_module(module: str, name: str) -> Opener:
+    """An opener that brings a library which the others do not need."""
+
+    def opened(
+        place: Path, plan: Plan, counts: Mapping[str, int], reasons: tuple[Note, ...]
+    ) -> AbstractContextManager[PartWriter]:
+        opener: Opener = getattr(import_module(module), name)
+        return opener(place, plan, counts, reasons)
+
+    return opened
+
+
+_WRITERS: Final[Mapping[str, Opener]] = {
+    ".nc": _of_module("rolamento.studies.netcdf", "netcdf_writer"),
+    ".csv": _of_module("rolamento.studies.tables", "csv_writer"),
+    ".parquet": _of_module("rolamento.studies.tables", "parquet_writer"),
+}
 
 
 def _unwritable(path: Path, error: OSError) -> FileError:

@@ -14,10 +14,11 @@ from typing import Any, Final, TypeVar
 import numpy as np
 
 import rolamento
+from rolamento._json import dumps
 from rolamento._writing import UNFINISHED, write_bytes, written_whole
 from rolamento.errors import FileError, cause, shown
-from rolamento.studies.plan import Part, Plan
-from rolamento.words import said
+from rolamento.studies.plan import REASON, Part, Plan
+from rolamento.words import Note, said
 
 try:
     import fcntl
@@ -28,10 +29,10 @@ __all__ = ["Store"]
 
 T = TypeVar("T")
 
-_FORMAT: Final = 2
+_FORMAT: Final = 3
 _MANIFEST: Final = "manifest.json"
 _LOCK: Final = "lock"
-_MESSAGES: Final = "_messages"
+_REASONS: Final = "_reasons"
 _CHUNKS: Final = "_chunks"
 _OURS: Final = re.compile(rf"manifest\.json|part-\d{{7,10}}\.npz|result|{UNFINISHED}")
 _LONGEST_MANIFEST: Final = 10_000
@@ -121,14 +122,14 @@ class Store:
         FileError
             If it cannot be written.
         """
+        whole = Part.joined(parts)
         about = {
-            _MESSAGES: np.array([t for part in parts for t in part.messages], dtype=np.str_),
+            _REASONS: np.array([dumps(note.to_mapping()) for note in whole.reasons], dtype=np.str_),
             _CHUNKS: np.array([part.index for part in parts], dtype=np.int64),
         }
-        arrays = Part.joined(parts).arrays
         number = max(self._files.values(), default=-1) + 1
         with written_whole(self._path(number)) as place, place.open("wb") as file:
-            np.savez(file, **about, **arrays)  # type: ignore[arg-type]
+            np.savez(file, **about, **whole.arrays)  # type: ignore[arg-type]
         self._files.update((part.index, number) for part in parts)
 
     def get(self, index: int) -> Part:
@@ -149,15 +150,16 @@ class Store:
             raise self._damaged(self._path(number))
         return chunks[index]
 
-    def _chunks_of(self, number: int, *, only: str | None = None) -> dict[int, Part]:
-        """Chunks of a file, or of each one of its arrays."""
+    def _chunks_of(self, number: int, *, only: tuple[str, ...] = ()) -> dict[int, Part]:
+        """Chunks of a file, or of each some of its arrays."""
         path = self._path(number)
         try:
             # Opened here: NumPy leaves a file that it cannot read open.
             with path.open("rb") as raw, np.load(raw, allow_pickle=False) as file:
-                wanted = file.files if only is None else (only, _MESSAGES, _CHUNKS)
+                wanted = (*only, _REASONS, _CHUNKS) if only else file.files
                 arrays = {name: file[name] for name in wanted}
-            messages = tuple(str(text) for text in arrays.pop(_MESSAGES))
+            written = [json.loads(str(text)) for text in arrays.pop(_REASONS)]
+            reasons = tuple(Note.from_mapping(mapping) for mapping in written)
             indices = [int(index) for index in arrays.pop(_CHUNKS)]
         except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile):
             raise self._damaged(path) from None
@@ -168,7 +170,7 @@ class Store:
             raise self._damaged(path)
         pieces = {name: np.split(array, ends[:-1]) for name, array in arrays.items()}
         return {
-            index: Part(index, {name: pieces[name][place] for name in pieces}, messages)
+            index: Part(index, {name: pieces[name][place] for name in pieces}, reasons)
             for place, index in enumerate(indices)
         }
 
@@ -206,14 +208,14 @@ class Store:
         return sorted(self._attempt(lambda: list(self.folder.iterdir())))
 
     def _kept(self) -> dict[int, Part]:
-        """Statuses of the chunks in files that are whole; the others will be solved again."""
+        """How the cases of whole files ended; the others will be solved again."""
         kept: dict[int, Part] = {}
         for path in self._contents():
             if not path.name.startswith("part-"):
                 continue
             number = int(path.stem.removeprefix("part-"))
             try:
-                found = self._chunks_of(number, only="status")
+                found = self._chunks_of(number, only=("status", REASON))
             except FileError:
                 self._attempt(path.unlink)
                 continue

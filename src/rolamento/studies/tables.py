@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
@@ -12,12 +13,18 @@ import numpy as np
 import pyarrow as pa
 import pyarrow.csv
 import pyarrow.parquet
+from numpy.typing import NDArray
 
+from rolamento.errors import InputError
 from rolamento.status import STATUS_NAMES
-from rolamento.studies.plan import BALL, ROW, Layout, Part, Plan, Variable
+from rolamento.studies.plan import BALL, REASON, ROW, Layout, Part, Plan, Variable
 from rolamento.studies.study import SAMPLE
+from rolamento.words import Note, said
 
-__all__ = ["ATTRIBUTES", "csv_writer", "parquet_writer"]
+__all__ = ["ATTRIBUTES", "CaseColumn", "KeptCases", "csv_writer", "parquet_writer"]
+
+MOST_KEPT_CASES: Final = 2**20 - 1
+"""Lines of a sheet of a workbook below its head."""
 
 ATTRIBUTES: Final = b"rolamento"
 """Key of a Parquet schema's metadata: sizes of the dimensions and attributes, as JSON."""
@@ -32,13 +39,16 @@ class _Table:
         self._plan, self._layout, self._schema, self._write = plan, layout, schema, write
 
     def put(self, part: Part) -> None:
-        first, last = self._plan.bounds_of(part)
-        columns = [*self._inputs(first, last), *self._outputs(part)]
         arrays = [
             pa.array(c, t.type, from_pandas=True)
-            for c, t in zip(columns, self._schema, strict=True)
+            for c, t in zip(self.columns(part), self._schema, strict=True)
         ]
         self._write(pa.record_batch(arrays, schema=self._schema))
+
+    def columns(self, part: Part) -> list[Any]:
+        """What the cases of a part have in each column."""
+        first, last = self._plan.bounds_of(part)
+        return [*self._inputs(first, last), *self._outputs(part)]
 
     def _inputs(self, first: int, last: int) -> Iterator[Any]:
         places = dict(zip(self._layout.dims, self._plan.places(first, last), strict=True))
@@ -50,22 +60,80 @@ class _Table:
 
     def _outputs(self, part: Part) -> Iterator[Any]:
         names = np.array(list(STATUS_NAMES.values()))
+        texts = np.array([*self._layout.reasons, ""])  # the last is that of -1
         for variable in self._layout.outputs:
             values = part.arrays[variable.name]
             if variable.name == "status":
                 yield names[values]
+                yield texts[part.arrays[REASON]]
+            elif variable.name == REASON:
+                continue
             elif values.ndim == 2:
                 yield from values.T
             else:
                 yield values
 
 
+@dataclass(frozen=True, slots=True)
+class CaseColumn:
+    """What all cases of a study have in one column, in order; SI.
+
+    unit: SI; empty of texts and numbers without one. given: whether it is an input.
+    """
+
+    name: str
+    unit: str
+    values: NDArray[Any]
+    given: bool
+
+
+class KeptCases:
+    """Keeps the cases of a run as columns: what a page writes to its own tables.
+
+    Raises
+    ------
+    InputError
+        If they are more than a sheet of a workbook can have.
+    """
+
+    def __init__(self, plan: Plan, reasons: tuple[Note, ...]) -> None:
+        if plan.cases > MOST_KEPT_CASES:
+            raise InputError(
+                said(
+                    "would hold {cases} cases, and takes {most} at most; --output writes more",
+                    cases=plan.cases,
+                    most=MOST_KEPT_CASES,
+                ),
+                field="cases",
+                example="--output result.csv",
+            )
+        layout = Layout(plan, reasons)
+        self._heads = _columns(layout)
+        self._given = len(layout.names) + (SAMPLE in layout.dims)
+        self._parts: list[list[Any]] = []
+        self._table = _Table(plan, layout, None, lambda _: None)
+
+    def put(self, part: Part) -> None:
+        """Take in a part."""
+        self._parts.append(self._table.columns(part))
+
+    @property
+    def columns(self) -> tuple[CaseColumn, ...]:
+        """The columns so far."""
+        return tuple(
+            CaseColumn(name, unit, np.concatenate(values), place < self._given)
+            for place, ((name, unit, _), values) in enumerate(
+                zip(self._heads, zip(*self._parts, strict=True), strict=True)
+            )
+        )
+
+
 @contextmanager
 def csv_writer(
-    path: Path, plan: Plan, counts: Mapping[str, int], messages: tuple[str, ...]
+    path: Path, plan: Plan, counts: Mapping[str, int], reasons: tuple[Note, ...]
 ) -> Iterator[_Table]:
     """Open a CSV file: UTF-8, a header with units, an empty field where there is no number."""
-    layout = Layout(plan)
+    layout = Layout(plan, reasons)
     names = [f"{name} [{unit}]" if unit else name for name, unit, _ in _columns(layout)]
     schema = pa.schema(
         [(name, kind) for name, (_, _, kind) in zip(names, _columns(layout), strict=True)]
@@ -77,15 +145,15 @@ def csv_writer(
 
 @contextmanager
 def parquet_writer(
-    path: Path, plan: Plan, counts: Mapping[str, int], messages: tuple[str, ...]
+    path: Path, plan: Plan, counts: Mapping[str, int], reasons: tuple[Note, ...]
 ) -> Iterator[_Table]:
     """Open a Parquet file: a row group a part, units with each column, attributes in the schema."""
-    layout = Layout(plan)
+    layout = Layout(plan, reasons)
     record = {
         "sizes": {name: layout.sizes[name] for name in layout.dims},
         "balls": layout.sizes.get(BALL, 0),
         "rows": layout.sizes.get(ROW, 0),
-        "attributes": layout.attrs(counts, messages),
+        "attributes": layout.attrs(counts),
     }
     fields = [
         pa.field(name, kind, metadata={"units": unit} if unit else None)
@@ -108,7 +176,9 @@ def _columns(layout: Layout) -> list[tuple[str, str, Any]]:
     for variable in layout.outputs:
         unit, kind = _unit_and_type(variable)
         if variable.name == "status":
-            columns.append((variable.name, "", pa.string()))
+            columns += [(variable.name, "", pa.string()), (REASON, "", pa.string())]
+        elif variable.name == REASON:
+            continue
         elif (along := variable.dims[-1]) in (BALL, ROW):
             columns += [
                 (f"{variable.name}_{place}", unit, kind) for place in range(layout.sizes[along])

@@ -113,7 +113,7 @@ def samples_of(dataset: Dataset) -> Samples:
     outputs = {
         str(name): array.transpose(..., SAMPLE)
         for name, array in dataset.data_vars.items()
-        if name != "status" and SAMPLE in array.dims and array.dtype.kind in "fiu"
+        if name not in ("status", "reason") and SAMPLE in array.dims and array.dtype.kind in "fiu"
     }
     if not outputs:
         raise InputError(said("has no output over the samples"), field="outputs")

@@ -13,13 +13,13 @@ from rolamento.case import Case
 from rolamento.errors import InputError
 from rolamento.status import STATUS_NAMES
 from rolamento.studies.axes import Axis
-from rolamento.studies.fields import Field, known_fields, read_field
+from rolamento.studies.fields import Field, known_fields, no_range, read_field
 from rolamento.studies.outputs import Output, catalogue, outputs_of, refuse_missing
 from rolamento.studies.plan import Part, Plan
 from rolamento.studies.solving import CONVERGED
 from rolamento.studies.study import Study
 from rolamento.tasks.report import number_of_field, with_life
-from rolamento.words import said
+from rolamento.words import Note, said
 
 __all__ = ["Curve", "Scale", "curve_over", "fields_over", "outputs_over", "usual_range"]
 
@@ -58,8 +58,8 @@ class Curve:
         how the solution of each point ended, (points,)
     present
         place of the case itself among the points; None where it has no such number
-    messages
-        why there are no such cases
+    reasons
+        why points have no result, each once
     """
 
     case: Case
@@ -69,7 +69,7 @@ class Curve:
     numbers: Floats
     status: NDArray[np.str_]
     present: int | None
-    messages: tuple[str, ...]
+    reasons: tuple[Note, ...]
 
     @property
     def missing(self) -> NDArray[np.bool_]:
@@ -142,7 +142,7 @@ def curve_over(
     status = np.array([STATUS_NAMES[int(code)] for code in codes], np.str_)
     numbers = np.where(status == CONVERGED, part.arrays[output], np.nan).astype(np.float64)
     present = None if own is None else int(np.searchsorted(values, own))
-    return Curve(case, known, found, values, numbers, status, present, part.messages)
+    return Curve(case, known, found, values, numbers, status, present, part.reasons)
 
 
 def _solved(study: Study) -> Part:
@@ -211,7 +211,7 @@ def _end(field: Field, given: object, name: str) -> float:
 def _continuous(name: str) -> Field:
     field = read_field(name)
     if not field.continuous:
-        raise InputError(said("takes no range"), field="field", value=name,
+        raise InputError(no_range(name), field="field", value=name,
                          example='"duty.load.fz"')  # fmt: skip
     return field
 

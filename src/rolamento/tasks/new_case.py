@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Any, Final, cast
 
 from rolamento.case import Case, parse_case
 from rolamento.case.bearing import Bearing
-from rolamento.case.fields import Field, of_elements
+from rolamento.case.fields import Field, changed, in_file_form, of_elements
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.case.rolling_bearing import BY_ELEMENT, element_told
+from rolamento.errors import InputError
 from rolamento.units import from_si, readable
 from rolamento.words import marked, said
 
@@ -55,12 +56,38 @@ _LOAD: Final = 1000.0
 """To start with: this share of C, or this force (N) where no rating is known."""
 _AXIAL: Final = ("angular_contact", "double_row", "four_point", "thrust", "tapered")
 _ONLY_AXIAL: Final = ("thrust",)
-_NOT_OF: Final[Mapping[str, tuple[str, ...]]] = {
-    "tapered": ("diametral_clearance", "inner_ribs", "outer_ribs", "axial_play"),
-    "cylindrical": ("contact_angle", "roller_half_angle", "preload"),
-    "needle": ("contact_angle", "roller_half_angle", "preload"),
+_WITHOUT_EFFECT: Final[Mapping[str, tuple[str, ...]]] = {
+    "tapered": ("inner_ribs", "outer_ribs", "axial_play"),
+    "cylindrical": ("preload",),
+    "needle": ("preload",),
 }
-"""Fields of a roller bearing that rollers of a kind do not have."""
+"""Fields that a bearing of such rollers takes, and that change nothing."""
+_FRICTION: Final = ('model.raceway_control = "friction"',)
+_REPLENISHED: Final = ('film.starvation = "replenishment"',)
+_WITH: Final[Mapping[str, tuple[str, ...]]] = {
+    "bearing.shim_angle": ("bearing.kind",),
+    "bearing.preload": ("bearing.arrangement",),
+    "model.traction": _FRICTION,
+    "model.film_in_contact": _FRICTION,
+    "lubricant.viscosity_100": ("lubricant.viscosity_40",),
+    "lubricant.viscosity_index": ("lubricant.viscosity_40",),
+    "temperature.shaft": ("mounting.shaft_tolerance",),
+    "temperature.housing": ("mounting.housing_tolerance",),
+    "temperature.inner_spacer": ("mounting.shaft_tolerance", "bearing.arrangement"),
+    "temperature.outer_spacer": ("mounting.housing_tolerance", "bearing.arrangement"),
+    "mounting.measuring_load": ("mounting.measured_clearance",),
+    "mounting.inner_spacer_material": ("bearing.arrangement",),
+    "mounting.outer_spacer_material": ("bearing.arrangement",),
+    "film.inlet_distance": ('film.starvation = "inlet_distance"',),
+    "film.supply": _REPLENISHED,
+    "film.bore": _REPLENISHED,
+    "film.outside_diameter": _REPLENISHED,
+    "life.oil_supply": ("life.cleanliness",),
+    "life.filter_ratio": ("life.filter_size",),
+}
+"""What a field takes effect with, if it does not alone: the example of another field, or a value.
+What is merely missing beside it, the case says itself."""
+_MOST_NEEDED: Final = 6
 
 
 def case_template(designation: str | None = None) -> str:
@@ -79,12 +106,14 @@ def case_template(designation: str | None = None) -> str:
     bearing = None if designation is None else _named(designation)
     awake = _by_geometry() if bearing is None else _by_designation(bearing)
     asleep = {} if bearing is None else _examples_of(bearing)
+    template = _Template(awake, asleep)
     lines = [*_wrapped(TABLES[""]), ""]
     for table, fields in _tables(bearing).items():
-        if table:
+        written = [line for field in fields if (line := template.line(field))]
+        if table and written:
             is_awake = any(field.name in awake for field in fields) or table in ("bearing", "duty")
             lines += ["", *_wrapped(TABLES[table]), f"[{table}]" if is_awake else f"# [{table}]"]
-        lines += [_line(field, awake, asleep) for field in fields]
+        lines += written
     text = "\n".join(lines) + "\n"
     parse_case(text)  # what is written can be read
     return text
@@ -107,7 +136,7 @@ def _matters(name: str, bearing: Bearing | RollerBearing | None) -> bool:
     table, _, leaf = name.rpartition(".")
     record = Bearing if bearing is None else type(bearing)
     if table == "bearing":
-        other = () if bearing is None else _NOT_OF.get(bearing.element, ())
+        other = () if bearing is None else _WITHOUT_EFFECT.get(bearing.element, ())
         return leaf in record.model_fields and leaf not in other
     return of_elements(name, ["ball" if bearing is None else bearing.element])
 
@@ -123,32 +152,80 @@ def _tables(bearing: Bearing | RollerBearing | None) -> dict[str, list[Field]]:
     return tables
 
 
-def _line(field: Field, awake: Mapping[str, Any], asleep: Mapping[str, Any]) -> str:
-    value = awake.get(field.name, asleep.get(field.name))
-    given = field.example if value is None else _toml(value)
-    line = f"{field.leaf} = {given}"
-    if field.name not in awake:
-        line = f"# {line}"
-    return f"{line.ljust(_COMMENTS_FROM - 1)} # {_meaning(field)}"
+class _Template:
+    """The lines of a case file: fields that have a value, and those that could have one.
 
+    awake, asleep: values as a file holds them, by the names of fields; the examples of the fields
+    stand for the others that sleep.
+    """
 
-def _meaning(field: Field) -> str:
-    """What a field is called, what it may be, and what it takes the place of."""
-    parts = [field.label]
-    if field.choices:
-        parts.append(" | ".join(field.choices))
-    table = field.name.rpartition(".")[0]
-    others = [one.removeprefix(f"{table}.") for one in field.rivals]
-    others = [one for one in others if "." not in one]
-    if others:
-        parts.append(said("instead of {others}", others=", ".join(others)))
-    return "; ".join(parts)
+    def __init__(self, awake: Mapping[str, Any], asleep: Mapping[str, Any]) -> None:
+        self._awake, self._asleep = awake, asleep
+        self._case = changed({}, awake, Case, in_file=True)
+
+    def line(self, field: Field) -> str:
+        """Return the line of a field; empty where this case would not take it."""
+        line, needed = f"{field.leaf} = {_toml(self._value(field.name))}", self._needed(field)
+        if field.name not in self._awake:
+            if needed is None:
+                return ""
+            line = f"# {line}"
+        return f"{line.ljust(_COMMENTS_FROM - 1)} # {self._meaning(field, needed or ())}"
+
+    def _value(self, name: str) -> Any:
+        """The value of a line, as a file holds it."""
+        given = self._awake.get(name, self._asleep.get(name))
+        return _example(Case.fields()[name]) if given is None else given
+
+    def _needed(self, field: Field) -> tuple[str, ...] | None:
+        """What has to be woken up with a field so that the case loads; None where nothing helps."""
+        alone = self._missing(field.name, ())
+        return self._missing(field.name, _WITH.get(field.name, ())) if alone is None else alone
+
+    def _missing(self, name: str, needed: tuple[str, ...]) -> tuple[str, ...] | None:
+        """What a field needs, what the case finds missing included; None where that is not all."""
+        for _ in range(_MOST_NEEDED):
+            values = {name: self._value(name), **dict(map(self._told, needed))}
+            try:
+                Case.from_mapping(changed(self._case, values, Case, in_file=True))
+            except InputError as error:
+                if error.field in {*values, *self._awake} or error.field not in Case.fields():
+                    return None
+                needed = (*needed, error.field)
+                continue
+            return needed
+        return None
+
+    def _told(self, needed: str) -> tuple[str, Any]:
+        """Name and value of what a field needs."""
+        name, _, text = needed.partition(" = ")
+        return name, tomllib.loads(f"value = {text}")["value"] if text else self._value(name)
+
+    def _meaning(self, field: Field, needed: tuple[str, ...]) -> str:
+        """What a field is called, what it may be, what it takes the place of and what it needs."""
+        parts = [field.label]
+        if field.choices:
+            parts.append(" | ".join(field.choices))
+        table = f"{field.name.rpartition('.')[0]}."
+        replaced = (*field.rivals, *(one for one in field.replaces if one in self._awake))
+        others = dict.fromkeys(one.removeprefix(table) for one in replaced)
+        if others:
+            parts.append(said("instead of {others}", others=", ".join(others)))
+        if needed:
+            beside = (one.removeprefix(table) for one in needed)
+            parts.append(said("with {others}", others=", ".join(beside)))
+        return "; ".join(parts)
 
 
 def _toml(value: Any) -> str:
+    """A value in one line of TOML."""
     if isinstance(value, str):
         escaped = value.replace("\\", "\\\\").replace('"', '\\"')
         return f'"{escaped}"'
+    if isinstance(value, Mapping):
+        return f"{{ {', '.join(f'{name} = {_toml(one)}' for name, one in value.items())} }}"
+    if isinstance(value, list | tuple):
+        return f"[{', '.join(map(_toml, value))}]"
     return str(value).lower() if isinstance(value, bool) else str(value)
 
 
@@ -235,6 +312,8 @@ def _sizes(published: CatalogueBearing, fields: Mapping[str, Field]) -> dict[str
         "bearing.spacing": published.width,
         "life.dynamic_rating": published.dynamic_rating,
         "life.static_rating": published.static_rating,
+        "mounting.shaft_bore": 0.5 * published.bore,
+        "mounting.housing_outside_diameter": 1.5 * published.outside_diameter,
     }
     return {name: _written(fields[name], value) for name, value in names.items() if value}
 
@@ -243,7 +322,7 @@ def _written(field: Field, value: Any) -> Any:
     """A value as a file has it, with no more digits than people read."""
     if field.dimension is not None:
         return readable(value, field.dimension).replace("µm", "um")
-    return value
+    return in_file_form(field.name, value, Case)
 
 
 def _example(field: Field) -> Any:

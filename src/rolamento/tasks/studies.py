@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
@@ -21,7 +22,10 @@ from rolamento.words import marked, said
 
 if TYPE_CHECKING:
     from rolamento.case.variant import Variant
+    from rolamento.studies.plan import Plan
     from rolamento.studies.runner import Executor, Progress, Summary
+    from rolamento.studies.tables import KeptCases
+    from rolamento.words import Note
 
 __all__ = ["Sweep", "sweep", "tolerance", "with_variants"]
 
@@ -46,6 +50,7 @@ def sweep(
     scheduler: str | None = None,
     restart: bool = False,
     progress: Progress | None = None,
+    keep_cases: bool = False,
 ) -> Sweep:
     """Solve all cases of a study, and write them to a file.
 
@@ -54,8 +59,8 @@ def sweep(
     study
         A `Study`, or a study file; ``"-"`` is standard input.
     result
-        A ``.nc``, ``.csv`` or ``.parquet`` file; by default named after the study's file, as
-        NetCDF in the current directory.
+        A ``.nc``, ``.csv``, ``.parquet`` or ``.xlsx`` file; by default named after the study's
+        file, as NetCDF in the current directory. A workbook has the units that people read.
     settings
         ``KEY=VALUE`` that go over the case of a study file.
     variants
@@ -68,6 +73,8 @@ def sweep(
         Throw away what an earlier run has kept.
     progress
         Called with the cases done, all cases, and those without a result.
+    keep_cases
+        Whether the summary has the cases too, for the tables of its page.
 
     Raises
     ------
@@ -91,8 +98,33 @@ def sweep(
         _check_target(target, os.fspath(study))
         loaded = load_study(study, settings)
     loaded = with_variants(loaded, variants)
-    summary = run_to_file(loaded, target, executor=executor, restart=restart, progress=progress)
+    summary = run_to_file(
+        loaded,
+        target,
+        executor=executor,
+        restart=restart,
+        progress=progress,
+        keep_cases=keep_cases,
+        writers={".xlsx": _workbook},
+    )
     return Sweep(loaded, summary)
+
+
+@contextmanager
+def _workbook(
+    place: Path, plan: Plan, counts: Mapping[str, int], reasons: tuple[Note, ...]
+) -> Iterator[KeptCases]:
+    """Open a workbook with the cases in one sheet, in the units that people read."""
+    from rolamento.document import Document, Section
+    from rolamento.document.tables import to_xlsx
+    from rolamento.pages.study import cases_table
+    from rolamento.studies.tables import KeptCases
+
+    kept = KeptCases(plan, reasons)
+    yield kept
+    title = plan.study.title or plan.study.case.title
+    page = Document(title, (Section(blocks=(cases_table(kept.columns),)),), "sweep")
+    place.write_bytes(to_xlsx(page))
 
 
 def with_variants(study: Study, variants: Iterable[Variant]) -> Study:

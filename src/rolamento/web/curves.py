@@ -239,4 +239,4 @@ def _why(curves: Sequence[Curve]) -> Iterable[str]:
         yield no_result_count(int(one.missing.sum()), len(one.values))
         for code in dict.fromkeys(one.status[one.missing].tolist()):
             yield reason(code)
-        yield from one.messages
+        yield from (note.text for note in one.reasons[:1])

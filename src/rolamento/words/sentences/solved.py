@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any, Final
 
 from rolamento.words.sentences import Sentence
-from rolamento.words.speaking import counted, marked, said, said_in
+from rolamento.words.speaking import ENGLISH, counted, language, marked, said, said_in
 
 __all__ = ["SENTENCES", "direction", "race_of", "where_of"]
 
@@ -299,6 +299,13 @@ def _unsupported_one_sided(values: Values) -> str:
     )
 
 
+def _invalid_input(values: Values) -> str:
+    rules = values.get("rule")
+    if not rules:
+        return said("A value of this case is not finite, or out of range.")
+    return str(rules.get(language(), rules[ENGLISH]))
+
+
 def _designation_without_effect(values: Values) -> str:
     parts = [
         said("{part}: {meaning}", part=part, meaning=said(meaning))
@@ -433,7 +440,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "A ball would sink into its groove by more than {limit:.0f %} of its diameter, far beyond"
         " any elastic contact: check the units of the loads and displacements."
     ),
-    "invalid_input": marked("A value of this case is not finite, or out of range."),
+    "invalid_input": _invalid_input,
     "over_shoulder": marked(
         "The centre of a loaded contact lies beyond the edge of its groove: the inner groove ends"
         " at a contact angle of {inner_edge:.1f °}, the outer at {outer_edge:.1f °} (90° where no"
