@@ -77,6 +77,13 @@ SKID_LIMIT: Final = 0.05
 """Of the cage's speed under outer raceway control: what differs more deserves a note."""
 SPIN_LIMIT: Final = 0.05
 """Spin to roll at both races above which no race can be said to control a ball."""
+FOUR_POINT_LOAD_RATIO: Final = 1.27
+"""F_a/F_r from which on the balls of a four-point bearing (35°, series QJ 2 and QJ 3) bear on one
+arc of each ring only, as they should: SKF, Rolling bearings, four-point contact ball bearings, load
+ratio. SLF's catalogue has 1.2."""
+_RADIAL_SHARE: Final = 0.01
+"""Radial over axial load of a thrust bearing above which it is no longer what is left of rounding
+or of an alignment."""
 
 
 def notes_on(solved: Solved) -> tuple[Note, ...]:
@@ -86,7 +93,8 @@ def notes_on(solved: Solved) -> tuple[Note, ...]:
     checks = (
         _lost_rows, _lost_contacts, _pressures, _past_edge, _shoulders, _speeds, _tilts,
         _free_directions, _free_tilt, _control, _gyroscopic_slip, _gyroscopic_left_out, _arches,
-        _rolling, _estimated_geometry, _letters, _nearly_lost,
+        _rolling, _estimated_geometry, _letters, _nearly_lost, _radial_load_on_thrust,
+        _four_point_load,
     )  # fmt: skip
     notes = tuple(note for check in checks for note in check(solved))
     return notes if solved.rollers is None else (*notes, *notes_on_rollers(solved))
@@ -118,6 +126,9 @@ def _lost_rows(solved: Solved) -> Iterator[Note]:
 def _lost_contacts(solved: Solved) -> Iterator[Note]:
     """Balls that the inner ring does not touch."""
     free = ~solved.loaded[0]
+    if nothing_given(solved):
+        yield Note("no_load_given", {"speed": _turns(solved)})
+        return
     if free.all():
         yield Note("no_ball_loaded" if solved.rollers is None else "no_element_loaded")
         return
@@ -343,8 +354,9 @@ def _gyroscopic_left_out(solved: Solved) -> Iterator[Note]:
     # all contacts of the ball together hold it
     needed = friction_demand(moment, diameter, load, 2.0)
     greatest = float(needed.max())
+    held = greatest <= FRICTION_LIMIT
     yield Note(
-        "gyroscopic_moment_left_out",
+        "gyroscopic_moment_left_out" if held else "gyroscopic_moment_not_held",
         {
             "moment": float(moment.max()),
             "friction_coefficient": greatest if isfinite(greatest) else None,
@@ -430,6 +442,44 @@ def _nearly_lost(solved: Solved) -> Iterator[Note]:
         yield Note("preload_nearly_lost", {"row": row, "factor": float(factor)})
 
 
+def _radial_load_on_thrust(solved: Solved) -> Iterator[Note]:
+    """A radial load on a bearing whose grooves are for an axial one."""
+    radial, axial = _given_forces(solved)
+    if _is_washers(solved.case) and radial > _RADIAL_SHARE * abs(axial):
+        yield Note("thrust_under_radial_load", {"radial": radial, "axial": axial})
+
+
+def _four_point_load(solved: Solved) -> Iterator[Note]:
+    """A load under which balls of a four-point bearing bear on both arcs of a ring and slide."""
+    if solved.case.bearing.kind != "four_point":
+        return
+    radial = float(np.hypot(solved.load.fy[0], solved.load.fz[0]))
+    axial = abs(float(solved.load.fx[0]))
+    if axial < FOUR_POINT_LOAD_RATIO * radial:
+        both = solved.loaded[0].reshape(2, -1).all(axis=0)
+        values = {"ratio": axial / radial, "limit": FOUR_POINT_LOAD_RATIO}
+        yield Note("four_point_under_radial_load", {**values, "both_arcs": int(both.sum())})
+
+
+def nothing_given(solved: Solved) -> bool:
+    """Return whether neither load, displacement nor preload loads the first case at all."""
+    given = [f"duty.load.{name}" for name in LOADS] + [f"duty.displacement.{name}" for name in AXES]
+    known = [float(np.nan_to_num(solved.field(name)[0])) for name in given]
+    return not (any(known) or solved.loaded[0].any())
+
+
+def _given_forces(solved: Solved) -> tuple[float, float]:
+    """Radial and axial load of the first case as given, 0 where a displacement is (N)."""
+    fx, fy, fz = (float(np.nan_to_num(solved.field(f"duty.load.{n}")[0])) for n in LOADS[:3])
+    return float(np.hypot(fy, fz)), fx
+
+
+def _is_washers(case: Case) -> bool:
+    """Whether it is a thrust bearing of 90°, which is for axial load alone."""
+    bearing = case.bearing
+    return bearing.kind == "thrust" and (bearing.contact_angle or 0.0) > 0.5 * pi * (1.0 - 1e-9)
+
+
 def _turns(solved: Solved) -> bool:
     return bool(solved.field("duty.inner_speed")[0] != solved.field("duty.outer_speed")[0])
 
@@ -444,8 +494,7 @@ def advice_on(solved: Solved, case: int = 0) -> Note | None:
         return None
     given, residual = solved.case, float(solved.status.residual[case])
     if code == NO_EQUILIBRIUM:
-        axial = float(np.nan_to_num(solved.field("duty.load.fx")[case]))
-        return _no_equilibrium(given, int(solved.status.unsupported[case]), axial)
+        return _no_equilibrium(solved[case], int(solved.status.unsupported[case]))
     factor = _speed_factor(solved[case])
     if factor > _FASTEST and code != INVALID_INPUT:
         return Note("overspeed", {"speed_factor": factor, "limit": _FASTEST})
@@ -487,9 +536,14 @@ def _edge(case: Case, race: Race) -> float:
 def _out_of_the_washers(solved: Solved) -> Note:
     """Advice where balls climb out of a thrust bearing's grooves, and the load that keeps them.
 
+    Where there is a radial load, that it is the wrong bearing for it.
+
     With α_i = π - α_o, F_c = 2 Q cos α_o and F_a = Z Q sin α_o: at the edge of the outer groove
     F_a = ½ Z F_c tan α_o.
     """
+    radial, axial = _given_forces(solved)
+    if _is_washers(solved.case) and radial > _RADIAL_SHARE * abs(axial):
+        return Note("thrust_carries_no_radial_load", {"radial": radial, "axial": axial})
     rows = solved.rows
     bearing = ball_bearing(solved.case)
     deepest = bearing.groove_bottom
@@ -514,15 +568,19 @@ def _out_of_the_washers(solved: Solved) -> Note:
     )
 
 
-def _no_equilibrium(case: Case, axis: int, axial_load: float) -> Note:
+def _no_equilibrium(solved: Solved, axis: int) -> Note:
     """Name the direction that nothing supports, and what would."""
-    bearing = case.bearing
+    case, bearing = solved.case, solved.case.bearing
+    radial, axial_load = _given_forces(solved)
     if bearing.kind == "thrust":
+        if _is_washers(case) and axial_load > 0.0 and radial > _RADIAL_SHARE * axial_load:
+            return Note("thrust_carries_no_radial_load", {"radial": radial, "axial": axial_load})
         return Note("thrust_pushed_aside" if axial_load > 0.0 else "thrust_unsupported")
     if bearing.kind == "self_aligning" and axis > 2:
         return Note("sphere_holds_no_moment", {"axis": AXES[axis]})
     if any(place.bearing.element != "ball" for place in bearing.places):
-        return rollers_without_equilibrium(case, axis)
+        tilts = bool(_free(solved)[3:].any())
+        return rollers_without_equilibrium(case, axis, (axial_load, radial), tilts=tilts)
     if bearing.kind is not None:
         return Note("unsupported", {"axis": AXES[axis]})
     one_sided = [place.bearing.carries_one_way for place in bearing.places]

@@ -14,6 +14,7 @@ from rolamento.case.profile import Profile
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.case.rolling_bearing import RollingBearing
 from rolamento.document import Entry, KeyValues, Section, Title
+from rolamento.notes import nothing_given
 from rolamento.units import Dimension, readable
 from rolamento.words import manner, said, said_in
 from rolamento.words.reasons import reason
@@ -21,7 +22,7 @@ from rolamento.words.reasons import reason
 if TYPE_CHECKING:
     from rolamento.solved import Solved
 
-__all__ = ["BOTH", "facing", "head", "model_text", "quantity", "reason", "untitled"]
+__all__ = ["BOTH", "facing", "head", "model_text", "no_load_text", "quantity", "reason", "untitled"]
 
 BOTH: Final = "±"
 _PLUS, _MINUS = "+", "−"
@@ -415,9 +416,16 @@ def _in_motion(case: Case, elements: Sequence[str]) -> list[str]:
     return texts
 
 
+def no_load_text() -> str:
+    """Say in the place of a status that a case has no load; what to give is for the note on it."""
+    return said("no load is given yet: nothing to calculate")
+
+
 def _status(solved: Solved) -> list[Entry]:
     """Return the status, and the advice if there is any."""
     status = solved.status
+    if solved.converged[0] and nothing_given(solved):
+        return [Entry(said("status"), no_load_text(), "warning-strong")]
     if solved.converged[0]:
         text = said(
             "✓ converged in {iterations} iterations, residual {residual:.1e}",
