@@ -54,8 +54,9 @@ _FASTEST: Final = 4.0 * _MILLION
 _GREATEST_APPROACH: Final = 0.02
 """Of the ball's diameter: what the solver takes for an overload."""
 
-STATIC_PRESSURE_LIMIT: Final = 4.2e9
-"""Pa; permanent set of 1e-4 ball diameters at the ball-groove contact (ISO 76)."""
+_PRESSURE_LIMIT: Final = 4.2e9
+_PRESSURE_LIMIT_SELF_ALIGNING: Final = 4.6e9
+"""Pa; permanent set of 1e-4 ball diameters at the contact of ball and race (ISO 76:2006)."""
 SPEED_LIMIT: Final = 3.0 * _MILLION
 """n d_m of the fastest hybrid spindle bearings."""
 TILT_LIMIT: Final = radians(1.0)
@@ -98,6 +99,12 @@ def notes_on(solved: Solved) -> tuple[Note, ...]:
     )  # fmt: skip
     notes = tuple(note for check in checks for note in check(solved))
     return notes if solved.rollers is None else (*notes, *notes_on_rollers(solved))
+
+
+def pressure_limit(case: Case) -> float:
+    """Return the contact pressure from which balls of a bearing indent its races (Pa; ISO 76)."""
+    sphere = case.bearing.kind == "self_aligning"
+    return _PRESSURE_LIMIT_SELF_ALIGNING if sphere else _PRESSURE_LIMIT
 
 
 def jones_verdict(solved: Solved) -> NDArray[np.int64]:
@@ -152,15 +159,16 @@ def _lost_contacts(solved: Solved) -> Iterator[Note]:
 
 
 def _pressures(solved: Solved) -> Iterator[Note]:
+    limit = pressure_limit(solved.case)
     for race, contacts in solved.contacts.items():
-        over = (contacts.max_pressure[0] > STATIC_PRESSURE_LIMIT) & ~are_rollers(solved)
+        over = (contacts.max_pressure[0] > limit) & ~are_rollers(solved)
         if over.any():
             yield Note(
                 "contact_pressure_high",
                 {
                     "race": race,
                     "max_pressure": float(contacts.max_pressure[0, over].max()),
-                    "limit": STATIC_PRESSURE_LIMIT,
+                    "limit": limit,
                     **which_elements(solved, over),
                 },
             )
