@@ -178,7 +178,7 @@ def _stiffness_file(matrix: list[list[float]]) -> Table:
     columns = [Column(head="load", values=LOADS, key="load")]
     for j, axis in enumerate(AXES):
         units = shift if j < _SHIFTS else tilt
-        values = [Number(row[j], f"[{unit}]") for row, unit in zip(matrix, units, strict=True)]
+        values = [Number(_without_noise(matrix, i, j), f"[{unit}]") for i, unit in enumerate(units)]
         columns.append(Column(head=axis, values=values, key=axis))
     columns += [
         Column(head="unit", values=shift, key="shift_unit"),
