@@ -26,7 +26,7 @@ REMARKS: Final = frozenset(
         "geometry_estimated_uniquely", "designation_listed_as", "designation_without_effect",
         # of the clearance: the result itself, in a sentence
         "clearance_in_operation", "interference", "interference_of_rollers",
-        "interference_at_minimum", "preload_in_operation", "first_contact_moves",
+        "preload_in_operation", "first_contact_moves",
         "clearance_of_tapered", "distance_of_rings", "distance_of_seats",
         # of the film: what its numbers contain, methods as they are generally used
         "film_dry", "film_at_rest", "film_heated", "film_starved", "roughness_missing",
