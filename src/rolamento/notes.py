@@ -54,8 +54,9 @@ _FASTEST: Final = 4.0 * _MILLION
 _GREATEST_APPROACH: Final = 0.02
 """Of the ball's diameter: what the solver takes for an overload."""
 
-STATIC_PRESSURE_LIMIT: Final = 4.2e9
-"""Pa; permanent set of 1e-4 ball diameters at the ball-groove contact (ISO 76)."""
+_PRESSURE_LIMIT: Final = 4.2e9
+_PRESSURE_LIMIT_SELF_ALIGNING: Final = 4.6e9
+"""Pa; permanent set of 1e-4 ball diameters at the contact of ball and race (ISO 76:2006)."""
 SPEED_LIMIT: Final = 3.0 * _MILLION
 """n d_m of the fastest hybrid spindle bearings."""
 TILT_LIMIT: Final = radians(1.0)
@@ -77,6 +78,13 @@ SKID_LIMIT: Final = 0.05
 """Of the cage's speed under outer raceway control: what differs more deserves a note."""
 SPIN_LIMIT: Final = 0.05
 """Spin to roll at both races above which no race can be said to control a ball."""
+FOUR_POINT_LOAD_RATIO: Final = 1.27
+"""F_a/F_r from which on the balls of a four-point bearing (35°, series QJ 2 and QJ 3) bear on one
+arc of each ring only, as they should: SKF, Rolling bearings, four-point contact ball bearings, load
+ratio. SLF's catalogue has 1.2."""
+_RADIAL_SHARE: Final = 0.01
+"""Radial over axial load of a thrust bearing above which it is no longer what is left of rounding
+or of an alignment."""
 
 
 def notes_on(solved: Solved) -> tuple[Note, ...]:
@@ -84,17 +92,19 @@ def notes_on(solved: Solved) -> tuple[Note, ...]:
     if not solved.converged[0]:
         return ()
     checks = (
-        _other_than_said, _lost_rows, _lost_contacts, _pressures, _past_edge, _shoulders, _speeds,
-        _tilts, _free_directions, _free_tilt, _control, _gyroscopic_slip, _gyroscopic_left_out,
-        _arches, _rolling, _estimated_geometry, _letters, _nearly_lost,
+        _other_than_said, _lost_rows, _lost_contacts, _pressures, _past_edge, _shoulders,
+        _speeds, _tilts, _free_directions, _free_tilt, _control, _gyroscopic_slip,
+        _gyroscopic_left_out, _arches, _rolling, _estimated_geometry, _letters, _nearly_lost,
+        _radial_load_on_thrust, _four_point_load,
     )  # fmt: skip
     notes = tuple(note for check in checks for note in check(solved))
     return notes if solved.rollers is None else (*notes, *notes_on_rollers(solved))
 
 
-LEADING: Final = frozenset({"designation_preload", "pair_clearance_not_listed", "stainless_rating"})
-"""Notes by which the bearing that is solved is another than its designation says: they stand
-above the result."""
+def pressure_limit(case: Case) -> float:
+    """Return the contact pressure from which balls of a bearing indent its races (Pa; ISO 76)."""
+    sphere = case.bearing.kind == "self_aligning"
+    return _PRESSURE_LIMIT_SELF_ALIGNING if sphere else _PRESSURE_LIMIT
 
 
 def jones_verdict(solved: Solved) -> NDArray[np.int64]:
@@ -123,6 +133,9 @@ def _lost_rows(solved: Solved) -> Iterator[Note]:
 def _lost_contacts(solved: Solved) -> Iterator[Note]:
     """Balls that the inner ring does not touch."""
     free = ~solved.loaded[0]
+    if nothing_given(solved):
+        yield Note("no_load_given", {"speed": _turns(solved)})
+        return
     if free.all():
         yield Note("no_ball_loaded" if solved.rollers is None else "no_element_loaded")
         return
@@ -146,15 +159,16 @@ def _lost_contacts(solved: Solved) -> Iterator[Note]:
 
 
 def _pressures(solved: Solved) -> Iterator[Note]:
+    limit = pressure_limit(solved.case)
     for race, contacts in solved.contacts.items():
-        over = (contacts.max_pressure[0] > STATIC_PRESSURE_LIMIT) & ~are_rollers(solved)
+        over = (contacts.max_pressure[0] > limit) & ~are_rollers(solved)
         if over.any():
             yield Note(
                 "contact_pressure_high",
                 {
                     "race": race,
                     "max_pressure": float(contacts.max_pressure[0, over].max()),
-                    "limit": STATIC_PRESSURE_LIMIT,
+                    "limit": limit,
                     **which_elements(solved, over),
                 },
             )
@@ -348,8 +362,9 @@ def _gyroscopic_left_out(solved: Solved) -> Iterator[Note]:
     # all contacts of the ball together hold it
     needed = friction_demand(moment, diameter, load, 2.0)
     greatest = float(needed.max())
+    held = greatest <= FRICTION_LIMIT
     yield Note(
-        "gyroscopic_moment_left_out",
+        "gyroscopic_moment_left_out" if held else "gyroscopic_moment_not_held",
         {
             "moment": float(moment.max()),
             "friction_coefficient": greatest if isfinite(greatest) else None,
@@ -405,7 +420,7 @@ def _estimated_geometry(solved: Solved) -> Iterator[Note]:
 
 
 def _other_than_said(solved: Solved) -> Iterator[Note]:
-    """What the designation says and the solved bearing is not: see `LEADING`."""
+    """What the designation says and the solved bearing is not: they lead."""
     case = solved.case
     bearing = case.bearing
     told = bearing.told
@@ -454,6 +469,44 @@ def _nearly_lost(solved: Solved) -> Iterator[Note]:
         yield Note("preload_nearly_lost", {"row": row, "factor": float(factor)})
 
 
+def _radial_load_on_thrust(solved: Solved) -> Iterator[Note]:
+    """A radial load on a bearing whose grooves are for an axial one."""
+    radial, axial = _given_forces(solved)
+    if _is_washers(solved.case) and radial > _RADIAL_SHARE * abs(axial):
+        yield Note("thrust_under_radial_load", {"radial": radial, "axial": axial})
+
+
+def _four_point_load(solved: Solved) -> Iterator[Note]:
+    """A load under which balls of a four-point bearing bear on both arcs of a ring and slide."""
+    if solved.case.bearing.kind != "four_point":
+        return
+    radial = float(np.hypot(solved.load.fy[0], solved.load.fz[0]))
+    axial = abs(float(solved.load.fx[0]))
+    if axial < FOUR_POINT_LOAD_RATIO * radial:
+        both = solved.loaded[0].reshape(2, -1).all(axis=0)
+        values = {"ratio": axial / radial, "limit": FOUR_POINT_LOAD_RATIO}
+        yield Note("four_point_under_radial_load", {**values, "both_arcs": int(both.sum())})
+
+
+def nothing_given(solved: Solved) -> bool:
+    """Return whether neither load, displacement nor preload loads the first case at all."""
+    given = [f"duty.load.{name}" for name in LOADS] + [f"duty.displacement.{name}" for name in AXES]
+    known = [float(np.nan_to_num(solved.field(name)[0])) for name in given]
+    return not (any(known) or solved.loaded[0].any())
+
+
+def _given_forces(solved: Solved) -> tuple[float, float]:
+    """Radial and axial load of the first case as given, 0 where a displacement is (N)."""
+    fx, fy, fz = (float(np.nan_to_num(solved.field(f"duty.load.{n}")[0])) for n in LOADS[:3])
+    return float(np.hypot(fy, fz)), fx
+
+
+def _is_washers(case: Case) -> bool:
+    """Whether it is a thrust bearing of 90°, which is for axial load alone."""
+    bearing = case.bearing
+    return bearing.kind == "thrust" and (bearing.contact_angle or 0.0) > 0.5 * pi * (1.0 - 1e-9)
+
+
 def _turns(solved: Solved) -> bool:
     return bool(solved.field("duty.inner_speed")[0] != solved.field("duty.outer_speed")[0])
 
@@ -468,8 +521,7 @@ def advice_on(solved: Solved, case: int = 0) -> Note | None:
         return None
     given, residual = solved.case, float(solved.status.residual[case])
     if code == NO_EQUILIBRIUM:
-        axial = float(np.nan_to_num(solved.field("duty.load.fx")[case]))
-        return _no_equilibrium(given, int(solved.status.unsupported[case]), axial)
+        return _no_equilibrium(solved[case], int(solved.status.unsupported[case]))
     if code == INVALID_INPUT:
         return Note("invalid_input") if solved.refusals is None else solved.refusals.note(case)
     factor = _speed_factor(solved[case])
@@ -511,9 +563,14 @@ def _edge(case: Case, race: Race) -> float:
 def _out_of_the_washers(solved: Solved) -> Note:
     """Advice where balls climb out of a thrust bearing's grooves, and the load that keeps them.
 
+    Where there is a radial load, that it is the wrong bearing for it.
+
     With α_i = π - α_o, F_c = 2 Q cos α_o and F_a = Z Q sin α_o: at the edge of the outer groove
     F_a = ½ Z F_c tan α_o.
     """
+    radial, axial = _given_forces(solved)
+    if _is_washers(solved.case) and radial > _RADIAL_SHARE * abs(axial):
+        return Note("thrust_carries_no_radial_load", {"radial": radial, "axial": axial})
     rows = solved.rows
     bearing = ball_bearing(solved.case)
     deepest = bearing.groove_bottom
@@ -538,15 +595,19 @@ def _out_of_the_washers(solved: Solved) -> Note:
     )
 
 
-def _no_equilibrium(case: Case, axis: int, axial_load: float) -> Note:
+def _no_equilibrium(solved: Solved, axis: int) -> Note:
     """Name the direction that nothing supports, and what would."""
-    bearing = case.bearing
+    case, bearing = solved.case, solved.case.bearing
+    radial, axial_load = _given_forces(solved)
     if bearing.kind == "thrust":
+        if _is_washers(case) and axial_load > 0.0 and radial > _RADIAL_SHARE * axial_load:
+            return Note("thrust_carries_no_radial_load", {"radial": radial, "axial": axial_load})
         return Note("thrust_pushed_aside" if axial_load > 0.0 else "thrust_unsupported")
     if bearing.kind == "self_aligning" and axis > 2:
         return Note("sphere_holds_no_moment", {"axis": AXES[axis]})
     if any(place.bearing.element != "ball" for place in bearing.places):
-        return rollers_without_equilibrium(case, axis)
+        tilts = bool(_free(solved)[3:].any())
+        return rollers_without_equilibrium(case, axis, (axial_load, radial), tilts=tilts)
     if bearing.kind is not None:
         return Note("unsupported", {"axis": AXES[axis]})
     one_sided = [place.bearing.carries_one_way for place in bearing.places]

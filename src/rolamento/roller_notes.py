@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import radians
+from math import radians, tan
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -155,8 +155,26 @@ def _end_and_inside(pressure: FloatArray) -> tuple[FloatArray, FloatArray]:
 # --- advice ---------------------------------------------------------------------------------------
 
 
-def rollers_without_equilibrium(case: Case, axis: int) -> Note:
-    """Name the direction in which nothing supports a ring with rollers, and what would."""
+def rollers_without_equilibrium(
+    case: Case, axis: int, load: tuple[float, float], *, tilts: bool
+) -> Note:
+    """Name the direction in which nothing supports a ring with rollers, and what would.
+
+    Every tapered roller presses at α_o, and all together with F_a ≥ F_r tan α_o; with more axial
+    load than that, rings that are kept aligned find their place. Then it is the free tilt that
+    does not.
+
+    Parameters
+    ----------
+    case
+        Of the rows.
+    axis
+        The direction, as in `AXES`.
+    load
+        Axial and radial, as given (N).
+    tilts
+        Whether the ring is free to tilt.
+    """
     kinds = {place.bearing.element for place in case.bearing.places}
     if axis == 0 and not kinds & {"ball", "tapered"}:
         return Note("ribs_do_not_hold")
@@ -164,5 +182,9 @@ def rollers_without_equilibrium(case: Case, axis: int) -> Note:
         signs = {place.sign for place in case.bearing.places}
         if len(signs) == 1:
             toward, away = ("+x", "-x") if signs == {1.0} else ("-x", "+x")
+            axial, radial = load
+            needed = radial * max(tan(place.bearing.row_angle) for place in case.bearing.places)
+            if tilts and axial * signs.pop() > needed:
+                return Note("tapered_free_to_tilt", {"axial": abs(axial), "needed": needed})
             return Note("tapered_unsupported_axially", {"toward": toward, "away": away})
     return Note("rollers_unsupported", {"axis": AXES[axis]})

@@ -68,6 +68,7 @@ def test_a_case(run: Run) -> None:
     assert (code, err) == (0, "")
     headings = [line for line in out.splitlines() if re.match(r"[A-Z][a-z ]+$", line)]
     assert headings == [
+        "Caution",
         "Life",
         "Life by theory",
         "Scope of each theory",

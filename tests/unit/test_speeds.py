@@ -33,6 +33,7 @@ from rolamento.speeds import (
 )
 from rolamento.tasks.bearing import case_of
 from rolamento.tasks.speed import speed_limits
+from rolamento.words.headlines import qualifies
 
 RPM = pi / 30.0
 WARM = ["lubricant=ISO VG 32", "temperature.lubricant=70 degC"]
@@ -154,7 +155,7 @@ def test_what_a_designation_says_is_considered_or_said_not_to_be() -> None:
     found = speed_limits("7014C/HCP4ADBA")
     assert [one.name for one in found.limits] == ["grease", "oil_bath"]
     assert [factor.name for factor in found.limits[0].factors] == ["matched", "ceramic"]
-    note = found.leading[0]
+    note = found.notes[0]
     assert note.key == "speed_class_leaves_out"
     assert [part for part, _ in note.values["parts"]] == ["P4A"]
     assert note.values["preload"]
@@ -180,7 +181,7 @@ def test_what_a_designation_says_is_considered_or_said_not_to_be() -> None:
 def test_what_no_table_knows_leads(designation: str, left_out: set[str]) -> None:
     found = speed_limits(designation)
     values = next(
-        (note.values for note in found.leading if note.key == "speed_class_leaves_out"),
+        (note.values for note in found.notes if note.key == "speed_class_leaves_out"),
         {"parts": []},
     )
     named = {part for part, _ in values["parts"]}
@@ -190,7 +191,7 @@ def test_what_no_table_knows_leads(designation: str, left_out: set[str]) -> None
 
 def test_a_limit_above_leads() -> None:
     found = speed_limits("6210", ["duty.inner_speed=20000 rpm"])
-    assert found.leading[0].key == "speed_above_limits"
+    assert found.notes[0].key == "speed_above_limits"
     page = terminal(speed_page(found))
     assert page.index("The speed is above") < page.index("Limits of the speed")
     assert page.count("The speed is above") == 1
@@ -233,7 +234,7 @@ def test_a_size_alone_borrows_no_series_of_another_kind() -> None:
     found = speed_limits(case)
     assert found.boundary.series == ""
     assert not found.limits
-    assert [note.key for note in found.leading] == ["no_series_for_speed"]
+    assert [note.key for note in found.notes if qualifies(note)] == ["no_series_for_speed"]
     assert speed_limits(case, series="QJ2", width=0.02).limits[0].name == "reference"
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Final
 
 import numpy as np
@@ -17,18 +17,21 @@ from rolamento.life.conditions import LifeConditions, conditions_of
 from rolamento.life.headline import Headline, headline_of
 from rolamento.life.iso281_modified import MAXIMUM_RATIO
 from rolamento.life.iso16281 import ReferenceLife
-from rolamento.life.record import Life, finite
+from rolamento.life.record import BOUNDS, OUTSIDE, Life, finite
 from rolamento.life.reliability import reliability_factor, reliability_of
 from rolamento.life.rib_load import RibLoad
 from rolamento.life.row_ratings import Ratings
 from rolamento.life.theories import THEORIES
 from rolamento.numerics import FloatArray
+from rolamento.solution import solve
 from rolamento.solved import Solved
 from rolamento.units import HOUR
-from rolamento.words import said
+from rolamento.words import Note, said
+from rolamento.words.headlines import qualifies
 
 _ALIKE: Final = 1e-12
 """Of a life: races that differ by less do so by rounding, and the first of them is named."""
+_MILLION: Final = 1e6
 _WORTH: Final = 1.5
 """Gain of the modified life below which neither oil nor cleanliness is what limits it."""
 
@@ -83,6 +86,9 @@ class LifeSummary:
         what the ribs of a cylindrical roller bearing carry and may carry; None of others
     slices
         into how many slices rollers were divided; None without rollers
+    independent
+        the life that leads with independent slices, of which the standards' lives are; None where
+        the slices are not coupled, and of many cases of a mounted bearing
     conditions
         what it was calculated with
     """
@@ -99,6 +105,7 @@ class LifeSummary:
     conditions: LifeConditions
     rib_load: RibLoad | None = None
     slices: int | None = None
+    independent: Headline | None = None
 
     def __getitem__(self, theory: str) -> Life:
         """Return the life by one theory."""
@@ -139,6 +146,43 @@ class LifeSummary:
         known = np.where(np.isnan(ratio), 1.0, ratio)
         return np.where(np.isnan(ratio), np.nan, reliability_of(known, edition))
 
+    def qualifications(self, case: int = 0) -> tuple[Note, ...]:
+        """Return the notes that qualify the life that leads in one case; none where none leads.
+
+        What it leaves out, and where its theory is strained. Why it is a bound, or why nothing
+        leads, is `Headline.reason_of`.
+        """
+        leading = self.headline
+        if not leading.leads[case]:
+            return ()
+        own = self.theories.get(str(leading.theory[case]), self.theories[iso16281.THEORY.name])
+        said_before = OUTSIDE | BOUNDS
+        return (
+            *self._lubrication_left_out(case),
+            *self._coupled(case),
+            *(n for n in own.notes_of(case) if n.key not in said_before and qualifies(n)),
+        )
+
+    def _lubrication_left_out(self, case: int) -> tuple[Note, ...]:
+        """What the basic reference life leaves out where it leads, and what is missing for it."""
+        if self.headline.below[case] or self.headline.theory[case] != iso16281.THEORY.name:
+            return ()
+        only_clean = self.viscosity_ratio is not None and self.contamination_factor is None
+        return (Note("cleanliness_missing" if only_clean else "lubrication_left_out"),)
+
+    def _coupled(self, case: int) -> tuple[Note, ...]:
+        """What the standards' independent slices give where those of the case are coupled."""
+        if self.independent is None:
+            return ()
+        valid = bool(self.independent.leads[case])
+        life, hours = (
+            finite(getattr(self.independent, name)[case] * unit) if valid else None
+            for name, unit in (("life", _MILLION), ("hours", HOUR))
+        )
+        below = bool(self.independent.below[case])
+        values = {"revolutions": life, "life": hours, "below": below}
+        return (Note("life_of_coupled_slices", values),)
+
     def to_mapping(self, case: int = 0) -> dict[str, Any]:
         """Give one case as plain values, SI and millions of revolutions; NaN as None."""
         theories = {name: life.to_mapping(case) for name, life in self.theories.items()}
@@ -157,7 +201,10 @@ class LifeSummary:
         }
         share = _at(self.limit.share, case)
         return {
-            "headline": self.headline.to_mapping(case),
+            "headline": {
+                **self.headline.to_mapping(case),
+                "notes": [note.to_mapping() for note in self.qualifications(case)],
+            },
             "loads": {
                 **{name: _at(array, case) for name, array in loads.items()},
                 "factors_listed": self.loads.listed,
@@ -265,7 +312,22 @@ def life(
         conditions=given,
         rib_load=basis.rib_load,
         slices=None if solved.rollers is None else solved.rollers.slices,
+        independent=_by_independent_slices(solved, given),
     )
+
+
+def _by_independent_slices(solved: Solved, given: LifeConditions) -> Headline | None:
+    """The life that leads if the same cases are solved with independent slices; see `LifeSummary`.
+
+    Where a mounting changed what varies, the cases cannot be written down again.
+    """
+    mounted = bool(solved.varied) and solved.before_mounting is not None
+    if solved.rollers is None or solved.case.model.roller_contact != "coupled" or mounted:
+        return None
+    model = solved.case.model.replace(roller_contact="slices")
+    again = solve(solved.case.replace(model=model), dict(solved.varied) or None, preload_loss=False)
+    again = replace(again, before_mounting=solved.before_mounting)
+    return life(again, given, stress_volume=False).headline
 
 
 def _limit_of(basis: Basis) -> Limit:

@@ -20,8 +20,8 @@ from rolamento.document import (
     Title,
     Tone,
 )
+from rolamento.pages.notes import cautions_section, notes_section, remarks_of
 from rolamento.pages.preload import stage_table
-from rolamento.pages.state import notes_section
 from rolamento.words import in_unit, manner, marked, said, said_in
 
 if TYPE_CHECKING:
@@ -64,7 +64,7 @@ def clearance_page(
         Of the case.
     """
     head = [Section("", (Title(title),), key="head")] if title else []
-    sections = [*head]
+    sections = [*head, *cautions_section(found.notes)]
     if found.stages:
         stages = stage_table(found.stages)
         sections.append(Section(said("Preload"), (stages,), key="preload"))
@@ -73,7 +73,7 @@ def clearance_page(
     sections.append(_sources(found.rows[0]))
     if samples is not None:
         sections.append(_scatter(samples))
-    sections += notes_section(found.notes)
+    sections += notes_section(remarks_of(found.notes))
     return Document(title or said("Diametral clearance"), tuple(sections), kind="clearance")
 
 

@@ -18,6 +18,7 @@ from rolamento.document import (
     Table,
 )
 from rolamento.geometry import Race
+from rolamento.pages.notes import cautions
 from rolamento.solved import RACES
 from rolamento.words import marked, said, said_in
 
@@ -53,7 +54,7 @@ def regime_name(regime: str) -> str:
 
 def film_sections(film: Film) -> list[Section]:
     """Return the film of a single case: the oil, the thinnest films, and those of the balls."""
-    blocks: list[Block] = list(_oil(film))
+    blocks: list[Block] = [*_oil(film), *cautions(film.notes_of())]
     thickness = [_at_thinnest(film, race, "central_thickness") for race in RACES]
     if not any(map(isfinite, thickness)):
         return [Section(said("Lubricant film"), tuple(blocks), key="film")]

@@ -19,6 +19,7 @@ from rolamento.document import (
     Tone,
 )
 from rolamento.pages.given import head, untitled
+from rolamento.pages.notes import cautions, cautions_section
 from rolamento.studies.names import torque_model_name
 from rolamento.words import in_unit, marked, said
 
@@ -62,7 +63,8 @@ _REASONS: Final = {
 def friction_page(analysis: Analysis) -> Document:
     """Return the page of the friction of one case; without a result it says why and what to do."""
     solved = analysis.solved
-    sections = [head(solved)]
+    whole = (*solved.notes[0], *analysis.notes)
+    sections = [head(solved), *cautions_section(whole)]
     if analysis.friction is not None:
         sections += friction_sections(solved, analysis.friction)
     return Document(
@@ -124,7 +126,14 @@ def _torque_and_heat(solved: Solved, friction: Friction) -> Section:
         coefficient=float(friction.friction_coefficient[0]),
         name=lubricant.name,
     )
-    blocks: tuple[Block, ...] = (Statement(named, indent=2), _totals(friction))
+    nowhere = friction.without_model(solved)
+    chosen = (found for found in friction.judged if found.model == friction.model)
+    strained = nowhere or [note for found in chosen for note in found.notes_of()]
+    blocks: tuple[Block, ...] = (
+        Statement(named, indent=2),
+        _totals(friction),
+        *cautions(strained),
+    )
     return Section(said("Friction"), blocks, key="friction")
 
 
@@ -255,5 +264,4 @@ def _models(solved: Solved, friction: Friction) -> Section:
     if friction.judged != friction.validity:
         legends = (said("the models of Jones, Harris and Todd are for balls"),)
     table = Table(columns=columns, key="models", legends=legends)
-    nowhere = [Statement(n.text, "warning", indent=2) for n in friction.without_model(solved)]
-    return Section(said("Friction torque by model"), (table, *nowhere), key="models")
+    return Section(said("Friction torque by model"), (table,), key="models")

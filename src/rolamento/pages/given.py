@@ -13,25 +13,24 @@ from rolamento.case.duty import AXES, LOADS, Duty
 from rolamento.case.profile import Profile
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.case.rolling_bearing import RollingBearing
-from rolamento.document import Entry, KeyValues, Section, Statement, Title
-from rolamento.notes import LEADING
+from rolamento.document import Entry, KeyValues, Section, Title
+from rolamento.notes import nothing_given
 from rolamento.units import Dimension, readable
-from rolamento.words import Note, manner, said, said_in
+from rolamento.words import manner, said, said_in
 from rolamento.words.reasons import reason
 
 if TYPE_CHECKING:
     from rolamento.solved import Solved
 
-__all__ = ["BOTH", "facing", "head", "model_text", "other_notes", "quantity", "reason", "untitled"]
+__all__ = ["BOTH", "facing", "head", "model_text", "no_load_text", "quantity", "reason", "untitled"]
 
 BOTH: Final = "±"
 _PLUS, _MINUS = "+", "−"
 
 
 def head(solved: Solved) -> Section:
-    """Return the title, what was given, how the solution ended, and what leads the notes."""
+    """Return the title, what was given, and how the solution ended."""
     case = solved.case
-    leading = [note for note in solved.notes[0] if note.key in LEADING]
     entries = (
         Entry(said("bearing"), _bearing(case.bearing)),
         Entry(said("duty"), _duty(case.duty)),
@@ -39,14 +38,7 @@ def head(solved: Solved) -> Section:
         *_status(solved),
     )
     given = tuple(entry for entry in entries if entry.content)  # at rest no model matters
-    first = (Statement(note.text, "warning-strong") for note in leading)
-    title = Title(solved.title or untitled(case))
-    return Section("", (title, KeyValues(given), *first), key="given")
-
-
-def other_notes(solved: Solved) -> list[Note]:
-    """Return the notes that the `head` does not show."""
-    return [note for note in solved.notes[0] if note.key not in LEADING]
+    return Section("", (Title(solved.title or untitled(case)), KeyValues(given)), key="given")
 
 
 def untitled(case: Case) -> str:
@@ -424,9 +416,16 @@ def _in_motion(case: Case, elements: Sequence[str]) -> list[str]:
     return texts
 
 
+def no_load_text() -> str:
+    """Say in the place of a status that a case has no load; what to give is for the note on it."""
+    return said("no load is given yet: nothing to calculate")
+
+
 def _status(solved: Solved) -> list[Entry]:
     """Return the status, and the advice if there is any."""
     status = solved.status
+    if solved.converged[0] and nothing_given(solved):
+        return [Entry(said("status"), no_load_text(), "warning-strong")]
     if solved.converged[0]:
         text = said(
             "✓ converged in {iterations} iterations, residual {residual:.1e}",

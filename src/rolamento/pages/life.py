@@ -32,8 +32,8 @@ from rolamento.life.iso16281 import THEORY as REFERENCE
 from rolamento.life.iso16281_modified import THEORY as MODIFIED_REFERENCE
 from rolamento.life.record import BOUNDS, OUTSIDE, note_of
 from rolamento.life.theories import THEORIES
-from rolamento.pages.given import head, other_notes, untitled
-from rolamento.pages.state import notes_section
+from rolamento.pages.given import head, untitled
+from rolamento.pages.notes import cautions, cautions_section, notes_section, remarks_of
 from rolamento.units import HOUR
 from rolamento.words import ABSENT, Note, said
 from rolamento.words.theories import theory_life, theory_name, theory_scope
@@ -112,7 +112,7 @@ def life_page(
     figures
         Pictures of the life that need more than that, such as of life over load.
     """
-    sections = [head(solved)]
+    sections = [head(solved), *cautions_section(solved.notes[0])]
     if summary is not None:
         lines = statement(solved, summary, changes)
         sections += [
@@ -125,7 +125,7 @@ def life_page(
         ]
         pictures = (*_charts(summary), *figures)
         sections += [Section("", pictures, key="figures")] * bool(pictures)
-    sections += notes_section(other_notes(solved))
+    sections += notes_section(remarks_of(solved.notes[0]))
     return Document(
         solved.title or untitled(solved.case), tuple(sections), kind="life", main="theories"
     )
@@ -230,10 +230,11 @@ def statement(
     elif isinf(leading.life[0]):
         sentences = [_endless(solved, leading), *_required(summary)]
     else:
-        sentences = [_life(solved, leading), *_left_out(summary), *_beyond_fatigue(leading)]
+        sentences = [_life(solved, leading), *_bounded(leading), *_beyond_fatigue(leading)]
         sentences += [*_beside_the_catalogue(summary), *_limit(solved, summary)]
         sentences += [*_help(summary, changes), *_required(summary)]
-    return tuple(Statement(text, tone, indent=2) for text, tone in sentences)
+    first, *others = (Statement(text, tone, indent=2) for text, tone in sentences)
+    return (first, *cautions(summary.qualifications()), *others)
 
 
 _Sentence = tuple[str, Tone]
@@ -476,26 +477,10 @@ def _required(summary: LifeSummary) -> list[_Sentence]:
     return [(required_sentence(required, reliability, below=below), "")]
 
 
-def _left_out(summary: LifeSummary) -> list[_Sentence]:
-    """Say why the life is but a bound, or that oil and contamination are not in it."""
-    leading = summary.headline
-    if leading.below[0]:
-        reason = leading.reason_of()
-        return [("" if reason is None else reason.text, "warning")]
-    if leading.theory[0] == MODIFIED_REFERENCE.name:
-        return []
-    if summary.viscosity_ratio is not None and summary.contamination_factor is None:
-        text = said(
-            "Lubrication and contamination are not included: the case needs the cleanliness "
-            "(life.cleanliness, for instance)."
-        )
-    else:
-        text = said(
-            "Lubrication and contamination are not included: the case needs the viscosity "
-            "(lubricant with its temperature, or life.viscosity_ratio) and the cleanliness "
-            "(life.cleanliness, for instance)."
-        )
-    return [(text, "faint")]
+def _bounded(leading: Headline) -> list[_Sentence]:
+    """Say why the life is but a bound."""
+    reason = leading.reason_of() if leading.below[0] else None
+    return [] if reason is None else [(reason.text, "warning")]
 
 
 def _warning(summary: LifeSummary) -> list[_Sentence]:
@@ -893,9 +878,10 @@ def _in_revolutions(life: Life) -> str:
 
 
 def life_notes(summary: LifeSummary) -> list[Note]:
-    """Return what is to be known of the lives that are shown, each once."""
+    """Return what is to be known of the lives that are shown beside the one that leads, once."""
+    leading = {note.key for note in summary.qualifications()}
     notes = [note for life in _standard_lives(summary) for note in life.notes_of()]
-    return list({note.key: note for note in notes}.values())
+    return list({note.key: note for note in notes if note.key not in leading}.values())
 
 
 def _standard_lives(summary: LifeSummary) -> list[Life]:

@@ -12,7 +12,8 @@ from rolamento.case import Case
 from rolamento.document import Block, Column, Document, Section, Statement, Table, Title, Tone
 from rolamento.life import Life
 from rolamento.life.iso16281 import THEORY as REFERENCE
-from rolamento.life.record import note_of
+from rolamento.life.record import BOUNDS, OUTSIDE, note_of
+from rolamento.life.theory import VISCOSITY_RATIO
 from rolamento.pages.given import untitled
 from rolamento.pages.life import (
     formulas_only,
@@ -24,8 +25,9 @@ from rolamento.pages.life import (
     required_sentence,
     verdict,
 )
+from rolamento.pages.notes import cautions
 from rolamento.units import HOUR
-from rolamento.words import said
+from rolamento.words import Note, said
 from rolamento.words.reasons import reason
 from rolamento.words.theories import theory_life, theory_name
 
@@ -63,6 +65,7 @@ def life_spectrum_page(found: SpectrumLife) -> Document:
 def _statement(found: SpectrumLife) -> tuple[Block, ...]:
     leading = found.headline
     sentences: list[tuple[str, Tone]] = []
+    qualified: list[Note] = []
     if not found.converged:
         sentences.append((said("Without a result of every step there is no life."), "bad-strong"))
     elif not (leading.valid or leading.below):
@@ -88,12 +91,30 @@ def _statement(found: SpectrumLife) -> tuple[Block, ...]:
         if found.required_life is not None and reliability is not None:
             text = required_sentence(found.required_life, reliability, below=leading.below)
             sentences.append((text, ""))
+        qualified = _qualifications(found)
     if abs(found.steps.given_sum - 1.0) > 1e-9:
         text = said(
             "The shares sum to {total:.5} and were scaled to 1.", total=found.steps.given_sum
         )
         sentences.append((text, "warning"))
-    return tuple(Statement(text, tone, indent=2) for text, tone in sentences)
+    statements = tuple(Statement(text, tone, indent=2) for text, tone in sentences)
+    return (*statements, *cautions(qualified))
+
+
+def _qualifications(found: SpectrumLife) -> list[Note]:
+    """Return what qualifies the life that leads, in any of the steps."""
+    theory = found.headline.theory
+    notes = []
+    if theory == REFERENCE.name and not found.headline.below:
+        known = VISCOSITY_RATIO.met(found.case)
+        notes.append(Note("cleanliness_missing" if known else "lubrication_left_out"))
+    steps = found.theories.get(theory, found.theories[REFERENCE.name]).steps
+    assert isinstance(steps, Life)
+    part = found.taking_part
+    for key, where in steps.notes.items():
+        if (where & part).any() and key not in OUTSIDE | BOUNDS:
+            notes.append(note_of(key, steps.element))
+    return notes
 
 
 def _worst(found: SpectrumLife) -> list[tuple[str, Tone]]:

@@ -14,9 +14,7 @@ from rolamento.document import (
     Entry,
     Figure,
     KeyValues,
-    Notes,
     Number,
-    Remark,
     Section,
     Statement,
     Table,
@@ -24,7 +22,8 @@ from rolamento.document import (
     Tone,
 )
 from rolamento.pages.lives import FIGURES, percent
-from rolamento.words import ABSENT, ENDLESS, Note, counted, manner, said
+from rolamento.pages.notes import cautions, notes_section, remarks_of
+from rolamento.words import ABSENT, ENDLESS, counted, manner, said
 from rolamento.words.naming import one_line, shortened
 
 if TYPE_CHECKING:
@@ -94,8 +93,9 @@ def remaining_page(study: RemainingStudy) -> Document:
         *_interval_columns([interval for _, interval in rows], unit, confidence),
     )
     heading = said("Time left after {age:.6} {unit}", age=found.age, unit=unit)
+    notes = (*study.distribution.notes, *study.notes)
     sections = [
-        Section("", tuple(statements), key="verdict"),
+        Section("", (*statements, *cautions(notes)), key="verdict"),
         _head(title, study.distribution, study.title),
         Section(heading, (Table(columns=columns, key="residual_lives"),), key="residual"),
     ]
@@ -107,7 +107,7 @@ def remaining_page(study: RemainingStudy) -> Document:
 
     caption = said("Probability of running on, over the time from now")
     sections += [
-        *_notes((*study.distribution.notes, *study.notes)),
+        *notes_section(remarks_of(notes)),
         Section("", (Figure(caption=caption, draw=draw, key="remaining"),), key="figures"),
     ]
     return Document(title, tuple(sections), kind="remaining-life", main="residual_lives")
@@ -177,8 +177,9 @@ def replacement_page(study: ReplacementStudy) -> Document:
                 ),
             ),
         ]
+    notes = (*study.distribution.notes, *study.notes)
     sections = [
-        Section("", tuple(blocks), key="verdict"),
+        Section("", (*blocks, *cautions(notes)), key="verdict"),
         _head(title, study.distribution, study.title),
         Section(said("Costs"), (KeyValues(tuple(entries), indent=2),), key="costs"),
     ]
@@ -192,7 +193,7 @@ def replacement_page(study: ReplacementStudy) -> Document:
 
     caption = said("Cost of replacing at an age")
     sections += [
-        *_notes((*study.distribution.notes, *study.notes)),
+        *notes_section(remarks_of(notes)),
         Section("", (Figure(caption=caption, draw=draw, key="cost"),), key="figures"),
     ]
     return Document(title, tuple(sections), kind="age-replacement", main="if_shape")
@@ -312,8 +313,9 @@ def fleet_page(study: FleetStudy) -> Document:
             observed=observed,
         )
     entries.append(Entry(said("expected by now"), text_now))
+    notes = (*study.distribution.notes, *study.notes)
     sections = [
-        Section("", (Statement(text, "strong"),), key="verdict"),
+        Section("", (Statement(text, "strong"), *cautions(notes)), key="verdict"),
         _head(title, study.distribution, study.title),
         Section("", (KeyValues(tuple(entries)),), key="facts"),
         _steps(study),
@@ -327,7 +329,7 @@ def fleet_page(study: FleetStudy) -> Document:
 
     caption = said("Failures of the fleet over the time from now")
     sections += [
-        *_notes((*study.distribution.notes, *study.notes)),
+        *notes_section(remarks_of(notes)),
         Section("", (Figure(caption=caption, draw=draw, key="failures"),), key="figures"),
     ]
     return Document(title, tuple(sections), kind="fleet", main="steps")
@@ -479,8 +481,3 @@ def _time(value: float) -> str:
 def _money(value: float, currency: str) -> str:
     text = manner().number(value, ".5")
     return f"{text} {currency}" if currency else text
-
-
-def _notes(notes: Iterable[Note]) -> list[Section]:
-    remarks = tuple(Remark(note.text, note.key) for note in dict.fromkeys(notes))
-    return [Section(said("Notes"), (Notes(remarks),), key="notes")] * bool(remarks)

@@ -34,16 +34,18 @@ from rolamento.document import (
 from rolamento.friction.model import REMARKS
 from rolamento.life.record import BOUNDS, OUTSIDE, note_of
 from rolamento.life.theories import THEORIES
+from rolamento.notes import nothing_given
 from rolamento.pages.clearance import STEPS
 from rolamento.pages.elements import element_tables, roller_pictures
 from rolamento.pages.equations import equations_of, references_of
-from rolamento.pages.given import untitled
+from rolamento.pages.given import no_load_text, untitled
 from rolamento.pages.life import rating_source
 from rolamento.pages.preload import STAGE_NAMES
 from rolamento.pages.state import rosette_section, stiffness_section
 from rolamento.studies.names import torque_model_name
 from rolamento.vibration.frequencies import ABBREVIATIONS, LineName
-from rolamento.words import Note, counted, in_unit, manner, marked, said, worded
+from rolamento.words import Note, in_unit, manner, marked, said, worded
+from rolamento.words.headlines import qualifies
 from rolamento.words.reasons import reason
 from rolamento.words.theories import theory_name
 
@@ -58,9 +60,9 @@ __all__ = [
     "Part",
     "comparison_page",
     "part_of",
+    "remarks_section",
     "report_page",
     "summary_section",
-    "warning_section",
 ]
 
 _ABREAST: Final = 2
@@ -70,20 +72,20 @@ _LONGEST_LIFE: Final = 100_000.0
 
 
 def report_page(report: Report) -> Document:
-    """Return a report: title block, warnings, summary, inputs, results, equations, provenance.
+    """Return a report: title block, summary, inputs, results, remarks, equations, provenance.
 
     Parameters
     ----------
     report
         What `rolamento.tasks.report_on` gathered.
     """
-    warnings = _warnings(report)
     solved = [case for case in report.cases if case.converged]
+    remarks = _remarks(report)
     parts = [
-        (said("Warnings"), _warning_blocks(report, warnings), "warnings", ()),
         (said("Summary"), _summary(report), "summary", ()),
         (said("Inputs"), (), "inputs", _inputs(report)),
         *([(said("Results"), (), "results", _results(report))] if solved else []),
+        *([(said("Remarks"), remarks, "remarks", ())] if remarks else []),
         *([(said("Equations used"), equations_of(solved), "equations", ())] if solved else []),
         *([(said("Validity"), (), "validity", _validity(report))] if solved else []),
         *([(said("References"), _references(solved), "references", ())] if solved else []),
@@ -120,20 +122,23 @@ def comparison_page(report: Report, title: str = "") -> Document:
         summary_section(report),
         replace(differing, level=2),
         *(part_of(report, key) for key in _COMPARED),
-        warning_section(report),
+        remarks_section(report),
     ]
     kept = tuple(one for one in sections if isinstance(one, Beside) or one.blocks)
     return Document(title or said("Comparison"), kept, kind="comparison", main="summary")
 
 
-def summary_section(report: Report) -> Section:
-    """Return what leads: the status of each case, its life, the heaviest contact, the torque."""
-    return Section(said("Summary"), _summary(report), "summary")
+def summary_section(report: Report, *, advice: bool = True) -> Section:
+    """Return what leads: the status of each case, what qualifies it, life, pressure, torque.
+
+    advice: whether a case without a result says what to do, and not only why.
+    """
+    return Section(said("Summary"), _summary(report, advice=advice), "summary")
 
 
-def warning_section(report: Report) -> Section:
-    """Return what the reader should know, the gravest first."""
-    return Section(said("Warnings"), _warning_blocks(report, _warnings(report)), "warnings")
+def remarks_section(report: Report) -> Section:
+    """Return what else the reader should know; without blocks where there is nothing."""
+    return Section(said("Remarks"), _remarks(report), "remarks")
 
 
 def part_of(report: Report, key: str) -> Section:
@@ -180,7 +185,10 @@ def _case_titles(report: Report) -> list[Entry]:
 
 @dataclass(frozen=True, slots=True)
 class _Warning:
-    """What the reader should know of a case; weight 0 no result, 1 a limit passed, 2 a remark."""
+    """What the reader should know of a case.
+
+    weight: 0 a limit passed, 1 what qualifies the summary, 2 a remark.
+    """
 
     weight: int
     text: str
@@ -199,28 +207,32 @@ def _warnings(report: Report) -> list[tuple[_Warning, str]]:
 
 def _warnings_of(case: CaseReport) -> Iterator[_Warning]:
     analysis = case.analysis
-    if not case.converged:
-        yield _Warning(0, _failure(case), str(analysis.solved.status.code[0]))
+    if not case.converged:  # the status says why
         return
-    yield from _life_warnings(case)
+    if not nothing_given(analysis.solved):
+        yield from _life_warnings(case)
     yield from _friction_warnings(case)
     for check in case.checks:
         if not check.met and check.name in _CHECKS and not check.name.startswith("film"):
             text = said("Limit exceeded: {limit}.", limit=said(_CHECKS[check.name][0]))
-            yield _Warning(1, text, f"limit_{check.name}")
+            yield _Warning(0, text, f"limit_{check.name}")
     notes: list[Note] = [*analysis.solved.notes[0], *analysis.notes]
     if analysis.film is not None:
         notes += analysis.film.notes_of(0)
     if analysis.frequencies is not None:
         notes += analysis.frequencies.notes
     for note in notes:
-        yield _Warning(2, note.text, note.key)
+        yield _Warning(_weight(note), note.text, note.key)
 
 
-def _failure(case: CaseReport) -> str:
+def _weight(note: Note) -> int:
+    return 1 if qualifies(note) else 2
+
+
+def _failure(case: CaseReport, *, advised: bool) -> str:
     """Say why a case has no result, and what to do."""
     solved = case.analysis.solved
-    advice = solved.advice[0]
+    advice = solved.advice[0] if advised else None
     said_reason = said("No solution: {reason}.", reason=reason(str(solved.status.code[0])))
     return said_reason if advice is None else f"{said_reason} {advice.text}"
 
@@ -230,11 +242,15 @@ def _life_warnings(case: CaseReport) -> Iterator[_Warning]:
     if life is None:
         return
     if not life.headline.valid[0] and not life.headline.below[0]:
-        yield _Warning(1, said("No theory of life is valid for this case."), "no_life_valid")
+        yield _Warning(0, said("No theory of life is valid for this case."), "no_life_valid")
+    leading = life.qualifications()
     theories: dict[str, list[str]] = {}
     for name, own in life.theories.items():
         for note in own.notes_of(0):
             theories.setdefault(note.key, []).append(name)
+    for note in leading:
+        if note.key not in theories:
+            yield _Warning(1, note.text, note.key)
     for key, concerned in theories.items():
         always = key in BOUNDS and all(THEORIES[name].bound for name in concerned)
         refuses = key in OUTSIDE | BOUNDS and not always
@@ -245,7 +261,8 @@ def _life_warnings(case: CaseReport) -> Iterator[_Warning]:
             shown = said("Life, not valid ({theories}): {reason}", theories=what, reason=text)
         else:
             shown = said("Life ({theories}): {reason}", theories=what, reason=text)
-        yield _Warning(1 if refuses else 2, shown, key)
+        leads = any(note.key == key for note in leading)
+        yield _Warning(0 if refuses else 1 if leads else 2, shown, key)
 
 
 def _friction_warnings(case: CaseReport) -> Iterator[_Warning]:
@@ -260,27 +277,40 @@ def _friction_warnings(case: CaseReport) -> Iterator[_Warning]:
         names = "; ".join(map(torque_model_name, models))
         shown = said("Friction ({models}): {reason}", models=names, reason=note.text)
         limits = friction.model in models and note.key not in REMARKS
-        yield _Warning(1 if limits else 2, shown, note.key)
+        chosen = friction.model in models
+        yield _Warning(0 if limits else _weight(note) if chosen else 2, shown, note.key)
 
 
-def _warning_blocks(
-    report: Report, warnings: Sequence[tuple[_Warning, str]]
-) -> tuple[Statement | Notes, ...]:
-    if not warnings:
-        return (Statement(said("No warnings."), "good", mark="✓"),)
-    tones: tuple[Tone, ...] = ("bad", "warning", "")
+_REMARK: Final = 2
+_TONES: Final[tuple[Tone, ...]] = ("bad", "warning", "")
+
+
+def _qualifications(report: Report) -> tuple[Statement | Notes, ...]:
+    """Return what the summary has to be read with: limits that are passed, then other notes."""
+    found = [one for one in _warnings(report) if one[0].weight < _REMARK]
+    if found:
+        return (_notes(report, found),)
+    loaded = all(
+        case.converged and not nothing_given(case.analysis.solved) for case in report.cases
+    )
+    return (Statement(said("No warnings."), "good", mark="✓"),) if loaded else ()
+
+
+def _remarks(report: Report) -> tuple[Notes, ...]:
+    """Return what else is to be known; nothing without."""
+    found = [one for one in _warnings(report) if one[0].weight == _REMARK]
+    return (_notes(report, found),) if found else ()
+
+
+def _notes(report: Report, warnings: Sequence[tuple[_Warning, str]]) -> Notes:
     many = len(report.cases) > 1
     remarks = []
     for warning, names in warnings:
         text = warning.text
         if many:
             text = said("Case {names}: {text}", names=names, text=text)
-        remarks.append(Remark(text, warning.key, tones[warning.weight]))
-    grave = sum(warning.weight < 2 for warning, _ in warnings)
-    lead = counted("{n} remark", "{n} remarks", len(warnings))
-    if grave:
-        lead = said("{remarks}; limiting the results: {grave}", remarks=lead, grave=grave)
-    return (Statement(lead, "warning-strong" if grave else ""), Notes(tuple(remarks)))
+        remarks.append(Remark(text, warning.key, _TONES[warning.weight]))
+    return Notes(tuple(remarks))
 
 
 # --- tables of numbers ----------------------------------------------------------------------------
@@ -407,23 +437,32 @@ def _bracketed(form: str) -> str:
 # --- summary --------------------------------------------------------------------------------------
 
 
-def _summary(report: Report) -> tuple[Statement | Table, ...]:
-    statements = [_status_statement(case, many=len(report.cases) > 1) for case in report.cases]
-    return (*statements, *_tables(report, [("", _summary_rows(report))], "summary"))
+def _summary(report: Report, *, advice: bool = True) -> tuple[Statement | Notes | Table, ...]:
+    many = len(report.cases) > 1
+    statements = [_status_statement(case, many=many, advice=advice) for case in report.cases]
+    solved = [case.analysis.solved for case in report.cases if case.converged]
+    rows = _summary_rows(report) if not all(map(nothing_given, solved)) else []
+    tables = _tables(report, [("", rows)], "summary")
+    return (*statements, *_qualifications(report), *tables)
 
 
-def _status_statement(case: CaseReport, *, many: bool) -> Statement:
+def _status_statement(case: CaseReport, *, many: bool, advice: bool) -> Statement:
     status = case.analysis.solved.status
-    if case.converged:
+    empty = case.converged and nothing_given(case.analysis.solved)
+    if empty:
+        text = no_load_text()
+    elif case.converged:
         text = said(
             "converged in {iterations} iterations, residual {residual:.1e}",
             iterations=int(status.iterations[0]),
             residual=float(status.residual[0]),
         )
     else:
-        text = _failure(case)
+        text = _failure(case, advised=advice)
     if many:
         text = said("Case {names}: {text}", names=case.name, text=text)
+    if empty:
+        return Statement(text, "warning-strong", mark="!")
     return Statement(text, "good" if case.converged else "bad-strong",
                      mark="✓" if case.converged else "✗")  # fmt: skip
 
@@ -726,7 +765,7 @@ def _missing(report: Report) -> tuple[Remark, ...]:
     """Say which parts no case has, and what they need."""
     solved = [case for case in report.cases if case.converged]
     texts = (
-        ("life", said("Ratings and lives: see the warnings.")),
+        ("life", said("Ratings and lives: see the summary.")),
         ("film", said("Lubricant film: requires [lubricant] and temperature.lubricant.")),
         ("friction", said("Friction: requires lubricant.friction_coefficient.")),
         ("frequencies", said("Fault frequencies: the rings do not rotate relative to each other.")),

@@ -14,7 +14,9 @@ from rolamento.document import (
     CellContent,
     Column,
     Document,
+    Notes,
     Number,
+    Remark,
     Section,
     Statement,
     Table,
@@ -24,6 +26,7 @@ from rolamento.life.theories import THEORIES
 from rolamento.pages.life import formulas_only, none_valid, percent, remarks
 from rolamento.units import HOUR
 from rolamento.words import Note, said
+from rolamento.words.headlines import qualifies
 from rolamento.words.naming import shortened
 from rolamento.words.reasons import reason
 from rolamento.words.theories import theory_heads, theory_life
@@ -74,7 +77,24 @@ def _statement(found: ShaftLife) -> tuple[Block, ...]:
         sentences.append((text, "warning"))
     else:
         sentences += _reached(found)
-    return tuple(Statement(text, tone, indent=2) for text, tone in sentences)
+    statements = tuple(Statement(text, tone, indent=2) for text, tone in sentences)
+    return (*statements, *_cautions(found))
+
+
+def _cautions(found: ShaftLife) -> tuple[Notes, ...]:
+    """Say what qualifies the lives, and of which bearings; of all if none is named."""
+    numbers: dict[Note, list[int]] = {}
+    for number, (solved, own) in enumerate(zip(found.bearings, found.lives, strict=True), start=1):
+        leading = () if own is None else own.qualifications()
+        for note in dict.fromkeys((*leading, *filter(qualifies, solved.notes[0]))):
+            numbers.setdefault(note, []).append(number)
+    remarks = []
+    for note, own_numbers in numbers.items():
+        text = note.text
+        if len(own_numbers) < len(found):
+            text = said("bearing {number}: {reason}", number=own_numbers, reason=text)
+        remarks.append(Remark(text, note.key, "warning"))
+    return (Notes(tuple(remarks)),) if remarks else ()
 
 
 def _failures(found: ShaftLife) -> list[str]:

@@ -12,12 +12,11 @@ from rolamento.document import (
     KeyValues,
     Number,
     Section,
-    Statement,
     Table,
     Title,
     Tone,
 )
-from rolamento.pages.state import notes_section
+from rolamento.pages.notes import cautions_section, notes_section, remarks_of
 from rolamento.words import marked, said, said_in
 from rolamento.words.sentences.speeds import LIMIT_NAMES, factor_text
 
@@ -44,14 +43,13 @@ def speed_page(found: SpeedLimits) -> Document:
         What `rolamento.tasks.speed.speed_limits` gives.
     """
     title = found.title or said("Limiting speeds")
-    leading = found.leading
-    first = tuple(Statement(note.text, "warning-strong") for note in leading)
-    sections = [Section("", (Title(title), *first), key="head"), _given(found)]
+    sections = [Section("", (Title(title),), key="head"), *cautions_section(found.notes)]
+    sections.append(_given(found))
     if found.limits:
         sections.append(_limits(found))
     if found.minimum_loads:
         sections.append(_loads(found.minimum_loads))
-    sections += notes_section([note for note in found.notes if note not in leading])
+    sections += notes_section(remarks_of(found.notes))
     return Document(title, tuple(sections), kind="speed")
 
 

@@ -22,9 +22,7 @@ from rolamento.document import (
     Entry,
     Figure,
     KeyValues,
-    Notes,
     Number,
-    Remark,
     Section,
     Table,
     Tone,
@@ -41,7 +39,8 @@ from rolamento.pages.elements import (
     roller_pictures,
     without_rounding,
 )
-from rolamento.pages.given import BOTH, facing, head, other_notes, untitled
+from rolamento.pages.given import BOTH, facing, head, untitled
+from rolamento.pages.notes import cautions_section, notes_section, remarks_of
 from rolamento.pages.preload import stage_table
 from rolamento.solved import NO_LOAD, RACES, Preloading, Rolling, Solved
 from rolamento.words import ABSENT, Note, decimals_for, in_unit, manner, said, worded
@@ -51,7 +50,7 @@ if TYPE_CHECKING:
 
     from rolamento.analysis import Analysis
 
-__all__ = ["notes_section", "rosette", "state_page", "stiffness_section"]
+__all__ = ["rosette", "state_page", "stiffness_section"]
 
 _SHIFTS: Final = 3
 """x, y, z come before the tilts, forces before moments."""
@@ -70,7 +69,9 @@ def state_page(solved: Solved, analysis: Analysis | None = None) -> Document:
         What follows from it; film, friction and life are shown if it has them.
     """
     sections: list[Section | Beside] = [head(solved)]
-    notes = other_notes(solved)
+    whole = (*solved.notes[0], *(() if analysis is None else analysis.notes))
+    sections += cautions_section(whole)
+    notes = list(remarks_of(whole))
     if solved.converged[0]:
         sections += [*_set(solved), _middle(solved), stiffness_section(solved)]
         sections += [*element_sections(solved), *roller_pictures(solved), *_rolling(solved)]
@@ -81,12 +82,6 @@ def state_page(solved: Solved, analysis: Analysis | None = None) -> Document:
     sections += notes_section(notes)
     main = main_table(solved)
     return Document(solved.title or untitled(solved.case), tuple(sections), kind="solve", main=main)
-
-
-def notes_section(notes: Sequence[Note]) -> list[Section]:
-    """Return what the reader should know, each said once; nothing without notes."""
-    remarks = {note.text: Remark(note.text, note.key) for note in notes}
-    return [Section(said("Notes"), (Notes(tuple(remarks.values())),), key="notes")] * bool(remarks)
 
 
 # --- the inner ring ----------------------------------------------------------------------------
@@ -183,7 +178,7 @@ def _stiffness_file(matrix: list[list[float]]) -> Table:
     columns = [Column(head="load", values=LOADS, key="load")]
     for j, axis in enumerate(AXES):
         units = shift if j < _SHIFTS else tilt
-        values = [Number(row[j], f"[{unit}]") for row, unit in zip(matrix, units, strict=True)]
+        values = [Number(_without_noise(matrix, i, j), f"[{unit}]") for i, unit in enumerate(units)]
         columns.append(Column(head=axis, values=values, key=axis))
     columns += [
         Column(head="unit", values=shift, key="shift_unit"),
@@ -618,7 +613,7 @@ def _what_follows(solved: Solved, analysis: Analysis, notes: list[Note]) -> list
         from rolamento.pages.film import film_sections
 
         sections += film_sections(analysis.film)
-        notes += analysis.film.notes_of()
+        notes += remarks_of(analysis.film.notes_of())
     if analysis.friction is not None:
         from rolamento.pages.friction import friction_sections
 
@@ -628,5 +623,4 @@ def _what_follows(solved: Solved, analysis: Analysis, notes: list[Note]) -> list
 
         sections.append(life_section(solved, analysis.life))
         notes += life_notes(analysis.life)
-    notes += analysis.notes
     return sections

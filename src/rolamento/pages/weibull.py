@@ -18,9 +18,7 @@ from rolamento.document import (
     Entry,
     Figure,
     KeyValues,
-    Notes,
     Number,
-    Remark,
     Section,
     Statement,
     Table,
@@ -28,6 +26,7 @@ from rolamento.document import (
     Tone,
 )
 from rolamento.pages.lives import alike, brief, life_name, percent, written
+from rolamento.pages.notes import cautions_section, notes_section, remarks_of
 from rolamento.weibull import (
     EXPONENTS,
     Bounds,
@@ -103,16 +102,13 @@ def weibull_page(found: LifeTestSummary) -> Document:
     """
     title = one_line(found.test.title) or said("Life test")
     alone = len(found.groups) == 1
-    parts: list[Section | Beside] = [_head(found, title)]
+    level, notes = 2 if alone else 1, _notes(found)
+    parts: list[Section | Beside] = [_head(found, title), *cautions_section(notes, level)]
     for group in found.groups:
         parts += _parts_of_group(found.wanted, group, alone=alone)
     parts += _comparison(found)
     parts += _pictures(found)
-    notes = [*_notes(found)]
-    if notes:
-        remarks = tuple(Remark(note.text, note.key) for note in notes)
-        level = 2 if alone else 1
-        parts.append(Section(said("Notes"), (Notes(remarks),), "notes", level=level))
+    parts += notes_section(remarks_of(notes), level)
     return Document(title, tuple(parts), "weibull")
 
 

@@ -28,7 +28,7 @@ from rolamento.contact.line import PRESSURE_LIMIT
 from rolamento.errors import InputError
 from rolamento.life.iso281 import MAXIMUM_LOAD
 from rolamento.lubrication.film_thickness import COMPUTED_RANGE
-from rolamento.notes import SPEED_LIMIT, STATIC_PRESSURE_LIMIT, TILT_LIMIT
+from rolamento.notes import SPEED_LIMIT, TILT_LIMIT, pressure_limit
 from rolamento.roller_notes import USUAL_MISALIGNMENT, are_rollers, misalignment
 from rolamento.solved import RACES
 from rolamento.studies.names import setting_name
@@ -669,7 +669,7 @@ def _checks(analysis: Analysis) -> Iterator[Check]:
     solved = analysis.solved
     rollers = are_rollers(solved)
     for name, chosen, limit in (
-        ("pressure", ~rollers, STATIC_PRESSURE_LIMIT),
+        ("pressure", ~rollers, pressure_limit(solved.case)),
         ("line_pressure", rollers, PRESSURE_LIMIT),
     ):
         if chosen.any():

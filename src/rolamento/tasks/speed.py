@@ -60,11 +60,16 @@ _LIGHT_BALLS: Final = 0.5
 _LIGHT: Final = 1.0 / 12.0
 _PURE: Final = 0.2
 """P/C and F_a/F_r up to which the maker's limiting speeds stand (NSK E1102, page A37)."""
-LEADING: Final = (
+_WEIGHTIEST: Final = (
     "speed_above_limits", "speed_class_leaves_out", "reference_speed_leaves_out",
     "no_series_for_speed", "no_reference_coefficients", "no_speed_class",
 )  # fmt: skip
-"""Notes without which the limits would be read as more than they are, in the order of a page."""
+"""Notes without which the limits would be read as more than they are; they come first."""
+
+
+def _weight(note: Note) -> int:
+    known = note.key in _WEIGHTIEST
+    return _WEIGHTIEST.index(note.key) if known else len(_WEIGHTIEST)
 
 
 @dataclass(frozen=True, slots=True)
@@ -194,12 +199,6 @@ class SpeedLimits:
     viscosity: float | None
     minimum_loads: tuple[MinimumLoad, ...]
     notes: tuple[Note, ...]
-
-    @property
-    def leading(self) -> tuple[Note, ...]:
-        """What has to be known before the limits are read, the weightiest first."""
-        found = [note for note in self.notes if note.key in LEADING]
-        return tuple(sorted(found, key=lambda note: LEADING.index(note.key)))
 
     @property
     def speed_factor(self) -> float:
@@ -444,7 +443,7 @@ class _Asked:
         notes += self._excess(limits, loads)
         return SpeedLimits(
             title, self.boundary, self.speed, self.mean_diameter, tuple(limits), shares,
-            self.viscosity, loads, tuple(notes),
+            self.viscosity, loads, tuple(sorted(notes, key=_weight)),
         )  # fmt: skip
 
     def _limit(self, name: LimitName, speed: float, source: Note) -> SpeedLimit:

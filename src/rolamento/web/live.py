@@ -13,16 +13,19 @@ from rolamento import __version__
 from rolamento.analysis import Analysis
 from rolamento.case import Case
 from rolamento.case.fields import changed
+from rolamento.case.labels import LABELS, label_of
 from rolamento.case.report import ReportHead
 from rolamento.document import Document
 from rolamento.document.html import body
 from rolamento.errors import InputError
-from rolamento.pages.report import PARTS, part_of, summary_section, warning_section
+from rolamento.notes import nothing_given
+from rolamento.pages.given import no_load_text
+from rolamento.pages.report import PARTS, part_of, remarks_section, summary_section
 from rolamento.tasks.report import CaseReport, Input, Report, analysis_of, inputs_of, names_in
 from rolamento.web.answers import error_object
 from rolamento.web.form import inputs
 from rolamento.web.pictures import figures
-from rolamento.words import language, said
+from rolamento.words import calling, language, said
 from rolamento.words.reasons import reason
 
 __all__ = ["MOST_CASES", "live"]
@@ -69,6 +72,14 @@ def live(request: Mapping[str, Any]) -> dict[str, Any]:
             field="cases",
             example='[{"case": {"bearing": {"designation": "6310"}, "duty": {}}, "changes": {}}]',
         )
+    with calling({name: f"“{label_of(name)}”" for name in LABELS if "." in name}):
+        return _answered(request, entries, began)
+
+
+def _answered(
+    request: Mapping[str, Any], entries: Sequence[object], began: float
+) -> dict[str, Any]:
+    """Answer a request; fields are called as their labels call them."""
     quick = request.get("quick") is True
     told: list[dict[str, Any]] = []
     found: list[_Given | None] = []
@@ -110,10 +121,14 @@ def _one(entry: object, *, quick: bool) -> tuple[dict[str, Any], _Given | None]:
         return {**answer, "error": error_object(error)}, None
     solved = given.analysis.solved
     code, advice = str(solved.status.code[0]), solved.advice[0]
+    text = reason(code)
+    if solved.converged[0] and nothing_given(solved):
+        text = no_load_text()
+        advice = next(note for note in solved.notes[0] if note.key == "no_load_given")
     answer["status"] = {
         "code": code,
         "converged": bool(solved.converged[0]),
-        "text": reason(code),
+        "text": text,
         "advice": None if advice is None else advice.text,
         "left_out": list(given.analysis.left_out),
     }
@@ -153,6 +168,8 @@ def _documents(
 
 
 def _html(report: Report, key: str) -> str:
-    makers = {"summary": summary_section, "notes": warning_section}
-    section = makers[key](report) if key in makers else part_of(report, key)
+    if key == "summary":  # what to do stands with the status
+        section = summary_section(report, advice=False)
+    else:
+        section = remarks_section(report) if key == "notes" else part_of(report, key)
     return body(Document("", (replace(section, heading=""),), kind="live", language=language()))

@@ -20,7 +20,7 @@ from rolamento.life import LifeSummary
 from rolamento.life.theories import BY_RANK, THEORIES
 from rolamento.lubrication import Film
 from rolamento.lubrication.regime import regimes
-from rolamento.notes import STATIC_PRESSURE_LIMIT
+from rolamento.notes import pressure_limit
 from rolamento.pages.film import regime_name
 from rolamento.pages.frequencies import line_name
 from rolamento.pages.friction import power_unit, source_name, torque_unit
@@ -226,9 +226,10 @@ def _pressures(cases: Cases) -> Picture:
     quantity = contact_quantity("max_pressure")
     found = [quantity.of(one.solved, race) for one in cases for race in RACES]
     greatest, limits = _greatest(found), []
-    for own, limit in (("ball", STATIC_PRESSURE_LIMIT), ("roller", PRESSURE_LIMIT)):
-        there = any(own in _kinds_of(one.solved) for one in cases)
-        if there and greatest > _NEAR * limit:
+    kinds = [(one.solved.case, kind) for one in cases for kind in _kinds_of(one.solved)]
+    known = {pressure_limit(case) if kind == "ball" else PRESSURE_LIMIT for case, kind in kinds}
+    for limit in sorted(known):
+        if greatest > _NEAR * limit:
             name = said("limit {limit:.4 MPa}", limit=limit)
             limits.append(_across(name, float(MEGAPASCAL.of(limit)), MEGAPASCAL, color="bad"))
     return _over_azimuth(

@@ -294,7 +294,7 @@ function showStatus() {
   const many = store.slots.length > 1;
   const lines = store.slots.map((slot, n) => {
     const { status, error } = slot;
-    const good = !error && status?.converged;
+    const good = !error && status?.converged && !status.advice; // a case without a load has advice
     const sign = error ? "✗" : good ? "✓" : status ? "!" : "…";
     const text = error ? error.message : !status ? say("stale.waiting")
       : good ? say("status.converged") : [status.text, status.advice].filter(Boolean).join(". ");

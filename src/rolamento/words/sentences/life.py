@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Final
+from collections.abc import Mapping
+from typing import Any, Final
 
 from rolamento.words.sentences import Sentence
 from rolamento.words.speaking import marked, said
@@ -14,6 +15,32 @@ def _of_element(balls: str, rollers: str, both: str) -> Sentence:
     """Return the sentence of a note that names what rolls: its value "element", balls without."""
     texts = {"roller": rollers, "element": both}
     return lambda values: said(texts.get(values.get("element", ""), balls))
+
+
+def _life_of_coupled_slices(values: Mapping[str, Any]) -> str:
+    first = said(
+        "The slices of the rollers are coupled, whereas the rating lives of the standards are of"
+        " independent slices (ISO/TS 16281)."
+    )
+    if values["revolutions"] is None:
+        return f"{first} " + said("With those no theory of life is valid for this case.")
+    if values["life"] is None:
+        second = (
+            said("With those the life is below {revolutions:.3r [10⁶ rev]} million revolutions.",
+                 **values)
+            if values["below"]
+            else said("With those the life is {revolutions:.3r [10⁶ rev]} million revolutions.",
+                      **values)
+        )  # fmt: skip
+        return f"{first} {second}"
+    second = (
+        said("With those the life is below {life:.3r h}, {revolutions:.3r [10⁶ rev]} million"
+             " revolutions.", **values)
+        if values["below"]
+        else said("With those the life is {life:.3r h}, {revolutions:.3r [10⁶ rev]} million"
+                  " revolutions.", **values)
+    )  # fmt: skip
+    return f"{first} {second}"
 
 
 SENTENCES: Final[dict[str, Sentence]] = {
@@ -132,6 +159,16 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " than this."
     ),
     # what the number leaves out, or how it was obtained
+    "lubrication_left_out": marked(
+        "Lubrication and contamination are not included: the case needs the viscosity "
+        "(lubricant with its temperature, or life.viscosity_ratio) and the cleanliness "
+        "(life.cleanliness, for instance)."
+    ),
+    "cleanliness_missing": marked(
+        "Lubrication and contamination are not included: the case needs the cleanliness "
+        "(life.cleanliness, for instance)."
+    ),
+    "life_of_coupled_slices": _life_of_coupled_slices,
     "factors_of_the_user": marked(
         "The factors of Tallian's model are the user's: none are published. What is not given"
         " follows Lundberg and Palmgren."
@@ -233,8 +270,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     "edge_factor_left_out": marked(
         "The slices of the rollers are coupled, so their loads contain the peaks at the edges: the"
-        " edge factor of ISO/TS 16281 is not applied, and the life is not to be compared with that"
-        " of independent slices."
+        " edge factor of ISO/TS 16281 is not applied."
     ),
     "axial_load_above_permissible": marked(
         "The axial load on the ribs exceeds the permissible continuous one by the rules of NSK or"

@@ -174,5 +174,12 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " fz/(2 Y)). Reverse the load, add axial load (duty.load.fx), choose an arrangement with"
         ' opposed rows, such as "DB", or hold the ring with duty.displacement.x.'
     ),
+    "tapered_free_to_tilt": marked(
+        "A single row of tapered rollers hardly resists tilting, and the inner ring is free to tilt"
+        " (my and mz are given): it turns out of the outer ring. With the rings held in line the"
+        " axial load of {axial:.4 N} would do, for this radial load takes {needed:.4 N}"
+        " (F_r tan α). Hold the tilt with duty.displacement.ry and duty.displacement.rz, as a stiff"
+        " shaft on a second bearing does, or solve both bearings as a set."
+    ),
     "rollers_unsupported": _rollers_unsupported,
 }

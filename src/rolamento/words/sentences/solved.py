@@ -131,7 +131,7 @@ def _ellipse_over_arch(values: Values) -> str:
     )
 
 
-def _gyroscopic_moment_left_out(values: Values) -> str:
+def _gyroscopic_moment_not_held(values: Values) -> str:
     numbers = {"moment": values["moment"], "limit": values["limit"]}
     needed = values["friction_coefficient"]
     if needed is None:
@@ -141,21 +141,47 @@ def _gyroscopic_moment_left_out(values: Values) -> str:
             " ball without load.",
             **numbers,
         )
-    if needed > values["limit"]:
-        return said(
-            "The balls orbit with the cage at its nominal speed, and their gyroscopic moment, up to"
-            " {moment:.3 N·mm}, is left out of the balance: holding it takes a coefficient of"
-            " friction of {friction_coefficient:.2f}, more than about {limit:.1f}, so that the"
-            " balls slip. More load or less speed keeps them rolling.",
-            friction_coefficient=needed,
-            **numbers,
-        )
     return said(
         "The balls orbit with the cage at its nominal speed, and their gyroscopic moment, up to"
-        " {moment:.3 N·mm}, is left out of the balance: friction holds it with a coefficient of"
-        " {friction_coefficient:.2}.",
+        " {moment:.3 N·mm}, is left out of the balance: holding it takes a coefficient of"
+        " friction of {friction_coefficient:.2f}, more than about {limit:.1f}, so that the"
+        " balls slip. More load or less speed keeps them rolling.",
         friction_coefficient=needed,
         **numbers,
+    )
+
+
+def _four_point_under_radial_load(values: Values) -> str:
+    first = said(
+        "The axial load is {ratio:.2f} of the radial load; a four-point bearing is for {limit:.2f}"
+        " or more (SKF), where each ball bears on one arc of each ring.",
+        ratio=values["ratio"],
+        limit=values["limit"],
+    )
+    n = values["both_arcs"]
+    if not n:
+        return first
+    second = counted(
+        "Here {n} ball bears on both arcs and has to slide on them: friction and wear are higher"
+        " than shown, and the life may be shorter.",
+        "Here {n} balls bear on both arcs and have to slide on them: friction and wear are higher"
+        " than shown, and the life may be shorter.",
+        n,
+    )
+    return f"{first} {second}"
+
+
+def _no_load_given(values: Values) -> str:
+    if values["speed"]:
+        return said(
+            "No load is given: nothing presses on the rolling elements, and there is nothing to"
+            " calculate but frequencies. Give the axial load (duty.load.fx), the radial load"
+            " (duty.load.fz), or both."
+        )
+    return said(
+        "Neither load nor speed is given: nothing presses on the rolling elements, and there is"
+        " nothing to calculate. Give the axial load (duty.load.fx) or the radial load"
+        " (duty.load.fz), and the speed (duty.inner_speed)."
     )
 
 
@@ -356,6 +382,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "text": lambda values: str(values["text"]),  # of files of an earlier release
     # notes
     "row_unloaded": _row_unloaded,
+    "no_load_given": _no_load_given,
     "no_ball_loaded": marked(
         "No ball contacts the inner ring: without load its position is indeterminate."
     ),
@@ -382,7 +409,19 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " shown is arbitrary."
     ),
     "ellipse_over_arch": _ellipse_over_arch,
-    "gyroscopic_moment_left_out": _gyroscopic_moment_left_out,
+    "gyroscopic_moment_left_out": marked(
+        "The balls orbit with the cage at its nominal speed, and their gyroscopic moment, up to"
+        " {moment:.3 N·mm}, is left out of the balance: friction holds it with a coefficient of"
+        " {friction_coefficient:.2}."
+    ),
+    "gyroscopic_moment_not_held": _gyroscopic_moment_not_held,
+    "four_point_under_radial_load": _four_point_under_radial_load,
+    "thrust_under_radial_load": marked(
+        "A thrust ball bearing is for axial load alone (makers' catalogues): the radial load of"
+        " {radial:.4 N} shifts its washers until the balls climb the grooves, and the state shown"
+        " is what ideal grooves would give. Let another bearing carry the radial load, and hold"
+        " this one with duty.displacement.y and duty.displacement.z."
+    ),
     "tilt_beyond_self_aligning": marked(
         "The inner ring tilts by {tilt:.2f °}: self-aligning ball bearings permit about"
         " {limit:.1f °}, less if sealed. Beyond, the balls run off the outer race."
@@ -450,6 +489,12 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " bearing.outer_shoulder_height)."
     ),
     "thrust_over_shoulder": _thrust_over_shoulder,
+    "thrust_carries_no_radial_load": marked(
+        "A thrust ball bearing carries no radial load: the {radial:.4 N} given here push its balls"
+        " out of their grooves, which the axial load of {axial:.4 N} cannot prevent. Let a radial"
+        " bearing on the shaft carry it, and hold this one with duty.displacement.y and"
+        " duty.displacement.z; or choose an angular contact bearing, such as one of series 72."
+    ),
     "thrust_unsupported": marked(
         "Nothing supports the inner ring along x: a thrust ball bearing carries axial load of the"
         " shaft toward +x only, and needs some to keep its balls in their grooves. Reverse the"
