@@ -523,6 +523,32 @@ def _equivalent_loads(solved: Solved, angles: FloatArray, ratings: Ratings) -> E
     return EquivalentLoads(found.load, static, safety, *(a + unsolved for a in factors))
 
 
+def static_of_bearings(
+    solved: Solved, ratings: Ratings, loads: EquivalentLoads
+) -> tuple[FloatArray, FloatArray]:
+    """C_0 and P_0 of each bearing of a set under its own load, (cases, bearings), N.
+
+    Of a bearing whose rows are rated together, and of one row, those of the whole.
+
+    Parameters
+    ----------
+    solved
+        The cases.
+    ratings, loads
+        Their ratings and equivalent loads.
+    """
+    rows = solved.rows
+    if solved.case.bearing.rows_of_one_bearing > 1 or len(rows) == 1:
+        return ratings.static_of_set[:, np.newaxis], loads.static[:, np.newaxis]
+    angle = within_rating(nominal_contact_angle(solved), ratings.kinds)
+    axial, radial = np.abs(rows.load[:, :, 0]), np.hypot(rows.load[:, :, 1], rows.load[:, :, 2])
+    static = [
+        static_equivalent_load(radial[:, index], axial[:, index], angle[:, index], kind=kind)
+        for index, kind in enumerate(ratings.kinds)
+    ]
+    return ratings.static, np.stack(static, axis=1)
+
+
 def _equal_rows(rows: Rows, angle: FloatArray) -> bool:
     return len(rows) == 1 or bool(
         np.all(rows.element_count == rows.element_count[0])

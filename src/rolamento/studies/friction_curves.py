@@ -14,14 +14,15 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.analysis.needs import has_life
+from rolamento.analysis.needs import has_friction, has_life
 from rolamento.case import Case
 from rolamento.errors import InputError
-from rolamento.friction import Friction, MachineBearing, friction, machine_of
+from rolamento.friction import Friction, MachineBearing, friction, machines_of
 from rolamento.friction.model import relative_speed
 from rolamento.friction.models import TORQUE_MODELS
+from rolamento.friction.summary import no_coefficient
 from rolamento.life import conditions_of
-from rolamento.life.basis import Basis
+from rolamento.life.basis import Basis, static_of_bearings
 from rolamento.lubrication.films import film, has_film
 from rolamento.numerics.blocks import joined
 from rolamento.solution import solve
@@ -29,7 +30,6 @@ from rolamento.solved import Solved
 from rolamento.studies.fields import Field
 from rolamento.studies.ranges import MOST_POINTS, Range, read_range, refuse_many_singles
 from rolamento.studies.solving import array_fields, base_case
-from rolamento.words import said
 
 __all__ = [
     "MOST_POINTS",
@@ -44,7 +44,6 @@ __all__ = [
 Floats = NDArray[np.float64]
 
 SCHEMA: Final = 1
-_COEFFICIENT: Final = "lubricant.friction_coefficient"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -130,7 +129,7 @@ class FrictionCurve:
     def controlled_valid(self) -> NDArray[np.bool_]:
         """Where friction control is valid; (points,)."""
         found = np.isfinite(self.controlled_torque)
-        return np.asarray(found & (self.friction.regime != "full_film"))
+        return np.asarray(found & (self.friction.by_regime | (self.friction.regime != "full_film")))
 
     @property
     def without_model(self) -> NDArray[np.bool_]:
@@ -158,6 +157,8 @@ class FrictionCurve:
             "torque": friction.torque,
             "starting_torque": friction.starting_torque,
             "power": friction.power,
+            "torque_range": friction.torque_range,
+            "upper_bound": friction.upper_bound.tolist(),
             "torque_by_source": dict(friction.torque_by_source),
             "regime": friction.regime.tolist(),
             "film_parameter": friction.film_parameter,
@@ -202,7 +203,8 @@ def friction_curve(
     Parameters
     ----------
     case
-        Must have a friction coefficient, unless that is what varies.
+        Must have a friction coefficient or an oil or a grease at its temperature, unless that is
+        what varies.
     over
         From `read_range`.
     hysteresis
@@ -213,19 +215,14 @@ def friction_curve(
     Raises
     ------
     InputError
-        If there is no friction coefficient, or the field does not go with the case.
+        If there is neither, or the field does not go with the case.
     """
-    mu = None if case.lubricant is None else case.lubricant.friction_coefficient
-    if mu is None and over.field.name != _COEFFICIENT:
-        raise InputError(
-            said("is missing; the friction calculation needs it"),
-            field=_COEFFICIENT,
-            example="--coefficient 0.1",
-        )
     solutions = _solutions(case, over)
-    machines = [_machine(solved) for solved in solutions]
-    if None in machines:  # the models of all points are the same
-        machines = [None] * len(solutions)
+    if not all(has_friction(solved) for solved in solutions):
+        raise no_coefficient()
+    machines = [_machines(solved) for solved in solutions]
+    if () in machines:  # the models of all points are the same
+        machines = [()] * len(solutions)
     found = joined(
         [
             friction(solved, hysteresis=hysteresis, compare=True, machine=machine)
@@ -254,19 +251,20 @@ def _solutions(case: Case, over: Range) -> list[Solved]:
     return [solve(base_case(case, {name: float(value)})) for value in values]
 
 
-def _machine(solved: Solved) -> MachineBearing | None:
-    """What the models of lubricated machine bearings need; None where the case does not give it."""
-    if not (has_life(solved.case) and has_film(solved)):
-        return None
-    if solved.case.bearing.element != "ball":
-        return machine_of(solved.case, film(solved), np.nan, np.nan)
-    try:
-        basis = Basis.of(solved, conditions_of(solved))
-    except InputError as error:
-        if error.field in ("bearing.contact_angle", "dynamic_rating"):  # as for its life: none
-            return None
-        raise
-    return machine_of(solved.case, film(solved), basis.ratings.static_of_set, basis.loads.static)
+def _machines(solved: Solved) -> tuple[MachineBearing, ...]:
+    """What the models of lubricated machine bearings need; empty where the case lacks it."""
+    if not has_film(solved):
+        return ()
+    rating: Floats | float = np.nan
+    load: Floats | float = np.nan
+    if has_life(solved.case):
+        try:
+            basis = Basis.of(solved, conditions_of(solved))
+            rating, load = static_of_bearings(solved, basis.ratings, basis.loads)
+        except InputError as error:
+            if error.field not in ("bearing.contact_angle", "dynamic_rating"):  # as for its life
+                raise
+    return machines_of(solved.case, film(solved), rating, load)
 
 
 def _controlled(solved: Solved) -> Controlled:
