@@ -13,7 +13,6 @@ import numpy as np
 from rolamento.analysis.needs import has_friction, has_life, has_oil
 from rolamento.case import Case
 from rolamento.errors import InputError
-from rolamento.numerics import FloatArray
 from rolamento.numerics.blocks import in_blocks
 from rolamento.solved import Solved
 from rolamento.words import Note
@@ -155,7 +154,7 @@ def analyse(
     single = len(solved) == 1
     compare = single and not quick if compare is None else compare
     life, why_not = _life(solved, stress_volume=single and not quick)
-    film, friction = _film_and_friction(solved, life, (model, hysteresis, compare), threads)
+    film, friction = _film_and_friction(solved, (model, hysteresis, compare), threads)
     left_out = {
         "friction_models": quick and single and not compare and friction is not None,
         "stress_volume": quick and single and life is not None,
@@ -168,13 +167,13 @@ def analyse(
 
 def _film_and_friction(
     solved: Solved,
-    life: LifeSummary | None,
     choices: tuple[str | None, float, bool],
     threads: int | None,
 ) -> tuple[Film | None, Friction | None]:
     if solved.case.lubricant is None:
         return None, None
     from rolamento.friction import friction, machines_of
+    from rolamento.friction.machine import are_designated
     from rolamento.friction.summary import default_model
     from rolamento.life.basis import static_of_bearings
     from rolamento.lubrication.films import film, has_film
@@ -187,12 +186,8 @@ def _film_and_friction(
         if not has_friction(some):
             return found, None
         machine: tuple[MachineBearing, ...] = ()
-        if single and found is not None:
-            rating: FloatArray | float = np.nan
-            load: FloatArray | float = np.nan
-            if life is not None:
-                rating, load = static_of_bearings(some, life.ratings, life.loads)
-            machine = machines_of(some.case, found, rating, load)
+        if single and found is not None and are_designated(some.case.bearing):
+            machine = machines_of(some.case, found, *static_of_bearings(some))
         return found, friction(
             some,
             model=model or default_model(some, quick=not single),

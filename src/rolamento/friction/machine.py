@@ -88,6 +88,11 @@ def bearings_of(bearing: RollingBearing) -> tuple[RollingBearing, ...]:
     return tuple(place.bearing for place in bearing.places)
 
 
+def are_designated(bearing: RollingBearing) -> bool:
+    """Whether every bearing of a set, or the one, has a designation."""
+    return all(one.designation is not None for one in bearings_of(bearing))
+
+
 def machines_of(
     case: Case, film: Film, static_load_rating: ArrayLike, static_load: ArrayLike
 ) -> tuple[MachineBearing, ...]:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rolamento.errors import InputError
-from rolamento.life.conditions import LifeConditions
+from rolamento.life.conditions import LifeConditions, conditions_of
 from rolamento.life.contamination import (
     ContaminationClass,
     ContaminationLevel,
@@ -523,21 +523,21 @@ def _equivalent_loads(solved: Solved, angles: FloatArray, ratings: Ratings) -> E
     return EquivalentLoads(found.load, static, safety, *(a + unsolved for a in factors))
 
 
-def static_of_bearings(
-    solved: Solved, ratings: Ratings, loads: EquivalentLoads
-) -> tuple[FloatArray, FloatArray]:
+def static_of_bearings(solved: Solved) -> tuple[FloatArray, FloatArray]:
     """C_0 and P_0 of each bearing of a set under its own load, (cases, bearings), N.
 
-    Of a bearing whose rows are rated together, and of one row, those of the whole.
-
-    Parameters
-    ----------
-    solved
-        The cases.
-    ratings, loads
-        Their ratings and equivalent loads.
+    Of a bearing whose rows are rated together, and of one row, those of the whole; NaN where the
+    standards do not rate it.
     """
     rows = solved.rows
+    try:
+        basis = Basis.of(solved, conditions_of(solved))
+    except InputError as error:
+        if error.field not in ("bearing.contact_angle", "dynamic_rating"):
+            raise
+        nothing = np.full((len(solved), 1), np.nan)
+        return nothing, nothing
+    ratings, loads = basis.ratings, basis.loads
     if solved.case.bearing.rows_of_one_bearing > 1 or len(rows) == 1:
         return ratings.static_of_set[:, np.newaxis], loads.static[:, np.newaxis]
     angle = within_rating(nominal_contact_angle(solved), ratings.kinds)

@@ -14,15 +14,15 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.analysis.needs import has_friction, has_life
+from rolamento.analysis.needs import has_friction
 from rolamento.case import Case
-from rolamento.errors import InputError
 from rolamento.friction import Friction, MachineBearing, friction, machines_of
+from rolamento.friction.coefficient import SLIDING_BOUNDARY, coefficient_by_regime
+from rolamento.friction.machine import are_designated
 from rolamento.friction.model import relative_speed
 from rolamento.friction.models import TORQUE_MODELS
 from rolamento.friction.summary import no_coefficient
-from rolamento.life import conditions_of
-from rolamento.life.basis import Basis, static_of_bearings
+from rolamento.life.basis import static_of_bearings
 from rolamento.lubrication.films import film, has_film
 from rolamento.numerics.blocks import joined
 from rolamento.solution import solve
@@ -44,6 +44,7 @@ __all__ = [
 Floats = NDArray[np.float64]
 
 SCHEMA: Final = 1
+_COEFFICIENT: Final = "lubricant.friction_coefficient"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -253,26 +254,26 @@ def _solutions(case: Case, over: Range) -> list[Solved]:
 
 def _machines(solved: Solved) -> tuple[MachineBearing, ...]:
     """What the models of lubricated machine bearings need; empty where the case lacks it."""
-    if not has_film(solved):
+    if not has_film(solved) or not are_designated(solved.case.bearing):
         return ()
-    rating: Floats | float = np.nan
-    load: Floats | float = np.nan
-    if has_life(solved.case):
-        try:
-            basis = Basis.of(solved, conditions_of(solved))
-            rating, load = static_of_bearings(solved, basis.ratings, basis.loads)
-        except InputError as error:
-            if error.field not in ("bearing.contact_angle", "dynamic_rating"):  # as for its life
-                raise
-    return machines_of(solved.case, film(solved), rating, load)
+    return machines_of(solved.case, film(solved), *static_of_bearings(solved))
 
 
 def _controlled(solved: Solved) -> Controlled:
     """What friction control makes of cases, unless that is how they were solved."""
-    case = solved.case
+    case, varied = solved.case, solved.varied
     if case.model.raceway_control != "friction":
-        own = case.replace(model=case.model.replace(raceway_control="friction"))
-        solved = solve(own, solved.varied)
+        lubricant = case.lubricant
+        assert lubricant is not None
+        if lubricant.friction_coefficient is None and _COEFFICIENT not in varied:
+            mu = coefficient_by_regime(solved)[0].balls[:, 0]
+            varied = {**varied, _COEFFICIENT: np.where(np.isfinite(mu), mu, SLIDING_BOUNDARY)}
+        if lubricant.friction_coefficient is None:
+            lubricant = lubricant.replace(friction_coefficient=SLIDING_BOUNDARY)
+        own = case.replace(
+            model=case.model.replace(raceway_control="friction"), lubricant=lubricant
+        )
+        solved = solve(own, varied)
     nothing = np.full(len(solved), np.nan)
     if solved.rolling is None:
         return Controlled(nothing, nothing, nothing, nothing)

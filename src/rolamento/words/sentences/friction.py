@@ -70,10 +70,13 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " is assumed to be absent (bearing.roller_end_radius)."
     ),
     "torque_above_models": marked(
-        "The models of whole bearings give less, {low:.3 N·m} to {high:.3 N·m}."
+        "The models of whole bearings give less, {low:.3 N·m} to {high:.3 N·m}: what raises the"
+        " torque here is the assumption of full inlets, or the coefficient of friction."
     ),
     "torque_below_models": marked(
-        "The models of whole bearings give more, {low:.3 N·m} to {high:.3 N·m}."
+        "The models of whole bearings give more, {low:.3 N·m} to {high:.3 N·m}: their constants"
+        " include the cage, the skew of rollers and the oil that is moved, which are not resolved"
+        " here."
     ),
     "partial_film": marked(
         "A lubricant film carries part of the load: the coefficient of friction is an effective"
