@@ -232,5 +232,5 @@ def test_without_a_temperature_this_is_said() -> None:
     analysis = analyse(cold)
     assert analysis.friction is None
     assert [note.key for note in analysis.notes] == ["no_temperature_no_friction"]
-    with pytest.raises(InputError, match="at its temperature"):
+    with pytest.raises(InputError, match="or a coefficient of friction"):
         friction(solve(cold))

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rolamento._json import plain
+from rolamento.case import Case
 from rolamento.errors import InputError
 from rolamento.friction.bounds import upper_bounds
 from rolamento.friction.closed_forms import DEFAULT_HYSTERESIS
@@ -329,7 +330,7 @@ def friction(
         mu = None if np.all(np.isnan(mu)) and len(solved) else mu
     by_regime = mu is None
     if mu is None and not has_film(solved):
-        raise no_coefficient()
+        raise no_coefficient(solved.case)
     viscosity, known = dynamic_viscosity, film_parameter
     if has_film(solved):
         if viscosity is None:
@@ -442,15 +443,21 @@ def _torque_range(setting: Setting, own: Torque, torque: FloatArray) -> FloatArr
     return np.stack(found, axis=-1)
 
 
-def no_coefficient() -> InputError:
+def no_coefficient(case: Case) -> InputError:
     """Say that neither a coefficient of friction nor an oil at its temperature is known."""
+    if case.lubricant is not None and case.lubricant.kind != "dry":
+        return InputError(
+            said("is missing; the friction calculation needs it, or a coefficient of friction"),
+            field="temperature.lubricant",
+            example='[temperature] with lubricant = "70 degC"',
+        )
     return InputError(
         said(
             "is missing; the friction calculation needs it, or an oil or a grease at its"
             " temperature"
         ),
         field="lubricant.friction_coefficient",
-        example='lubricant "ISO VG 68" and temperature "70 degC", or a coefficient 0.1',
+        example='lubricant = "ISO VG 68", and [temperature] with lubricant = "70 degC"',
     )
 
 

@@ -220,7 +220,7 @@ def friction_curve(
     """
     solutions = _solutions(case, over)
     if not all(has_friction(solved) for solved in solutions):
-        raise no_coefficient()
+        raise no_coefficient(case)
     machines = [_machines(solved) for solved in solutions]
     if () in machines:  # the models of all points are the same
         machines = [()] * len(solutions)

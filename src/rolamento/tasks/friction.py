@@ -29,7 +29,7 @@ def friction_of_case(case: Case, *, hysteresis: float = 0.01) -> Analysis:
     lubricant = case.lubricant
     known = lubricant is not None and lubricant.friction_coefficient is not None
     if lubricant is None or not (known or case.lubricant_temperature is not None):
-        raise no_coefficient()
+        raise no_coefficient(case)
     return analyse(case, hysteresis=hysteresis)
 
 

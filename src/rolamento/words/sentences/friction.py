@@ -34,6 +34,30 @@ def _no_model(values: Mapping[str, Any]) -> str:
     return " ".join([first, *reasons])
 
 
+def _above_models(values: Mapping[str, Any]) -> str:
+    return said(
+        "The models of whole bearings give less, {torque}: what raises the torque here is the"
+        " assumption of full inlets, or the coefficient of friction.",
+        torque=_torques(values),
+    )
+
+
+def _below_models(values: Mapping[str, Any]) -> str:
+    return said(
+        "The models of whole bearings give more, {torque}: their constants include the cage, the"
+        " skew of rollers and the oil that is moved, which are not resolved here.",
+        torque=_torques(values),
+    )
+
+
+def _torques(values: Mapping[str, Any]) -> str:
+    """The range of torques; one where there is one model."""
+    low, high = values["low"], values["high"]
+    if low == high:
+        return said("{torque:.3 N·m}", torque=low)
+    return said("{low:.3 N·m} to {high:.3 N·m}", low=low, high=high)
+
+
 SENTENCES: Final[dict[str, Sentence]] = {
     "inertia": marked(
         "The gyroscopic moment or the centrifugal force on a ball exceeds {share:.0f %} of what"
@@ -69,15 +93,8 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "Torque and power are an upper bound: the film between roller end and rib is not known and"
         " is assumed to be absent (bearing.roller_end_radius)."
     ),
-    "torque_above_models": marked(
-        "The models of whole bearings give less, {low:.3 N·m} to {high:.3 N·m}: what raises the"
-        " torque here is the assumption of full inlets, or the coefficient of friction."
-    ),
-    "torque_below_models": marked(
-        "The models of whole bearings give more, {low:.3 N·m} to {high:.3 N·m}: their constants"
-        " include the cage, the skew of rollers and the oil that is moved, which are not resolved"
-        " here."
-    ),
+    "torque_above_models": _above_models,
+    "torque_below_models": _below_models,
     "partial_film": marked(
         "A lubricant film carries part of the load: the coefficient of friction is an effective"
         " one."
