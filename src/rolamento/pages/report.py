@@ -252,7 +252,7 @@ def _friction_warnings(case: CaseReport) -> Iterator[_Warning]:
     if friction is None:
         return
     for note in friction.headline_notes(case.analysis.solved):
-        yield _Warning(1, note.text, note.key)
+        yield _Warning(2 if note.key == "coefficient_by_regime" else 1, note.text, note.key)
     refused: dict[Note, list[str]] = {}
     for found in friction.judged:
         for note in found.notes_of(0):
