@@ -86,12 +86,12 @@ def test_the_minimum_film_parameter_decides_the_regime(oiled: Case) -> None:
     ("changes", "film", "with_friction", "notes"),
     [
         ({"temperature": None}, False, True, ("no_temperature",)),
-        ({"lubricant": "ISO VG 68"}, True, False, ("no_coefficient",)),
+        ({"lubricant": "ISO VG 68"}, True, True, ()),
         (
             {"lubricant": "ISO VG 68", "temperature": None},
             False,
             False,
-            ("no_temperature", "no_coefficient"),
+            ("no_temperature_no_friction",),
         ),
         ({"lubricant": "BP 135"}, False, True, ()),
         ({"surface": None}, True, True, ()),
@@ -211,7 +211,7 @@ def test_coefficient_and_temperature_may_vary(case_218: Case) -> None:
     bare = analyse(solve(case, fx=FX))
     assert bare.film is None
     assert bare.friction is None
-    assert keys(bare.notes) == {"no_temperature", "no_coefficient"}
+    assert keys(bare.notes) == {"no_temperature_no_friction"}
     varied = {
         "duty.load.fx": FX,
         "temperature.lubricant": np.linspace(300.0, 380.0, 7),

@@ -102,7 +102,7 @@ def test_skf_angular_contact_constants_are_those_of_the_catalogue(
         kinematic_viscosity=30 * CST,
         radial_load=2000.0,
         axial_load=1000.0,
-        supply="low_oil_bath",
+        supply="bath",
     )
     thrown = 70.0**4 * 3000.0**2
     g_rr = r[0] * 70**1.97 * (2000 + r[2] * thrown + r[1] * 1000) ** 0.54
@@ -263,7 +263,7 @@ def test_skf_angular_contact_by_hand() -> None:
         kinematic_viscosity=20 * CST,
         radial_load=300.0,
         axial_load=800.0,
-        supply="oil_jet",
+        supply="jet",
         oil="synthetic",
     )
     thrown = 60.0**4 * 6000.0**2

@@ -177,7 +177,7 @@ def test_refuses_a_temperature(value: str) -> None:
         ({"starvation": "replenishment", "supply": "bath", "bore": "25 mm"}, "outside_diameter"),
         ({"starvation": "replenishment", "supply": "bath", "bore": "62 mm",
           "outside_diameter": "25 mm"}, "outside_diameter"),
-        ({"starvation": "none", "supply": "bath"}, "supply"),
+        ({"starvation": "replenishment", "bore": "25 mm", "outside_diameter": "62 mm"}, "supply"),
         ({"thermal": "cold"}, "thermal"),
     ],
 )  # fmt: skip

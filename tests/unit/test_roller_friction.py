@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 from math import degrees, pi, radians, sin, tan
 from typing import Any
@@ -192,11 +193,12 @@ def test_a_preloaded_pair_takes_twice_the_torque_of_one() -> None:
     assert own == pytest.approx(2.0 * float(starting_torque(500.0, 0.8e-3, HALF)), rel=0.01)
     one = MachineBearing(
         kind="tapered", bore_diameter=30e-3, outside_diameter=62e-3, kinematic_viscosity=43e-6,
-        static_load_rating=1.0, static_load_ratio=0.0, contact_angle=OUTER, lubrication="oil_bath",
-        supply="low_oil_bath", constants=roller_series("tapered")["302"],
-        axial_factor=0.4 / tan(OUTER), by_row=True,
+        static_load_rating=1.0, static_load_ratio=0.0, contact_angle=OUTER,
+        supply="bath", constants=roller_series("tapered")["302"],
+        axial_factor=0.4 / tan(OUTER), row=0,
     )  # fmt: skip
-    made = friction(solved, friction_coefficient=0.1, machine=one).models["skf"]
+    both = (one, replace(one, row=1))
+    made = friction(solved, friction_coefficient=0.1, machine=both).models["skf"]
     alone = skf_moment(
         one.constants or roller_series("tapered")["302"], speed=0.0, bore_diameter=30e-3,
         outside_diameter=62e-3, kinematic_viscosity=43e-6, radial_load=0.0, axial_load=500.0,

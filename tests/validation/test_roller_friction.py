@@ -10,12 +10,13 @@ import pytest
 
 from rolamento import Case
 from rolamento.errors import InputError
-from rolamento.friction import friction, machine_of
+from rolamento.friction import friction, machines_of
 from rolamento.friction.line_losses import inlet_force
 from rolamento.friction.palmgren import palmgren, rib_torque
 from rolamento.friction.skf import SkfMoment, roller_series, skf_moment
 from rolamento.geometry import apex_half_angle
 from rolamento.lubrication import film
+from rolamento.lubrication.film_thickness import aihara
 from rolamento.solution import solve
 
 RPM = pi / 30.0
@@ -40,7 +41,7 @@ def skf_32216(rpm: float) -> SkfMoment:
     return skf_moment(
         roller_series("tapered")["322"], speed=rpm * RPM, bore_diameter=80e-3,
         outside_diameter=140e-3, kinematic_viscosity=fva3(50.0)[2], radial_load=0.0,
-        axial_load=6000.0, axial_factor=1.4, supply="low_oil_bath",
+        axial_load=6000.0, axial_factor=1.4, supply="bath",
     )  # fmt: skip
 
 
@@ -58,8 +59,8 @@ def inlets_32216(rpm: float) -> float:
     power = 0.0
     for side in (1.0, -1.0):
         curvature = 2.0 / diameter / (1.0 - side * gamma)
-        power += 2.0 * u * length * inlet_force(load, curvature, modulus, eta, 2e-8, u, heating)
-    return float(rollers * power / speed)
+        power += 2.0 * u * length * inlet_force(load, curvature, modulus, eta, 2e-8, u)
+    return float(rollers * power * aihara(heating) / speed)
 
 
 def bearing_32216(**duty: Any) -> Case:
@@ -119,7 +120,7 @@ def test_skf_of_a_cylindrical_bearing_by_hand() -> None:
     """NU 210, d_m 70 mm, 10 kN, 68 mm²/s, 3000 r/min, oil jet: every step with a calculator."""
     made = skf_moment(
         roller_series("cylindrical")["2"], speed=3000 * RPM, bore_diameter=50e-3,
-        outside_diameter=90e-3, kinematic_viscosity=68 * CST, radial_load=10e3, supply="oil_jet",
+        outside_diameter=90e-3, kinematic_viscosity=68 * CST, radial_load=10e3, supply="jet",
     )  # fmt: skip
     assert made.inlet_heating == pytest.approx(1 / (1 + 1.84e-9 * 210e3**1.28 * 68**0.64))
     starved = exp(-3e-8 * 68 * 3000 * 140 * (5.1 / 80) ** 0.5)
@@ -151,7 +152,7 @@ def test_rival_models_of_a_cylindrical_bearing(
         }
     )
     solved = solve(case)
-    machine = machine_of(case, film(solved), np.nan, np.nan)
+    machine = machines_of(case, film(solved), np.nan, np.nan)
     found = friction(solved, friction_coefficient=0.1, machine=machine)
     own = float(found.torque[0])
     assert own / float(found.models["skf"].total[0]) == pytest.approx(skf, abs=0.03)

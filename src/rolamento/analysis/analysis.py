@@ -18,7 +18,7 @@ from rolamento.solved import Solved
 from rolamento.words import Note
 
 if TYPE_CHECKING:
-    from rolamento.friction import Friction
+    from rolamento.friction import Friction, MachineBearing
     from rolamento.life import LifeConditions, LifeSummary
     from rolamento.lubrication import Film
     from rolamento.vibration.frequencies import FaultFrequencies
@@ -39,7 +39,8 @@ class Analysis:
     film
         of the lubricant; None without oil or grease, its temperature, or a result
     friction
-        torque, power and heat; None without a coefficient of friction or a result
+        torque, power and heat; None without a result, or without either a coefficient of friction
+        or an oil or a grease at its temperature
     life
         by every theory that the case allows; None if the case has neither a designation nor a
         [life] table, or no result
@@ -80,8 +81,8 @@ class Analysis:
     def to_mapping(self) -> dict[str, Any]:
         """Give the mapping of a single case with "film", "friction", "life", "frequencies"."""
         mapping = self.solved.to_mapping()
-        nowhere = () if self.friction is None else self.friction.without_model(self.solved)
-        own = (note.to_mapping() for note in (*self.notes, *nowhere))
+        of_friction = () if self.friction is None else self.friction.headline_notes(self.solved)
+        own = (note.to_mapping() for note in (*self.notes, *of_friction))
         notes = [*mapping.pop("notes"), *own]
         case = mapping.pop("case")
         parts = {name: self.part(name) for name in _FOLLOWING}
@@ -104,9 +105,10 @@ def analyse(
     """Solve a case, and find what follows: film, friction, life; of solved cases likewise.
 
     The film needs `case.lubricant` (an oil or a grease) and `case.temperature`, and
-    `case.surface` for its film parameter; friction needs the friction coefficient of the
-    lubricant. With a film, the oil's rolling resistance counts as friction, and the film
-    parameter decides which friction models are valid; Palmgren's and SKF's need a designation too.
+    `case.surface` for its film parameter; friction needs either the friction coefficient of the
+    lubricant or what the film needs. With a film, the oil's rolling resistance counts as friction,
+    and the film parameter decides which friction models are valid; Palmgren's and SKF's need a
+    designation too, or one of each bearing of a set.
     Life needs a designation or `case.life`; of many cases it is without Ioannides and
     Harris.
 
@@ -152,7 +154,7 @@ def analyse(
     single = len(solved) == 1
     compare = single and not quick if compare is None else compare
     life, why_not = _life(solved, stress_volume=single and not quick)
-    film, friction = _film_and_friction(solved, life, (model, hysteresis, compare), threads)
+    film, friction = _film_and_friction(solved, (model, hysteresis, compare), threads)
     left_out = {
         "friction_models": quick and single and not compare and friction is not None,
         "stress_volume": quick and single and life is not None,
@@ -165,14 +167,15 @@ def analyse(
 
 def _film_and_friction(
     solved: Solved,
-    life: LifeSummary | None,
     choices: tuple[str | None, float, bool],
     threads: int | None,
 ) -> tuple[Film | None, Friction | None]:
     if solved.case.lubricant is None:
         return None, None
-    from rolamento.friction import friction, machine_of
+    from rolamento.friction import friction, machines_of
+    from rolamento.friction.machine import are_designated
     from rolamento.friction.summary import default_model
+    from rolamento.life.basis import static_of_bearings
     from rolamento.lubrication.films import film, has_film
 
     model, hysteresis, compare = choices
@@ -182,13 +185,9 @@ def _film_and_friction(
         found = film(some, threads=1) if has_film(some) else None
         if not has_friction(some):
             return found, None
-        machine = None
-        if single and found is not None:
-            if some.case.bearing.element != "ball":  # the models of rollers need no rating
-                machine = machine_of(some.case, found, np.nan, np.nan)
-            elif life is not None:
-                rating, load = life.ratings.static_of_set, life.loads.static
-                machine = machine_of(some.case, found, rating, load)
+        machine: tuple[MachineBearing, ...] = ()
+        if single and found is not None and are_designated(some.case.bearing):
+            machine = machines_of(some.case, found, *static_of_bearings(some))
         return found, friction(
             some,
             model=model or default_model(some, quick=not single),
@@ -208,11 +207,9 @@ def _missing(solved: Solved) -> tuple[Note, ...]:
         return ()
     from rolamento.lubrication.films import has_film
 
-    lacks = {
-        "no_temperature": has_oil(solved.case) and not has_film(solved),
-        "no_coefficient": not has_friction(solved),
-    }
-    return tuple(Note(key) for key, lacking in lacks.items() if lacking)
+    if not has_oil(solved.case) or has_film(solved):
+        return ()
+    return (Note("no_temperature" if has_friction(solved) else "no_temperature_no_friction"),)
 
 
 def _life(solved: Solved, *, stress_volume: bool) -> tuple[LifeSummary | None, tuple[Note, ...]]:

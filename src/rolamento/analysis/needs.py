@@ -19,5 +19,11 @@ def has_life(case: Case) -> bool:
 
 
 def has_friction(solved: Solved) -> bool:
-    """Whether the coefficient of friction is known."""
-    return bool(np.isfinite(solved.field("lubricant.friction_coefficient")).any())
+    """Whether the coefficient of friction is known, or a film that it may be taken by."""
+    if np.isfinite(solved.field("lubricant.friction_coefficient")).any():
+        return True
+    if not has_oil(solved.case):
+        return False
+    from rolamento.lubrication.films import has_film
+
+    return has_film(solved)

@@ -37,7 +37,9 @@ class FilmModel(Record):
     inlet_distance
         From the contact's centre to where the oil begins, in m.
     supply
-        For the replenishment: ``"bath"`` (low level), ``"jet"``, ``"grease"`` or ``"oil_air"``.
+        How the lubricant is supplied: ``"bath"`` (low level), ``"jet"``, ``"grease"`` or
+        ``"oil_air"``; for the replenishment, and for Palmgren's and SKF's friction models. If not
+        given, these take a low bath for an oil.
     bore, outside_diameter
         Of the bearing, in m; for the replenishment.
     line
@@ -70,7 +72,7 @@ class FilmModel(Record):
         for choice, names in needs.items():
             for name in names:
                 given = getattr(self, name) is not None
-                if given != (self.starvation == choice):
+                if given != (self.starvation == choice) and not (given and name == "supply"):
                     rule = (
                         said('belongs to starvation = "{choice}"', choice=choice)
                         if given

@@ -119,6 +119,7 @@ LABELS: Final = {
     "lubricant.thermal_conductivity": marked("lubricant thermal conductivity"),
     "lubricant.minimum_temperature": marked("minimum lubricant temperature"),
     "lubricant.maximum_temperature": marked("maximum lubricant temperature"),
+    "lubricant.oil_type": marked("type of oil"),
     "lubricant.friction_coefficient": marked("friction coefficient"),
     "lubricant.source": marked("source of the lubricant data"),
     "surface.parameter": marked("roughness parameter"),

@@ -20,11 +20,13 @@ __all__ = [
     "DEFAULT_CONDUCTIVITY",
     "Lubricant",
     "LubricantField",
+    "OilType",
     "PressureViscosityMethod",
     "ViscosityPoint",
 ]
 
 Kind = Literal["oil", "grease", "dry"]
+OilType = Literal["mineral", "synthetic", "transmission_fluid"]
 PressureViscosityMethod = Literal["wooster", "so_klaus"]
 
 DEFAULT_CONDUCTIVITY: Final = 0.145
@@ -101,8 +103,11 @@ class Lubricant(NamedRecord):
         In W/(m·K).
     minimum_temperature, maximum_temperature
         Between which the lubricant may be used, in K; not checked if not given.
+    oil_type
+        ``"mineral"``, ``"synthetic"`` or ``"transmission_fluid"``: decides the coefficient of
+        friction of a full film where none is given; mineral if not given.
     friction_coefficient
-        Of dry or boundary lubrication.
+        Of dry or boundary lubrication; of an oil or a grease by the regime if not given.
     source
         Where the values come from.
 
@@ -156,6 +161,7 @@ class Lubricant(NamedRecord):
     ) = Field(None, examples=["0.145 W/m/K"])
     minimum_temperature: _Temperature | None = Field(None, examples=["-20 degC"])
     maximum_temperature: _Temperature | None = Field(None, examples=["120 degC"])
+    oil_type: OilType | None = Field(None, examples=["synthetic"])
     friction_coefficient: Annotated[float, Ratio(above=0.0, at_most=1.0, varies=True)] | None = (
         Field(None, examples=[0.17])
     )

@@ -277,6 +277,16 @@ class RollingBearing(Record):
         return self.arrangement is not None or self.rows is not None
 
     @property
+    def rows_of_one_bearing(self) -> int:
+        """Rows that makers rate together: of a double-row, four-point or self-aligning bearing.
+
+        1 for rows that are bearings of their own.
+        """
+        published = self.published
+        one = self.kind is not None or (published is not None and published.kind == "double_row")
+        return len(self.places) if one else 1
+
+    @property
     def places(self) -> tuple[RowPlace, ...]:
         """The rows of elements along +x, each as a bearing of one row; one if it is no set."""
         return _places_of(self, frozenset(self.model_fields_set))

@@ -58,7 +58,7 @@ app = typer.Typer()
 @app.command(
     cls=JsonCommand,
     epilog="Examples: friction 6310 --fr '5 kN' --speed '1480 rpm' --lubricant 'ISO VG 68'"
-    " --temperature '70 degC' --coefficient 0.1; friction case.toml --over duty.load.fx=10..200N"
+    " --temperature '70 degC'; friction case.toml --over duty.load.fx=10..200N"
     " --plot friction.png.",
 )
 @with_outputs
@@ -79,7 +79,11 @@ def friction(
     variants: VariantsOption = None,
     coefficient: Annotated[
         float | None,
-        typer.Option("--coefficient", metavar="MU", help="Coefficient of friction, up to 1."),
+        typer.Option(
+            "--coefficient",
+            metavar="MU",
+            help="Coefficient of friction, up to 1; by the regime of lubrication if not given.",
+        ),
     ] = None,
     hysteresis: Annotated[
         float,
@@ -144,14 +148,9 @@ def _one(
     lang: Language | None,
 ) -> bool:
     """Show the friction of the case itself; tell whether it has a result."""
-    from rolamento.tasks.friction import COEFFICIENT, friction_mapping, friction_of_case
+    from rolamento.tasks.friction import friction_mapping, friction_of_case
 
-    try:
-        analysis = friction_of_case(case, hysteresis=hysteresis)
-    except InputError as error:
-        if error.field != COEFFICIENT:
-            raise
-        raise error.with_details(example="--coefficient 0.1") from None
+    analysis = friction_of_case(case, hysteresis=hysteresis)
     converged = bool(analysis.solved.converged[0])
     if json is not None:
         put_json(friction_mapping(analysis), json)

@@ -8,8 +8,9 @@ contact takes the power 2 t u. With G = α E', U = η₀ u/(E' R), W = q/(E' R),
     t = 88 R/α (G U)^0.658 W^0.31/(1 + 0.29 L^0.78)
 
 from the computed rolling resistance of Goksem and Hargreaves (1978), whose load and factor the
-torque of some two hundred tapered roller bearings and a two-disc machine corrected. Fully flooded;
-oil bath or circulation. Biboulet and Houpert (2010, part 1) computed
+torque of some two hundred tapered roller bearings and a two-disc machine corrected; the denominator
+is `lubrication.film_thickness.aihara`. Fully flooded; oil bath or circulation. Biboulet and Houpert
+(2010, part 1) computed
 
     t = E' R 1.42 (U W)^½/(1 + (0.9655 (W/√U)^½)^10)^0.1,   here with U = 2 η₀ u/(E' R)
 
@@ -52,7 +53,6 @@ def inlet_force(
     viscosity: ArrayLike,
     pressure_viscosity: ArrayLike,
     speed: ArrayLike,
-    heating: ArrayLike = 0.0,
 ) -> FloatArray:
     """Force t of the oil on each surface per length of contact, against its motion; N/m.
 
@@ -63,13 +63,12 @@ def inlet_force(
     modulus : E'; Pa.
     viscosity, pressure_viscosity : η₀ and α of the oil at the inlet; Pa·s, 1/Pa.
     speed : u, mean speed of the surfaces through the contact; m/s.
-    heating : L = η₀ b u²/k_f of the inlet; 0 for an isothermal one.
 
     Returns
     -------
-    t of the broadcast shape; 0 without load, viscosity or speed.
+    t of the broadcast shape, isothermal and fully flooded; 0 without load, viscosity or speed.
 
-    Aihara (1987), equation 27 without the factor 2 R of its moment.
+    Aihara (1987), equation 27 without the factor 2 R of its moment and the factor of heat.
     """
     e, radius = np.asarray(modulus), 1.0 / np.asarray(curvature)
     q, alpha = np.asarray(load_per_length), np.asarray(pressure_viscosity)
@@ -77,8 +76,7 @@ def inlet_force(
     with np.errstate(invalid="ignore", divide="ignore"):
         works = (q > 0.0) & (rate > 0.0)
         force = 88.0 * radius / alpha * (alpha * e * rate) ** 0.658 * (q / (e * radius)) ** 0.31
-        warm = force / (1.0 + 0.29 * np.asarray(heating) ** 0.78)
-    return np.asarray(np.where(works, warm, 0.0 * q))
+    return np.asarray(np.where(works, force, 0.0 * q))
 
 
 def computed_inlet_force(

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from dataclasses import dataclass, fields, replace
 from math import tan
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.case import Case
+from rolamento.case.film_model import Supply
+from rolamento.case.rolling_bearing import RollingBearing
+from rolamento.friction.coefficient import USUAL_OIL
 from rolamento.friction.palmgren import BearingKind, Lubrication
 from rolamento.friction.skf import (
     SkfConstants,
-    Supply,
     angular_contact_constants,
     deep_groove_series,
     roller_series,
@@ -22,6 +24,14 @@ from rolamento.friction.skf import (
 )
 from rolamento.lubrication import Film
 from rolamento.numerics import FloatArray
+
+LUBRICATION: Final[dict[Supply, Lubrication]] = {
+    "bath": "oil_bath",
+    "jet": "oil_jet",
+    "grease": "grease",
+    "oil_air": "oil_mist",
+}
+"""Palmgren's words for the ways of supply: he knew oil mist where oil-air is used today."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,7 +42,8 @@ class MachineBearing:
     at its temperature, m²/s; static_load_rating C_0, N; static_load_ratio P_0/C_0 for Palmgren's
     model (left out without); contact_angle nominal, rad, for angular-contact and tapered roller
     bearings; constants of the series for SKF's model (left out without); axial_factor Y of tapered
-    roller bearings; by_row: whether each row of the set is such a bearing, with its own load.
+    roller bearings; row: which row of the set it is, with its own load; None of a bearing that
+    carries the whole load; rated_as_steel: whether C_0 is that of the bearing with steel balls.
     Viscosity, rating and ratio are numbers, or arrays (cases,).
     """
 
@@ -43,17 +54,22 @@ class MachineBearing:
     static_load_rating: float | FloatArray
     static_load_ratio: float | FloatArray | None = None
     contact_angle: float = 0.0
-    lubrication: Lubrication = "grease"
     supply: Supply = "grease"
-    oil: str = "mineral"
+    oil: str = USUAL_OIL
     constants: SkfConstants | None = None
     axial_factor: float | None = None
-    by_row: bool = False
+    row: int | None = None
+    rated_as_steel: bool = False
 
     @property
     def mean_diameter(self) -> float:
         """d_m of these models, the mean of bore and outside diameter; m."""
         return 0.5 * (self.bore_diameter + self.outside_diameter)
+
+    @property
+    def lubrication(self) -> Lubrication:
+        """The way of supply in Palmgren's words."""
+        return LUBRICATION[self.supply]
 
     def part(self, some: slice) -> MachineBearing:
         """Return that of some of the cases."""
@@ -65,80 +81,106 @@ class MachineBearing:
         return replace(self, **varied)
 
 
-def machine_of(
+def bearings_of(bearing: RollingBearing) -> tuple[RollingBearing, ...]:
+    """The bearings of a set along +x; the one itself where its rows are rated together."""
+    if bearing.rows_of_one_bearing > 1 or len(bearing.places) == 1:
+        return (bearing,)
+    return tuple(place.bearing for place in bearing.places)
+
+
+def are_designated(bearing: RollingBearing) -> bool:
+    """Whether every bearing of a set, or the one, has a designation."""
+    return all(one.designation is not None for one in bearings_of(bearing))
+
+
+def machines_of(
     case: Case, film: Film, static_load_rating: ArrayLike, static_load: ArrayLike
-) -> MachineBearing | None:
-    """Return the bearing as those models describe it, from its designation.
+) -> tuple[MachineBearing, ...]:
+    """Return the bearings as those models describe them, from their designations.
 
     Parameters
     ----------
     case
-        With a designation: one bearing, or a set of equal roller bearings. An oil is taken to stand
-        in the housing as a low bath, for the case does not say how it is supplied.
+        `film.supply` says how the lubricant comes; an oil stands in a low bath if it does not.
     film
         Of the solved cases: supplies the viscosity.
     static_load_rating, static_load
-        C_0 and P_0, numbers or (cases,); N. Roller bearings need neither.
+        C_0 and P_0 of each bearing, numbers, (cases,) or (cases, bearings); N. Roller bearings need
+        neither. Where there is no C_0, as of hybrid bearings, that of the list is taken.
 
     Returns
     -------
-    MachineBearing or None
-        None without a designation or a static rating; SKF's constants for the deep-groove and
-        self-aligning series that are on file, and for the other kinds.
+    tuple of MachineBearing
+        Along +x; empty where a bearing has no designation or no static rating. With SKF's constants
+        for the deep-groove and self-aligning series that are on file, and for the other kinds.
     """
-    if case.bearing.element != "ball":
-        return _of_rollers(case, film)
-    told = case.bearing.told
-    rating, load = np.broadcast_arrays(
-        np.asarray(static_load_rating, np.float64),
-        np.asarray(static_load, np.float64),
-        film.temperature,
-    )[:2]
-    own = case.bearing.model_fields_set
-    is_set = case.bearing.rows is not None or "arrangement" in own
-    if told is None or is_set or not np.all((rating > 0.0) & (load >= 0.0)):
+    bearings = bearings_of(case.bearing)
+    shape = (len(film), len(bearings))
+    rating, load = (
+        np.broadcast_to(np.asarray(value, np.float64).reshape(-1, 1) if np.ndim(value) == 1
+                        else np.asarray(value, np.float64), shape)
+        for value in (static_load_rating, static_load)
+    )  # fmt: skip
+    found = [
+        _machine(case, bearing, film, rating[:, index], load[:, index])
+        for index, bearing in enumerate(bearings)
+    ]
+    if len(found) > 1:
+        found = [one and replace(one, row=index) for index, one in enumerate(found)]
+    known = [one for one in found if one is not None]
+    return tuple(known) if len(known) == len(found) else ()
+
+
+def _machine(
+    case: Case, bearing: RollingBearing, film: Film, rating: FloatArray, load: FloatArray
+) -> MachineBearing | None:
+    told, lubricant = bearing.told, case.lubricant
+    if told is None or lubricant is None:
         return None
     published, designation = told.bearing, told.designation
-    grease = case.lubricant is not None and case.lubricant.kind == "grease"
+    angle = published.contact_angle or getattr(designation, "contact_angle", None) or 0.0
+    supply = case.film.supply if case.film is not None else None
+    shared: dict[str, Any] = {
+        "bore_diameter": published.bore,
+        "outside_diameter": published.outside_diameter,
+        "kinematic_viscosity": film.kinematic_viscosity,
+        "supply": supply or ("grease" if lubricant.kind == "grease" else "bath"),
+        "oil": lubricant.oil.oil_type or USUAL_OIL,
+    }
+    if bearing.element != "ball":
+        return _of_rollers(bearing, angle, shared)
+    rated = np.all(rating > 0.0)
+    if not rated:
+        rating = np.full(rating.shape, published.static_rating or np.nan)
+    if not np.all((rating > 0.0) & (load >= 0.0)):
+        return None
     kind: BearingKind = "needle" if published.kind == "drawn_cup" else published.kind
     return MachineBearing(
         kind=kind,
-        bore_diameter=published.bore,
-        outside_diameter=published.outside_diameter,
-        kinematic_viscosity=film.kinematic_viscosity,
         static_load_rating=rating,
         static_load_ratio=load / rating,
-        contact_angle=published.contact_angle or designation.contact_angle or 0.0,
-        lubrication="grease" if grease else "oil_bath",
-        supply="grease" if grease else "low_oil_bath",
+        contact_angle=angle,
         constants=_constants(kind, designation.series or published.designation[:2]),
+        rated_as_steel=not rated,
+        **shared,
     )
 
 
-def _of_rollers(case: Case, film: Film) -> MachineBearing | None:
-    """A roller bearing, or the equal ones of a set."""
-    bearing = case.bearing
-    told = bearing.told
-    if told is None or bearing.rows is not None:
-        return None
-    published, designation = told.bearing, told.designation
-    grease = case.lubricant is not None and case.lubricant.kind == "grease"
+def _of_rollers(bearing: RollingBearing, angle: float, shared: dict[str, Any]) -> MachineBearing:
+    """A roller bearing, which needs no rating."""
+    assert bearing.told is not None
+    published, designation = bearing.told.bearing, bearing.told.designation
     element = bearing.places[0].bearing.element
-    angle = published.contact_angle or bearing.places[0].bearing.row_angle
+    angle = angle or bearing.places[0].bearing.row_angle
     kind: BearingKind = element if element in ("cylindrical", "tapered") else "needle"
     return MachineBearing(
         kind=kind,
-        bore_diameter=published.bore,
-        outside_diameter=published.outside_diameter,
-        kinematic_viscosity=film.kinematic_viscosity,
         static_load_rating=1.0,
         static_load_ratio=0.0,
         contact_angle=angle,
-        lubrication="grease" if grease else "oil_bath",
-        supply="grease" if grease else "low_oil_bath",
         constants=None if kind == "needle" else roller_series(kind).get(designation.series or ""),
         axial_factor=(published.axial_factor or 0.4 / tan(angle)) if kind == "tapered" else None,
-        by_row=len(bearing.places) > 1,
+        **shared,
     )
 
 

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rolamento.errors import InputError
 from rolamento.friction.closed_forms import hysteresis_moment
+from rolamento.friction.coefficient import Coefficient
 from rolamento.friction.traction import EllipseMesh
 from rolamento.kinematics import BallMotion, ball_motion, friction_demand
 from rolamento.numerics import BoolArray, FloatArray
@@ -43,7 +44,13 @@ BOUNDARY: Final = 1.0
 RIB_LOAD_SHARE: Final = 0.4
 """F_a/F_r of cylindrical roller bearings up to which Palmgren's f2 is valid."""
 
-REMARKS: Final = ("partial_film", "torque_at_rest", "rib_film_unknown")
+REMARKS: Final = (
+    "partial_film",
+    "film_by_regime",
+    "torque_at_rest",
+    "rib_film_unknown",
+    "rating_of_steel",
+)
 """Keys of the notes that do not refuse a model."""
 
 
@@ -155,8 +162,10 @@ class Setting:
     ----------
     solved
         the cases
-    friction_coefficient, static_coefficient
-        μ between elements and races, and at the first motion
+    coefficient
+        μ of all that slides
+    static_coefficient
+        μ between elements and races at the first motion
     rib_coefficient
         μ between rollers and ribs at the first motion
     hysteresis
@@ -169,12 +178,16 @@ class Setting:
         which race the balls roll on, for models that need it
     mesh
         points on the ellipses; 80 × 5 by default
-    machine
-        size, rating and lubricant of the bearing; None if not known
+    machines
+        size, rating and lubricant of each bearing of the set, or of the one; empty if not known
+    by_regime
+        whether the coefficient is that of the regime of lubrication, rather than given
+    limits
+        the coefficient at its lower and upper limits
     """
 
     solved: Solved
-    friction_coefficient: FloatArray
+    coefficient: Coefficient
     static_coefficient: FloatArray
     rib_coefficient: FloatArray
     hysteresis: FloatArray
@@ -182,7 +195,9 @@ class Setting:
     film_parameter: FloatArray | None = None
     control: ControlChoice = "jones"
     mesh: EllipseMesh | None = None
-    machine: MachineBearing | None = None
+    machines: tuple[MachineBearing, ...] = ()
+    by_regime: bool = False
+    limits: tuple[Coefficient, ...] = ()
 
     def __len__(self) -> int:
         """Count the cases."""
@@ -193,10 +208,23 @@ class Setting:
         changed = {
             part.name: getattr(self, part.name)[some]
             for part in fields(self)
-            if isinstance(getattr(self, part.name), np.ndarray | Solved)
+            if isinstance(getattr(self, part.name), np.ndarray | Solved | Coefficient)
         }
-        machine = None if self.machine is None else self.machine.part(some)
-        return replace(self, machine=machine, **changed)
+        machines = tuple(machine.part(some) for machine in self.machines)
+        limits = tuple(limit[some] for limit in self.limits)
+        return replace(self, machines=machines, limits=limits, **changed)
+
+    @property
+    def at_limits(self) -> tuple[Setting, ...]:
+        """The same with the coefficient at its lower and at its upper limit."""
+        return tuple(replace(self, coefficient=limit) for limit in self.limits)
+
+    @property
+    def friction_coefficient(self) -> FloatArray:
+        """μ between elements and races, of a set of balls and rollers that of balls; (cases, 1)."""
+        if rolls_on_lines(self.solved).all():
+            return self.coefficient.rollers[:, :1]
+        return self.coefficient.balls
 
     @property
     def regime(self) -> NDArray[np.str_]:
@@ -211,9 +239,11 @@ class Setting:
         return unit_motion(self.solved, controlling_race(self.solved, self.control))
 
     def supplies(self, needs: tuple[str, ...]) -> bool:
-        """Whether the needs of a model, attributes of this or of its machine, are known."""
+        """Whether the needs of a model, attributes of this or of all its machines, are known."""
         return all(
-            getattr(self, need, getattr(self.machine, need, None)) is not None for need in needs
+            hasattr(self, need)
+            or (self.machines and all(getattr(one, need) is not None for one in self.machines))
+            for need in needs
         )
 
 
@@ -228,7 +258,7 @@ class TorqueModel:
     title, short_title
         in English: of a row, of a narrow column
     needs
-        attributes of `Setting`, or of its machine, that must be known
+        attributes of `Setting`, or of its machines, that must be known
     evaluate
         the torque; of models of the contacts without hysteresis and oil, which are added to each
     limits
@@ -304,9 +334,11 @@ def touches_both_arcs(solved: Solved) -> BoolArray:
 
 def limits_of_dry_friction(setting: Setting) -> dict[str, BoolArray]:
     """Of models of dry or boundary friction without inertia."""
+    film = setting.regime == "full_film"
     return {
         "inertia": inertia_counts(setting.solved, setting.friction_coefficient),
-        "full_film": setting.regime == "full_film",
+        "full_film": film & (not setting.by_regime),
+        "film_by_regime": film & setting.by_regime,
         "partial_film": setting.regime == "mixed",
     }
 
@@ -379,14 +411,13 @@ def relative_speed(solved: Solved) -> FloatArray:
     return np.asarray(solved.field("duty.inner_speed") - solved.field("duty.outer_speed"))
 
 
-def bearing_loads(setting: Setting) -> list[tuple[FloatArray, FloatArray]]:
-    """Radial and axial load of each bearing of the machine, (cases,) each; N."""
-    solved, machine = setting.solved, setting.machine
-    if machine is None or not machine.by_row:
+def bearing_load(solved: Solved, machine: MachineBearing) -> tuple[FloatArray, FloatArray]:
+    """Radial and axial load of one bearing of a set, or of the one, (cases,) each; N."""
+    if machine.row is None:
         load = solved.load
-        return [(np.hypot(load.fy, load.fz), load.fx)]
-    rows = np.moveaxis(solved.rows.load, 1, 0)
-    return [(np.hypot(row[:, 1], row[:, 2]), row[:, 0]) for row in rows]
+        return np.hypot(load.fy, load.fz), load.fx
+    row = solved.rows.load[:, machine.row]
+    return np.hypot(row[:, 1], row[:, 2]), row[:, 0]
 
 
 # --- how balls move under raceway control, and what that loses ---------------------------------

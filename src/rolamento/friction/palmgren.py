@@ -20,7 +20,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from math import pi
-from typing import Final, Literal
+from typing import TYPE_CHECKING, Final, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -32,7 +32,7 @@ from rolamento.friction.model import (
     Torque,
     TorqueModel,
     added,
-    bearing_loads,
+    bearing_load,
     checked_numbers,
     checked_positive,
     limits_of_lubricated_bearings,
@@ -41,6 +41,9 @@ from rolamento.friction.model import (
 )
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.words import marked, said
+
+if TYPE_CHECKING:
+    from rolamento.friction.machine import MachineBearing
 
 BearingKind = Literal[
     "deep_groove", "angular_contact", "double_row", "four_point", "self_aligning", "thrust",
@@ -236,42 +239,51 @@ def _checked_kind(kind: str) -> str:
 
 
 def _of_bearing(setting: Setting) -> Torque:
-    machine = setting.machine
-    assert machine is not None
+    return added([_of_machine(setting, machine) for machine in setting.machines])
+
+
+def _of_machine(setting: Setting, machine: MachineBearing) -> Torque:
+    """That of one of the bearings under its own load."""
     assert machine.static_load_ratio is not None
-    ratio = machine.static_load_ratio
-    return added(
-        [
-            palmgren(
-                kind=machine.kind,
-                lubrication=machine.lubrication,
-                speed=relative_speed(setting.solved),
-                mean_diameter=machine.mean_diameter,
-                kinematic_viscosity=machine.kinematic_viscosity,
-                radial_load=radial,
-                axial_load=axial,
-                static_load_ratio=ratio,
-                contact_angle=machine.contact_angle,
-            )
-            for radial, axial in bearing_loads(setting)
-        ]
+    radial, axial = bearing_load(setting.solved, machine)
+    return palmgren(
+        kind=machine.kind,
+        lubrication=machine.lubrication,
+        speed=relative_speed(setting.solved),
+        mean_diameter=machine.mean_diameter,
+        kinematic_viscosity=machine.kinematic_viscosity,
+        radial_load=radial,
+        axial_load=axial,
+        static_load_ratio=machine.static_load_ratio,
+        contact_angle=machine.contact_angle,
     )
 
 
 def _limits(setting: Setting) -> dict[str, BoolArray]:
     """The third term is valid up to a share of the radial load."""
     limits = limits_of_lubricated_bearings(setting)
-    if setting.machine is None or setting.machine.kind != "cylindrical":
-        return limits
-    pushed = [np.abs(fa) > RIB_LOAD_SHARE * fr for fr, fa in bearing_loads(setting)]
-    return {**limits, "axial_share": np.any(pushed, axis=0)}
+    whole = np.zeros(setting.regime.shape, np.bool_)
+    of_steel = np.full(whole.shape, any(one.rated_as_steel for one in setting.machines))
+    pushed = [
+        np.abs(fa) > RIB_LOAD_SHARE * fr
+        for fr, fa in (
+            bearing_load(setting.solved, one)
+            for one in setting.machines
+            if one.kind == "cylindrical"
+        )
+    ]
+    return {
+        **limits,
+        **({"axial_share": np.any(pushed, axis=0)} if pushed else {}),
+        "rating_of_steel": of_steel,
+    }
 
 
 MODEL: Final = TorqueModel(
     name="palmgren",
     title=marked("Palmgren"),
     short_title=marked("Palmgren"),
-    needs=("machine", "static_load_ratio"),
+    needs=("static_load_ratio",),
     evaluate=_of_bearing,
     limits=_limits,
     of_contacts=False,

@@ -36,8 +36,8 @@ from rolamento.friction.model import (
 )
 from rolamento.geometry import Race
 from rolamento.kinematics import BallMotion
-from rolamento.lubrication.film_thickness import film_groups, minimum_film, thermal_loading
-from rolamento.lubrication.films import has_film, oil_of
+from rolamento.lubrication.film_thickness import film_groups, minimum_film
+from rolamento.lubrication.films import has_film, oil_of, resistance_left
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.roller_kinematics import RibMotion, rib_motion, roller_motion
 from rolamento.solved import RACES, Solved
@@ -170,17 +170,18 @@ def roller_sliding(
 ) -> dict[str, ContactLoss]:
     """Losses of sliding at a unit speed of the rings: "rib" and "rolling_slip"; W s/rad.
 
-    coefficient : μ at the ribs, (cases or 1, 1), in the place of what the film leaves of it.
+    coefficient : μ at the ribs, (cases or 1, 1), in the place of what the film leaves of μ_0.
     """
     solved = setting.solved
     rollers = solved.rollers
     assert rollers is not None
     shape, loaded = RollerShape.of(solved), rollers_bear(solved)
-    mu = setting.friction_coefficient
+    mu = setting.coefficient.rollers
     at_rib = coefficient
     if at_rib is None:
         parameter = rib_film_parameter(setting, shape)
-        at_rib = np.where(np.isnan(parameter), mu, rib_coefficient(np.nan_to_num(parameter), mu))
+        under = rib_coefficient(np.nan_to_num(parameter), setting.coefficient.boundary)
+        at_rib = np.where(np.isnan(parameter), mu, under)
     force = np.where(loaded, np.abs(rollers.rib_force), 0.0) * at_rib
     two_ribs = np.array([element != "tapered" for element in solved.rows.element])
     both = two_ribs[solved.rows.row_of_element]
@@ -224,21 +225,19 @@ def line_hysteresis_loss(solved: Solved, loss: FloatArray) -> ContactLoss:
 def line_resistance_loss(solved: Solved, viscosity: FloatArray) -> ContactLoss:
     """Power of the oil at the inlets of every line of contact as it was solved: 2 t u; W.
 
-    viscosity : η₀ at the inlets, (cases, 1). The pressure-viscosity coefficient and the heat of
-    shear are the oil's of the case; without an oil there is nothing.
+    viscosity : η₀ at the inlets, (cases, 1). The pressure-viscosity coefficient, the heat of shear
+    and the starvation are those of the case; without an oil there is nothing.
     """
     if not has_film(solved):
         nothing = np.zeros(solved.inner.load.shape)
         return ContactLoss(nothing, nothing)
     oil = oil_of(solved).columns()
-    heated = solved.case.film is None or solved.case.film.thermal != "none"
 
     def of_race(race: Race) -> FloatArray:
         contacts = solved.contacts[race]
         speed = np.abs(contacts.entrainment)
         bears = rollers_bear(solved)
         u = np.where(bears, speed, 0.0)
-        heating = thermal_loading(viscosity, oil.viscosity_temperature, u, oil.thermal_conductivity)
 
         def force(line: Line) -> FloatArray:
             return inlet_force(
@@ -248,10 +247,9 @@ def line_resistance_loss(solved: Solved, viscosity: FloatArray) -> ContactLoss:
                 viscosity[..., np.newaxis],
                 oil.pressure_viscosity[..., np.newaxis],
                 u[..., np.newaxis],
-                heating[..., np.newaxis] if heated else 0.0,
             )
 
-        return _along(solved, race, force, 2.0 * u)
+        return _along(solved, race, force, 2.0 * u * resistance_left(solved, race, viscosity))
 
     return ContactLoss(*map(of_race, RACES))
 
@@ -289,7 +287,9 @@ def _limits(setting: Setting) -> dict[str, BoolArray]:
         presses = bears & (np.abs(rollers.rib_force) > 0.0)
     unknown = presses & np.isnan(rib_film_parameter(setting, shape))
     return {
-        "full_film": (setting.regime == "full_film") & np.any(slips, axis=-1),
+        "full_film": (setting.regime == "full_film")
+        & np.any(slips, axis=-1)
+        & (not setting.by_regime),
         "rib_film_unknown": np.any(unknown, axis=-1),
     }
 

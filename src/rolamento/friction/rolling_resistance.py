@@ -8,7 +8,8 @@ the surfaces, W = Q/(E' R_x²), U = 2 η₀ u/(E' R_x) and β = b E'/(π p0 R_x)
     F_R = 2 a R_x E' [(0.77 β^(-⅓) κ^0.12 U^(-1/12) - 1.8 β^(-¼))/(1 + M/6.6) + 1.8 β^(-¼)] U^¾
 
 F_R holds each of the two surfaces back, so the contact takes the power 2 F_R u. It is isothermal
-and fully flooded: inlet heating and starvation lower it.
+and fully flooded; what heat in the inlet and lack of oil leave of it is as for rollers and for the
+film (`lubrication.films.resistance_left`).
 
 The formula is given here as the open source of NSK's D-BRAIN has it (Tribology.cpp; its own test
 has the value with the exponent -1/3, which an integer division in the code turns into 0). One
@@ -25,6 +26,7 @@ from numpy.typing import ArrayLike
 from rolamento.friction.model import ContactLoss, bears_on_both, checked_positive
 from rolamento.friction.slip import Patch, solved_motion
 from rolamento.geometry import Race
+from rolamento.lubrication.films import has_film, resistance_left
 from rolamento.numerics import FloatArray
 from rolamento.solved import RACES, Solved
 
@@ -71,7 +73,8 @@ def rolling_force(
 def rolling_resistance_loss(solved: Solved, viscosity: ArrayLike) -> ContactLoss:
     """Power of rolling resistance in every contact as it was solved; W.
 
-    viscosity : η₀ at the inlet, a number or (cases,); Pa·s.
+    viscosity : η₀ at the inlet, a number or (cases,); Pa·s. Without an oil in the case, whose
+    other properties then are not known, the resistance is isothermal and fully flooded.
 
     Raises
     ------
@@ -79,6 +82,7 @@ def rolling_resistance_loss(solved: Solved, viscosity: ArrayLike) -> ContactLoss
         If a viscosity is negative.
     """
     eta = checked_positive(viscosity, "dynamic_viscosity", zero=True).reshape(-1, 1)
+    eta = np.broadcast_to(eta, (len(solved), 1))
     return ContactLoss(*(_loss_of_race(solved, race, eta) for race in RACES))
 
 
@@ -90,4 +94,6 @@ def _loss_of_race(solved: Solved, race: Race, viscosity: FloatArray) -> FloatArr
     roll = solved_motion(solved, race, yawing=False).roll if yaws else contacts.roll
     speed = np.abs(roll) / curvature
     force = rolling_force(Patch.of(contacts), curvature, contacts.modulus, viscosity, speed)
+    if has_film(solved):
+        force = force * resistance_left(solved, race, viscosity)
     return np.asarray(np.where(bears_on_both(solved), 2.0 * force * speed, 0.0))

@@ -46,57 +46,49 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cache
 from math import pi, radians
-from typing import Any, Final, Literal
+from typing import TYPE_CHECKING, Any, Final, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento._data import toml_of
+from rolamento.case.film_model import Supply
 from rolamento.errors import InputError, guess
+from rolamento.friction.coefficient import (
+    ROLLERS_FULL_FILM,
+    SLIDING_AT_START,
+    SLIDING_BOUNDARY,
+    SLIDING_FULL_FILM,
+    blended,
+    boundary_share,
+)
 from rolamento.friction.model import (
     Setting,
     Torque,
     TorqueModel,
     added,
-    bearing_loads,
+    bearing_load,
     checked_numbers,
     checked_positive,
     limits_of_lubricated_bearings,
     relative_speed,
     torque_of_parts,
 )
+from rolamento.lubrication.film_thickness import (
+    BEARING_TYPE,
+    REPLENISHMENT,
+    replenishment,
+    skf_inlet_heating,
+)
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.words import marked, said
+
+if TYPE_CHECKING:
+    from rolamento.friction.machine import MachineBearing
 
 Kind = Literal[
     "deep_groove", "angular_contact", "self_aligning", "thrust", "cylindrical", "tapered"
 ]
-Supply = Literal["grease", "oil_air", "low_oil_bath", "oil_jet"]
-
-STARVATION: Final[Mapping[str, float]] = {
-    "grease": 6e-8,
-    "oil_air": 6e-8,
-    "low_oil_bath": 3e-8,
-    "oil_jet": 3e-8,
-}
-"""K_rs by the way the lubricant is supplied."""
-
-SLIDING_FULL_FILM: Final[Mapping[str, float]] = {
-    "mineral": 0.05,
-    "synthetic": 0.04,
-    "transmission_fluid": 0.1,
-}
-"""μ_EHL of ball bearings by oil."""
-
-ROLLERS_FULL_FILM: Final[Mapping[str, float]] = {"cylindrical": 0.02, "tapered": 0.002}
-"""μ_EHL of roller bearings, whatever the oil."""
-
-SLIDING_BOUNDARY: Final = 0.12
-"""μ_bl of a turning bearing in SKF's later model, which distinguishes it from starting; the
-catalogue of 2013 gives one value of about 0.15 for both."""
-
-SLIDING_AT_START: Final = 0.15
-"""μ_bl of one that starts to turn."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,7 +116,7 @@ class SkfConstants:
 @cache
 def deep_groove_series() -> Mapping[str, SkfConstants]:
     """Return the constants by bearing series, such as "62" of 6205."""
-    k_z = toml_of("skf_friction")["K_Z"]["deep_groove"]
+    k_z = BEARING_TYPE["deep_groove"]
     return {
         name: SkfConstants("deep_groove", **_geometry_constants(row), k_z=k_z)
         for row in toml_of("skf_friction")["deep_groove"]
@@ -138,7 +130,7 @@ def _angular_contact_designs() -> Mapping[str, SkfConstants]:
         name: SkfConstants(
             "angular_contact",
             **_geometry_constants(row),
-            k_z=row["K_Z"],
+            k_z=BEARING_TYPE["angular_contact" if name == "single_row" else name],
             contact_angle=radians(row["contact_angle_deg"]),
         )
         for name, row in toml_of("skf_friction")["angular_contact"].items()
@@ -171,11 +163,10 @@ def angular_contact_constants(design: str = "single_row") -> SkfConstants:
 @cache
 def self_aligning_series() -> Mapping[str, SkfConstants]:
     """Return the constants of self-aligning bearings by series, such as "22" of 2210."""
-    data = toml_of("skf_friction")
-    k_z = data["K_Z"]["self_aligning"]
+    k_z = BEARING_TYPE["self_aligning"]
     return {
         name: SkfConstants("self_aligning", **_geometry_constants(row), k_z=k_z)
-        for row in data["self_aligning"]
+        for row in toml_of("skf_friction")["self_aligning"]
         for name in row["series"]
     }
 
@@ -183,20 +174,18 @@ def self_aligning_series() -> Mapping[str, SkfConstants]:
 @cache
 def thrust_constants() -> SkfConstants:
     """Return the constants of thrust ball bearings."""
-    data = toml_of("skf_friction")
-    row = data["thrust"]
-    return SkfConstants("thrust", row["R1"], 0.0, row["S1"], 0.0, k_z=data["K_Z"]["thrust"])
+    row = toml_of("skf_friction")["thrust"]
+    return SkfConstants("thrust", row["R1"], 0.0, row["S1"], 0.0, k_z=BEARING_TYPE["thrust"])
 
 
 @cache
 def roller_series(kind: Literal["cylindrical", "tapered"]) -> Mapping[str, SkfConstants]:
     """Return the constants of roller bearings by series, such as "2" of NU 206 or "302"."""
-    data = toml_of("skf_friction")
     return {
         name: SkfConstants(
-            kind, row["R1"], row.get("R2", 0.0), row["S1"], row["S2"], k_z=data["K_Z"][kind]
+            kind, row["R1"], row.get("R2", 0.0), row["S1"], row["S2"], k_z=BEARING_TYPE[kind]
         )
-        for row in data[kind]
+        for row in toml_of("skf_friction")[kind]
         for name in row["series"]
     }
 
@@ -271,7 +260,7 @@ def skf_moment(
     radial_load, axial_load : N.
     static_load_rating : C_0; N. Deep-groove bearings with axial load need it.
     axial_factor : Y; tapered roller bearings need it.
-    supply : how the lubricant comes, a key of `STARVATION`.
+    supply : how the lubricant comes, a key of `lubrication.film_thickness.REPLENISHMENT`.
     oil : a key of `SLIDING_FULL_FILM`.
 
     Returns
@@ -283,15 +272,16 @@ def skf_moment(
     InputError
         For an unknown word, or a number that is missing or out of range.
     """
-    n = _RPM * np.abs(checked_numbers(speed, "speed"))
-    bore = 1e3 * checked_positive(bore_diameter, "bore_diameter")
-    outside = 1e3 * checked_positive(outside_diameter, "outside_diameter")
-    if not np.all(outside > bore):
-        raise InputError(said("must be greater than the bore diameter"), field="outside_diameter")
-    nu = 1e6 * checked_positive(kinematic_viscosity, "kinematic_viscosity")
+    turning = np.abs(checked_numbers(speed, "speed"))
+    bore = checked_positive(bore_diameter, "bore_diameter")
+    outside = checked_positive(outside_diameter, "outside_diameter")
+    viscosity = checked_positive(kinematic_viscosity, "kinematic_viscosity")
+    _known(REPLENISHMENT, supply, "supply")
+    replenished = replenishment(viscosity, turning, bore, outside, supply, kind=constants.k_z)
+    diameter = 0.5 * (bore + outside)
+    n, nu, mean = _RPM * turning, 1e6 * viscosity, 1e3 * diameter
     fr = np.abs(checked_numbers(radial_load, "radial_load"))
     fa = np.abs(checked_numbers(axial_load, "axial_load"))
-    mean = 0.5 * (bore + outside)
     if constants.kind == "deep_groove":
         rolling, sliding = _deep_groove(constants, mean, fr, fa, static_load_rating)
     elif constants.kind == "self_aligning":
@@ -306,20 +296,17 @@ def skf_moment(
         rolling, sliding = _tapered(constants, mean, fr, fa, axial_factor)
     else:
         rolling, sliding = _angular_contact(constants, mean, fr, fa, n)
-    heating = 1.0 / (1.0 + 1.84e-9 * (n * mean) ** 1.28 * nu**0.64)
-    starved = _factor_of(STARVATION, supply, "supply") * nu * n * (bore + outside)
-    replenishment = np.exp(-starved * np.sqrt(constants.k_z / (2.0 * (outside - bore))))
-    boundary = np.exp(-2.6e-8 * (n * nu) ** 1.4 * mean)
-    full_film = _factor_of(SLIDING_FULL_FILM, oil, "oil")
-    full_film = ROLLERS_FULL_FILM.get(constants.kind, full_film)
-    coefficient = boundary * SLIDING_BOUNDARY + (1.0 - boundary) * full_film
+    heating = skf_inlet_heating(viscosity, turning, diameter)
+    boundary = boundary_share(viscosity, turning, diameter)
+    full_film = ROLLERS_FULL_FILM.get(constants.kind, _known(SLIDING_FULL_FILM, oil, "oil"))
+    coefficient = blended(boundary, SLIDING_BOUNDARY, full_film)
     return SkfMoment(
         *np.broadcast_arrays(
-            1e-3 * heating * replenishment * rolling * (nu * n) ** 0.6,
+            1e-3 * heating * replenished * rolling * (nu * n) ** 0.6,
             1e-3 * sliding * coefficient,
             1e-3 * sliding * SLIDING_AT_START,
             heating,
-            replenishment,
+            replenished,
             coefficient,
         )
     )
@@ -395,7 +382,7 @@ def _tapered(
     return rolling, c.s1 * mean**0.82 * (fr + c.s2 * pushed)
 
 
-def _factor_of(table: Mapping[str, float], word: str, field: str) -> float:
+def _known(table: Mapping[Any, float], word: str, field: str) -> float:
     if word not in table:
         raise InputError(
             said("must be one of {known}", known=", ".join(table)), field=field, value=word
@@ -407,39 +394,40 @@ _SAME_ANGLE: Final = radians(1.0)
 
 
 def _of_bearing(setting: Setting) -> Torque:
-    machine = setting.machine
-    assert machine is not None
-    assert machine.constants is not None
     speed = relative_speed(setting.solved)
-    moments = [
-        skf_moment(
-            machine.constants,
-            speed=speed,
-            bore_diameter=machine.bore_diameter,
-            outside_diameter=machine.outside_diameter,
-            kinematic_viscosity=machine.kinematic_viscosity,
-            radial_load=radial,
-            axial_load=axial,
-            static_load_rating=machine.static_load_rating,
-            axial_factor=machine.axial_factor,
-            supply=machine.supply,
-            oil=machine.oil,
-        )
-        for radial, axial in bearing_loads(setting)
-    ]
+    moments = [_moment(setting, machine) for machine in setting.machines]
     whole = added([skf_torque(moment, speed) for moment in moments])
-    if machine.constants.kind not in ROLLERS_FULL_FILM:
+    if any(one.constants.kind not in ROLLERS_FULL_FILM for one in setting.machines):  # type: ignore[union-attr]
         return whole
     return replace(whole, starting=np.sum([moment.starting for moment in moments], axis=0))
 
 
+def _moment(setting: Setting, machine: MachineBearing) -> SkfMoment:
+    """That of one of the bearings under its own load."""
+    assert machine.constants is not None
+    radial, axial = bearing_load(setting.solved, machine)
+    return skf_moment(
+        machine.constants,
+        speed=relative_speed(setting.solved),
+        bore_diameter=machine.bore_diameter,
+        outside_diameter=machine.outside_diameter,
+        kinematic_viscosity=machine.kinematic_viscosity,
+        radial_load=radial,
+        axial_load=axial,
+        static_load_rating=machine.static_load_rating,
+        axial_factor=machine.axial_factor,
+        supply=machine.supply,
+        oil=machine.oil,
+    )
+
+
 def _limits(setting: Setting) -> dict[str, BoolArray]:
     """SKF's constants for angular-contact bearings are for one contact angle."""
-    machine = setting.machine
-    assert machine is not None
-    assert machine.constants is not None
-    own = machine.constants.contact_angle
-    differs = own is not None and abs(machine.contact_angle - own) > _SAME_ANGLE
+    differs = False
+    for machine in setting.machines:
+        assert machine.constants is not None
+        own = machine.constants.contact_angle
+        differs |= own is not None and abs(machine.contact_angle - own) > _SAME_ANGLE
     return {
         **limits_of_lubricated_bearings(setting),
         "other_angle": np.full(setting.regime.shape, differs),
@@ -450,7 +438,7 @@ MODEL: Final = TorqueModel(
     name="skf",
     title=marked("SKF"),
     short_title=marked("SKF"),
-    needs=("machine", "constants"),
+    needs=("constants",),
     evaluate=_of_bearing,
     limits=_limits,
     of_contacts=False,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Final, TypeVar
 
@@ -10,8 +10,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rolamento._json import plain
+from rolamento.case import Case
 from rolamento.errors import InputError
+from rolamento.friction.bounds import upper_bounds
 from rolamento.friction.closed_forms import DEFAULT_HYSTERESIS
+from rolamento.friction.coefficient import (
+    SLIDING_AT_START,
+    Coefficient,
+    coefficient_by_regime,
+)
 from rolamento.friction.line_losses import RIB_COEFFICIENT
 from rolamento.friction.machine import MachineBearing
 from rolamento.friction.model import (
@@ -41,7 +48,7 @@ from rolamento.friction.rollers import (
 from rolamento.friction.rolling_resistance import rolling_resistance_loss
 from rolamento.friction.traction import EllipseMesh
 from rolamento.lubrication.films import film, has_film, oil_of
-from rolamento.numerics import FloatArray
+from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.blocks import in_blocks
 from rolamento.solved import Solved, refuse_other
 from rolamento.words import Note, said
@@ -50,6 +57,9 @@ T = TypeVar("T")
 
 HYSTERESIS: Final = "hysteresis"
 ROLLING_RESISTANCE: Final = "rolling_resistance"
+MODELS_AGREE: Final = 1.5
+"""Ratio to the models of whole bearings above which a difference is worth a note: their own authors
+put a torque within some tens of percent."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -60,10 +70,16 @@ class Friction:
     ----------
     friction_coefficient
         μ between elements and races, (cases,)
+    coefficient_range
+        its lower and upper limits, (cases, 2): the same twice where it was given
+    by_regime
+        whether the coefficient is that of the regime of lubrication, for want of a given one
     model
         of the friction in the contacts
     torque
         running torque of all sources, (cases,), N·m; at rest the limit of slow turning
+    torque_range
+        the torque with the coefficient at its limits, (cases, 2), N·m
     starting_torque
         of the first motion: static friction and hysteresis, (cases,), N·m; at the ribs of rollers
         with 0.2 if no static coefficient is given
@@ -81,11 +97,16 @@ class Friction:
         every model that could be evaluated: its torque
     validity
         whether each of them is valid here, and if not, why
+    bounds
+        why the torque is an upper bound, by keys of notes: in which cases, (cases,)
     """
 
     friction_coefficient: FloatArray
+    coefficient_range: FloatArray
+    by_regime: bool
     model: str
     torque: FloatArray
+    torque_range: FloatArray
     starting_torque: FloatArray
     power: FloatArray
     torque_by_source: Mapping[str, FloatArray]
@@ -94,6 +115,58 @@ class Friction:
     regime: NDArray[np.str_]
     models: Mapping[str, Torque]
     validity: tuple[ModelValidity, ...]
+    bounds: Mapping[str, BoolArray]
+
+    @property
+    def upper_bound(self) -> BoolArray:
+        """(cases,): whether torque and power are an upper bound only."""
+        return np.asarray(np.any([np.zeros(len(self.torque), bool), *self.bounds.values()], axis=0))
+
+    @property
+    def of_whole_bearings(self) -> FloatArray:
+        """Minimum and maximum torque by the models of whole bearings; (cases, 2), N·m.
+
+        Of those that are valid; NaN where there is none.
+        """
+        whole = [
+            np.where(found.valid, self.models[found.model].total, np.nan)
+            for found in self.validity
+            if not TORQUE_MODELS[found.model].of_contacts
+        ]
+        if not whole:
+            return np.full((len(self.torque), 2), np.nan)
+        return np.stack([np.fmin.reduce(whole), np.fmax.reduce(whole)], axis=-1)
+
+    def headline_notes(self, solved: Solved, case: int = 0) -> tuple[Note, ...]:
+        """What could change torque and power of a case, to be read with them.
+
+        Where no model is valid; of what they are an upper bound; the coefficient that was taken for
+        want of a given one; and how far the models of whole bearings lie from them.
+        """
+        notes = [*self.without_model(solved, case)]
+        notes += (Note(key) for key, where in self.bounds.items() if where[case])
+        if self.by_regime and solved.converged[case]:
+            notes.append(self._coefficient_note(case))
+        low, high = self.of_whole_bearings[case]
+        own = float(self.torque[case])
+        if own < low / MODELS_AGREE or own > high * MODELS_AGREE:
+            key = "torque_below_models" if own < low else "torque_above_models"
+            notes.append(Note(key, {"low": float(low), "high": float(high)}))
+        return tuple(notes)
+
+    def _coefficient_note(self, case: int) -> Note:
+        low, high = self.coefficient_range[case]
+        torque = self.torque_range[case]
+        return Note(
+            "coefficient_by_regime",
+            {
+                "coefficient": float(self.friction_coefficient[case]),
+                "low": float(low),
+                "high": float(high),
+                "low_torque": float(torque[0]),
+                "high_torque": float(torque[1]),
+            },
+        )
 
     @property
     def judged(self) -> tuple[ModelValidity, ...]:
@@ -116,7 +189,8 @@ class Friction:
         case
             Which of the cases.
         """
-        controlled = solved.rolling is not None and self.regime[case] != "full_film"
+        counts = self.by_regime or self.regime[case] != "full_film"
+        controlled = solved.rolling is not None and counts
         of_contacts = (m for m in TORQUE_MODELS.values() if m.of_contacts and m.knows(solved))
         if any(m.name not in self.models for m in of_contacts):
             return ()
@@ -138,9 +212,13 @@ class Friction:
         mapping: dict[str, Any] = plain(
             {
                 "friction_coefficient": self.friction_coefficient[case],
+                "coefficient_range": self.coefficient_range[case],
+                "coefficient_by_regime": self.by_regime,
                 "model": self.model,
                 "regime": str(self.regime[case]),
                 "torque": self.torque[case],
+                "torque_range": self.torque_range[case],
+                "upper_bound": bool(self.upper_bound[case]),
                 "starting_torque": self.starting_torque[case],
                 "power": self.power[case],
                 "torque_by_source": {k: part[case] for k, part in self.torque_by_source.items()},
@@ -189,7 +267,7 @@ def friction(
     hysteresis: ArrayLike = DEFAULT_HYSTERESIS,
     dynamic_viscosity: ArrayLike | None = None,
     film_parameter: ArrayLike | None = None,
-    machine: MachineBearing | None = None,
+    machine: MachineBearing | Sequence[MachineBearing] | None = None,
     control: ControlChoice = "jones",
     compare: bool | None = None,
     mesh: EllipseMesh | None = None,
@@ -197,8 +275,8 @@ def friction(
 ) -> Friction:
     """Find torque, power and heat of friction in solved bearings.
 
-    With an oil at a known temperature its rolling resistance counts, and its film decides which
-    models are valid.
+    With an oil at a known temperature its rolling resistance counts, less what heat in the inlets
+    and lack of oil take as `case.film` says, and its film decides which models are valid.
 
     Parameters
     ----------
@@ -208,9 +286,12 @@ def friction(
         Of the friction in the contacts: a name in `CONTACT_MODELS`, by default "jones_full", or
         "roller_sliding", the default of roller bearings.
     friction_coefficient
-        μ between elements and races in the place of the lubricant's, a number or (cases,).
+        μ between elements and races in the place of the lubricant's, a number or (cases,). If
+        neither is given, that of the regime of lubrication (`rolamento.friction.coefficient`),
+        which needs an oil or a grease at its temperature.
     static_coefficient
-        μ at the first motion; if not given μ itself, and 0.2 at the ribs of rollers.
+        μ at the first motion; if not given μ itself, or 0.15 where that is by the regime, and 0.2
+        at the ribs of rollers.
     hysteresis
         α_h of the material; 0 leaves hysteresis out.
     dynamic_viscosity
@@ -218,7 +299,8 @@ def friction(
     film_parameter
         λ of the cases in the place of the film's.
     machine
-        Sizes, rating and lubricant, for Palmgren's and SKF's models beside.
+        Sizes, rating and lubricant of the bearing, or of each of a set, for the models of Palmgren
+        and SKF, evaluated in addition.
     control
         Which race the balls roll on, for the models that need it.
     compare
@@ -245,12 +327,10 @@ def friction(
     mu = friction_coefficient
     if mu is None:
         mu = solved.field("lubricant.friction_coefficient")
-        if np.all(np.isnan(mu)) and len(solved):
-            raise InputError(
-                said("is missing; the friction calculation needs it"),
-                field="lubricant.friction_coefficient",
-                example="friction_coefficient=0.1",
-            )
+        mu = None if np.all(np.isnan(mu)) and len(solved) else mu
+    by_regime = mu is None
+    if mu is None and not has_film(solved):
+        raise no_coefficient(solved.case)
     viscosity, known = dynamic_viscosity, film_parameter
     if has_film(solved):
         if viscosity is None:
@@ -262,15 +342,21 @@ def friction(
         return over_cases(checked_coefficient(value, name), name, len(solved))
 
     cases = len(solved)
+    if mu is None:
+        ranged = coefficient_by_regime(solved)
+        static_mu = SLIDING_AT_START if static_coefficient is None else static_coefficient
+    else:
+        ranged = (Coefficient.given(column(mu, "friction_coefficient")),) * 3
+        static_mu = mu if static_coefficient is None else static_coefficient
+    machines = () if machine is None else machine
     if viscosity is not None:
         checked_positive(viscosity, "dynamic_viscosity", zero=True)
         viscosity = over_cases(viscosity, "dynamic_viscosity", cases)
     setting = Setting(
         solved,
-        friction_coefficient=column(mu, "friction_coefficient"),
-        static_coefficient=column(
-            mu if static_coefficient is None else static_coefficient, "static_coefficient"
-        ),
+        coefficient=ranged[0],
+        limits=ranged[1:],
+        static_coefficient=column(static_mu, "static_coefficient"),
         rib_coefficient=column(
             RIB_COEFFICIENT if static_coefficient is None else static_coefficient,
             "static_coefficient",
@@ -280,7 +366,8 @@ def friction(
         film_parameter=None if known is None else over_cases(known, "film_parameter", cases),
         control=control,
         mesh=mesh,
-        machine=machine,
+        machines=(machines,) if isinstance(machines, MachineBearing) else tuple(machines),
+        by_regime=by_regime,
     )
     compared = len(solved) == 1 if compare is None else compare
     return in_blocks(lambda some: _friction_of(some, model, compared), setting, threads)
@@ -310,13 +397,18 @@ def _friction_of(setting: Setting, model: str, compare: bool) -> Friction:
         starting = lift * models[model].total + starting
     if setting.solved.rollers is not None:
         starting = starting + _sliding(setting, starting_losses(setting)).total
+    torque = np.asarray(np.sum([source.total for source in sources], axis=0))
+    by_source = _together([source.parts for source in sources], np.add)
     return Friction(
         friction_coefficient=mu[:, 0],
+        coefficient_range=np.hstack([limit.friction_coefficient for limit in setting.at_limits]),
+        by_regime=setting.by_regime,
         model=model,
-        torque=np.sum([source.total for source in sources], axis=0),
+        torque=torque,
+        torque_range=_torque_range(setting, models[model], torque),
         starting_torque=starting,
         power=np.sum([source.power for source in sources], axis=0),
-        torque_by_source=_together([source.parts for source in sources], np.add),
+        torque_by_source=by_source,
         heat=_together([source.losses for source in sources], ContactLoss.beside),
         film_parameter=thinnest[:, 0],
         regime=setting.regime,
@@ -325,6 +417,47 @@ def _friction_of(setting: Setting, model: str, compare: bool) -> Friction:
             validity_of(TORQUE_MODELS[name], setting, found.converged)
             for name, found in models.items()
         ),
+        bounds=upper_bounds(setting, torque, by_source),
+    )
+
+
+def _torque_range(setting: Setting, own: Torque, torque: FloatArray) -> FloatArray:
+    """The torque with the coefficient at its limits, (cases, 2).
+
+    The motion of the balls does not depend on the coefficient, so that their torque is in
+    proportion to it; rollers slide with one at their races and another at the ribs.
+    """
+    if not setting.by_regime:
+        return np.stack([torque, torque], axis=-1)
+    of_balls = own.model != ROLLER_MODEL
+    found = []
+    for limit in setting.at_limits:
+        changed = np.zeros(len(setting))
+        if of_balls:
+            ratio = limit.coefficient.balls / setting.coefficient.balls
+            changed = own.total * (ratio[:, 0] - 1.0)
+        if setting.solved.rollers is not None:
+            there, here = (_sliding(one, roller_sliding(one)).total for one in (limit, setting))
+            changed = changed + there - here
+        found.append(torque + changed)
+    return np.stack(found, axis=-1)
+
+
+def no_coefficient(case: Case) -> InputError:
+    """Say that neither a coefficient of friction nor an oil at its temperature is known."""
+    if case.lubricant is not None and case.lubricant.kind != "dry":
+        return InputError(
+            said("is missing; the friction calculation needs it, or a coefficient of friction"),
+            field="temperature.lubricant",
+            example='[temperature] with lubricant = "70 degC"',
+        )
+    return InputError(
+        said(
+            "is missing; the friction calculation needs it, or an oil or a grease at its"
+            " temperature"
+        ),
+        field="lubricant.friction_coefficient",
+        example='lubricant = "ISO VG 68", and [temperature] with lubricant = "70 degC"',
     )
 
 

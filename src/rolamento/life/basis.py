@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rolamento.errors import InputError
-from rolamento.life.conditions import LifeConditions
+from rolamento.life.conditions import LifeConditions, conditions_of
 from rolamento.life.contamination import (
     ContaminationClass,
     ContaminationLevel,
@@ -558,6 +558,35 @@ def listed_factors(solved: Solved, angles: FloatArray) -> ListedFactors | None:
     if others or e is None or y is None or y_0 is None:
         return None
     return ListedFactors(e, y, y_0)
+
+
+def static_of_bearings(solved: Solved) -> tuple[FloatArray, FloatArray]:
+    """C_0 and P_0 of each bearing of a set under its own load, (cases, bearings), N.
+
+    Of a bearing whose rows are rated together, and of one row, those of the whole; NaN where the
+    standards do not rate it.
+    """
+    rows = solved.rows
+    try:
+        basis = Basis.of(solved, conditions_of(solved))
+    except InputError as error:
+        if error.field not in ("bearing.contact_angle", "dynamic_rating"):
+            raise
+        nothing = np.full((len(solved), 1), np.nan)
+        return nothing, nothing
+    ratings, loads = basis.ratings, basis.loads
+    if solved.case.bearing.rows_of_one_bearing > 1 or len(rows) == 1:
+        return ratings.static_of_set[:, np.newaxis], loads.static[:, np.newaxis]
+    nominal = nominal_contact_angle(solved)
+    angle, listed = within_rating(nominal, ratings.kinds), listed_factors(solved, nominal)
+    axial, radial = np.abs(rows.load[:, :, 0]), np.hypot(rows.load[:, :, 1], rows.load[:, :, 2])
+    static = [
+        static_equivalent_load(
+            radial[:, index], axial[:, index], angle[:, index], kind=kind, listed=listed
+        )
+        for index, kind in enumerate(ratings.kinds)
+    ]
+    return ratings.static, np.stack(static, axis=1)
 
 
 def _equal_rows(rows: Rows, angle: FloatArray) -> bool:

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from rolamento.case import Bearing
 from rolamento.case.profile import Profile
-from rolamento.case.rolling_bearing import RollingBearing, RowPlace
+from rolamento.case.rolling_bearing import RowPlace
 from rolamento.contact.line import slice_places
 from rolamento.contact.profile import drop
 from rolamento.errors import InputError
@@ -143,7 +143,7 @@ def ratings_of(solved: Solved, angle: FloatArray, given: LifeConditions) -> Rati
     rows, kinds = solved.rows, row_kinds(solved)
     steel = has_steel_elements(solved)
     bearing = solved.case.bearing
-    together = rows_of_one_bearing(bearing)
+    together = bearing.rows_of_one_bearing
     shape = rows.ball_diameter.shape
     dynamic, static, fatigue = (np.full(shape, np.nan) for _ in range(3))
     mixed, both = len(set(kinds)) > 1, (given.dynamic_rating, given.static_rating)
@@ -263,16 +263,6 @@ def has_steel_elements(solved: Solved) -> bool:
         <= 0.1
         for p in solved.case.bearing.places
     )
-
-
-def rows_of_one_bearing(bearing: RollingBearing) -> int:
-    """Rows that makers rate together: of a double-row, four-point or self-aligning bearing.
-
-    1 for rows that are bearings of their own.
-    """
-    published = bearing.published
-    one = bearing.kind is not None or (published is not None and published.kind == "double_row")
-    return len(bearing.places) if one else 1
 
 
 def _roller_kind(place: RowPlace) -> RollerKind:

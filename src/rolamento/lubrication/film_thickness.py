@@ -6,7 +6,8 @@ over along rolling:
 
     U = η u / (E' R_x)      W = Q / (E' R_x²)      G = α E'      H = h / R_x
 
-The heat of shear in the inlet goes by the loading L = η b u²/k_f with b = -d ln η/dT there.
+The heat of shear in the inlet goes by the loading L = η b u²/k_f with b = -d ln η/dT there. Heat
+and lack of oil take from the rolling resistance of the oil as they take from the film.
 """
 
 from __future__ import annotations
@@ -18,9 +19,12 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike
 
+from rolamento._data import toml_of
 from rolamento._reach import in_reach
 from rolamento.case.film_model import Supply
+from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
+from rolamento.words import said
 
 COMPUTED_RANGE: Final[dict[str, tuple[float, float]]] = {
     "U": (8e-13, 5.1e-11),
@@ -37,10 +41,11 @@ REPLENISHMENT: Final[dict[Supply, float]] = {
     "oil_air": 6e-8,
 }
 """K_rs by the way of lubrication. SKF, General catalogue (2018), frictional moment."""
-BEARING_TYPE: Final = {
-    "deep_groove": 3.1, "angular_contact": 4.4, "cylindrical": 5.1, "tapered": 6.0,
-}  # fmt: skip
-"""K_z. As above; SKF has none of needle roller bearings, which take that of cylindrical ones."""
+BEARING_TYPE: Final[dict[str, float]] = toml_of("skf_friction")["K_Z"]
+"""K_z by kind of bearing. As above; SKF has none of needle roller bearings, which take that of
+cylindrical ones."""
+
+_RPM: Final = 30.0 / np.pi
 
 
 @dataclass(frozen=True)
@@ -186,6 +191,39 @@ def gupta_cheng(
     return np.asarray(np.maximum(strained, 0.0) / (1.0 + 0.213 * sliding * loading**0.64))
 
 
+def aihara(loading: ArrayLike) -> FloatArray:
+    """Share of the oil's rolling resistance that is left, 1/(1 + 0.29 L^0.78); at most 1.
+
+    Parameters: L, array, at least 0. Returns its shape. Aihara (1987), equation 27, a fit to the
+    thermal inlet of Goksem and Hargreaves (1978) for lines; NSK's ball bearing program D-BRAIN has
+    it for points as well.
+    """
+    return np.asarray(1.0 / (1.0 + 0.29 * in_reach(loading, "loading", "", 0.0, 1e40) ** 0.78))
+
+
+def skf_inlet_heating(
+    viscosity: ArrayLike, speed: ArrayLike, mean_diameter: ArrayLike
+) -> FloatArray:
+    """Share of the rolling resistance of a whole bearing that the heat in its inlets leaves.
+
+    Parameters
+    ----------
+    viscosity : array, kinematic, in operation; m²/s.
+    speed : array, of the rings against each other; rad/s.
+    mean_diameter : array, d_m; m.
+
+    Returns
+    -------
+    φ_ish = 1/(1 + 1.84e-9 (n d_m)^1.28 ν^0.64) in r/min, mm and mm²/s; the broadcast shape.
+
+    SKF, Rolling bearings (10000 EN, 2013), frictional moment.
+    """
+    n = _RPM * in_reach(speed, "speed", "rad/s", 0.0, 1e9)
+    mean = 1e3 * in_reach(mean_diameter, "mean_diameter", "m", 0.0, 1e3)
+    nu = 1e6 * in_reach(viscosity, "viscosity", "m²/s", 0.0, 1e6)
+    return np.asarray(1.0 / (1.0 + 1.84e-9 * (n * mean) ** 1.28 * nu**0.64))
+
+
 # --- lack of oil in the inlet -----------------------------------------------------------------
 
 
@@ -224,11 +262,11 @@ def inlet_distance_minimum(distance: ArrayLike, flooded: ArrayLike) -> FloatArra
 def replenishment(
     viscosity: ArrayLike,
     speed: ArrayLike,
-    bore: float,
-    outside_diameter: float,
+    bore: ArrayLike,
+    outside_diameter: ArrayLike,
     supply: Supply,
     *,
-    kind: str,
+    kind: str | float,
 ) -> FloatArray:
     """Factor of how well the track is refilled between balls.
 
@@ -236,9 +274,9 @@ def replenishment(
     ----------
     viscosity : array, kinematic, in operation; m²/s.
     speed : array, of the rings against each other; rad/s.
-    bore, outside_diameter : m.
-    supply : way of lubrication.
-    kind : of bearing, a key of `BEARING_TYPE`.
+    bore, outside_diameter : arrays; m.
+    supply : way of lubrication, a key of `REPLENISHMENT`.
+    kind : of bearing, a key of `BEARING_TYPE`, or its K_z.
 
     Returns
     -------
@@ -246,14 +284,14 @@ def replenishment(
 
     SKF, General catalogue (2018): there of the rolling friction, which follows the film.
     """
-    d = 1e3 * float(in_reach(bore, "bore", "m", 0.0, 1e3))
-    outside = 1e3 * float(
-        in_reach(outside_diameter, "outside_diameter", "m", bore, 1e3, least_too=False)
-    )
-    spreading = BEARING_TYPE[kind]
+    d = 1e3 * in_reach(bore, "bore", "m", 0.0, 1e3)
+    outside = 1e3 * in_reach(outside_diameter, "outside_diameter", "m", 0.0, 1e3)
+    if np.any(outside <= d):
+        raise InputError(said("must be greater than the bore diameter"), field="outside_diameter")
+    spreading = BEARING_TYPE[kind] if isinstance(kind, str) else kind
     nu = in_reach(viscosity, "viscosity", "m²/s", 0.0, 1e6)
     omega = in_reach(speed, "speed", "rad/s", 0.0, 1e9)
-    flow = nu * omega * 1e6 * 30.0 / np.pi
+    flow = nu * omega * 1e6 * _RPM
     spread = (d + outside) * np.sqrt(spreading / (2.0 * (outside - d)))
     return np.asarray(np.exp(-REPLENISHMENT[supply] * flow * spread))
 

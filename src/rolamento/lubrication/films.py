@@ -15,7 +15,9 @@ from rolamento.case.lubricant import Lubricant
 from rolamento.errors import InputError
 from rolamento.geometry import Race
 from rolamento.lubrication.film_thickness import (
+    BEARING_TYPE,
     FilmGroups,
+    aihara,
     central_film,
     film_groups,
     flooded_distance_central,
@@ -296,6 +298,48 @@ def _film_of_some(solved: Solved) -> Film:
     )
 
 
+def resistance_left(solved: Solved, race: Race, viscosity: FloatArray) -> FloatArray:
+    """Share of the oil's isothermal, flooded rolling resistance at each contact of a race.
+
+    Parameters
+    ----------
+    solved
+        With an oil at its temperature; its `case.film` says what is taken off, as of the film.
+    race
+        Which of the two.
+    viscosity
+        η₀ at the inlets, (cases, 1), Pa·s.
+
+    Returns
+    -------
+    (cases, elements), 0 to 1: Aihara's factor of the heat in the inlets, times what the starvation
+    leaves. An inlet distance takes more off the resistance than off the film, by which it is
+    counted here (`rolamento.friction` calls the torque an upper bound then).
+    """
+    model = solved.case.film or FilmModel()
+    contacts, oil = solved.contacts[race], oil_of(solved)
+    left = _starvation_left(solved, race, model, oil)
+    if model.thermal == "none":
+        return left
+    u = np.where(np.isfinite(contacts.entrainment), np.abs(contacts.entrainment), 0.0)
+    warm = oil.columns()
+    loading = thermal_loading(viscosity, warm.viscosity_temperature, u, warm.thermal_conductivity)
+    return np.asarray(left * aihara(loading))
+
+
+def _starvation_left(solved: Solved, race: Race, model: FilmModel, oil: OilState) -> FloatArray:
+    """What lack of oil leaves of the film at each contact, (cases, elements); 1 where none is."""
+    shape = solved.contacts[race].load.shape
+    if model.starvation == "none":
+        return np.ones(shape)
+    if model.starvation == "inlet_distance":
+        factor = _film_of_some(solved).of(race).starvation_factor
+        return np.where(np.isnan(factor), 1.0, factor)
+    speed = np.abs(solved.field("duty.inner_speed") - solved.field("duty.outer_speed"))
+    refill = _refill(solved.case, model, oil, speed)
+    return np.broadcast_to(refill[:, np.newaxis], shape)
+
+
 def _films_of_race(
     solved: Solved, race: Race, oil: OilState, model: FilmModel, refill: FloatArray
 ) -> ContactFilms:
@@ -413,12 +457,17 @@ def _refill(case: Case, model: FilmModel, oil: OilState, speed: FloatArray) -> F
         model.bore,
         model.outside_diameter,
         model.supply,
-        kind=_refilled_kind(case),
+        kind=refilled_kind(case),
     )
 
 
-def _refilled_kind(case: Case) -> str:
+def refilled_kind(case: Case) -> str:
     """The kind of bearing that the factor of replenishment has a constant for."""
-    if case.bearing.element == "ball":
-        return "deep_groove" if case.bearing.contact_angle is None else "angular_contact"
-    return "tapered" if case.bearing.element == "tapered" else "cylindrical"
+    bearing = case.bearing
+    if bearing.element != "ball":
+        return "tapered" if bearing.element == "tapered" else "cylindrical"
+    if bearing.kind in BEARING_TYPE:
+        return str(bearing.kind)
+    if bearing.published is not None and bearing.published.kind == "double_row":
+        return "double_row"
+    return "deep_groove" if bearing.contact_angle is None else "angular_contact"

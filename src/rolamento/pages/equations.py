@@ -234,6 +234,11 @@ def _loss(name: str) -> Used:
     return used
 
 
+def _by_regime(case: CaseReport) -> bool:
+    friction = case.analysis.friction
+    return friction is not None and friction.by_regime
+
+
 def _torque_model(*names: str) -> Used:
     def used(case: CaseReport) -> bool:
         friction = case.analysis.friction
@@ -1446,13 +1451,16 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         key="rolling_resistance",
         rolls="ball",
         name=marked("Rolling resistance of the lubricant"),
-        latex=r"P = 2\,F_R\,u",
-        plain="P = 2 F_R u",
-        symbols=("eta",),
-        source=marked("Biboulet and Houpert (2010), part 2"),
-        references=("biboulet_houpert_2010",),
+        latex=r"P = \frac{\varphi_s}{1 + 0.29\,L^{0.78}}\,2\,F_R\,u",
+        plain="P = φ_s/(1 + 0.29 L^0.78) 2 F_R u",
+        symbols=("eta", "L_T"),
+        source=marked("Biboulet and Houpert (2010), part 2; Aihara (1987)"),
+        references=("biboulet_houpert_2010", "aihara_1987"),
         used=_loss("rolling_resistance"),
-        valid=marked("F_R hydrodynamic force at the inlet; isothermal and fully flooded"),
+        valid=marked(
+            "F_R hydrodynamic force at the inlet, isothermal and fully flooded; φ_s what starvation"
+            " leaves of it, 1 where the inlets are full"
+        ),
     ),
     Law(
         key="line_hysteresis",
@@ -1469,14 +1477,29 @@ EQUATIONS: Final[tuple[Law, ...]] = (
         key="line_resistance",
         rolls="roller",
         name=marked("Rolling resistance of the lubricant"),
-        latex=r"P = 2\,u\int t\,dx,\quad t = \frac{88\,R_x}{\alpha_p}\,"
+        latex=r"P = 2\,\varphi_s\,u\int t\,dx,\quad t = \frac{88\,R_x}{\alpha_p}\,"
         r"\frac{(G U)^{0.658}\,W'^{0.31}}{1 + 0.29\,L^{0.78}}",
-        plain="P = 2 u ∫ t dx,  t = 88 (R_x/α_p) (G U)^0.658 W'^0.31/(1 + 0.29 L^0.78)",
+        plain="P = 2 φ_s u ∫ t dx,  t = 88 (R_x/α_p) (G U)^0.658 W'^0.31/(1 + 0.29 L^0.78)",
         symbols=("UWG", "R_x", "alpha_p", "L_T", "eta"),
         source=marked("Aihara (1987)"),
         references=("aihara_1987",),
         used=_loss("rolling_resistance"),
-        valid=marked("t force of the oil on each surface per length; fully flooded"),
+        valid=marked(
+            "t force of the oil on each surface per length, fully flooded; φ_s what starvation"
+            " leaves of it, 1 where the inlets are full"
+        ),
+    ),
+    Law(
+        key="friction_coefficient",
+        name=marked("Coefficient of friction by the regime of lubrication"),
+        latex=r"\mu = \varphi_{bl}\,\mu_{bl} + (1-\varphi_{bl})\,\mu_{EHL},\quad"
+        r" \varphi_{bl} = \exp\left[-2.6\cdot 10^{-8}\,(\nu\,n)^{1.4}\,d_m\right]",
+        plain="μ = φ_bl μ_bl + (1 − φ_bl) μ_EHL,  φ_bl = exp(−2.6·10⁻⁸ (ν n)^1.4 d_m)",
+        symbols=("mu", "nu", "n", "d_m"),
+        source=marked("SKF, Rolling bearings (2013), table 2"),
+        references=("skf_2013",),
+        used=_by_regime,
+        valid=marked("no coefficient given; mm²/s, rpm, mm"),
     ),
     Law(
         key="palmgren",

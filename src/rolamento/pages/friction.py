@@ -31,8 +31,10 @@ if TYPE_CHECKING:
 __all__ = [
     "friction_page",
     "friction_sections",
+    "power_name",
     "power_unit",
     "source_name",
+    "torque_name",
     "torque_unit",
     "validity_text",
 ]
@@ -47,6 +49,8 @@ _SOURCES: Final = {
 _REASONS: Final = {
     "inertia": marked("inertia"),
     "full_film": marked("full film"),
+    "film_by_regime": marked("full film: μ by regime"),
+    "rating_of_steel": marked("C₀ with steel balls"),
     "partial_film": marked("partial film: μ effective"),
     "no_film": marked("no film"),
     "more_contacts": marked("balls on both arcs"),
@@ -121,20 +125,32 @@ def friction_sections(solved: Solved, friction: Friction) -> list[Section]:
 def _torque_and_heat(solved: Solved, friction: Friction) -> Section:
     lubricant = solved.case.lubricant
     assert lubricant is not None
-    named = said(
-        "μ = {coefficient:.5} ({name})",
-        coefficient=float(friction.friction_coefficient[0]),
-        name=lubricant.name,
-    )
-    nowhere = friction.without_model(solved)
-    chosen = (found for found in friction.judged if found.model == friction.model)
-    strained = nowhere or [note for found in chosen for note in found.notes_of()]
-    blocks: tuple[Block, ...] = (
-        Statement(named, indent=2),
-        _totals(friction),
-        *cautions(strained),
-    )
+    coefficient = float(friction.friction_coefficient[0])
+    named = said("μ = {coefficient:.5} ({name})", coefficient=coefficient, name=lubricant.name)
+    if friction.by_regime:
+        low, high = friction.coefficient_range[0].tolist()
+        named = said(
+            "μ = {coefficient:.2} by the regime of lubrication, {low:.2} to {high:.2} ({name})",
+            coefficient=coefficient,
+            low=low,
+            high=high,
+            name=lubricant.name,
+        )
+    chosen = [] if friction.without_model(solved) else friction.judged
+    strained = (note for one in chosen if one.model == friction.model for note in one.notes_of())
+    notes = (*friction.headline_notes(solved), *strained)
+    blocks: tuple[Block, ...] = (Statement(named, indent=2), _totals(friction), *cautions(notes))
     return Section(said("Friction"), blocks, key="friction")
+
+
+def power_name(friction: Friction, case: int = 0) -> str:
+    """Say whether a power loss is an upper bound, as it is labelled."""
+    return said("power loss, at most") if friction.upper_bound[case] else said("power loss")
+
+
+def torque_name(friction: Friction, case: int = 0) -> str:
+    """Say whether a running torque is an upper bound, as it is labelled."""
+    return said("running torque, at most") if friction.upper_bound[case] else said("running torque")
 
 
 def _totals(friction: Friction) -> Table:
@@ -142,14 +158,14 @@ def _totals(friction: Friction) -> Table:
 
     running, starting = float(friction.torque[0]), float(friction.starting_torque[0])
     power = float(friction.power[0])
-    rows = [(said("running torque"), running), (said("starting torque"), starting)]
+    rows = [(torque_name(friction), running), (said("starting torque"), starting)]
     for name, found in friction.models.items():
         if found.starting is not None:
             text = said("starting torque, {model}", model=torque_model_name(name))
             rows.append((text, float(found.starting[0])))
     torque, watt = torque_unit([value for _, value in rows]), power_unit([power])
     units = [torque] * len(rows) + [watt]
-    rows.append((said("power loss"), power))
+    rows.append((power_name(friction), power))
     values = [Number(value, f".4 [{unit}]") for (_, value), unit in zip(rows, units, strict=True)]
     labels = [label for label, _ in rows]
     columns = (
@@ -225,7 +241,7 @@ def _models(solved: Solved, friction: Friction) -> Section:
     speed = abs(solved.case.duty.inner_speed - solved.case.duty.outer_speed)
     if solved.rolling is not None and speed > 0.0:
         own = float(solved.rolling.power[0]) / speed
-        valid = friction.regime[0] != "full_film"
+        valid = friction.regime[0] != "full_film" or friction.by_regime
         text = said("yes") if valid else _refused(["full_film"])
         entries.append(("friction_control", own, own + added, text, valid))
     unit = torque_unit([own for _, own, _, _, _ in entries])

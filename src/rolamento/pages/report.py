@@ -269,6 +269,8 @@ def _friction_warnings(case: CaseReport) -> Iterator[_Warning]:
     friction = case.analysis.friction
     if friction is None:
         return
+    for note in friction.headline_notes(case.analysis.solved):
+        yield _Warning(2 if note.key == "coefficient_by_regime" else 1, note.text, note.key)
     refused: dict[Note, list[str]] = {}
     for found in friction.judged:
         for note in found.notes_of(0):
@@ -479,8 +481,16 @@ def _summary_rows(report: Report) -> list[_Row]:
         _Row(said("maximum contact pressure"), "extremes.max_pressure", ".4 MPa"),
         _Row(said("viscosity ratio κ"), "analysis.film.viscosity_ratio", ".3"),
         _Row(said("minimum film parameter λ"), "extremes.film_parameter", ".3"),
-        _Row(said("friction torque"), "analysis.friction.torque", _torque_form(report)),
-        _Row(said("friction power"), "analysis.friction.power", _power_form(report)),
+        _Row(
+            _bounded(report, said("friction torque"), said("friction torque, at most")),
+            "analysis.friction.torque",
+            _torque_form(report),
+        ),
+        _Row(
+            _bounded(report, said("friction power"), said("friction power, at most")),
+            "analysis.friction.power",
+            _power_form(report),
+        ),
         _Row(
             said("friction power (friction control)"),
             "analysis.rolling.power",
@@ -767,7 +777,10 @@ def _missing(report: Report) -> tuple[Remark, ...]:
     texts = (
         ("life", said("Ratings and lives: see the summary.")),
         ("film", said("Lubricant film: requires [lubricant] and temperature.lubricant.")),
-        ("friction", said("Friction: requires lubricant.friction_coefficient.")),
+        (
+            "friction",
+            said("Friction: requires [lubricant] and temperature.lubricant."),
+        ),
         ("frequencies", said("Fault frequencies: the rings do not rotate relative to each other.")),
     )
     remarks = [
@@ -1430,10 +1443,20 @@ def _friction(report: Report) -> tuple[Table, ...]:
     torque, power = _torque_form(report), _power_form(report)
     whole = [
         _Row(said("coefficient of friction μ"), f"{friction}.friction_coefficient"),
+        _Row(said("coefficient of friction μ, from"), f"{friction}.coefficient_range.0"),
+        _Row(said("coefficient of friction μ, to"), f"{friction}.coefficient_range.1"),
         _Row(said("model of the contacts"), texts=used),
-        _Row(said("running torque"), f"{friction}.torque", torque),
+        _Row(
+            _bounded(report, said("running torque"), said("running torque, at most")),
+            f"{friction}.torque",
+            torque,
+        ),
         _Row(said("starting torque"), f"{friction}.starting_torque", torque),
-        _Row(said("friction power"), f"{friction}.power", power),
+        _Row(
+            _bounded(report, said("friction power"), said("friction power, at most")),
+            f"{friction}.power",
+            power,
+        ),
     ]
     torques = [
         _Row(said(label), f"{friction}.torque_by_source.{name}", torque)
@@ -1467,6 +1490,18 @@ def _friction(report: Report) -> tuple[Table, ...]:
         return ()
     legend = said("Losses of seals, cage and oil churning are not included.")
     return _tables(report, groups, "friction", legends=(legend,))
+
+
+def _bounded(report: Report, usual: str, bounded: str) -> str:
+    """A label of what is an upper bound in any case of the report, with the names of the cases."""
+    found = [
+        case.name
+        for case in report.cases
+        if case.analysis.friction is not None and case.analysis.friction.upper_bound[0]
+    ]
+    if len(found) in (0, len(report.cases)):
+        return bounded if found else usual
+    return said("{label} (case {names})", label=bounded, names=", ".join(found))
 
 
 def _torque_form(report: Report) -> str:

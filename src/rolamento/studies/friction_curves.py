@@ -14,14 +14,15 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.analysis.needs import has_life
+from rolamento.analysis.needs import has_friction
 from rolamento.case import Case
-from rolamento.errors import InputError
-from rolamento.friction import Friction, MachineBearing, friction, machine_of
+from rolamento.friction import Friction, MachineBearing, friction, machines_of
+from rolamento.friction.coefficient import SLIDING_BOUNDARY, coefficient_by_regime
+from rolamento.friction.machine import are_designated
 from rolamento.friction.model import relative_speed
 from rolamento.friction.models import TORQUE_MODELS
-from rolamento.life import conditions_of
-from rolamento.life.basis import Basis
+from rolamento.friction.summary import no_coefficient
+from rolamento.life.basis import static_of_bearings
 from rolamento.lubrication.films import film, has_film
 from rolamento.numerics.blocks import joined
 from rolamento.solution import solve
@@ -29,7 +30,6 @@ from rolamento.solved import Solved
 from rolamento.studies.fields import Field
 from rolamento.studies.ranges import MOST_POINTS, Range, read_range, refuse_many_singles
 from rolamento.studies.solving import array_fields, base_case
-from rolamento.words import said
 
 __all__ = [
     "MOST_POINTS",
@@ -130,7 +130,7 @@ class FrictionCurve:
     def controlled_valid(self) -> NDArray[np.bool_]:
         """Where friction control is valid; (points,)."""
         found = np.isfinite(self.controlled_torque)
-        return np.asarray(found & (self.friction.regime != "full_film"))
+        return np.asarray(found & (self.friction.by_regime | (self.friction.regime != "full_film")))
 
     @property
     def without_model(self) -> NDArray[np.bool_]:
@@ -158,6 +158,8 @@ class FrictionCurve:
             "torque": friction.torque,
             "starting_torque": friction.starting_torque,
             "power": friction.power,
+            "torque_range": friction.torque_range,
+            "upper_bound": friction.upper_bound.tolist(),
             "torque_by_source": dict(friction.torque_by_source),
             "regime": friction.regime.tolist(),
             "film_parameter": friction.film_parameter,
@@ -202,7 +204,8 @@ def friction_curve(
     Parameters
     ----------
     case
-        Must have a friction coefficient, unless that is what varies.
+        Must have a friction coefficient or an oil or a grease at its temperature, unless that is
+        what varies.
     over
         From `read_range`.
     hysteresis
@@ -213,19 +216,14 @@ def friction_curve(
     Raises
     ------
     InputError
-        If there is no friction coefficient, or the field does not go with the case.
+        If there is neither, or the field does not go with the case.
     """
-    mu = None if case.lubricant is None else case.lubricant.friction_coefficient
-    if mu is None and over.field.name != _COEFFICIENT:
-        raise InputError(
-            said("is missing; the friction calculation needs it"),
-            field=_COEFFICIENT,
-            example="--coefficient 0.1",
-        )
     solutions = _solutions(case, over)
-    machines = [_machine(solved) for solved in solutions]
-    if None in machines:  # the models of all points are the same
-        machines = [None] * len(solutions)
+    if not all(has_friction(solved) for solved in solutions):
+        raise no_coefficient(case)
+    machines = [_machines(solved) for solved in solutions]
+    if () in machines:  # the models of all points are the same
+        machines = [()] * len(solutions)
     found = joined(
         [
             friction(solved, hysteresis=hysteresis, compare=True, machine=machine)
@@ -254,27 +252,28 @@ def _solutions(case: Case, over: Range) -> list[Solved]:
     return [solve(base_case(case, {name: float(value)})) for value in values]
 
 
-def _machine(solved: Solved) -> MachineBearing | None:
-    """What the models of lubricated machine bearings need; None where the case does not give it."""
-    if not (has_life(solved.case) and has_film(solved)):
-        return None
-    if solved.case.bearing.element != "ball":
-        return machine_of(solved.case, film(solved), np.nan, np.nan)
-    try:
-        basis = Basis.of(solved, conditions_of(solved))
-    except InputError as error:
-        if error.field in ("bearing.contact_angle", "dynamic_rating"):  # as for its life: none
-            return None
-        raise
-    return machine_of(solved.case, film(solved), basis.ratings.static_of_set, basis.loads.static)
+def _machines(solved: Solved) -> tuple[MachineBearing, ...]:
+    """What the models of lubricated machine bearings need; empty where the case lacks it."""
+    if not has_film(solved) or not are_designated(solved.case.bearing):
+        return ()
+    return machines_of(solved.case, film(solved), *static_of_bearings(solved))
 
 
 def _controlled(solved: Solved) -> Controlled:
     """What friction control makes of cases, unless that is how they were solved."""
-    case = solved.case
+    case, varied = solved.case, solved.varied
     if case.model.raceway_control != "friction":
-        own = case.replace(model=case.model.replace(raceway_control="friction"))
-        solved = solve(own, solved.varied)
+        lubricant = case.lubricant
+        assert lubricant is not None
+        if lubricant.friction_coefficient is None and _COEFFICIENT not in varied:
+            mu = coefficient_by_regime(solved)[0].balls[:, 0]
+            varied = {**varied, _COEFFICIENT: np.where(np.isfinite(mu), mu, SLIDING_BOUNDARY)}
+        if lubricant.friction_coefficient is None:
+            lubricant = lubricant.replace(friction_coefficient=SLIDING_BOUNDARY)
+        own = case.replace(
+            model=case.model.replace(raceway_control="friction"), lubricant=lubricant
+        )
+        solved = solve(own, varied)
     nothing = np.full(len(solved), np.nan)
     if solved.rolling is None:
         return Controlled(nothing, nothing, nothing, nothing)

@@ -1,7 +1,8 @@
 """Outputs of friction: torque and power by each model, losses and pressure times slip.
 
 Torques are running torques of all sources: the contacts by the model, elastic hysteresis and,
-where the case has an oil and its temperature, the oil's rolling resistance; those of the contacts
+where the case has an oil and its temperature, the oil's rolling resistance; without a coefficient
+of friction that of the regime of lubrication; those of the contacts
 of each ball are taken with the motion as it was solved.
 """
 
@@ -21,7 +22,7 @@ if TYPE_CHECKING:
     from rolamento.friction import Friction
     from rolamento.solved import Solved
 
-_COEFFICIENT: Final = ("lubricant.friction_coefficient",)
+_COEFFICIENT: Final = ("friction",)
 _OF_BALLS: Final = (*_COEFFICIENT, "balls")
 _OF_ROLLERS: Final = (*_COEFFICIENT, "rollers")
 _OIL: Final = ("lubricant", "temperature.lubricant")
@@ -101,9 +102,13 @@ def _of_contacts() -> Iterator[Output]:
         )
 
 
-def _coefficient(given: Evaluation) -> Floats:
-    """μ of every case; NaN where there is none that the friction models take."""
-    mu = given.solved.field("lubricant.friction_coefficient")
+def _coefficient(solved: Solved) -> Floats:
+    """μ of every case, given or by the regime; NaN where the friction models take none."""
+    mu = solved.field("lubricant.friction_coefficient")
+    if np.isnan(mu).all():
+        from rolamento.friction.coefficient import coefficient_by_regime
+
+        mu = coefficient_by_regime(solved)[0].balls[:, 0]
     return np.where(mu <= 1.0, mu, np.nan)
 
 
@@ -114,7 +119,7 @@ def _friction(solved: Solved, *, model: str) -> Friction:
     mu = solved.field("lubricant.friction_coefficient")
     return friction(
         solved,
-        friction_coefficient=np.where(mu <= 1.0, mu, 0.0),
+        friction_coefficient=None if np.isnan(mu).all() else np.where(mu <= 1.0, mu, 0.0),
         model=model,
         film_parameter=np.nan,
         compare=False,
@@ -125,7 +130,7 @@ def _friction(solved: Solved, *, model: str) -> Friction:
 def _total(model: str, attribute: str) -> Callable[[Evaluation], Floats]:
     def compute(given: Evaluation) -> Floats:
         values: Floats = getattr(given.of(_friction, model=model), attribute)
-        return np.where(np.isnan(_coefficient(given)), np.nan, values)
+        return np.where(np.isnan(_coefficient(given.solved)), np.nan, values)
 
     return compute
 
@@ -136,7 +141,7 @@ def _source(name: str) -> Callable[[Evaluation], Floats]:
 
         model = default_model(given.solved, quick=True)
         found = given.of(_friction, model=model).torque_by_source.get(name)
-        unknown = np.isnan(_coefficient(given))
+        unknown = np.isnan(_coefficient(given.solved))
         return np.where(unknown, np.nan, np.nan if found is None else found)
 
     return compute
@@ -160,7 +165,7 @@ def _spin_loss(race: Race) -> Callable[[Evaluation], Floats]:
         from rolamento.friction.slip import Patch
 
         contacts = given.solved.contacts[race]
-        mu = given.solved.field("lubricant.friction_coefficient")[:, np.newaxis]
+        mu = _coefficient(given.solved)[:, np.newaxis]
         loss = spin_moment(Patch.of(contacts), mu) * np.abs(contacts.spin)
         return _of_loaded(given.solved, loss)
 

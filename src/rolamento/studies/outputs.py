@@ -175,9 +175,9 @@ _MISSING: Final[Mapping[str, tuple[str, str]]] = {
         marked("the roughness of the surfaces"),
         '[surface] with inner_roughness = "0.025 um" and the others in the case',
     ),
-    "lubricant.friction_coefficient": (
-        marked("a coefficient of friction of at most 1"),
-        "[lubricant] with friction_coefficient = 0.1 in the case",
+    "friction": (
+        marked("a coefficient of friction of at most 1, or an oil or a grease at its temperature"),
+        'lubricant = "ISO VG 68" in the case, and [temperature] with lubricant = "70 degC"',
     ),
     "friction control": (
         marked("friction control of the balls"),
@@ -242,9 +242,13 @@ def _has(case: Case, need: str, varied: frozenset[str]) -> bool:
     lubricant = case.lubricant
     if need == "lubricant":
         return lubricant is not None and lubricant.kind != "dry"
-    if need == "lubricant.friction_coefficient":
+    if need == "friction":
+        if "lubricant.friction_coefficient" in varied:
+            return True
         mu = None if lubricant is None else lubricant.friction_coefficient
-        return mu is not None and mu <= 1.0
+        if mu is not None:
+            return mu <= 1.0
+        return _has(case, "lubricant", varied) and _has(case, "temperature.lubricant", varied)
     if need == "temperature.lubricant":
         return case.lubricant_temperature is not None
     if need == "surface":

@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any, Final
+from typing import Any
 
 from rolamento.analysis import Analysis, analyse
 from rolamento.case import Case
-from rolamento.errors import InputError
-from rolamento.words import said
+from rolamento.friction.summary import no_coefficient
 
-__all__ = ["COEFFICIENT", "friction_mapping", "friction_of_case"]
-
-COEFFICIENT: Final = "lubricant.friction_coefficient"
-"""The field without which a case has no friction."""
+__all__ = ["friction_mapping", "friction_of_case"]
 
 
 def friction_of_case(case: Case, *, hysteresis: float = 0.01) -> Analysis:
@@ -21,21 +17,19 @@ def friction_of_case(case: Case, *, hysteresis: float = 0.01) -> Analysis:
     Parameters
     ----------
     case
-        With a coefficient of friction.
+        With a coefficient of friction, or an oil or a grease at its temperature.
     hysteresis
         Part of the elastic work that the material loses, 0 to 1.
 
     Raises
     ------
     InputError
-        If it has none.
+        If it has neither.
     """
-    if case.lubricant is None or case.lubricant.friction_coefficient is None:
-        raise InputError(
-            said("is missing; the friction calculation needs it"),
-            field=COEFFICIENT,
-            example="[lubricant] with friction_coefficient = 0.1",
-        )
+    lubricant = case.lubricant
+    known = lubricant is not None and lubricant.friction_coefficient is not None
+    if lubricant is None or not (known or case.lubricant_temperature is not None):
+        raise no_coefficient(case)
     return analyse(case, hysteresis=hysteresis)
 
 

@@ -17,7 +17,6 @@ from rolamento.errors import InputError
 from rolamento.friction.palmgren import friction_load
 from rolamento.life.equivalent_load import equivalent_load
 from rolamento.life.equivalent_load import minimum_axial_load as minimum_thrust_load
-from rolamento.life.row_ratings import rows_of_one_bearing
 from rolamento.lubrication.oil_state import oil_state
 from rolamento.ratings import (
     dynamic_rating,
@@ -309,7 +308,7 @@ def _boundary(case: Case) -> Boundary:
     if angle is None and row.contact_angle:
         angle = row.contact_angle
     series = _series(bearing, told, sizes["bore"], sizes["outside_diameter"], angle is not None)
-    together = rows_of_one_bearing(bearing)
+    together = bearing.rows_of_one_bearing
     ratings = []
     for name in ("dynamic_rating", "static_rating"):
         own = None if case.life is None else getattr(case.life, name)

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from rolamento.analysis import Analysis
 from rolamento.contact.line import PRESSURE_LIMIT
+from rolamento.friction import Friction
 from rolamento.geometry import Race
 from rolamento.life import LifeSummary
 from rolamento.life.theories import BY_RANK, THEORIES
@@ -754,7 +755,7 @@ def _friction(cases: Cases) -> Picture:
     """Draw what each source of friction takes; where nothing turns, its torque."""
     known = [(one, one.analysis.friction) for one in cases if one.analysis.friction is not None]
     if not known:
-        why = _notes_of(cases, "no_coefficient")
+        why = _notes_of(cases, "no_temperature_no_friction")
         return empty(why or said("Friction needs a lubricant."))
     sources = list(dict.fromkeys(name for _, own in known for name in own.torque_by_source))
     torques = {
@@ -785,14 +786,7 @@ def _friction(cases: Cases) -> Picture:
         for one, _ in known:
             color = "inner" if one.place == 0 else "inner2"
             drawn.append(_bars(names, shown[one.place], unit, one.name, color))
-    told = [
-        one.named(
-            said("torque {torque}, power {power}",
-                 torque=_told(float(own.torque[0]), torque),
-                 power=_told(float(own.power[0]), power_unit([float(own.power[0])])))
-        )
-        for one, own in known
-    ]  # fmt: skip
+    told = [one.named(_friction_told(own, torque)) for one, own in known]
     title = said("Power loss") if turns else said("Friction torque")
     stacked = len(known) == 1
     most = max(max(own) for own in shown.values())
@@ -803,6 +797,18 @@ def _friction(cases: Cases) -> Picture:
         yaxis=_categories(),
         barmode="stack" if stacked else "group",
     )
+
+
+def _friction_told(friction: Friction, unit: str) -> str:
+    """Say torque and power, and whether they are an upper bound."""
+    power = float(friction.power[0])
+    values = {
+        "torque": _told(float(friction.torque[0]), unit),
+        "power": _told(power, power_unit([power])),
+    }
+    if friction.upper_bound[0]:
+        return said("torque at most {torque}, power at most {power}", **values)
+    return said("torque {torque}, power {power}", **values)
 
 
 def _first(values: Floats | None) -> float:

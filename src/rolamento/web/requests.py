@@ -170,7 +170,8 @@ class FrictionRequest(CaseRequest):
     Parameters
     ----------
     case
-        The tables of a case file, with a coefficient of friction in [lubricant].
+        The tables of a case file, with a [lubricant] and its temperature, or its coefficient of
+        friction.
     designation
         Of a bearing in the catalogue, instead of a case.
     settings

@@ -34,12 +34,67 @@ def _no_model(values: Mapping[str, Any]) -> str:
     return " ".join([first, *reasons])
 
 
+def _above_models(values: Mapping[str, Any]) -> str:
+    return said(
+        "The models of whole bearings give less, {torque}: what raises the torque here is the"
+        " assumption of full inlets, or the coefficient of friction.",
+        torque=_torques(values),
+    )
+
+
+def _below_models(values: Mapping[str, Any]) -> str:
+    return said(
+        "The models of whole bearings give more, {torque}: their constants include the cage, the"
+        " skew of rollers and the oil that is moved, which are not resolved here.",
+        torque=_torques(values),
+    )
+
+
+def _torques(values: Mapping[str, Any]) -> str:
+    """The range of torques; one where there is one model."""
+    low, high = values["low"], values["high"]
+    if low == high:
+        return said("{torque:.3 N·m}", torque=low)
+    return said("{low:.3 N·m} to {high:.3 N·m}", low=low, high=high)
+
+
 SENTENCES: Final[dict[str, Sentence]] = {
     "inertia": marked(
         "The gyroscopic moment or the centrifugal force on a ball exceeds {share:.0f %} of what"
         " friction or its load can hold."
     ),
     "full_film": marked("A lubricant film separates the surfaces: friction is not Coulomb's."),
+    "film_by_regime": marked(
+        "A lubricant film separates the surfaces: the coefficient of friction stands for its shear."
+    ),
+    "rating_of_steel": marked(
+        "The static load rating is that of the bearing with steel balls: the standards have none"
+        " of hybrid bearings."
+    ),
+    "coefficient_by_regime": marked(
+        "No coefficient of friction is given (lubricant.friction_coefficient): it is taken by the"
+        " regime of lubrication as in SKF's model, {coefficient:.2}; with its values from {low:.2}"
+        " to {high:.2} the torque is {low_torque:.3 N·m} to {high_torque:.3 N·m}."
+    ),
+    "inlets_flooded": marked(
+        "Torque and power are an upper bound: the inlets of the contacts are assumed to be full of"
+        " oil, which at this speed and viscosity is not certain (film.starvation ="
+        ' "replenishment" counts what is lacking).'
+    ),
+    "inlets_starved_as_film": marked(
+        "Torque and power are an upper bound: lack of oil in the inlets takes more off the rolling"
+        " resistance of the oil than off the film, by which it is counted."
+    ),
+    "inlets_isothermal": marked(
+        "Torque and power are an upper bound: the heat of shear in the inlets is left out"
+        ' (film.thermal = "none").'
+    ),
+    "rib_without_film": marked(
+        "Torque and power are an upper bound: the film between roller end and rib is not known and"
+        " is assumed to be absent (bearing.roller_end_radius)."
+    ),
+    "torque_above_models": _above_models,
+    "torque_below_models": _below_models,
     "partial_film": marked(
         "A lubricant film carries part of the load: the coefficient of friction is an effective"
         " one."

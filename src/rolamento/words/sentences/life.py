@@ -288,9 +288,9 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "no_temperature": marked(
         "No film: the temperature of the lubricant is not given (temperature.lubricant)."
     ),
-    "no_coefficient": marked(
-        "No friction: the coefficient of friction of the lubricant is not given"
-        " (lubricant.friction_coefficient)."
+    "no_temperature_no_friction": marked(
+        "No film and no friction torque: the temperature of the lubricant is not given"
+        " (temperature.lubricant)."
     ),
     "life_of_thrust_bearing": marked(
         "No life: with contact angles above 45° a bearing is rated as a thrust bearing; give"
