@@ -31,6 +31,7 @@ from benchmarks import (
     line_contact,
     lubrication,
     robustness,
+    roller_laws,
     rollers,
     sets,
     start,
@@ -53,6 +54,7 @@ class Effort:
     robust_cases: int
     timed_cases: int
     law_cases: int
+    roller_law_cases: int
     runs: int
     sweep_cases: int
     analysed_cases: int
@@ -82,6 +84,7 @@ FULL = Effort(
     robust_cases=100_000,
     timed_cases=1_000_000,
     law_cases=1_000_000,
+    roller_law_cases=100_000,
     runs=10,
     sweep_cases=1_000_000,
     analysed_cases=100_000,
@@ -110,6 +113,7 @@ QUICK = Effort(
     robust_cases=3_000,
     timed_cases=3_000,
     law_cases=2_000,
+    roller_law_cases=500,
     runs=2,
     sweep_cases=20_000,
     analysed_cases=5_000,
@@ -166,6 +170,7 @@ def steps(effort: Effort) -> list[tuple[str, Callable[[], Findings]]]:
         ("growth", partial(growth.measure, e.sweep_cases, e.analysed_cases)),
         ("worst case", partial(worst_case.measure, e.timed_cases)),
         ("laws", partial(laws.measure, e.law_cases)),
+        ("laws of rollers", partial(roller_laws.measure, e.roller_law_cases)),
         ("app", partial(app.measure, e.app_moves, e.app_requests)),
     ]
 

@@ -76,6 +76,8 @@ PRELOAD_MARGIN: Final = 1.1
 """Times the load at which a row lifts off: what is nearer deserves a note."""
 SKID_LIMIT: Final = 0.05
 """Of the cage's speed under outer raceway control: what differs more deserves a note."""
+ORBIT_SLACK: Final = 1e-9
+"""Of the faster ring's speed: an orbit that is further outside both is no rounding."""
 SPIN_LIMIT: Final = 0.05
 """Spin to roll at both races above which no race can be said to control a ball."""
 FOUR_POINT_LOAD_RATIO: Final = 1.27
@@ -93,7 +95,7 @@ def notes_on(solved: Solved) -> tuple[Note, ...]:
         return ()
     checks = (
         _other_than_said, _lost_rows, _lost_contacts, _pressures, _past_edge, _shoulders,
-        _speeds, _tilts, _free_directions, _free_tilt, _control, _gyroscopic_slip,
+        _speeds, _tilts, _free_directions, _free_tilt, _control, _orbits, _gyroscopic_slip,
         _gyroscopic_left_out, _arches, _rolling, _estimated_geometry, _letters, _nearly_lost,
         _radial_load_on_thrust, _four_point_load,
     )  # fmt: skip
@@ -314,6 +316,17 @@ def _control(solved: Solved) -> Iterator[Note]:
         yield Note(
             "jones_contradicts", {"assumed": assumed, **which_elements(solved, contradicted)}
         )
+
+
+def _orbits(solved: Solved) -> Iterator[Note]:
+    """Balls that inner control drives faster or slower than either ring turns."""
+    if solved.case.model.raceway_control not in ("inner", "jones") or solved.rollers is not None:
+        return
+    slow, fast = np.sort([solved.field(f"duty.{race}_speed")[0] for race in ("inner", "outer")])
+    orbit = solved.elements.orbital_speed[0]
+    outside = np.maximum(slow - orbit, orbit - fast) > ORBIT_SLACK * max(abs(slow), abs(fast))
+    if outside.any():
+        yield Note("orbit_outside", which_elements(solved, outside))
 
 
 def _gyroscopic_slip(solved: Solved) -> Iterator[Note]:
@@ -548,6 +561,8 @@ def advice_on(solved: Solved, case: int = 0) -> Note | None:
     inner, outer = (float(solved.field(f"duty.{race}_speed")[case]) for race in ("inner", "outer"))
     if inner * outer < 0.0:
         return Note("counter_rotation")
+    if given.model.raceway_control == "inner":
+        return Note("inner_control", _residual(residual))
     return Note("not_converged", {**_residual(residual), "tolerance": TOLERANCE})
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any, Unpack
 
 import numpy as np
@@ -16,7 +17,7 @@ from rolamento.case.varied import DutyFields, bounded, varied_arrays
 from rolamento.errors import InputError, refusal
 from rolamento.numerics import FloatArray
 from rolamento.numerics.threads import thread_count
-from rolamento.solved import Delivered, Index, Solved
+from rolamento.solved import Delivered, Index, Preloading, PreloadStage, Solved
 from rolamento.units import readable
 from rolamento.words import Note, said
 
@@ -52,8 +53,8 @@ def solve(
     threads
         As many as there are processors by default.
     preload_loss
-        Whether to look for the load at which a single case of a preloaded set loses contact: some
-        twenty solutions more.
+        Whether `Solved.preload` of a single case looks for the load at which a set loses contact:
+        some twenty solutions more, when it is first asked for.
     fields
         Likewise by the short names of the duty's fields: inner_speed, outer_speed (rad/s),
         first_ball_azimuth (rad), loads fx, fy, fz (N), my, mz (N·m) and displacements x, y, z
@@ -207,18 +208,15 @@ def _solve_one(case: Case, loss: bool) -> Solved:
     if case.bearing.preload is not None and solved.converged[0]:
         from rolamento.assembly.preload import preload_of
 
-        solved = replace(solved, preload=preload_of(case, loss=loss))
+        solved = replace(solved, preloading=partial(preload_of, case, loss=loss))
     if given.mounting is not None:
         solved = replace(solved, before_mounting=_delivered(solved, given, {}))
     return replace(solved, first_notes=notes) if notes else solved
 
 
 def _solve_mounted_set(case: Case, loss: bool) -> Solved:
-    from rolamento.assembly.mounted import LIMITS, notes_on_set, preload_stages, running_set
-    from rolamento.assembly.preload import preload_of
+    from rolamento.assembly.mounted import notes_on_set, preload_stages, running_set
 
-    mounting = case.mounting
-    assert mounting is not None
     running = running_set(case)
     stages = preload_stages(case)
     solved = _solve_many(running, {}, threads=1)
@@ -226,11 +224,21 @@ def _solve_mounted_set(case: Case, loss: bool) -> Solved:
     solved = replace(solved, first_notes=notes_on_set(case, stages), before_mounting=delivered)
     if running.bearing.preload is None or not solved.converged[0]:
         return solved
-    preload = preload_of(running, loss=loss)
-    if preload is not None and stages:
-        by_name = {stage.name: stage for stage in stages}
-        warm = by_name.get("warm", by_name["mounted"])
-        at_rest = warm.preload[LIMITS.index(mounting.limit)]
-        kind = preload.kind if case.bearing.preload is None else case.bearing.preload.kind
-        preload = replace(preload, kind=kind, at_rest=at_rest, stages=stages)
-    return replace(solved, preload=preload)
+    return replace(solved, preloading=partial(_preload_of_mounted, case, running, stages, loss))
+
+
+def _preload_of_mounted(
+    case: Case, running: Case, stages: tuple[PreloadStage, ...], loss: bool
+) -> Preloading | None:
+    """Return the preload of a mounted set, at rest that of its warm stage."""
+    from rolamento.assembly.mounted import LIMITS
+    from rolamento.assembly.preload import preload_of
+
+    preload, mounting = preload_of(running, loss=loss), case.mounting
+    if preload is None or mounting is None or not stages:
+        return preload
+    by_name = {stage.name: stage for stage in stages}
+    warm = by_name.get("warm", by_name["mounted"])
+    at_rest = warm.preload[LIMITS.index(mounting.limit)]
+    kind = preload.kind if case.bearing.preload is None else case.bearing.preload.kind
+    return replace(preload, kind=kind, at_rest=at_rest, stages=stages)

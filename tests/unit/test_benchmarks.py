@@ -56,6 +56,16 @@ def test_throughput(module: Any, name: str) -> None:
     assert values["converged"] == 100.0
 
 
+def test_laws_of_rollers(module: Any) -> None:
+    findings = module("roller_laws").measure(120)
+    assert findings.failures == []
+    values = {figure.name: figure.value for figure in findings.figures}
+    assert values["converged"] > 80.0
+    assert values["not converged"] == 0.0
+    assert "balance of a roller, of its own load" in values
+    assert "alone or among others: loads" in values
+
+
 def test_sets_on_one_ring(module: Any) -> None:
     findings = module("sets").measure(20, 2, 1)
     assert findings.failures == []

@@ -247,7 +247,7 @@ def test_a_lost_row_without_a_known_point_is_told() -> None:
     state = solved("6012_pair", AXIAL, "duty.load.fx=20 kN")
     assert state.preload
     unknown = dataclasses.replace(state.preload, loss_factor=nan, lost_row=None)
-    report = plain(dataclasses.replace(state, preload=unknown))
+    report = plain(dataclasses.replace(state, preloading=unknown))
     assert "no ball of row 1 presses on the inner ring" in report
 
 
@@ -278,7 +278,7 @@ def test_a_preload_that_is_nearly_lost_is_noted() -> None:
     assert f"{state.preload.loss_factor:.3g} times this load" in note.text
     assert said(note, "pt").startswith("A carreira 1 está prestes a perder")
     safe = dataclasses.replace(state.preload, loss_factor=1.2)
-    assert dataclasses.replace(state, preload=safe).notes == ((),)
+    assert dataclasses.replace(state, preloading=safe).notes == ((),)
 
 
 def test_azimuths_are_told_row_by_row() -> None:

@@ -274,7 +274,7 @@ class Pieces:
     stiffness: Stiffness
     rows: Rows
     answer: ReadAnswer
-    preload: Preloading | None
+    preloading: Preloading | None
     written_notes: tuple[tuple[Note, ...], ...]
     written_advice: tuple[Note | None, ...]
 
@@ -367,7 +367,7 @@ def _state(item: Any, case: Case, at: str) -> Pieces:
         stiffness=Stiffness(_matrix(item, f"{at}stiffness")),
         rows=_rows_of(item, at, row, case),
         answer=ReadAnswer(tables, contacts),
-        preload=_preloading_of(item, at),
+        preloading=_preloading_of(item, at),
         written_notes=(tuple(notes),),
         written_advice=(None if advice is None else _note(advice, f"{at}status.advice"),),
     )
@@ -612,10 +612,10 @@ def _preload_stages(table: Mapping[str, Any], at: str) -> tuple[PreloadStage, ..
 def _after_one_another(parts: list[Pieces]) -> Pieces:
     """The pieces of several cases of one bearing as those of one result."""
     whole: Pieces = _joined(parts)
-    return replace(whole, preload=None)
+    return replace(whole, preloading=None)
 
 
-_SHARED: Final = ("row", "sign", "element_count", "element", "preload")
+_SHARED: Final = ("row", "sign", "element_count", "element", "preloading")
 
 
 def _joined(records: list[Any]) -> Any:

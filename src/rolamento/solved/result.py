@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from math import isfinite
@@ -92,12 +92,12 @@ class Solved:
         ``stiffness["fz", "z"]``, or its `array`
     rows
         of rolling elements: one, unless the bearing is a set
-    preload
-        of a single case of a set whose rows press on each other; else None
     before_mounting
         the bearing as it is delivered, which standards rate; None without a mounting
     refusals
         of many cases, the rules that those with the status "invalid_input" violate; see `advice`
+    preloading
+        the `preload`, or how to find it
     """
 
     case: Case
@@ -108,9 +108,9 @@ class Solved:
     stiffness: Stiffness
     rows: Rows
     answer: Answer
-    preload: Preloading | None = None
     before_mounting: Delivered | None = None
     refusals: Refusals | None = None
+    preloading: Preloading | Callable[[], Preloading | None] | None = None
     first_notes: tuple[Note, ...] = ()
     """Notes before those on the equilibrium: the clearance in operation."""
     written_notes: tuple[tuple[Note, ...], ...] | None = None
@@ -152,6 +152,7 @@ class Solved:
             else replace(
                 self.before_mounting, contact_angle=self.before_mounting.contact_angle[some]
             ),
+            preloading=vars(self).get("preload", self.preloading),
             written_notes=_chosen(self.written_notes, some),
             written_advice=_chosen(self.written_advice, some),
         )
@@ -165,6 +166,14 @@ class Solved:
     def converged(self) -> BoolArray:
         """Whether each case has a result; (cases,)."""
         return self.status.converged
+
+    @cached_property
+    def preload(self) -> Preloading | None:
+        """How the rows of a set press on each other, of a single case; else None.
+
+        Some twenty solutions more are needed: it is found when it is first asked for.
+        """
+        return self.preloading() if callable(self.preloading) else self.preloading
 
     def field(self, name: str) -> FloatArray:
         """A field of the cases, whether it varied or not, by its dotted name; (cases,), SI.

@@ -26,6 +26,15 @@ STEPS: Final = 80
 SHORTENINGS: Final = 25
 OVERSHOOT: Final = 0.5
 PRECISION: Final = 1e-12
+ACCEPTED: Final = 1e-10
+"""Residual of a roller over its loads, beyond rounding, at which it counts as balanced."""
+EPSILON: Final = 2.3e-16
+PLACED: Final = 0.02
+"""Of the roller's diameter: size of the places whose differences are approaches."""
+HEAVY_DEPTH: Final = 1e-4
+"""Of the roller's diameter: approach under its inertia where it is heaviest: as profiles drop."""
+LIGHTER: Final = 100.0
+"""From one stage to the next."""
 NEGLIGIBLE: Final = 1e-7
 """Of the roller's diameter: an approach whose load is none, beside which rollers are in balance."""
 GREATEST_APPROACH: Final = 0.02
@@ -162,30 +171,94 @@ def added(p: Array, column: int) -> float:
     return float(ADDED * greatest * (1e-4 * p[layout.DIAMETER, column]) ** ROOT)
 
 
+@inline_exact
+def rounding(p: Array, column: int, slices: int, h00: float, h11: float) -> float:
+    """Unbalanced load that rounding leaves of a roller with these stiffnesses (N).
+
+    Approaches are differences of places of the size `PLACED`, known to a few units in their last
+    digit: more than a light roller is pressed in. The stiffness is at least that of one slice
+    that carries the centrifugal force, and of ribs that may touch.
+    """
+    half = 0.5 * p[layout.LENGTH, column]
+    slice_constant = p[layout.OUTER_CONSTANT, column] / slices
+    slope = EXPONENT * slice_constant**0.9 * p[layout.CENTRIFUGAL, column] ** 0.1
+    couple = (2.0 * p[layout.RIB_LEVER, column] / half) ** 2
+    couple *= max(p[layout.RIB_AHEAD, column], p[layout.RIB_BEHIND, column])
+    known = 4.0 * EPSILON * PLACED * p[layout.DIAMETER, column]
+    return float(known * max(max(slope, couple), max(h00, h11 / (half * half))))
+
+
 @shared
 def thrown_out(
     p: Array, column: int, ring: Array, place: Array, drop: Array
 ) -> tuple[float, float]:
-    """Where its inertia presses a roller alone: into the outer race, at the place of the resultant.
+    """Where its inertia presses a roller alone: into the outer race, below the resultant.
 
-    That is where the roller leans with the slope of the profile. drop: (n,), of the outer contact.
+    A light roller stands on two slices like a table on its legs: those on either side of the
+    resultant whose line no other slice crosses. Each carries its part by the lever rule. drop:
+    (n,), of the outer contact.
     """
     across = p[layout.OUTER_SHIFT, column]
     load = p[layout.CENTRIFUGAL, column] * p[layout.CENTRIFUGAL_SHIFT, column] / across
     moment = p[layout.OUTER_TURN, column] * load - p[layout.MOMENT, column]
     moment -= p[layout.CENTRIFUGAL, column] * p[layout.CENTRIFUGAL_TURN, column]
-    nearest = 1
-    for k in range(2, place.size - 1):
-        if abs(place[k] - moment / load) < abs(place[nearest] - moment / load):
-            nearest = k
-    before, after = drop[nearest - 1], drop[nearest + 1]
-    slope = (after - before) / (place[nearest + 1] - place[nearest - 1])
+    last = place.size - 1
+    at = min(max(moment / load, place[0]), place[last])
+    before, after, slope = 0, last, 0.0
+    for _ in range(2 * place.size):
+        low, high = -1, -1
+        for k in range(place.size):
+            above = drop[k] - slope * place[k]
+            if not above < np.inf:
+                continue
+            if place[k] <= at and k < last:
+                low = k if low < 0 or above < drop[low] - slope * place[low] else low
+            else:
+                high = k if high < 0 or above < drop[high] - slope * place[high] else high
+        if low < 0 or high < 0 or (low == before and high == after):
+            break
+        before, after = low, high
+        slope = (drop[after] - drop[before]) / (place[after] - place[before])
+    part = (at - place[before]) / (place[after] - place[before])
+    constant = p[layout.OUTER_CONSTANT, column] / place.size
+    low_end = drop[before] + ((1.0 - part) * load / constant) ** (1.0 / EXPONENT)
+    high_end = drop[after] + (part * load / constant) ** (1.0 / EXPONENT)
+    slope = (high_end - low_end) / (place[after] - place[before])
     if not abs(slope) < np.inf:
-        slope = 0.0
+        return middle(p, column, ring)
     turn = -ring[2] - slope
-    depth = (load / p[layout.OUTER_CONSTANT, column]) ** (1.0 / EXPONENT)
     without, _ = outer_line(p, column, ring, 0.0, turn)
-    return (depth + drop[nearest] - slope * place[nearest] - without) / across, turn
+    return (low_end - slope * place[before] - without) / across, turn
+
+
+@shared
+def _lightened(
+    p: Array, column: int, line: Line, ring: Array, found: Pressed
+) -> tuple[float, float, int]:
+    """Find the balance of a roller by way of heavier ones: η, ω, and steps.
+
+    Inertia that presses a slice in by less than an atom leaves Newton's method nothing to go by: a
+    step from outside is as long as the bearing, one from inside leads out. Of a roller so heavy
+    that it is pressed in as deep as profiles drop, the balance is found at once; from there its
+    inertia comes down, and every stage starts pressed in too deep. Heavy slices know nothing of
+    each other.
+    """
+    part = np.empty((p.shape[0], 1))
+    part[:, 0] = p[:, column]
+    alone = False, line[1], line[2], line[3], line[4], line[5], line[6]
+    greatest = max(p[layout.INNER_CONSTANT, column], p[layout.OUTER_CONSTANT, column])
+    heavy = greatest * (HEAVY_DEPTH * p[layout.DIAMETER, column]) ** EXPONENT
+    shift, turn = middle(p, column, ring)
+    steps, inertia = 0, p[layout.CENTRIFUGAL, column]
+    factor = heavy / inertia if inertia > 0.0 else 1.0
+    while 1.0 < factor < np.inf:
+        for row in (layout.CENTRIFUGAL, layout.MOMENT):
+            part[row, 0] = factor * p[row, column]
+        shift, turn, more = _by_newton(part, 0, alone, ring, shift, turn, found)
+        steps += more
+        factor /= LIGHTER
+    shift, turn, more = _by_newton(p, column, line, ring, shift, turn, found)
+    return shift, turn, steps + more
 
 
 @shared
@@ -199,19 +272,44 @@ def relax(
     """
     sums = found[0]
     half = 0.5 * p[layout.LENGTH, column]
-    least, extra = floor(p, column), added(p, column)
-    longest = LONGEST * p[layout.DIAMETER, column]
+    least = floor(p, column)
     shift, turn = middle(p, column, ring)
-    g0, g1, h00, h01, h10, h11, scale = press(p, column, line, ring, shift, turn, found)
+    forces = press(p, column, line, ring, shift, turn, found)
     if sums[0, 0] + sums[1, 0] == 0.0 and p[layout.CENTRIFUGAL, column] > 0.0:
         shift, turn = thrown_out(p, column, ring, line[1], line[2][OUTER])
-        g0, g1, h00, h01, h10, h11, scale = press(p, column, line, ring, shift, turn, found)
-    steps, damping = 0, 0.0
-    while True:
-        size = max(scale, least)
-        residual = max(abs(g0), abs(g1) / half) / size
-        if not residual > PRECISION or steps >= STEPS:
+    shift, turn, steps = _by_newton(p, column, line, ring, shift, turn, found)
+    for attempt in range(2):
+        forces = press(p, column, line, ring, shift, turn, found)
+        size = max(forces[6], least)
+        residual = max(abs(forces[0]), abs(forces[1]) / half) / size
+        if residual > ACCEPTED:
+            residual = max(
+                residual - rounding(p, column, line[1].size, forces[2], forces[5]) / size, 0.0
+            )
+        if residual <= ACCEPTED or attempt > 0:
             break
+        shift, turn, more = _lightened(p, column, line, ring, found)
+        steps += more
+    state[0], state[1] = shift, turn
+    return residual <= ACCEPTED, residual, size, steps
+
+
+@shared
+def _by_newton(
+    p: Array, column: int, line: Line, ring: Array, shift: float, turn: float, found: Pressed
+) -> tuple[float, float, int]:
+    """Come down to the balance of a roller by Newton's method: η, ω, and steps."""
+    half = 0.5 * p[layout.LENGTH, column]
+    least, extra = floor(p, column), added(p, column)
+    longest = LONGEST * p[layout.DIAMETER, column]
+    g0, g1, h00, h01, h10, h11, scale = press(p, column, line, ring, shift, turn, found)
+    steps, damping, before = 0, 0.0, np.inf
+    while True:
+        left = max(abs(g0), abs(g1) / half)
+        if not left > PRECISION * max(scale, least) or steps >= STEPS:
+            break
+        if left <= rounding(p, column, line[1].size, h00, h11) and left > 0.5 * before:
+            break  # no step betters its rounding
         more = extra + damping * max(h00, h11 / (half * half))
         a, d = h00 + more, h11 / (half * half) + more
         b, c = h01 / half, h10 / half
@@ -225,7 +323,7 @@ def relax(
         steps += 1
         whole = min(1.0, longest / length)
         part = whole
-        old_shift, old_turn, old = shift, turn, residual
+        old_shift, old_turn, before = shift, turn, left
         for _ in range(SHORTENINGS):
             shift, turn = old_shift + part * s0, old_turn + part * s1 / half
             g0, g1, h00, h01, h10, h11, scale = press(p, column, line, ring, shift, turn, found)
@@ -238,12 +336,9 @@ def relax(
             damping = max(4.0 * damping, LEAST_HELP)
         elif part == 1.0:
             damping = 0.03 * damping if damping > LEAST_DAMPING else 0.0
-        if shift == old_shift and turn == old_turn and old <= 100.0 * PRECISION:
-            break  # no step betters its rounding
-    state[0], state[1] = shift, turn
-    size = max(scale, least)
-    residual = max(abs(g0), abs(g1) / half) / size
-    return residual <= 100.0 * PRECISION, residual, size, steps
+        if shift == old_shift and turn == old_turn:
+            break
+    return shift, turn, steps
 
 
 @shared

@@ -62,6 +62,17 @@ def _balls_unloaded(values: Values) -> str:
     )  # fmt: skip
 
 
+def _orbit_outside(values: Values) -> str:
+    return said(
+        "{balls} ({where}): inner raceway control gives an orbital speed outside the speeds of"
+        " both rings, which no ball without slip can have, because the contact angles at the races"
+        " lie far apart. Its centrifugal force and the loads that follow are not reliable. Choose"
+        ' model.raceway_control = "jones" or "outer".',
+        balls=_balls(values),
+        where=where_of(values),
+    )
+
+
 def _balls(values: Values) -> str:
     return counted("{n} ball", "{n} balls", _count(values))
 
@@ -392,6 +403,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
         ' an assumption with model.cage = "none": raceway control does not determine it. With'
         ' "loose" the cage drives it.'
     ),
+    "orbit_outside": _orbit_outside,
     "contact_pressure_high": _contact_pressure_high,
     "ball_past_groove_edge": _ball_past_groove_edge,
     "ellipse_over_shoulder": _ellipse_over_shoulder,
@@ -526,7 +538,14 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     "counter_rotation": marked(
         "Between counter-rotating rings the balls may orbit so slowly that the gyroscopic moment"
-        " overturns a lightly loaded one. Add axial load, or change the ratio of the speeds."
+        " overturns a lightly loaded one: raceway control then has no unique equilibrium. Add axial"
+        " load, or change the ratio of the speeds."
+    ),
+    "inner_control": marked(
+        "Under inner raceway control a ball on which the inner ring hardly presses may have several"
+        " equilibria or none. The solver stopped at a residual of {residual:.1e} of the loads, so"
+        ' there is no result to show. Choose model.raceway_control = "jones" or "outer", or add'
+        " axial load."
     ),
     "not_converged": marked(
         "The solver stopped at a residual of {residual:.1e} of the loads, above {tolerance:.0e}, so"
