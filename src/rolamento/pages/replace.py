@@ -36,6 +36,11 @@ if TYPE_CHECKING:
 __all__ = ["fleet_page", "remaining_page", "replacement_page"]
 
 _MOST_ROWS: Final = 60
+_LEADING: Final = (
+    "dog_leg_steeper", "dog_leg_flatter", "weibull_contradicted", "modes_pooled",
+    "decision_one_mode", "modes_unknown",
+)  # fmt: skip
+"""Notes without which a decision misleads: they stand below it."""
 
 
 # --- what is left of a life ------------------------------------------------------------------
@@ -95,7 +100,7 @@ def remaining_page(study: RemainingStudy) -> Document:
     )
     heading = said("Time left after {age:.6} {unit}", age=found.age, unit=unit)
     sections = [
-        Section("", tuple(statements), key="verdict"),
+        Section("", (*statements, *_leading(study.notes)), key="verdict"),
         _head(title, study.distribution, study.title),
         Section(heading, (Table(columns=columns, key="residual_lives"),), key="residual"),
     ]
@@ -178,7 +183,7 @@ def replacement_page(study: ReplacementStudy) -> Document:
             ),
         ]
     sections = [
-        Section("", tuple(blocks), key="verdict"),
+        Section("", (*blocks, *_leading(study.notes)), key="verdict"),
         _head(title, study.distribution, study.title),
         Section(said("Costs"), (KeyValues(tuple(entries), indent=2),), key="costs"),
     ]
@@ -313,7 +318,7 @@ def fleet_page(study: FleetStudy) -> Document:
         )
     entries.append(Entry(said("expected by now"), text_now))
     sections = [
-        Section("", (Statement(text, "strong"),), key="verdict"),
+        Section("", (Statement(text, "strong"), *_leading(study.notes)), key="verdict"),
         _head(title, study.distribution, study.title),
         Section("", (KeyValues(tuple(entries)),), key="facts"),
         _steps(study),
@@ -481,6 +486,16 @@ def _money(value: float, currency: str) -> str:
     return f"{text} {currency}" if currency else text
 
 
+def _leading(notes: Iterable[Note]) -> list[Block]:
+    """Say below a decision what could change it."""
+    return [
+        Statement(note.text, "warning", mark="!", mark_tone="warning")
+        for note in dict.fromkeys(notes)
+        if note.key in _LEADING
+    ]
+
+
 def _notes(notes: Iterable[Note]) -> list[Section]:
-    remarks = tuple(Remark(note.text, note.key) for note in dict.fromkeys(notes))
+    shown = [note for note in dict.fromkeys(notes) if note.key not in _LEADING]
+    remarks = tuple(Remark(note.text, note.key) for note in shown)
     return [Section(said("Notes"), (Notes(remarks),), key="notes")] * bool(remarks)
