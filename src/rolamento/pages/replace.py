@@ -38,7 +38,7 @@ __all__ = ["fleet_page", "remaining_page", "replacement_page"]
 _MOST_ROWS: Final = 60
 _LEADING: Final = (
     "dog_leg_steeper", "dog_leg_flatter", "weibull_contradicted", "modes_pooled",
-    "decision_one_mode", "modes_unknown",
+    "one_mode", "decision_one_mode", "modes_unknown", "lives_from_dates",
 )  # fmt: skip
 """Notes without which a decision misleads: they stand below it."""
 

@@ -93,23 +93,28 @@ MODELS: Final[Mapping[str, str]] = {
 }
 _TRY: Final[Mapping[str, str]] = {
     "three_parameter": marked(
-        "{name} fits best: nothing may fail before {location} {unit}. Repeat with"
+        "The best fit is {name}: nothing may fail before {location} {unit}. Repeat with"
         " --three-parameter."
     ),
-    "lognormal": marked("{name} fits best, as where damage grows in proportion to itself."),
+    "lognormal": marked(
+        "The best fit is {name}, as where damage grows in proportion to its extent."
+    ),
     "limited_population": marked(
-        "{name} fits best: perhaps only {share} % of the bearings can fail in this way. Look for"
-        " what they have in common, such as a lot."
+        "The best fit is {name}: perhaps only {share} % of the bearings can fail in this way. Look"
+        " for what they have in common, such as a lot."
     ),
     "mixture": marked(
-        "{name} fits best: perhaps {share} % of the bearings are of another kind. Look for what"
-        " they have in common, such as a lot, and separate them as a group."
+        "The best fit is {name}: perhaps {share} % of the bearings are of a weaker kind. Look for"
+        " what they have in common, such as a lot, and separate them as a group."
     ),
     "two_modes": marked(
-        "{name} fits best: examine the failed bearings, and put their failure modes in a column."
+        "The best fit is {name}: examine the failed bearings, and put their failure modes in a"
+        " column."
     ),
 }
 """What a distribution that fits better suggests."""
+_LEADING: Final = ("one_mode", "modes_unknown", "lives_from_dates")
+"""Notes on the data without which the results mislead."""
 _WORTH: Final = 2.0
 """Difference of AICc from which on it says something (Burnham and Anderson 2002, section 2.6)."""
 HYPOTHESES: Final[Mapping[str, str]] = {
@@ -423,7 +428,8 @@ def _described(model: LifeModel, unit: str) -> str:
 
 def _whole(found: LifeTestSummary) -> list[Section | Beside]:
     """Say what leads the page: of pooled modes, and of all modes together."""
-    blocks: list[Block] = [_warning(note.text) for note in found.notes]
+    leading = [*found.notes, *(note for note in found.test.notes if note.key in _LEADING)]
+    blocks: list[Block] = [_warning(note.text) for note in leading]
     system, wanted = found.system, found.wanted
     if system is None:
         return [Section(blocks=tuple(blocks), key="leading")] if blocks else []
@@ -432,7 +438,7 @@ def _whole(found: LifeTestSummary) -> list[Section | Beside]:
     if system.advice is not None:
         text = said("All modes together: no result. {advice}", advice=system.advice.text)
         blocks.append(Statement(text, indent=2, mark="✗", mark_tone="bad"))
-    lives = [_life_sentence(bound, wanted, unit, said("All modes together: "))
+    lives = [_life_sentence(bound, wanted, unit, said("All modes together:") + " ")
              for bound in system.bounds[:1] if bound.converged]  # fmt: skip
     blocks += _bullets([text for text in lives if text])
     sections: list[Section | Beside] = [
@@ -671,11 +677,10 @@ def _of_the_models(group: GroupSummary) -> list[str]:
     }
     if "share" in best.parameters:
         values["share"] = percent(round(best.parameters["share"], 2))
-    name = said(MODELS[best.name])
     return [
         said(
             _TRY[best.name],
-            name=name[:1].upper() + name[1:],
+            name=said(MODELS[best.name]),
             share=values["share"],
             location=values["location"],
             unit=group.test.unit,
@@ -845,7 +850,7 @@ def _sentence_of_ratio(ratio: LifeRatio) -> str:
 
 def _notes(found: LifeTestSummary) -> dict[Note, None]:
     """Return what limits the results, each once."""
-    notes: dict[Note, None] = dict.fromkeys(found.test.notes)
+    notes = dict.fromkeys(note for note in found.test.notes if note.key not in _LEADING)
     if found.system is not None:
         notes |= dict.fromkeys(n for n in found.system.notes if n.key != "modes_unknown")
     for group in found.groups:

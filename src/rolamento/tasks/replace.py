@@ -355,7 +355,7 @@ def lives_of(
 
 def _of_mode(test: LifeTest, only_mode: str | None) -> tuple[LifeTest, tuple[Note, ...]]:
     """Return the test of the mode that is decided by, and what to know of it."""
-    from rolamento.tasks.weibull import of_mode
+    from rolamento.tasks.weibull import notes_of_mode, of_mode
 
     modes = test.modes
     if only_mode == ALL_MODES and only_mode not in modes:
@@ -369,17 +369,11 @@ def _of_mode(test: LifeTest, only_mode: str | None) -> tuple[LifeTest, tuple[Not
             all=ALL_MODES,
         )
         raise InputError(rule, field="only_mode", example=f'only_mode="{modes[0]}"')
-    one = of_mode(test, only_mode)
     if only_mode is None:
-        return one, ()
-    others = test.failures - one.failures
-    notes: tuple[Note, ...] = ()
-    if others:
-        notes += (Note("decision_one_mode", {"mode": only_mode.strip(), "others": others}),)
-    if test.unknown_modes:
-        values = {"count": test.unknown_modes, "failures": test.failures}
-        notes += (Note("modes_unknown", values),)
-    return one, notes
+        return test, ()
+    notes = notes_of_mode(test, only_mode)
+    single = any(note.key == "one_mode" for note in notes)
+    return of_mode(test, only_mode), (*notes, *((Note("decision_one_mode"),) if single else ()))
 
 
 def _life_with_unit(life: float | str | None, field: str) -> tuple[float, str]:

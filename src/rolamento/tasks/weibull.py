@@ -38,7 +38,7 @@ from rolamento.weibull import (
 )
 from rolamento.weibull.life_test import BLANK_GROUP, UNKNOWN_MODE
 from rolamento.weibull.life_units import life_in, life_with_unit
-from rolamento.words import said
+from rolamento.words import Note, said
 
 if TYPE_CHECKING:
     from rolamento.clearance.wear import WearFit, WearLaw
@@ -132,7 +132,9 @@ def life_test_study(
         test = read_life_test(data, **(columns or {}))
     else:
         test = LifeTest.of(data)
-    test = of_mode(only_groups(test, only), only_mode)
+    test = only_groups(test, only)
+    if only_mode is not None:
+        test = of_mode(test, only_mode).noted(*notes_of_mode(test, only_mode))
     asked = Wanted(
         times=tuple(life_in(time, test.unit, "times") for time in times),
         calculated={
@@ -162,21 +164,30 @@ def only_groups(test: LifeTest, names: Sequence[str]) -> LifeTest:
     return test.select(np.isin(test.group, list(names)))
 
 
-def of_mode(test: LifeTest, name: str | None) -> LifeTest:
-    """Return a test as one of a single mode, by its name whatever its case; as it is for None.
+def of_mode(test: LifeTest, name: str) -> LifeTest:
+    """Return a test as one of a single mode, by its name whatever its case.
 
     Raises
     ------
     InputError
         If no bearing failed by that mode.
     """
-    if name is None:
-        return test
     written = name.strip()
     if written == said(UNKNOWN_MODE) and "" in test.modes:
         return test.for_mode("")
     alike = [mode for mode in test.modes if mode.casefold() == written.casefold()]
     return test.for_mode(alike[0] if len(alike) == 1 and written not in test.modes else written)
+
+
+def notes_of_mode(test: LifeTest, name: str) -> tuple[Note, ...]:
+    """Return what is to be known where only one mode of a test counts."""
+    others = test.failures - of_mode(test, name).failures
+    values = {"mode": name.strip(), "others": others}
+    found: tuple[Note, ...] = (Note("one_mode", values),) if others else ()
+    if test.unknown_modes:
+        unknown = {"count": test.unknown_modes, "failures": test.failures}
+        found += (Note("modes_unknown", unknown),)
+    return found
 
 
 def _enough_samples(size: int) -> int:

@@ -326,7 +326,8 @@ def anderson_darling(rows: Rows, shape: FloatArray, log_scale: FloatArray) -> Fl
     shape, log_scale
         (samples,) β and ln η.
     """
-    log_time, failures, units = rows
+    log_time = rows.log_time
+    failures, units = (np.broadcast_to(array, log_time.shape) for array in rows[1:])
     running = np.cumsum(units[:, ::-1], axis=1)[:, ::-1]
     alive = np.cumprod(1.0 - failures / running, axis=1)
     share = 1.0 - alive

@@ -331,6 +331,10 @@ class LifeTest:
         kept = {name: getattr(self, name)[ran] for name in ("counts", "group", "rig")}
         return self._with(**rows, **kept, mode="")
 
+    def noted(self, *notes: Note) -> LifeTest:
+        """Return the test with more to be known of how it was read."""
+        return self._with(remarks=(*self.remarks, *notes))
+
     def by_mode(self) -> dict[str, LifeTest]:
         """Return the test of each mode, by its name, in the order of `modes`."""
         return {name or said(UNKNOWN_MODE): self.for_mode(name) for name in self.modes}

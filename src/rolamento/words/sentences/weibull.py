@@ -70,6 +70,10 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "The mode is not known of {count} of {failures} failures. They are taken as a mode of their"
         " own: the lives by the known modes are too long."
     ),
+    "one_mode": marked(
+        "Only failures by the mode {mode} count; the {others} failures by other modes are taken as"
+        " suspensions."
+    ),
     "modes_at_inspections": marked(
         "A failure by another mode that was found at an inspection counts as suspended at the"
         " inspection before: the lives by single modes are somewhat too short."
@@ -96,7 +100,8 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "dog_leg_steeper": marked(
         "The Weibull plot has a dog-leg at about {time:.3} {unit}: slope {before:.3} before it,"
         " {after:.3} after (p = {p:.2}). A single Weibull distribution does not describe these"
-        " failures; early failures and wear-out are probably mixed. Separate the failure modes."
+        " failures; early failures and wear-out are probably mixed. Separate failure modes or"
+        " populations."
     ),
     "dog_leg_flatter": marked(
         "The Weibull plot has a dog-leg at about {time:.3} {unit}: slope {before:.3} before it,"
@@ -160,8 +165,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "The data have {count} groups, taken together here. Choose some with --only if they differ."
     ),
     "decision_one_mode": marked(
-        "Only failures by the mode {mode} count here; the {others} failures by other modes are"
-        " taken as suspensions. Their cost comes on top, and a planned replacement may bring more"
+        "The cost of failures by other modes comes on top, and a planned replacement may bring more"
         " of them, such as mounting damage."
     ),
     "decision_beyond_data": marked(
