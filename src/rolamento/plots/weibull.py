@@ -83,7 +83,9 @@ _RATING_SHAPE: Final = EXPONENTS["ball"]
 
 def weibull_figure(summary: LifeTestSummary, bands: Mapping[str, Band] | None = None) -> Figure:
     """Draw probability paper, as `weibull_paper`, with the title of the data."""
-    entries = len(summary.groups) + len(summary.wanted.calculated) + 6
+    entries = len(summary.groups) + len(summary.wanted.calculated) + 4
+    entries += 2 * (summary.system is not None)
+    entries += any(group.goodness.bent is not None for group in summary.groups)
     with styled():
         figure, axes = new_figure(height=_HEIGHT + _LEGEND_LINE * (entries // 2))
         weibull_paper(summary, bands, axes)
