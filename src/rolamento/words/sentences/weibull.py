@@ -98,13 +98,13 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     # --- goodness of fit ----------------------------------------------------------------------
     "dog_leg_steeper": marked(
-        "The Weibull plot has a dog-leg at about {time:.3} {unit}: slope {before:.3} before it,"
+        "The Weibull plot has a dog-leg at about {time:.3r} {unit}: slope {before:.3} before it,"
         " {after:.3} after (p = {p:.2}). A single Weibull distribution does not describe these"
         " failures; early failures and wear-out are probably mixed. Separate failure modes or"
         " populations."
     ),
     "dog_leg_flatter": marked(
-        "The Weibull plot has a dog-leg at about {time:.3} {unit}: slope {before:.3} before it,"
+        "The Weibull plot has a dog-leg at about {time:.3r} {unit}: slope {before:.3} before it,"
         " {after:.3} after (p = {p:.2}). A single Weibull distribution does not describe these"
         " failures; perhaps only part of the bearings have the defect, there are two populations,"
         " or nothing fails before a certain time."
