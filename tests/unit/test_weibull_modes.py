@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from scipy import optimize
 from scipy.stats import weibull_min
+from tests.field_data import as_table, field_data
 from typer.testing import CliRunner
 
 from rolamento.cli.app import app
@@ -31,27 +32,6 @@ from rolamento.words import speaking
 
 Run = Callable[..., tuple[int, str, str]]
 FEW = ("--samples", "200")
-SEED = 92
-
-
-def field_data() -> LifeTest:
-    """Forty bearings in the field: mounting damage (β 0.8) and fatigue (β 3.2), drawn."""
-    random = np.random.default_rng(SEED)
-    mounting = 60_000.0 * random.weibull(0.8, 40)
-    fatigue = 22_000.0 * random.weibull(3.2, 40)
-    end = random.uniform(3000.0, 30_000.0, 40)
-    times = np.minimum(np.minimum(mounting, fatigue), end)
-    modes = np.where(times == end, "", np.where(times == mounting, "mounting", "fatigue"))
-    return LifeTest(np.round(times), modes != "", mode=modes)
-
-
-def as_table(test: LifeTest) -> str:
-    rows = zip(test.times, test.failed, test.mode, strict=True)
-    lines = [
-        f"P{i};{time:.0f};{'falhou' if failed else 'em operação'};{mode}"
-        for i, (time, failed, mode) in enumerate(rows)
-    ]
-    return "\n".join(["TAG;Horas de operação;Situação;Modo de falha", *lines, ""])
 
 
 @pytest.fixture
