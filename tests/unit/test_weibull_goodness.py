@@ -181,7 +181,9 @@ def test_inspected_failures_are_tested_by_their_intervals() -> None:
     assert good.method == "likelihood_ratio"
     assert good.p_value > 0.1
     two = np.minimum(random.weibull(0.6, 150) * 4.0, random.weibull(9.0, 150) * 1.5)
-    assert goodness_of_fit(inspected(two), samples=200).p_value < 0.05
+    bad = goodness_of_fit(inspected(two), samples=200)
+    assert bad.p_value < 0.05
+    assert [note.key for note in bad.contradictions("h")] == ["weibull_contradicted_by_intervals"]
     # a failure that was not seen for two inspections fits no cell of the schedule
     test = inspected(random.weibull(2.0, 40))
     lower = test.lower.copy()

@@ -37,7 +37,8 @@ __all__ = ["fleet_page", "remaining_page", "replacement_page"]
 
 _MOST_ROWS: Final = 60
 _LEADING: Final = (
-    "dog_leg_steeper", "dog_leg_flatter", "weibull_contradicted", "modes_pooled",
+    "dog_leg_steeper", "dog_leg_flatter", "weibull_contradicted",
+    "weibull_contradicted_by_intervals", "modes_pooled",
     "one_mode", "decision_one_mode", "modes_unknown", "lives_from_dates",
 )  # fmt: skip
 """Notes without which a decision misleads: they stand below it."""

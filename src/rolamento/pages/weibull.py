@@ -483,7 +483,7 @@ def _table_of_modes(found: LifeTestSummary) -> Table:
     ]  # fmt: skip
     legends = [
         said(
-            "fit p: p-value of the Anderson-Darling test; hazard: share of the mode in the"
+            "fit p: p-value of the goodness-of-fit test; hazard: share of the mode in the"
             " cumulative hazard up to the {life} of all modes together.",
             life=life_name(life),
         )

@@ -176,7 +176,9 @@ class GoodnessOfFit(Outcome):
             }  # fmt: skip
             steeper = bend.shape_after > bend.shape_before
             return (Note("dog_leg_steeper" if steeper else "dog_leg_flatter", values),)
-        return (Note("weibull_contradicted", {"p": self.p_value}),) if self.contradicted else ()
+        inspected = self.method == "likelihood_ratio"
+        key = "weibull_contradicted_by_intervals" if inspected else "weibull_contradicted"
+        return (Note(key, {"p": self.p_value}),) if self.contradicted else ()
 
     def to_mapping(self) -> dict[str, Any]:
         """Give it as plain values; None where there is no number."""

@@ -113,6 +113,10 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "The data contradict a Weibull distribution (Anderson-Darling test by simulation,"
         " p = {p:.2})."
     ),
+    "weibull_contradicted_by_intervals": marked(
+        "The data contradict a Weibull distribution (likelihood-ratio test of the intervals by"
+        " simulation, p = {p:.2})."
+    ),
     # --- why there is no result, and what to do ---------------------------------------------
     "weibull_no_failures": marked(
         "There are no failures: the test bounds the life from below only. With a shape assumed from"
