@@ -90,9 +90,15 @@ NAMES: Final = {
         " medida medido nivel velocidade vibracao aceleracao severidade folga temperatura ruido"
         " valor_global global valor_medido"
     ),
+    "mode": (
+        "mode failure_mode failure_modes mode_of_failure fault_mode failure_cause cause_of_failure"
+        " cause failure_mechanism mechanism modo modos modo_de_falha modo_da_falha modo_falha"
+        " tipo_de_falha causa causa_da_falha causa_de_falha causa_falha mecanismo"
+        " mecanismo_de_falha"
+    ),
     "remark": (
-        "note notes remark remarks comment comments procedure mode nota observacao observacoes obs"
-        " comentario procedimento modo"
+        "note notes remark remarks comment comments procedure nota observacao observacoes obs"
+        " comentario procedimento"
     ),
 }
 """What columns hold, and the names by which it is known; folded."""

@@ -7,6 +7,7 @@ import shlex
 from pathlib import Path
 
 import pytest
+from tests.field_data import as_table, field_data
 from typer.testing import CliRunner
 
 from rolamento.cli.app import app
@@ -46,3 +47,19 @@ def test_links_lead_somewhere(page: str) -> None:
     text = (DOCS / page).read_text("utf-8")
     for link in re.findall(r"\]\(([^)#]+)", text):
         assert ((DOCS / page).parent / link).exists(), link
+
+
+@pytest.mark.parametrize(
+    "command", ["weibull field.csv --plot modes.png", "weibull field.csv --modes-pooled"]
+)
+def test_what_the_guide_shows_of_modes_is_printed(
+    command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Of the drawn field data of the tests of modes, line by line."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "field.csv").write_text(as_table(field_data()), encoding="utf-8")
+    shown = GUIDE.split(f"    rolamento {command}\n")[1].split("```text\n")[1].split("```")[0]
+    result = CliRunner().invoke(app, command.split(), env={"LC_ALL": "C.UTF-8"})
+    assert result.exit_code == 0
+    printed = result.stdout.splitlines()
+    assert not [line for line in shown.splitlines() if line and line not in printed]

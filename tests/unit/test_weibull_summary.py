@@ -64,7 +64,9 @@ def test_a_group_without_failures_is_told_for_usual_shapes(campanha: LifeTest) -
     group = summarise(campanha, Wanted(samples=SAMPLES)).groups[1]
     assert not group.bounded
     for assumed in group.assumed:
-        (bound,) = all_bounds(group.test, ["L10"], shape=assumed.shape, sides="lower")
+        (bound,) = all_bounds(
+            group.test, ["L10"], shape=assumed.shape, sides="lower", confidence=0.95
+        )
         assert assumed.bounds[0].lower == bound.lower
         assert assumed.bounds[0].sides == "lower"
 

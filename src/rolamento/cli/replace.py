@@ -19,11 +19,10 @@ from rolamento.cli.outputs import NOWHERE, OUTPUT_OPTIONS, Outputs, with_outputs
 from rolamento.cli.shipped_data import data_and_json, known_example
 from rolamento.cli.streams import STANDARD_STREAM, complain, put_json
 from rolamento.cli.table_options import (
-    CountColumnOption,
-    DecimalMarkOption,
-    StatusColumnOption,
-    TimeColumnOption,
+    ALL_COLUMNS,
+    LifeColumns,
     told_in_options,
+    with_life_columns,
 )
 from rolamento.cli.weibull import EXAMPLES
 from rolamento.errors import InputError
@@ -66,14 +65,15 @@ class LivesOptions:
         str | None,
         typer.Option("--l10", metavar="LIFE", help="L10 without data, such as '20000 h', instead."),
     ] = None
-    time_column: TimeColumnOption = None
-    status_column: StatusColumnOption = None
-    count_column: CountColumnOption = None
-    unit: Annotated[
+    mode: Annotated[
         str | None,
-        typer.Option("--unit", metavar="UNIT", help="Unit of the times, if the file says another."),
+        typer.Option(
+            "--mode",
+            metavar="MODE",
+            help="Only this failure mode of the data, failures by others as suspensions; all for"
+            " all failures alike.",
+        ),
     ] = None
-    decimal_mark: DecimalMarkOption = None
     samples: Annotated[
         int | None,
         typer.Option(
@@ -101,7 +101,7 @@ class ReplaceCommand(JsonCommand):
             *("fleet", "within", "until", "begin", "usage", "usage_column", "renewed"),
             "confidence",
         ),
-        "Lives": tuple(one.name for one in fields(LivesOptions)),
+        "Lives": (*(one.name for one in fields(LivesOptions)), *LifeColumns.__slots__),
         "Output": ("plot", "json", *OUTPUT_OPTIONS, "lang", "help"),
     }
 
@@ -148,6 +148,7 @@ def replace(lang: LanguageOption = None) -> None:
     " replace remaining --shape 1.5 --l10 '20000 h' --age '8000 h' --mission '2000 h'.",
 )
 @with_outputs
+@with_life_columns
 @with_lives
 def remaining(
     data: DataArgument = None,
@@ -160,6 +161,7 @@ def remaining(
     ] = None,
     confidence: ConfidenceOption = 0.9,
     of_lives: LivesOptions = NOTHING_OF_LIVES,
+    columns: LifeColumns = ALL_COLUMNS,
     plot: PlotOption = None,
     json: JsonOption = None,
     outputs: Outputs = NOWHERE,
@@ -172,7 +174,7 @@ def remaining(
     with plain_endings(lang):
         if not age:
             raise InputError(said("is missing"), source="--age", example="--age '8000 h'")
-        data, json, lives = _lives(of_lives, data, json, plot, outputs)
+        data, json, lives = _lives(of_lives, columns, data, json, plot, outputs)
         from rolamento.pages.replace import remaining_page
         from rolamento.tasks.replace import remaining_study
 
@@ -222,6 +224,7 @@ def _cost(text: str | None, option: str) -> float:
     " replace age --shape 2.5 --scale '1000 h' --planned-cost 1 --failure-cost 5.",
 )
 @with_outputs
+@with_life_columns
 @with_lives
 def age_command(
     data: DataArgument = None,
@@ -242,6 +245,7 @@ def age_command(
     ] = "",
     confidence: ConfidenceOption = 0.9,
     of_lives: LivesOptions = NOTHING_OF_LIVES,
+    columns: LifeColumns = ALL_COLUMNS,
     plot: PlotOption = None,
     json: JsonOption = None,
     outputs: Outputs = NOWHERE,
@@ -254,7 +258,7 @@ def age_command(
     with plain_endings(lang):
         planned = _cost(planned_cost, "--planned-cost")
         failure = _cost(failure_cost, "--failure-cost")
-        data, json, lives = _lives(of_lives, data, json, plot, outputs)
+        data, json, lives = _lives(of_lives, columns, data, json, plot, outputs)
         from rolamento.pages.replace import replacement_page
         from rolamento.tasks.replace import replacement_study
 
@@ -284,6 +288,7 @@ def age_command(
     " replace fleet field.csv --fleet plant.csv --until 2026-12-31 --usage '16 h' --renewed.",
 )
 @with_outputs
+@with_life_columns
 @with_lives
 def fleet_command(
     data: DataArgument = None,
@@ -331,6 +336,7 @@ def fleet_command(
     ] = False,
     confidence: ConfidenceOption = 0.9,
     of_lives: LivesOptions = NOTHING_OF_LIVES,
+    columns: LifeColumns = ALL_COLUMNS,
     plot: PlotOption = None,
     json: JsonOption = None,
     outputs: Outputs = NOWHERE,
@@ -341,7 +347,7 @@ def fleet_command(
     By a date or within a time, with a prediction interval.
     """
     with plain_endings(lang):
-        data, json, lives = _lives(of_lives, data, json, plot, outputs, fleet)
+        data, json, lives = _lives(of_lives, columns, data, json, plot, outputs, fleet)
         from rolamento.pages.replace import fleet_page
         from rolamento.tasks.replace import fleet_study
 
@@ -355,7 +361,7 @@ def fleet_command(
                 usage=usage,
                 renewed=renewed,
                 confidence=confidence,
-                fleet_columns={"usage": usage_column, "decimal_mark": of_lives.decimal_mark},
+                fleet_columns={"usage": usage_column, "decimal_mark": columns.decimal_mark},
                 **lives,
             )
 
@@ -373,6 +379,7 @@ def fleet_command(
 
 def _lives(
     options: LivesOptions,
+    columns: LifeColumns,
     data: str | None,
     json: str | None,
     plot: str | None,
@@ -389,13 +396,10 @@ def _lives(
     )
     if data is not None and options.example is not None:
         raise InputError(said("give a CSV file or --example, not both"), field="DATA.csv")
-    columns = {
-        "unit": options.unit, "time": options.time_column, "status": options.status_column,
-        "count": options.count_column, "decimal_mark": options.decimal_mark,
-    }  # fmt: skip
+    names = ("shape", "scale", "l10", "samples", "seed")
     lives: dict[str, Any] = {
-        "columns": columns, "only": options.only or (),
-        **{name: getattr(options, name) for name in ("shape", "scale", "l10", "samples", "seed")},
+        "columns": columns.arguments(), "only": options.only or (), "only_mode": options.mode,
+        **{name: getattr(options, name) for name in names},
     }  # fmt: skip
     source: Any = data
     if options.example is not None:
@@ -403,7 +407,7 @@ def _lives(
 
         with told_in_options():
             name = known_example(options.example, EXAMPLES).replace("-", "_")
-            source = published_life_test(name, **columns)
+            source = published_life_test(name, **columns.arguments())
     return source, json, lives
 
 
@@ -418,7 +422,13 @@ def _told(command: Callable[..., Any]) -> Iterator[None]:
     """Tell what is wrong in the options of a command."""
     with (
         told_in_options(),
-        in_options(command, planned="--planned-cost", failure="--failure-cost", begin="--from"),
+        in_options(
+            command,
+            only_mode="--mode",
+            planned="--planned-cost",
+            failure="--failure-cost",
+            begin="--from",
+        ),
     ):
         yield
 

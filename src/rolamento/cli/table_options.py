@@ -5,22 +5,25 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from typing import Annotated, Final
 
 import typer
 
+from rolamento.cli.option_records import with_record
 from rolamento.errors import InputError
 from rolamento.tasks.asked import LIFE_TEST, by_name
 
 __all__ = [
+    "ALL_COLUMNS",
     "BearingColumnOption",
-    "CountColumnOption",
     "DateOrderOption",
     "DecimalMarkOption",
-    "StatusColumnOption",
+    "LifeColumns",
     "TimeColumnOption",
     "ValueColumnOption",
     "told_in_options",
+    "with_life_columns",
 ]
 
 _ASKED: Final = by_name(LIFE_TEST)
@@ -32,6 +35,12 @@ _OPTIONS: Final = {
     "bearing": "--bearing-column",
     "group": "--group",
     "count": "--count-column",
+    "mode": "--mode-column",
+    "only_mode": "--mode",
+    "start": "--start-column",
+    "end": "--end-column",
+    "use_per_day": "--use-per-day",
+    "as_of": "--as-of",
     "values": "--value-column",
 }
 _ARGUMENT: Final = re.compile(rf'\b({"|".join(_OPTIONS)})=\[?"([^"]*)"\]?')
@@ -47,24 +56,6 @@ DecimalMarkOption = Annotated[
 TimeColumnOption = Annotated[
     str | None,
     typer.Option("--time-column", metavar="COLUMN", help=_ASKED["time"].meaning),
-]
-StatusColumnOption = Annotated[
-    str | None,
-    typer.Option(
-        "--status-column",
-        metavar="COLUMN",
-        help=_ASKED["status"].meaning,
-    ),
-]
-
-
-CountColumnOption = Annotated[
-    str | None,
-    typer.Option(
-        "--count-column",
-        metavar="COLUMN",
-        help=_ASKED["count"].meaning,
-    ),
 ]
 BearingColumnOption = Annotated[
     str | None,
@@ -91,6 +82,53 @@ DateOrderOption = Annotated[
 ]
 
 
+@dataclass(frozen=True, slots=True)
+class LifeColumns:
+    """What options say of a table of lives."""
+
+    unit: Annotated[
+        str | None, typer.Option("--unit", metavar="UNIT", help=_ASKED["unit"].meaning)
+    ] = None
+    time_column: TimeColumnOption = None
+    status_column: Annotated[
+        str | None,
+        typer.Option("--status-column", metavar="COLUMN", help=_ASKED["status"].meaning),
+    ] = None
+    count_column: Annotated[
+        str | None,
+        typer.Option("--count-column", metavar="COLUMN", help=_ASKED["count"].meaning),
+    ] = None
+    mode_column: Annotated[
+        str | None,
+        typer.Option("--mode-column", metavar="COLUMN", help=_ASKED["mode"].meaning),
+    ] = None
+    start_column: Annotated[
+        str | None,
+        typer.Option("--start-column", metavar="COLUMN", help=_ASKED["start"].meaning),
+    ] = None
+    end_column: Annotated[
+        str | None, typer.Option("--end-column", metavar="COLUMN", help=_ASKED["end"].meaning)
+    ] = None
+    use_per_day: Annotated[
+        str | None,
+        typer.Option("--use-per-day", metavar="TIME", help=_ASKED["use_per_day"].meaning),
+    ] = None
+    as_of: Annotated[
+        str | None, typer.Option("--as-of", metavar="DATE", help=_ASKED["as_of"].meaning)
+    ] = None
+    date_order: DateOrderOption = None
+    decimal_mark: DecimalMarkOption = None
+
+    def arguments(self) -> dict[str, str | None]:
+        """Return them as `rolamento.weibull.read_life_test` calls them."""
+        return {name.removesuffix("_column"): getattr(self, name) for name in LifeColumns.__slots__}
+
+
+ALL_COLUMNS: Final = LifeColumns()
+with_life_columns = with_record("columns", LifeColumns)
+"""Give a command the options of `LifeColumns`, which it takes as one argument, ``columns``."""
+
+
 @contextmanager
 def told_in_options(**options: str) -> Iterator[None]:
     """Tell what is wrong with a table, or with an argument, in the words of the command.
@@ -112,7 +150,7 @@ def _told(error: InputError) -> InputError:
         value = f"'{match[2]}'" if " " in match[2] else match[2]
         return f"{_OPTIONS[match[1]]} {value}"
 
-    own = error.field in ("decimal_mark", "date_order")
+    own = error.field in ("decimal_mark", "date_order", "use_per_day", "as_of", "start", "end")
     return type(error)(
         _ARGUMENT.sub(option, error.rule),
         field=_OPTIONS[error.field] if own else error.field,

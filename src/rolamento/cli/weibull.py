@@ -18,11 +18,10 @@ from rolamento.cli.outputs import NOWHERE, OUTPUT_OPTIONS, Outputs, with_outputs
 from rolamento.cli.shipped_data import check_one_given, data_and_json, known_example
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put_json
 from rolamento.cli.table_options import (
-    CountColumnOption,
-    DecimalMarkOption,
-    StatusColumnOption,
-    TimeColumnOption,
+    ALL_COLUMNS,
+    LifeColumns,
     told_in_options,
+    with_life_columns,
 )
 from rolamento.errors import InputError
 from rolamento.tasks.asked import LIFE_TEST, by_name
@@ -39,7 +38,7 @@ _CONFIDENCE: Final = 0.9
 _MAXIMUM_NUMBERS: Final = 50
 _OPTIONS: Final = {
     "method": "--method", "bounds": "--bounds", "prior": "--bayes", "times": "--time",
-    "calculated": "--calculated-life", "only": "--only",
+    "calculated": "--calculated-life", "only": "--only", "only_mode": "--mode",
 }  # fmt: skip
 """What the task calls otherwise, or does not find in the file."""
 
@@ -49,11 +48,10 @@ class WeibullCommand(JsonCommand):
 
     groups: ClassVar[Groups] = {
         "Data": (
-            *("example", "write", "unit", "time_column", "status_column", "count_column"),
-            "decimal_mark",
-            *("group", "by_group", "only"),
+            *("example", "write", *LifeColumns.__slots__),
+            *("group", "by_group", "only", "mode", "by_mode"),
         ),
-        "Fit": ("method", "three_parameter", "shape", "bayes"),
+        "Fit": ("method", "three_parameter", "shape", "bayes", "models"),
         "Bounds": ("bounds", "confidence", "sides", "samples", "seed"),
         "Results": ("reliability", "time", "calculated_life"),
         "Output": ("plot", "contour", "contour_of", "json", *OUTPUT_OPTIONS, "lang", "help"),
@@ -69,6 +67,7 @@ app = typer.Typer()
     " weibull --example campanha-2008 --calculated-life 'ISO 281=58 h'.",
 )
 @with_outputs
+@with_life_columns
 def weibull(
     data: Annotated[
         str | None,
@@ -115,6 +114,10 @@ def weibull(
             metavar="LOW..HIGH",
             help=_ASKED["prior"].meaning,
         ),
+    ] = None,
+    models: Annotated[
+        bool | None,
+        typer.Option("--models/--no-models", help=_ASKED["models"].meaning),
     ] = None,
     bounds: Annotated[
         str | None,
@@ -170,14 +173,15 @@ def weibull(
         list[str] | None,
         typer.Option("--only", metavar="GROUP", help=_ASKED["only"].meaning),
     ] = None,
-    unit: Annotated[
+    mode: Annotated[
         str | None,
-        typer.Option("--unit", metavar="UNIT", help=_ASKED["unit"].meaning),
+        typer.Option("--mode", metavar="MODE", help=_ASKED["only_mode"].meaning),
     ] = None,
-    time_column: TimeColumnOption = None,
-    status_column: StatusColumnOption = None,
-    count_column: CountColumnOption = None,
-    decimal_mark: DecimalMarkOption = None,
+    by_mode: Annotated[
+        bool,
+        typer.Option("--by-mode/--modes-pooled", help=_ASKED["by_mode"].meaning),
+    ] = True,
+    columns: LifeColumns = ALL_COLUMNS,
     samples: Annotated[
         int | None,
         typer.Option(
@@ -221,10 +225,7 @@ def weibull(
             print_text(_write_example(data, example, write))
             return
         check_one_given(data, example, "weibull", EXAMPLES)
-        columns = {
-            "group": group, "unit": unit, "time": time_column, "status": status_column,
-            "count": count_column, "decimal_mark": decimal_mark,
-        }  # fmt: skip
+        read = {"group": group, **columns.arguments()}
         from rolamento.tasks.weibull import (
             bounds_named,
             fits_named,
@@ -239,7 +240,8 @@ def weibull(
                 "bounds": None if bounds is None else bounds_named(bounds),
                 "prior": None if bayes is None else prior_of(bayes),
                 "reliabilities": tuple(dict.fromkeys(reliability or (0.9, 0.5))),
-                "shape": shape, "confidence": confidence, "sides": sides, "seed": seed,
+                "models": models, "shape": shape, "confidence": confidence, "sides": sides,
+                "seed": seed,
             }  # fmt: skip
             calculated = lives_named(calculated_life or ())
         if bounds is not None and shape is not None:
@@ -258,15 +260,17 @@ def weibull(
             with told_in_options(**_OPTIONS):
                 given: Any = data
                 if example is not None:
-                    given = published_life_test(_published_name(example), **columns)
+                    given = published_life_test(_published_name(example), **read)
                 found = life_test_study(
                     given,
                     only=only or (),
+                    only_mode=mode,
                     by_group=by_group,
+                    by_mode=by_mode,
                     times=time or (),
                     calculated=calculated,
                     samples=samples,
-                    columns=columns,
+                    columns=read,
                     progress=progress,
                     **wanted,
                 )

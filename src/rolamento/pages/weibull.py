@@ -33,9 +33,11 @@ from rolamento.weibull import (
     Comparison,
     Estimand,
     GroupSummary,
+    LifeModel,
     LifeRatio,
     LifeTest,
     LifeTestSummary,
+    Sides,
     Wanted,
     bands_of,
     regions_of,
@@ -80,6 +82,38 @@ BOUND_METHODS: Final[Mapping[str, str]] = {
     "bootstrap_bca": marked("bootstrap, bias-corrected and accelerated"),
     "fixed_shape": marked("chi-square at the known shape"),
 }
+MODELS: Final[Mapping[str, str]] = {
+    "weibull": marked("Weibull"),
+    "three_parameter": marked("Weibull with a failure-free time"),
+    "lognormal": marked("lognormal"),
+    "limited_population": marked("Weibull, of a limited population"),
+    "mixture": marked("two populations, Weibull each"),
+    "two_modes": marked("two failure modes, Weibull each"),
+}
+_TRY: Final[Mapping[str, str]] = {
+    "three_parameter": marked(
+        "The best fit is {name}: nothing may fail before {location} {unit}. Repeat with"
+        " --three-parameter."
+    ),
+    "lognormal": marked(
+        "The best fit is {name}, as where damage grows in proportion to its extent."
+    ),
+    "limited_population": marked(
+        "The best fit is {name}: perhaps only {share} % of the bearings can fail in this way. Look"
+        " for what they have in common, such as a lot."
+    ),
+    "mixture": marked(
+        "The best fit is {name}: perhaps {share} % of the bearings are of a weaker kind. Look for"
+        " what they have in common, such as a lot, and separate them as a group."
+    ),
+    "two_modes": marked(
+        "The best fit is {name}: examine the failed bearings, and put their failure modes in a"
+        " column."
+    ),
+}
+"""What a distribution that fits better suggests."""
+_WORTH: Final = 2.0
+"""Difference of AICc from which on it says something (Burnham and Anderson 2002, section 2.6)."""
 HYPOTHESES: Final[Mapping[str, str]] = {
     "common_shape": marked("equal shapes"),
     "same_life": marked("equal lives, at a common shape"),
@@ -104,8 +138,9 @@ def weibull_page(found: LifeTestSummary) -> Document:
     alone = len(found.groups) == 1
     level, notes = 2 if alone else 1, _notes(found)
     parts: list[Section | Beside] = [_head(found, title), *cautions_section(notes, level)]
+    parts += _whole(found)
     for group in found.groups:
-        parts += _parts_of_group(found.wanted, group, alone=alone)
+        parts += _parts_of_group(found, group, alone=alone)
     parts += _comparison(found)
     parts += _pictures(found)
     parts += notes_section(remarks_of(notes), level)
@@ -115,7 +150,9 @@ def weibull_page(found: LifeTestSummary) -> Document:
 def _head(found: LifeTestSummary, title: str) -> Section:
     test, groups = found.test, found.groups
     facts = [_sizes(test)]
-    if len(groups) > 1:
+    if found.system is not None:
+        facts.append(counted("{n} failure mode", "{n} failure modes", len(groups)))
+    elif len(groups) > 1:
         facts.append(counted("{n} group", "{n} groups", len(groups)))
     elif groups[0].name:
         facts[0] = f"{one_line(groups[0].name)}: {facts[0]}"
@@ -146,12 +183,21 @@ def _ends(test: LifeTest) -> tuple[float, float]:
     return float(np.min(test.times)), float(np.max(test.times))
 
 
-def _parts_of_group(wanted: Wanted, group: GroupSummary, *, alone: bool) -> list[Section | Beside]:
-    """Say what one group says: in sentences, then in tables."""
-    name = one_line(group.name)
+def _sizes_of_mode(test: LifeTest) -> str:
+    """Say how many bearings failed by a mode; the others may have failed by another."""
+    return said("{failed} of {size} bearings failed by it", failed=test.failures, size=test.size)
+
+
+def _parts_of_group(
+    found: LifeTestSummary, group: GroupSummary, *, alone: bool
+) -> list[Section | Beside]:
+    """Say what one group or mode says: in sentences, then in tables."""
+    name, wanted = one_line(group.name), found.wanted
     blocks: list[Block] = list(_statements(group, wanted))
     heading = ""
-    if not alone:
+    if found.system is not None:
+        heading = f"{name}: {_sizes_of_mode(group.test)}"
+    elif not alone:
         heading = f"{name}: {_sizes(group.test)}"
         blocks.insert(0, Statement(said(SCHEMES[group.test.scheme]), "faint", indent=2))
     tables = [
@@ -166,6 +212,7 @@ def _parts_of_group(wanted: Wanted, group: GroupSummary, *, alone: bool) -> list
             *_at_assumed_shapes(group, wanted),
             *_table_of_posterior(group, wanted),
             *_table_of_calculated(group, wanted),
+            *_table_of_models(group),
         )
     ]
     parts: list[Section | Beside] = [Section(heading, tuple(blocks), "group", level=1)]
@@ -235,9 +282,18 @@ def _table_of_bounds(group: GroupSummary) -> _Headed:
     ]
     if first.sides == "two":
         columns.append(Column(head=said("ratio"), key="ratio", values=ratios, align="right"))
-    heading = said("{confidence} % bounds", confidence=percent(first.confidence))
+    heading = _bounds_heading(first.sides, first.confidence)
     legend = _bounded_by(group)
     return ((heading, Table(columns=tuple(columns), key="bounds", legends=(legend,))),)
+
+
+def _bounds_heading(sides: Sides, confidence: float) -> str:
+    """Say what kind of bounds they are."""
+    if sides == "two":
+        return said("{confidence} % bounds", confidence=percent(confidence))
+    if sides == "lower":
+        return said("{confidence} % lower bounds", confidence=percent(confidence))
+    return said("{confidence} % upper bounds", confidence=percent(confidence))
 
 
 def _bounded_by(group: GroupSummary) -> str:
@@ -301,9 +357,183 @@ def _at_assumed_shapes(group: GroupSummary, wanted: Wanted) -> _Headed:
                 )
             )
     heading = said(
-        "For an assumed shape ({confidence} % bounds)", confidence=percent(wanted.confidence)
+        "For an assumed shape ({bounds})", bounds=_bounds_heading(*wanted.bounds_of(group.test))
     )
     return ((heading, Table(columns=tuple(columns), key="assumed_shapes")),)
+
+
+def _table_of_models(group: GroupSummary) -> _Headed:
+    """Other distributions beside Weibull's, the likeliest first."""
+    models = [model for model in group.models if model.converged]
+    if not models:
+        return ()
+    models.sort(key=lambda one: one.aicc if isfinite(one.aicc) else 1e300 - one.log_likelihood)
+    unit = one_line(group.test.unit)
+    columns = (
+        Column(
+            head=said("distribution"),
+            key="model",
+            values=[said(MODELS[one.name]) for one in models],
+        ),
+        Column(
+            head=said("parameters"), key="parameters", values=[len(m.parameters) for m in models]
+        ),
+        Column(
+            head="ln ℓ", key="log_likelihood", values=[m.log_likelihood for m in models], form=".2f"
+        ),
+        Column(head="AICc", key="aicc", values=[m.aicc for m in models], form=".1f"),
+        Column(head=f"L10 {unit}", key="l10", values=alike([m.l10 for m in models])),
+    )
+    legends = (
+        said(
+            "ln ℓ: logarithm of the likelihood of the times; AICc: smaller is better, differences"
+            " below 2 say little."
+        ),
+        *(_described(model, unit) for model in models if model.name in _TRY),
+    )
+    table = Table(columns=columns, key="models", legends=legends)
+    return ((said("Other distributions"), table),)
+
+
+def _described(model: LifeModel, unit: str) -> str:
+    """Name a distribution with its parameters."""
+    p = {name: written(brief(value)) for name, value in model.parameters.items()}
+    name = said(MODELS[model.name])
+    if "share" in p:
+        p["share"] = percent(round(model.parameters["share"], 4))
+    if model.name == "lognormal":
+        return said("{name}: median {median} {unit}, σ of ln t {sigma}", name=name, unit=unit,
+                    median=written(brief(float(np.exp(model.parameters["mu"])))),
+                    sigma=p["sigma"])  # fmt: skip
+    first = said("β {shape}, η {scale} {unit}", shape=p["shape"], scale=p["scale"], unit=unit)
+    if model.name == "three_parameter":
+        return said("{name}: {first}, counted from {location} {unit}", name=name, first=first,
+                    location=p["location"], unit=unit)  # fmt: skip
+    if model.name == "limited_population":
+        return said("{name}: {share} % can fail; {first}", name=name, share=p["share"], first=first)
+    second = said("β {shape}, η {scale} {unit}", shape=p["shape_2"], scale=p["scale_2"], unit=unit)
+    if model.name == "mixture":
+        return said("{name}: {first} of {share} %; {second} of the others", name=name, first=first,
+                    share=p["share"], second=second)  # fmt: skip
+    return said("{name}: {first}; {second}", name=name, first=first, second=second)
+
+
+# --- failure modes together ------------------------------------------------------------------
+
+
+def _whole(found: LifeTestSummary) -> list[Section | Beside]:
+    """Say what comes of all modes together; nothing where modes are not told apart."""
+    system, wanted = found.system, found.wanted
+    if system is None:
+        return []
+    unit = one_line(found.test.unit)
+    blocks: list[Block] = []
+    if system.advice is not None:
+        text = said("All modes together: no result. {advice}", advice=system.advice.text)
+        blocks.append(Statement(text, indent=2, mark="✗", mark_tone="bad"))
+    lives = [_life_sentence(bound, wanted, unit, said("All modes together:") + " ")
+             for bound in system.bounds[:1] if bound.converged]  # fmt: skip
+    blocks += _bullets([text for text in lives if text])
+    sections: list[Section | Beside] = [
+        Section(
+            said("Failure modes"),
+            (*blocks, _table_of_modes(found)),
+            "modes",
+            level=1,
+        )
+    ]
+    if system.bounds:
+        sections.append(_table_of_system(found))
+    return sections
+
+
+def _table_of_modes(found: LifeTestSummary) -> Table:
+    system = found.system
+    assert system is not None
+    life, unit = found.wanted.lives[0], one_line(found.test.unit)
+    bounds = [group.bound(life) for group in found.groups]
+    heads = _limit_heads(bounds[0]) if bounds[0] is not None else {}
+    fits = [one.fit for one in system.modes]
+    limits = {
+        key: alike([float("nan") if b is None else getattr(b, key) for b in bounds])
+        for key in heads
+    }
+    tests = [group.goodness for group in found.groups]
+    columns = [
+        Column(head=said("mode"), key="mode",
+               values=[shortened(one_line(one.name), 24) for one in system.modes]),
+        Column(head=said("failures"), key="failures", values=[fit.failures for fit in fits]),
+        Column(head=said("shape β"), key="shape", values=alike([fit.shape for fit in fits])),
+        Column(head=said("scale η"), key="scale", values=alike([fit.scale for fit in fits])),
+        Column(head=f"{life_name(life)} {unit}", key="life",
+               values=alike([float(fit.life_at(life.value)) for fit in fits])),
+        *(Column(head=head, key=key, values=limits[key], align="right")
+          for key, head in heads.items()),
+        Column(head=said("fit p"), key="goodness_of_fit",
+               values=[_p_cell(one.p_value) for one in tests], align="right"),
+        Column(head=said("hazard"), key="hazard_share", form=".1f [%]", unit="%",
+               values=[one.hazard_share for one in system.modes]),
+    ]  # fmt: skip
+    legends = [
+        said(
+            "fit p: p-value of the goodness-of-fit test; hazard: share of the mode in the"
+            " cumulative hazard up to the {life} of all modes together.",
+            life=life_name(life),
+        )
+    ]
+    legends += [
+        said(
+            "If the failures of unknown mode were all {mode}: β {shape}, {life} {value} {unit}.",
+            mode=shortened(one_line(one.name), 24),
+            shape=written(brief(one.earliest.shape)),
+            life=life_name(life),
+            value=written(brief(float(one.earliest.life_at(life.value)))),
+            unit=unit,
+        )
+        for one in system.modes
+        if one.earliest is not None and one.earliest.converged
+    ]
+    return Table(columns=tuple(columns), key="modes", legends=tuple(legends))
+
+
+def _table_of_system(found: LifeTestSummary) -> Section:
+    """Lives of the bearing as a whole, beside those of one distribution for all failures."""
+    system = found.system
+    assert system is not None
+    bounds, unit, pooled = system.bounds, one_line(found.test.unit), system.pooled
+    quantities = [Estimand.of(bound.quantity) for bound in bounds]
+    heads = {"estimate": said("estimate"), **_limit_heads(bounds[0]), "pooled": said("pooled")}
+    rows = []
+    for bound, quantity in zip(bounds, quantities, strict=True):
+        alone = float(quantity.at(np.array([pooled.shape]), np.log([pooled.scale]))[0])
+        values = [bound.estimate, *_limits(bound), alone]
+        rows.append(alike(values, share=quantity.kind == "reliability"))
+    columns = (
+        _names(quantities, unit),
+        *(
+            Column(head=head, key=key, values=column, align="right")
+            for (key, head), column in zip(heads.items(), zip(*rows, strict=True), strict=True)
+        ),
+    )
+    legends = (
+        said(
+            "estimate: product of the reliabilities of the modes, ln ℓ {whole}; pooled: one Weibull"
+            " distribution for all failures, β {shape}, ln ℓ {alone}.",
+            whole=manner().fixed(system.log_likelihood, 2),
+            shape=written(brief(pooled.shape)),
+            alone=manner().fixed(pooled.log_likelihood, 2),
+        ),
+        *(note.text for note in system.goodness.contradictions(unit)),
+    )
+    heading = said(
+        "All modes together ({bounds})",
+        bounds=_bounds_heading(bounds[0].sides, bounds[0].confidence),
+    )
+    return Section(heading, (Table(columns=columns, key="system", legends=legends),), "system")
+
+
+def _warning(text: str) -> Statement:
+    return Statement(text, "warning", indent=2, mark="!", mark_tone="warning")
 
 
 def _table_of_posterior(group: GroupSummary, wanted: Wanted) -> _Headed:
@@ -387,7 +617,8 @@ def _table_of_calculated(group: GroupSummary, wanted: Wanted) -> _Headed:
 
 def _statements(group: GroupSummary, wanted: Wanted) -> list[Statement]:
     """Say in sentences what one group says."""
-    lines = []
+    lines = [_warning(note.text) for note in group.goodness.contradictions(group.test.unit)]
+    lines += [_warning(text) for text in _of_the_models(group)]
     advice = group.main.advice
     if not group.bounded and advice is not None:
         text = said("No result. {advice}", advice=advice.text)
@@ -399,7 +630,55 @@ def _statements(group: GroupSummary, wanted: Wanted) -> list[Statement]:
         sentences.append(
             said("All results assume the given shape of {shape:.4}.", shape=wanted.shape)
         )
-    return lines + _bullets([*sentences, *_of_the_calculation(group)])
+    return lines + _bullets([*sentences, *_of_the_calculation(group), *_of_the_fit(group)])
+
+
+def _of_the_fit(group: GroupSummary) -> list[str]:
+    """Of the goodness of the fit, where the data do not contradict it."""
+    found = group.goodness
+    if not found.converged or found.contradicted:
+        return []
+    p = written(_p_cell(found.p_value))
+    if found.method == "anderson_darling":
+        return [
+            said(
+                "The data do not contradict a Weibull distribution (Anderson-Darling test by"
+                " simulation, p = {p}).",
+                p=p,
+            )
+        ]
+    return [
+        said(
+            "The data do not contradict a Weibull distribution (likelihood-ratio test of the"
+            " intervals by simulation, p = {p}).",
+            p=p,
+        )
+    ]
+
+
+def _of_the_models(group: GroupSummary) -> list[str]:
+    """Of a distribution that fits better, if the data contradict Weibull's."""
+    known = {model.name: model for model in group.models if isfinite(model.aicc)}
+    plain = known.get("weibull")
+    if plain is None or not group.goodness.contradicted:
+        return []
+    best = min(known.values(), key=lambda one: one.aicc)
+    if best.name not in _TRY or best.aicc > plain.aicc - _WORTH:
+        return [said("No other distribution that was tried fits clearly better.")]
+    values = {"share": "", "location": ""} | {
+        name: written(brief(value, 3)) for name, value in best.parameters.items()
+    }
+    if "share" in best.parameters:
+        values["share"] = percent(round(best.parameters["share"], 2))
+    return [
+        said(
+            _TRY[best.name],
+            name=said(MODELS[best.name]),
+            share=values["share"],
+            location=values["location"],
+            unit=group.test.unit,
+        )
+    ]
 
 
 def _bullets(sentences: Sequence[str]) -> list[Statement]:
@@ -408,46 +687,46 @@ def _bullets(sentences: Sequence[str]) -> list[Statement]:
 
 def _of_the_life(group: GroupSummary, wanted: Wanted) -> list[str]:
     """Of the first life that is required."""
+    bound = group.bound(wanted.lives[0])
+    text = None
+    if bound is not None and bound.converged:
+        text = _life_sentence(bound, wanted, group.test.unit)
+    return [text] if text else []
+
+
+def _life_sentence(bound: Bounds, wanted: Wanted, unit: str, lead: str = "") -> str | None:
+    """Say what is known of the first life; None where that is nothing."""
     life = wanted.lives[0]
-    bound = group.bound(life)
-    if bound is None or not bound.converged:
-        return []
     lower, upper = (written(one) for one in alike([bound.lower, bound.upper]))
     shown = {
         "confidence": percent(bound.one_sided_confidence),
         "share": percent(life.value),
         "lower": lower,
         "upper": upper,
-        "unit": group.test.unit,
+        "unit": unit,
         "quantity": life_name(life),
     }
     if bound.sides == "upper":
         if not isfinite(bound.upper):
-            return []
-        return [
-            said(
-                "With {confidence} % confidence, at most {share} % of such bearings run longer than"
-                " {upper} {unit}.",
-                **shown,
-            )
-        ]
-    if bound.lower <= 0.0:
-        return []
-    if bound.sides == "two" and isfinite(bound.upper):
-        return [
-            said(
-                "With {confidence} % confidence, {share} % of such bearings reach {lower} {unit}."
-                " {quantity} is known to within a factor of {factor}: {lower} to {upper} {unit}.",
-                **shown,
-                factor=written(brief(bound.ratio, 2)),
-            )
-        ]
-    return [
-        said(
-            "With {confidence} % confidence, {share} % of such bearings reach {lower} {unit}.",
+            return None
+        return lead + said(
+            "With {confidence} % confidence, at most {share} % of such bearings run longer than"
+            " {upper} {unit}.",
             **shown,
         )
-    ]
+    if bound.lower <= 0.0:
+        return None
+    if bound.sides == "two" and isfinite(bound.upper):
+        return lead + said(
+            "With {confidence} % confidence, {share} % of such bearings reach {lower} {unit}."
+            " {quantity} is known to within a factor of {factor}: {lower} to {upper} {unit}.",
+            **shown,
+            factor=written(brief(bound.ratio, 2)),
+        )
+    return lead + said(
+        "With {confidence} % confidence, {share} % of such bearings reach {lower} {unit}.",
+        **shown,
+    )
 
 
 def _of_the_shape(group: GroupSummary) -> list[str]:
@@ -564,7 +843,9 @@ def _sentence_of_ratio(ratio: LifeRatio) -> str:
 
 def _notes(found: LifeTestSummary) -> dict[Note, None]:
     """Return what limits the results, each once."""
-    notes: dict[Note, None] = dict.fromkeys(found.test.notes)
+    notes = dict.fromkeys((*found.notes, *found.test.notes))
+    if found.system is not None:
+        notes |= dict.fromkeys(found.system.notes)
     for group in found.groups:
         for one in (*group.fits, *group.bounds):
             notes |= dict.fromkeys(one.notes)
@@ -572,7 +853,7 @@ def _notes(found: LifeTestSummary) -> dict[Note, None]:
         notes |= dict.fromkeys(one.notes)
     if found.test.inspected:
         notes[Note("inspected_without_ranks")] = None
-        if len(found.groups) > 1:
+        if len(found.groups) > 1 and found.system is None:
             notes[Note("inspected_groups_not_compared")] = None
     elif not all(group.ranked for group in found.groups):
         notes[Note("too_many_for_ranks")] = None

@@ -21,6 +21,7 @@ from rolamento.plots.over_field import decades
 from rolamento.plots.style import Series, new_figure, series, styled
 from rolamento.plots.texts import no_result, number, shown_text
 from rolamento.weibull import EXPONENTS, plot_ordinate, plotting_positions
+from rolamento.weibull.summary import has_ranks
 from rolamento.words import manner, marked, said, said_in
 
 if TYPE_CHECKING:
@@ -83,6 +84,8 @@ _RATING_SHAPE: Final = EXPONENTS["ball"]
 def weibull_figure(summary: LifeTestSummary, bands: Mapping[str, Band] | None = None) -> Figure:
     """Draw probability paper, as `weibull_paper`, with the title of the data."""
     entries = len(summary.groups) + len(summary.wanted.calculated) + 4
+    entries += 2 * (summary.system is not None)
+    entries += any(group.goodness.bent is not None for group in summary.groups)
     with styled():
         figure, axes = new_figure(height=_HEIGHT + _LEGEND_LINE * (entries // 2))
         weibull_paper(summary, bands, axes)
@@ -108,6 +111,10 @@ def weibull_paper(
     axes
         To draw on; of a new figure if not given.
 
+    Of failure modes all failures are drawn too, hollow and black, with the line of all modes
+    together, which is a curve here. Where the data contradict a straight line, so is the broken one
+    that fits best.
+
     Returns
     -------
     Axes
@@ -124,6 +131,7 @@ def weibull_paper(
             _draw_group(axes, group, index, found.get(group.name), limits)
         if len(summary.groups) == 1:
             _other_fits(axes, summary.groups[0], limits)
+        _draw_system(axes, summary, limits[1])
         _mark_calculated(axes, summary)
         decades(axes, "x", limits[0])
         _percent_axis(axes, limits[1])
@@ -144,6 +152,7 @@ def _draw_group(
     if group.main.converged:
         axes.plot(*_line(group.main, limits[1]), label=label, zorder=2.5, **look.keywords())
         label = None
+    _draw_dog_leg(axes, group, look, limits[1])
     if test.failures and group.ranked:
         points = plotting_positions(test)
         axes.plot(
@@ -154,6 +163,40 @@ def _draw_group(
     if band is not None and band.converged:
         _draw_band(axes, band, look, limits[0])
     _at_the_foot(axes, test, look, index, label)
+
+
+def _draw_system(axes: Axes, summary: LifeTestSummary, upright: tuple[float, float]) -> None:
+    """Draw the bearing as a whole, which fails by the first of its modes."""
+    system, test = summary.system, summary.test
+    if system is None:
+        return
+    if has_ranks(test):
+        points = plotting_positions(test)
+        axes.plot(
+            points.times, plot_ordinate(points.failed_share), color="black", marker="o",
+            markerfacecolor="none", linestyle="", markersize=4.0, zorder=2.9,
+            label=said("all failures"),
+        )  # fmt: skip
+    if system.converged:
+        ordinate = np.linspace(*upright, _CURVE)
+        axes.plot(
+            system.life_at_ordinate(ordinate), ordinate, color="black", linewidth=1.3, zorder=2.6,
+            label=said("all modes together"),
+        )  # fmt: skip
+
+
+def _draw_dog_leg(
+    axes: Axes, group: GroupSummary, look: Series, upright: tuple[float, float]
+) -> None:
+    bend = group.goodness.bent
+    if bend is None:
+        return
+    ordinate = np.linspace(*upright, _CURVE)
+    label = said("dog-leg (p = {p})", p=number(bend.p_value, 2))
+    axes.plot(
+        bend.life_at_ordinate(ordinate), ordinate, color=look.color, linestyle=(0, (2, 2)),
+        linewidth=1.4, zorder=2.4, label=_once(axes, label),
+    )  # fmt: skip
 
 
 def _label_of(group: GroupSummary) -> str:
@@ -178,13 +221,17 @@ def _draw_band(
     look: Series,
     across: tuple[float, float],
 ) -> None:
-    """Fill between the bounds of the lives; where nothing failed, draw the lower ones."""
+    """Fill between the bounds of the lives; draw those of one side alone."""
     ordinate, confidence = plot_ordinate(band.failed_share), number(100.0 * band.confidence)
-    if band.sides == "lower":
-        label = said("lower bound ({confidence} %)", confidence=confidence)
+    if band.sides != "two":
+        label, limit = (
+            (said("lower bound ({confidence} %)", confidence=confidence), band.lower)
+            if band.sides == "lower"
+            else (said("upper bound ({confidence} %)", confidence=confidence), band.upper)
+        )
         axes.plot(
-            band.lower, ordinate, color=look.color, linestyle=look.linestyle, linewidth=1.0,
-            label=label, zorder=2.0,
+            limit, ordinate, color=look.color, linestyle=look.linestyle, linewidth=1.0,
+            label=_once(axes, label), zorder=2.0,
         )  # fmt: skip
         return
     # what lies beyond the frame is as good as on its edge
@@ -269,10 +316,12 @@ def _limits(
     shares = [_LEAST, _MOST, *(1.0 - r for r in summary.wanted.reliabilities)]
     times: list[float] = [float(summary.test.times.min()), float(summary.test.times.max())]
     low, high = times[0] / _FARTHEST, times[1] * _FARTHEST
-    for group in summary.groups:
-        if group.test.failures and group.ranked:
-            positions = plotting_positions(group.test)
+    whole = [summary.test] if summary.system is not None else []
+    for test in (*(group.test for group in summary.groups), *whole):
+        if test.failures and has_ranks(test):
+            positions = plotting_positions(test)
             shares += [float(positions.failed_share.min()), float(positions.failed_share.max())]
+    for group in summary.groups:
         lives = [summary.wanted.lives[0].name]
         for bound in group.bounds:
             if bound.quantity in lives:

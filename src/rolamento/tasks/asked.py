@@ -83,6 +83,10 @@ def _marks() -> Mapping[str, str]:
     return {"point": marked("point: 12.5"), "comma": marked("comma: 12,5")}
 
 
+def _orders() -> Mapping[str, str]:
+    return {"day_first": marked("day first"), "month_first": marked("month first")}
+
+
 def _supports() -> Mapping[str, str]:
     return {"rigid": marked("rigid"), "flexible": marked("flexible")}
 
@@ -419,6 +423,15 @@ LIFE_TEST: Final[tuple[Group, ...]] = (
                 choices=_fits,
             ),
             Asked(
+                "models",
+                marked("Other distributions beside"),
+                marked(
+                    "Fit other distributions beside, with their likelihoods; by default where the"
+                    " data contradict Weibull's."
+                ),
+                "switch",
+            ),
+            Asked(
                 "shape",
                 marked("Shape from experience"),
                 marked("Shape from experience: only the scale is fitted (Weibayes)."),
@@ -443,6 +456,23 @@ LIFE_TEST: Final[tuple[Group, ...]] = (
                 "switch",
                 default="true",
                 essential=True,
+            ),
+            Asked(
+                "by_mode",
+                marked("Separate the failure modes"),
+                marked(
+                    "Each failure mode by itself, the others as suspensions, and all of them put"
+                    " together; or all failures alike."
+                ),
+                "switch",
+                default="true",
+                essential=True,
+            ),
+            Asked(
+                "only_mode",
+                marked("Only this failure mode"),
+                marked("Only this failure mode: failures by others are suspensions."),
+                example="fatigue",
             ),
             Asked(
                 "only",
@@ -480,6 +510,55 @@ LIFE_TEST: Final[tuple[Group, ...]] = (
                 marked("Column of the groups"),
                 marked("Column of the groups, if named otherwise."),
                 example="group",
+            ),
+            Asked(
+                "mode",
+                marked("Column of the failure modes"),
+                marked("Column of the failure modes, if named otherwise."),
+                example="mode",
+            ),
+            Asked(
+                "start",
+                marked("Column of the first day in service"),
+                marked(
+                    "Column of the days on which bearings went into service, for lives between"
+                    " two dates, if named otherwise."
+                ),
+                example="installed",
+            ),
+            Asked(
+                "end",
+                marked("Column of the last day in service"),
+                marked(
+                    "Column of the days on which bearings failed or were removed, if named"
+                    " otherwise."
+                ),
+                example="failure date",
+            ),
+            Asked(
+                "use_per_day",
+                marked("Use per day"),
+                marked(
+                    "What a bearing runs a day, such as '16 h', for lives between two dates; by"
+                    " default lives are in days."
+                ),
+                example="16 h",
+            ),
+            Asked(
+                "as_of",
+                marked("Day of the data"),
+                marked(
+                    "Day of the data, such as 2026-12-31: bearings without a second date were"
+                    " running then."
+                ),
+                example="2026-12-31",
+            ),
+            Asked(
+                "date_order",
+                marked("Order of the dates"),
+                marked("Order of dates, for a table in which 03/04/2024 may be either."),
+                "choice",
+                choices=_orders,
             ),
             _DECIMAL_MARK,
         ),

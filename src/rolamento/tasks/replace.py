@@ -16,6 +16,8 @@ from rolamento.weibull import LifeTest, read_life_test
 from rolamento.weibull.distribution import LifeDistribution
 from rolamento.weibull.fleet import Fleet, FleetForecast, fleet_forecast
 from rolamento.weibull.fleet_table import FleetTable, read_fleet
+from rolamento.weibull.goodness import goodness_of_fit
+from rolamento.weibull.life_test import UNKNOWN_MODE
 from rolamento.weibull.life_units import life_in, life_with_unit
 from rolamento.weibull.replacement import AgeReplacement, age_replacement
 from rolamento.weibull.residual import RemainingLife, remaining_life
@@ -31,6 +33,8 @@ __all__ = [
 ]
 
 SCHEMA: Final = 1
+ALL_MODES: Final = "all"
+"""In the place of a failure mode: all failures alike."""
 _SAMPLES, _FEWEST_SAMPLES = 10_000, 1000
 _MAXIMUM_DRAWN: Final = 20_000_000
 """Bearings in all drawn tests together, if it is left to the program."""
@@ -146,7 +150,7 @@ def remaining_study(
     confidence
         Of the intervals.
     **lives
-        shape, scale, l10, only, columns, samples and seed, as of `lives_of`.
+        shape, scale, l10, only, only_mode, columns, samples and seed, as of `lives_of`.
 
     Raises
     ------
@@ -285,6 +289,7 @@ def lives_of(
     scale: float | str | None = None,
     l10: float | str | None = None,
     only: Sequence[str] = (),
+    only_mode: str | None = None,
     columns: Mapping[str, str | None] | None = None,
     samples: int | None = None,
     seed: int = 0,
@@ -301,6 +306,9 @@ def lives_of(
         η or the life that 90 % reach, without data: a number of hours, or a text with its unit.
     only
         Groups of the data to keep.
+    only_mode
+        Failure mode of the data to keep, failures by others as suspensions; `ALL_MODES` for all
+        failures alike. Needed where the data have several.
     columns
         Of a file, as of `read_life_test`.
     samples, seed
@@ -333,14 +341,39 @@ def lives_of(
     else:
         test = LifeTest.of(data)
     test = only_groups(test, only)
-    notes = test.notes
+    test, notes = _of_mode(test, only_mode)
+    notes = (*notes, *test.notes)
     groups = {str(name) for name in test.group}
     if len(groups) > 1:
         notes = (*notes, Note("decision_groups_pooled", {"count": len(groups)}))
     if samples is None:
         samples = max(min(_SAMPLES, _MAXIMUM_DRAWN // test.size), _FEWEST_SAMPLES)
     law = LifeDistribution.of_test(test, shape=shape, samples=samples, seed=seed)
-    return law, test.title, test, notes
+    fit = goodness_of_fit(test, shape=shape, samples=min(samples, 1000), seed=seed)
+    return law, test.title, test, (*fit.contradictions(test.unit), *notes)
+
+
+def _of_mode(test: LifeTest, only_mode: str | None) -> tuple[LifeTest, tuple[Note, ...]]:
+    """Return the test of the mode that is decided by, and what to know of it."""
+    from rolamento.tasks.weibull import notes_of_mode, of_mode
+
+    modes = test.modes
+    if only_mode == ALL_MODES and only_mode not in modes:
+        return test, (Note("modes_pooled", {"count": len(modes)}),) if len(modes) > 1 else ()
+    if only_mode is None and len(modes) > 1:
+        there = ", ".join(mode or said(UNKNOWN_MODE) for mode in modes)
+        rule = said(
+            "must be chosen where bearings failed by several modes ({there}); {all} takes all"
+            " failures alike",
+            there=there,
+            all=ALL_MODES,
+        )
+        raise InputError(rule, field="only_mode", example=f'only_mode="{modes[0]}"')
+    if only_mode is None:
+        return test, ()
+    notes = notes_of_mode(test, only_mode)
+    single = any(note.key == "one_mode" for note in notes)
+    return of_mode(test, only_mode), (*notes, *((Note("decision_one_mode"),) if single else ()))
 
 
 def _life_with_unit(life: float | str | None, field: str) -> tuple[float, str]:

@@ -36,8 +36,9 @@ from rolamento.weibull import (
     summarise,
     wear_of_each,
 )
+from rolamento.weibull.life_test import BLANK_GROUP, UNKNOWN_MODE
 from rolamento.weibull.life_units import life_in, life_with_unit
-from rolamento.words import said
+from rolamento.words import Note, said
 
 if TYPE_CHECKING:
     from rolamento.clearance.wear import WearFit, WearLaw
@@ -85,7 +86,9 @@ def life_test_study(
     data: LifeTest | ArrayLike | str | os.PathLike[str],
     *,
     only: Sequence[str] = (),
+    only_mode: str | None = None,
     by_group: bool = True,
+    by_mode: bool = True,
     times: Sequence[float | str] = (),
     calculated: Mapping[str, float | str] | None = None,
     samples: int | None = None,
@@ -101,8 +104,12 @@ def life_test_study(
         A CSV file, "-" for standard input; a `LifeTest`; or times, of bearings that all failed.
     only
         Groups to keep; all if none is named.
+    only_mode
+        Failure mode to keep: failures by others are suspensions.
     by_group
         Whether to take each group by itself and to compare them; all together otherwise.
+    by_mode
+        Whether to take each failure mode by itself and to put them together; all alike otherwise.
     times
         Of the reliabilities to be found: in the unit of the data, or as text with another.
     calculated
@@ -126,6 +133,8 @@ def life_test_study(
     else:
         test = LifeTest.of(data)
     test = only_groups(test, only)
+    if only_mode is not None:
+        test = of_mode(test, only_mode).noted(*notes_of_mode(test, only_mode))
     asked = Wanted(
         times=tuple(life_in(time, test.unit, "times") for time in times),
         calculated={
@@ -135,13 +144,14 @@ def life_test_study(
         samples=_enough_samples(test.size) if samples is None else samples,
         **wanted,
     )
-    return summarise(test, asked, by_group=by_group, progress=progress)
+    return summarise(test, asked, by_group=by_group, by_mode=by_mode, progress=progress)
 
 
 def only_groups(test: LifeTest, names: Sequence[str]) -> LifeTest:
     if not names:
         return test
     known = list(dict.fromkeys(str(name) for name in test.group))
+    names = ["" if name == said(BLANK_GROUP) and "" in known else name for name in names]
     for name in names:
         if name not in known:
             there = ", ".join(label for label in known[:10] if label)
@@ -152,6 +162,32 @@ def only_groups(test: LifeTest, names: Sequence[str]) -> LifeTest:
             )
             raise InputError(rule, field="only", value=name)
     return test.select(np.isin(test.group, list(names)))
+
+
+def of_mode(test: LifeTest, name: str) -> LifeTest:
+    """Return a test as one of a single mode, by its name whatever its case.
+
+    Raises
+    ------
+    InputError
+        If no bearing failed by that mode.
+    """
+    written = name.strip()
+    if written == said(UNKNOWN_MODE) and "" in test.modes:
+        return test.for_mode("")
+    alike = [mode for mode in test.modes if mode.casefold() == written.casefold()]
+    return test.for_mode(alike[0] if len(alike) == 1 and written not in test.modes else written)
+
+
+def notes_of_mode(test: LifeTest, name: str) -> tuple[Note, ...]:
+    """Return what is to be known where only one mode of a test counts."""
+    others = test.failures - of_mode(test, name).failures
+    values = {"mode": name.strip(), "others": others}
+    found: tuple[Note, ...] = (Note("one_mode", values),) if others else ()
+    if test.unknown_modes:
+        unknown = {"count": test.unknown_modes, "failures": test.failures}
+        found += (Note("modes_unknown", unknown),)
+    return found
 
 
 def _enough_samples(size: int) -> int:

@@ -168,7 +168,9 @@ def _weibull(asked: WeibullRequest) -> str:
     from rolamento.weibull import LifeTest, ShapePrior
 
     table, prior = asked.test, asked.prior
-    columns = {name: getattr(table, name) for name in ("failed", "lower", "counts", "group", "rig")}
+    columns = {
+        name: getattr(table, name) for name in ("failed", "lower", "counts", "group", "rig", "mode")
+    }
     given: dict[str, Any] = {name: one for name, one in columns.items() if one is not None}
     if table.lower is not None:
         given["lower"] = [float("nan") if one is None else one for one in table.lower]
@@ -176,6 +178,9 @@ def _weibull(asked: WeibullRequest) -> str:
         LifeTest(table.times, **given, unit=table.unit, title=table.title),
         only=asked.only,
         by_group=asked.by_group,
+        by_mode=asked.by_mode,
+        only_mode=asked.only_mode,
+        models=asked.models,
         times=asked.times,
         calculated=asked.calculated,
         samples=asked.samples,

@@ -79,7 +79,10 @@ _READING: Final[tuple[str, ...]] = (
     "duration",
     "decimal_mark",
 )
-_COLUMNS: Final = ("unit", "time", "status", "count", "group", "decimal_mark")
+_COLUMNS: Final = (
+    "unit", "time", "status", "count", "group", "mode", "decimal_mark", "start", "end",
+    "use_per_day", "as_of", "date_order",
+)  # fmt: skip
 _ENDINGS: Final = tuple(ending for many in ENDINGS.values() for ending in many)
 _LONGEST_NAME: Final = 100
 _SECONDS: Final[Mapping[str, float]] = {"signal": 120.0, "weibull": 60.0}
@@ -267,7 +270,10 @@ def life_test_page(path: str, label: str, typed: Typed, form: str = "") -> dict[
         found = life_test_study(
             parse_life_test(table_text(path)[0], label, **columns),
             only=told.get("only", ()),
+            only_mode=told.get("only_mode"),
             by_group=told.get("by_group", False),
+            by_mode=told.get("by_mode", False),
+            models=True if told.get("models") else None,
             times=told.get("times", ()),
             calculated=lives_named(told.get("calculated", ())),
             methods=fits_named(told.get("method", ())),

@@ -282,6 +282,8 @@ class LifeTestTable(Record):
         Label of the group, such as a lot.
     rig
         Label of bearings whose test ended together, at the first failure.
+    mode
+        Label of the failure mode of a failed bearing; "" where it is not known.
     unit
         Of the times: "h", "Mrev" (millions of revolutions), "rev" …
     title
@@ -296,6 +298,7 @@ class LifeTestTable(Record):
     )
     group: tuple[Text, ...] | None = Field(None, max_length=MAXIMUM_ROWS)
     rig: tuple[Text, ...] | None = Field(None, max_length=MAXIMUM_ROWS)
+    mode: tuple[Text, ...] | None = Field(None, max_length=MAXIMUM_ROWS)
     unit: Text = Field("h", examples=["h"])
     title: Text = Field("", examples=["Lot A"])
 
@@ -345,6 +348,12 @@ class WeibullRequest(Record):
         Each group by itself, and compared; or all together.
     only
         Groups to keep; all if none is named.
+    by_mode
+        Each failure mode by itself, the others as suspensions, and put together; or all alike.
+    only_mode
+        Failure mode to keep: failures by others are suspensions.
+    models
+        Other distributions beside; by default where the data contradict Weibull's.
     samples
         Tests to simulate; by default 10 000, fewer of large tests.
     seed
@@ -367,6 +376,9 @@ class WeibullRequest(Record):
     prior: PriorShape | None = Field(None, examples=[{"low": 1.0, "high": 2.5}])
     by_group: Flag = True
     only: tuple[Text, ...] = Field((), max_length=_MOST_NUMBERS)
+    by_mode: Flag = True
+    only_mode: Text | None = Field(None, examples=["fatigue"])
+    models: Flag | None = None
     samples: int | None = Field(None, strict=True, ge=100, le=100_000, examples=[10_000])
     seed: int = Field(0, strict=True, ge=0, le=2**63 - 1, examples=[0])
 

@@ -45,8 +45,11 @@ from rolamento.weibull.estimates import (
 from rolamento.weibull.fit import Estimand, WeibullFit, plot_ordinate
 from rolamento.weibull.fleet import Fleet, FleetForecast, fleet_forecast
 from rolamento.weibull.fleet_table import FleetTable, read_fleet
+from rolamento.weibull.goodness import DogLeg, GoodnessOfFit, goodness_of_fit
 from rolamento.weibull.life_test import LifeTest, Scheme
 from rolamento.weibull.likelihood_ratio import LikelihoodRegion, likelihood_region
+from rolamento.weibull.models import MODELS, LifeModel, life_models
+from rolamento.weibull.modes import ModeResult, ModeSystem, system_of_modes
 from rolamento.weibull.planning import Demonstration, alternatives, demonstrate
 from rolamento.weibull.posterior import Posterior, ShapePrior, posterior
 from rolamento.weibull.precision import (
@@ -98,6 +101,7 @@ __all__ = [
     "EXPONENTS",
     "FIT_METHODS",
     "METHODS",
+    "MODELS",
     "PUBLISHED",
     "PUBLISHED_TRENDS",
     "AgeReplacement",
@@ -108,6 +112,7 @@ __all__ = [
     "Contradiction",
     "Correction",
     "Demonstration",
+    "DogLeg",
     "Draws",
     "Estimand",
     "FailureTime",
@@ -115,16 +120,20 @@ __all__ = [
     "Fleet",
     "FleetForecast",
     "FleetTable",
+    "GoodnessOfFit",
     "GroupSummary",
     "Hypothesis",
     "Interval",
     "LifeDistribution",
+    "LifeModel",
     "LifeRatio",
     "LifeTest",
     "LifeTestPlan",
     "LifeTestSummary",
     "LikelihoodRegion",
     "Method",
+    "ModeResult",
+    "ModeSystem",
     "PlottingPositions",
     "Posterior",
     "Ranks",
@@ -148,6 +157,8 @@ __all__ = [
     "failure_time",
     "fixed_shape",
     "fleet_forecast",
+    "goodness_of_fit",
+    "life_models",
     "life_ratio",
     "likelihood_region",
     "maximum_likelihood",
@@ -175,6 +186,7 @@ __all__ = [
     "series_life",
     "series_reliability",
     "summarise",
+    "system_of_modes",
     "system_rating_life",
     "three_parameter",
     "unbiased",

@@ -316,7 +316,7 @@ class Band:
     code
         "converged", or why there is none, a code that `advice` explains
     method, confidence, sides
-        of the bounds: two-sided, or lower ones where nothing failed
+        of the bounds: two-sided, or of one side
     reliability
         (points,), falling
     estimate, lower, upper
@@ -351,6 +351,7 @@ def confidence_band(
     *,
     method: Method | None = None,
     confidence: float = 0.9,
+    sides: Sides | None = None,
     samples: int = 10_000,
     seed: int = 0,
     shape: float | None = None,
@@ -361,14 +362,15 @@ def confidence_band(
     ----------
     test
         With any kind of censoring.
-    method, confidence, samples, seed, shape
-        As of `bounds`; samples above 10 000 are not drawn.
+    method, confidence, sides, samples, seed, shape
+        As of `bounds`; by default "two", or "lower" without failures. Samples above 10 000 are not
+        drawn.
     """
     test = LifeTest.of(test)
     first, last = (float(np.log(-np.log1p(-failed))) for failed in (_LEAST, _MOST))
     ordinate = np.linspace(first, last, _POINTS)
     reliability = np.exp(-np.exp(ordinate))
-    sides: Sides = "two" if test.failures else "lower"
+    sides = sides or ("two" if test.failures else "lower")
     found = all_bounds(
         test,
         [Estimand.life(float(r)) for r in reliability],

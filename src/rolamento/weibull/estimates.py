@@ -26,7 +26,8 @@ so that n + 1 - i is a product over the failures. Failures at the same time take
 and a failure comes before a suspension at the same time. On the Weibull plot a straight line goes
 through the ranked failures by least squares, ln ln 1/(1 - F) = β ln t - β ln η: either the ordinate
 is regressed on ln t ("Y on X") or ln t on the ordinate ("X on Y"), which makes the line steeper by
-1/correlation². Of suspensions only the order counts, not how long they ran.
+1/correlation². At a known shape only the place of the line is fitted: it passes through the mean
+of the points either way. Of suspensions only the order counts, not how long they ran.
 
 Sources: Abernethy (2006), chapters 2 and 6; Epstein and Sobel (1953); Rockette, Antle and Klimko
 (1974); Lawless (2003), section 5.4; Johnson (1964); Benard and Bos-Levenbach (1953); IEC
@@ -454,9 +455,13 @@ def median_rank(rank: ArrayLike, size: int, ranks: Ranks = "median") -> FloatArr
 
 
 def rank_regression(
-    test: LifeTest | ArrayLike, regression: Regression = "x_on_y", ranks: Ranks = "median"
+    test: LifeTest | ArrayLike,
+    regression: Regression = "x_on_y",
+    ranks: Ranks = "median",
+    *,
+    shape: float | None = None,
 ) -> WeibullFit:
-    """Fit shape and scale by rank regression.
+    """Fit shape and scale by rank regression; or the scale alone, at a known shape.
 
     Parameters
     ----------
@@ -467,6 +472,9 @@ def rank_regression(
         ordinate, as a spreadsheet does it.
     ranks
         "median" or "benard".
+    shape
+        β from experience: the line of that slope through the mean of the points, which is the same
+        whatever is regressed on what; one failure is enough.
 
     Returns
     -------
@@ -482,17 +490,22 @@ def rank_regression(
     test = LifeTest.of(test)
     points = plotting_positions(test, ranks)
     method = f"rank_regression_{regression}"
-    code = _too_few(test)
     x, y = points.x, points.y
+    if shape is not None:
+        known = shape_of(shape)
+        if not test.failures:
+            return WeibullFit.without(test, method, "no_failures")
+        return _fitted(test, method, known, float(np.exp(x.mean() - y.mean() / known)))
+    code = _too_few(test)
     if not code and np.ptp(x) <= 1e-12 * max(1.0, float(np.abs(x).max())):
         code = "no_spread"
     if code:
         return WeibullFit.without(test, method, code)
     dx, dy = x - x.mean(), y - y.mean()
     xx, xy, yy = float(dx @ dx), float(dx @ dy), float(dy @ dy)
-    shape = xy / xx if regression == "y_on_x" else yy / xy
-    scale = float(np.exp(x.mean() - y.mean() / shape))
-    fit = _fitted(test, method, shape, scale, correlation=xy / (xx * yy) ** 0.5)
+    slope = xy / xx if regression == "y_on_x" else yy / xy
+    scale = float(np.exp(x.mean() - y.mean() / slope))
+    fit = _fitted(test, method, slope, scale, correlation=xy / (xx * yy) ** 0.5)
     early = ~test.failed & (test.times < test.times[test.failed].min())
     if 2 * int(test.counts[early].sum()) > test.suspensions > 0:
         return fit.with_notes(Note("suspensions_early"))

@@ -17,7 +17,6 @@ from rolamento._columns import (
     check_names,
     column_by_name,
     folded_name,
-    place_of,
     title_parts,
 )
 from rolamento._tables import parse_table, table_text
@@ -31,19 +30,13 @@ from rolamento.weibull.reading import (
     says_failed,
     whole_number_in,
 )
+from rolamento.weibull.table_forms import place_of_use
 from rolamento.words import Note, said
 
 __all__ = ["FleetTable", "parse_fleet", "read_fleet"]
 
 _EXAMPLE: Final = "time (h),count"
 _MAXIMUM_ROWS: Final = 10_000
-_USE: Final = frozenset(
-    (
-        *("usage", "use", "daily_use", "use_per_day", "usage_per_day", "hours_per_day", "h_d"),
-        *("h_per_day", "utilisation", "utilization", "uso", "uso_diario", "uso_por_dia", "regime"),
-        *("horas_por_dia", "horas_dia", "h_dia", "h_por_dia", "utilizacao"),
-    )
-)
 _NAMING: Final = ("bearing", "tag", "machine", "rig", "group")
 _STATUS: Final = ("status", "failed", "suspended")
 
@@ -148,7 +141,7 @@ def parse_fleet(
         check_names(table.header, _EXAMPLE)
         header = header_of(table.header, chosen, table.rows)
         check_status(header, table.rows)
-        use = _place_of_use(table.header, usage, set(header.places.values()))
+        use = place_of_use(table.header, usage, set(header.places.values()))
     except InputError as error:
         raise table.placed(error) from None
     places = header.places
@@ -204,14 +197,3 @@ def _place_of_names(header: tuple[str, ...]) -> int | None:
     """Place of the column that names the bearings, the nearest to a bearing first."""
     kinds = [column_by_name(folded_name(title_parts(title)[0])) for title in header]
     return next((kinds.index(kind) for kind in _NAMING if kind in kinds), None)
-
-
-def _place_of_use(header: tuple[str, ...], usage: str | None, taken: set[int]) -> int | None:
-    """Place of the column of the daily use; None without."""
-    if usage is not None:
-        return place_of(header, usage)
-    for place, title in enumerate(header):
-        names = {folded_name(title), folded_name(title_parts(title)[0])}
-        if place not in taken and names & _USE:
-            return place
-    return None

@@ -5,6 +5,9 @@ are only found at inspections, a failure lies between the last inspection that i
 and the one that found it (`times`). Bearings that stop together because one of them failed share a
 `rig`: the test of a rig ends with its first failure (sudden death).
 
+Bearings fail by several *modes* (fatigue, mounting damage, lubrication), of which the first to
+come ends the life. To each mode a failure by another one is a suspension: `for_mode`.
+
 Times have no unit of their own but a label that goes with every result.
 """
 
@@ -34,6 +37,10 @@ LONGEST_LABEL: Final = 60
 _LONGEST_TITLE: Final = 30
 _EXAMPLE: Final = "[120.5, 88.0, 300.0]"
 _FLAGS: Final = "[True, False, True]"
+BLANK_GROUP: Final = marked("(blank)")
+"""Name of the bearings whose group is not given, beside others that have one."""
+UNKNOWN_MODE: Final = marked("unknown mode")
+"""Name of the failures whose mode is not given, beside others that have one."""
 MINIMUM_TIME: Final = 1e-30
 MAXIMUM_TIME: Final = 1e30
 
@@ -57,6 +64,9 @@ class LifeTest:
         (rows,) label of the group, such as a lot or a condition; empty without
     rig
         (rows,) label of bearings whose test ended together, at the first failure; empty without
+    mode
+        (rows,) label of the mode by which a bearing failed; empty where it is not known, and for
+        suspended bearings
     unit
         label of the times: "h", "Mrev" (millions of revolutions), "rev"
     title, source
@@ -65,6 +75,8 @@ class LifeTest:
         columns of their file that were not read, as their meaning is unknown
     machines
         the column of machines in their file, if it was not read as rigs; empty without
+    remarks
+        what else is to be known of how they were read
 
     Raises
     ------
@@ -78,11 +90,13 @@ class LifeTest:
     counts: IntArray
     group: TextArray
     rig: TextArray
+    mode: TextArray
     unit: str
     title: str
     source: str
     passed_over: tuple[str, ...]
     machines: str
+    remarks: tuple[Note, ...]
 
     def __init__(
         self,
@@ -93,11 +107,13 @@ class LifeTest:
         counts: ArrayLike = 1,
         group: ArrayLike = "",
         rig: ArrayLike = "",
+        mode: ArrayLike = "",
         unit: str = "h",
         title: str = "",
         source: str = "",
         passed_over: Sequence[str] = (),
         machines: str = "",
+        remarks: Sequence[Note] = (),
     ) -> None:
         t = _times_of(times)
         rows = len(t)
@@ -110,12 +126,15 @@ class LifeTest:
             "counts": _counts_of(counts, rows),
             "group": _labels_of(group, "group", rows),
             "rig": _labels_of(rig, "rig", rows),
+            "mode": _labels_of(mode, "mode", rows),
             "unit": _label_of(unit, "unit") or "h",
             "title": str(title),
             "source": str(source),
             "passed_over": tuple(passed_over),
             "machines": machines,
+            "remarks": tuple(remarks),
         }
+        put["mode"] = np.where(put["failed"], put["mode"], "")
         _check_times(t, put["failed"], put["lower"])
         _check_rigs(t, put["failed"], put["lower"], put["counts"], put["rig"])
         for name, value in put.items():
@@ -207,7 +226,23 @@ class LifeTest:
         found = passed_over_notes(self.passed_over)
         if self.machines:
             found += (Note("machines_not_rigs", {"column": _shown(self.machines)}),)
-        return found
+        return (*self.remarks, *found)
+
+    @property
+    def modes(self) -> tuple[str, ...]:
+        """Modes by which bearings failed, in the order of the data; "" for unknown, the last.
+
+        Empty where the mode of no failure is given.
+        """
+        names = dict.fromkeys(str(name) for name in self.mode[self.failed])
+        unknown = [""] if "" in names else []
+        known = [name for name in names if name]
+        return (*known, *unknown) if known else ()
+
+    @property
+    def unknown_modes(self) -> int:
+        """How many bearings failed by a mode that is not given, where that of others is."""
+        return int(self.counts[self.failed & (self.mode == "")].sum()) if self.modes else 0
 
     @property
     def scheme(self) -> Scheme:
@@ -242,19 +277,67 @@ class LifeTest:
                 field="rows",
                 example="[0, 2]",
             )
-        return LifeTest(
-            self.times[which],
-            self.failed[which],
+        return self._with(
+            times=self.times[which],
+            failed=self.failed[which],
             lower=self.lower[which],
             counts=self.counts[which],
             group=self.group[which],
             rig=self.rig[which],
-            unit=self.unit,
-            title=self.title,
-            source=self.source,
-            passed_over=self.passed_over,
-            machines=self.machines,
+            mode=self.mode[which],
         )
+
+    def _with(self, **changed: Any) -> LifeTest:
+        """Return the test with other rows."""
+        names = (
+            "times", "failed", "lower", "counts", "group", "rig", "mode", "unit", "title",
+            "source", "passed_over", "machines", "remarks",
+        )  # fmt: skip
+        return LifeTest(**{name: changed.get(name, getattr(self, name)) for name in names})
+
+    def for_mode(self, name: str, *, or_unknown: bool = False) -> LifeTest:
+        """Return the test as one of a single mode, to which all others are suspensions.
+
+        A failure by another mode is suspended when it failed; if it was found at an inspection,
+        at the last one that it passed, as that is how long it is known to have run.
+
+        Parameters
+        ----------
+        name
+            Of the mode, as in `modes`; "" for the failures whose mode is unknown.
+        or_unknown
+            Whether these count as failures by the mode.
+
+        Raises
+        ------
+        InputError
+            If no bearing failed by that mode.
+        """
+        known = self.modes
+        if name not in known:
+            there = ", ".join(mode or said(UNKNOWN_MODE) for mode in known)
+            rule = (
+                said("is not a failure mode of the data; the modes are {there}", there=there)
+                if there
+                else said("is not a failure mode of the data, which have none")
+            )
+            raise InputError(rule, field="only_mode", value=name)
+        mine = self.failed & ((self.mode == name) | (or_unknown & (self.mode == "")))
+        seen = self.failed & ~mine & ~np.isnan(self.lower)
+        times = np.where(seen, self.lower, self.times)
+        ran = times > 0.0  # one that was never seen to run says nothing of the others
+        changed = {"times": times, "failed": mine, "lower": np.where(mine, self.lower, np.nan)}
+        rows = {name: value[ran] for name, value in changed.items()}
+        kept = {name: getattr(self, name)[ran] for name in ("counts", "group", "rig")}
+        return self._with(**rows, **kept, mode="")
+
+    def noted(self, *notes: Note) -> LifeTest:
+        """Return the test with more to be known of how it was read."""
+        return self._with(remarks=(*self.remarks, *notes))
+
+    def by_mode(self) -> dict[str, LifeTest]:
+        """Return the test of each mode, by its name, in the order of `modes`."""
+        return {name or said(UNKNOWN_MODE): self.for_mode(name) for name in self.modes}
 
     def by_group(self) -> dict[str, LifeTest]:
         """Part the test by its groups, in the order in which they appear."""
@@ -263,7 +346,10 @@ class LifeTest:
             raise InputError(
                 said("has more than {most} groups", most=MAXIMUM_GROUPS), field="group"
             )
-        return {name: self.select(self.group == name) for name in names}
+        return {
+            name or (said(BLANK_GROUP) if len(names) > 1 else ""): self.select(self.group == name)
+            for name in names
+        }
 
     def _rigs_all_failed(self) -> bool:
         """Tell whether every suspended bearing was suspended by a failure in its rig."""

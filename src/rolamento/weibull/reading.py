@@ -14,6 +14,7 @@ group      group, lot, condition, grupo, lote, condicao, ...               label
 rig        rig, test, bancada, ensaio, ...                                 label: ended together
 machine    machine, position, equipment, maquina, posicao, ...             as rig, where it fits
 size       size, rig_size, bearings_per_rig, tamanho, ...                  bearings in the rig
+mode       mode, failure_mode, cause, modo_de_falha, causa, ...            how a bearing failed
 =========  ==============================================================  =======================
 
 Only a time is needed; without a status all failed. Status words: failed, f, 1, true, yes, falha,
@@ -22,6 +23,11 @@ means sim; in one named censored or suspenso 1 means suspended. Of two such colu
 holds status words is read. Machines whose bearings ended at several times are no rigs: a note says
 that they were not read. With `size`, a row is a rig of so
 many bearings that stopped at its first failure (sudden death): the others are suspended.
+
+A failed bearing whose mode is blank, or a word such as unknown, failed by an unknown mode. Without
+a status the modes say what failed: a word of suspension (or 0) in their column is a suspension, and
+a blank cell is asked about. Lives between two dates, and intervals with an open end, are brought
+into this form by `rolamento.weibull.table_forms`.
 
 Tables are read as `rolamento._tables` tells: any separator, either decimal mark. Of the comments
 ``# unit: Mrev``, ``# title:`` and ``# source:`` are read. Columns named bearing, id, date, note,
@@ -57,7 +63,8 @@ from rolamento.weibull.life_test import (
     MINIMUM_TIME,
     LifeTest,
 )
-from rolamento.words import said
+from rolamento.weibull.table_forms import in_usual_form
+from rolamento.words import Note, said
 
 
 def _words(text: str) -> frozenset[str]:
@@ -93,7 +100,16 @@ _SAYINGS: Final = {
 }
 """Words for failed and for suspended in a column of each kind, and examples."""
 _KINDS_OF_STATUS: Final = ("status", "failed", "suspended")
-_CHOICES: Final = ("time", "group", "count", *_KINDS_OF_STATUS)
+_UNKNOWN: Final = _words(
+    "unknown not_known unidentified undetermined n_a na nd desconhecido desconhecida"
+    " indeterminado indeterminada nao_identificado nao_identificada ignorado ignorada"
+) | {""}
+"""Words of a mode that is not known; one without letters, such as a dash or "?", is none either."""
+_NO_MODE: Final = {word for word in _SUSPENDED if len(word) > 1} | _words(
+    "0 cen cens none no_failure nenhum nenhuma"
+)
+"""Words in a column of modes that say that a bearing did not fail, where no status does."""
+_CHOICES: Final = ("time", "group", "count", "mode", *_KINDS_OF_STATUS)
 _SILENT: Final = ("bearing", "remark", "date")
 """Columns that a life test has no use for, and everybody knows."""
 _UNREAD: Final = ("value", "tag")
@@ -112,7 +128,9 @@ def read_life_test(
     time: str | None = None,
     status: str | None = None,
     count: str | None = None,
+    mode: str | None = None,
     decimal_mark: str | None = None,
+    **dates: Any,
 ) -> LifeTest:
     """Read a life test from a CSV file.
 
@@ -120,13 +138,16 @@ def read_life_test(
     ----------
     path
         Of the file, of 5 MB and 100 000 rows at most; ``"-"`` for standard input.
-    group, time, status, count
-        Names of the columns that hold the groups, the times, whether a bearing failed, and how many
-        bearings a row stands for, in place of the usual ones.
+    group, time, status, count, mode
+        Names of the columns that hold the groups, the times, whether a bearing failed, how many
+        bearings a row stands for, and by which mode they failed, in place of the usual ones.
     unit
         Label of the times, in place of what the file says; "h" where it says nothing.
     decimal_mark
         ``"point"`` or ``"comma"``, where nothing in the file shows whether 12.500 is 12.5.
+    **dates
+        start, end, use_per_day, as_of and date_order of lives between two dates, as of
+        `rolamento.weibull.table_forms.in_usual_form`.
 
     Raises
     ------
@@ -140,7 +161,9 @@ def read_life_test(
         time=time,
         status=status,
         count=count,
+        mode=mode,
         decimal_mark=decimal_mark,
+        **dates,
     )
 
 
@@ -153,7 +176,9 @@ def parse_life_test(
     time: str | None = None,
     status: str | None = None,
     count: str | None = None,
+    mode: str | None = None,
     decimal_mark: str | None = None,
+    **dates: Any,
 ) -> LifeTest:
     """Read a life test from the text of a CSV file.
 
@@ -163,7 +188,7 @@ def parse_life_test(
         As described in the module.
     source
         What to call the text in messages.
-    group, unit, time, status, count, decimal_mark
+    group, unit, time, status, count, mode, decimal_mark, **dates
         As of `read_life_test`.
 
     Raises
@@ -172,18 +197,23 @@ def parse_life_test(
         If it is no life test.
     """
     table = parse_table(text, source, most_rows=MAXIMUM_ROWS, example=_EXAMPLE)
-    wanted = {"group": group, "time": time, "status": status, "count": count}
+    wanted = {"group": group, "time": time, "status": status, "count": count, "mode": mode}
     chosen = {name: title for name, title in wanted.items() if title is not None}
     try:
         check_names(table.header, _EXAMPLE)
+    except InputError as error:
+        raise table.placed(error) from None
+    table, remarks = in_usual_form(table, chosen, decimal_mark=decimal_mark, **dates)
+    try:
         header = header_of(table.header, chosen, table.rows)
         check_status(header, table.rows)
     except InputError as error:
         raise table.placed(error) from None
     rows = _rows_of(table, header, decimal_mark)
     label = unit or table.said.get("unit") or header.unit or "h"
+    _refuse_modes_as_groups(rows, header, table)
     try:
-        return _life_test_of(rows, header, label, table.said, source)
+        return _life_test_of(rows, header, label, table.said, source, remarks)
     except InputError as error:
         raise error.with_details(source=source) from None
 
@@ -201,15 +231,25 @@ def _rows_of(table: Table, header: Header, decimal_mark: str | None) -> list[Row
 
 
 def _life_test_of(
-    rows: list[Row], header: Header, unit: str, said: Mapping[str, str], source: str
+    rows: list[Row],
+    header: Header,
+    unit: str,
+    said: Mapping[str, str],
+    source: str,
+    remarks: tuple[Note, ...],
 ) -> LifeTest:
     """Put the rows together; a row of a rig with a size becomes two."""
+    idle = sum(row.count for row in rows if row.mode and not row.failed)
+    if idle:
+        remarks = (*remarks, Note("modes_of_suspended", {"count": idle}))
     if header.has_size:
         rows = [part for i, row in enumerate(rows) for part in row.parted(f"rig {i + 1}")]
     columns: dict[str, Any] = {
         "lower": [row.lower for row in rows],
         "counts": [row.count for row in rows],
         "group": [row.group for row in rows],
+        "mode": [row.mode if row.failed else "" for row in rows],
+        "remarks": remarks,
         "unit": unit,
         "title": said.get("title", ""),
         "source": said.get("source", source),
@@ -280,6 +320,7 @@ class Row:
     group: str
     rig: str
     size: int
+    mode: str = ""
 
     def parted(self, label: str) -> list[Row]:
         """Part a rig into the bearing that failed and those that were suspended."""
@@ -295,8 +336,8 @@ def header_of(
 ) -> Header:
     """Find the columns by the cells of the header.
 
-    wanted: titles of the columns ``time``, ``status``, ``group`` and ``count``, over the usual
-    names. rows: of the table; of two columns that may be the status they tell which one is.
+    wanted: titles of the columns ``time``, ``status``, ``group``, ``count`` and ``mode``, over the
+    usual names. rows: of the table; of two columns that may be the status they tell which one is.
     """
     chosen = _chosen_columns(cells, wanted)
     places: dict[str, int] = {}
@@ -402,6 +443,7 @@ def row_of(cells: Sequence[str], header: Header, numerals: Numerals) -> Row:
         _label_in(given, titles, "group"),
         _label_in(given, titles, "rig"),
         whole_number_in(given, titles, "size") if "size" in given else 0,
+        _mode_in(given, titles),
     )
 
 
@@ -466,7 +508,21 @@ def says_failed(given: dict[str, str], titles: dict[str, str]) -> bool:
             value=given[column],
             example=examples.split(",")[0],
         )
-    return True
+    return "mode" not in given or _mode_says_failed(given["mode"], titles["mode"])
+
+
+def _mode_says_failed(cell: str, title: str) -> bool:
+    """Whether a bearing failed, by the mode alone."""
+    if not cell:
+        raise InputError(
+            said(
+                "is blank, and no column says what failed: write suspended for a bearing that did"
+                " not fail, and unknown for a failure whose mode is not known"
+            ),
+            field=title,
+            example="suspended",
+        )
+    return folded_name(cell) not in _NO_MODE
 
 
 def _last_inspection(
@@ -510,6 +566,35 @@ def whole_number_in(given: dict[str, str], titles: dict[str, str], column: str) 
             example="4",
         )
     return int(number)
+
+
+def _mode_in(given: dict[str, str], titles: dict[str, str]) -> str:
+    """Label of the mode; empty where it is not known, and for words that name none."""
+    label = _label_in(given, titles, "mode")
+    return "" if folded_name(label) in _UNKNOWN | _NO_MODE else label
+
+
+def _refuse_modes_as_groups(rows: Sequence[Row], header: Header, table: Table) -> None:
+    """Refuse groups that only failed bearings have: they are modes of failure.
+
+    A group whose every bearing failed would make a life of the failures alone.
+    """
+    groups = {row.group for row in rows if row.failed}
+    if len(groups) < 2 or "" in groups or all(row.failed for row in rows):
+        return
+    if any(row.group for row in rows if not row.failed):
+        return
+    title = header.names["group"]
+    raise InputError(
+        said(
+            "is blank for all bearings that did not fail: it seems to hold failure modes, which"
+            " are no groups, as any bearing may fail by any of them"
+        ),
+        field=title,
+        example=f'mode="{title}"',
+        source=table.source,
+        line=table.header_line,
+    )
 
 
 def _label_in(given: dict[str, str], titles: dict[str, str], column: str) -> str:

@@ -22,6 +22,7 @@ from rolamento.weibull.comparison import (
     life_ratio,
 )
 from rolamento.weibull.estimates import (
+    Regression,
     fixed_shape,
     maximum_likelihood,
     plotting_positions,
@@ -29,11 +30,14 @@ from rolamento.weibull.estimates import (
     three_parameter,
 )
 from rolamento.weibull.fit import Estimand, WeibullFit
+from rolamento.weibull.goodness import GoodnessOfFit, goodness_of_fit
 from rolamento.weibull.life_test import LifeTest
 from rolamento.weibull.likelihood_ratio import LikelihoodRegion, likelihood_region
+from rolamento.weibull.models import LifeModel, life_models
+from rolamento.weibull.modes import ModeSystem, system_of_modes
 from rolamento.weibull.posterior import ShapePrior, posterior
 from rolamento.weibull.sampled import unbiased
-from rolamento.words import said
+from rolamento.words import Note, said
 
 FitMethod = Literal[
     "maximum_likelihood",
@@ -45,6 +49,9 @@ FitMethod = Literal[
 FIT_METHODS: Final = get_args(FitMethod)
 MAXIMUM_RANKED: Final = 20_000
 """Failures up to which each gets its rank, and is drawn."""
+_AT_SHAPE: Final[tuple[FitMethod, ...]] = ("maximum_likelihood", "rank_regression_x_on_y")
+"""Methods that find the scale at a known shape; both regressions are one there."""
+_OF_SHAPE: Final = ("unbiased", "three_parameter")
 ASSUMED_SHAPES: Final = (1.0, 1.5, 2.0)
 """For a test that does not determine the shape."""
 MAXIMUM_GROUPS: Final = 20
@@ -76,6 +83,9 @@ class Wanted:
         what was known of the shape, for the posterior; None without
     calculated
         calculated lives by their names; unit of the test
+    models
+        whether other distributions are fitted beside; by default where the data contradict one of
+        Weibull's
     samples, seed
         tests to draw, and what they are drawn with
     """
@@ -89,6 +99,7 @@ class Wanted:
     shape: float | None = None
     prior: ShapePrior | None = None
     calculated: Mapping[str, float] = field(default_factory=dict)
+    models: bool | None = None
     samples: int = 10_000
     seed: int = 0
 
@@ -107,6 +118,12 @@ class Wanted:
             raise InputError(
                 said("cannot be combined with other bounds"), field="shape", value=self.shape
             )
+        if self.shape is not None and self.methods == FIT_METHODS[:4]:
+            object.__setattr__(self, "methods", _AT_SHAPE)
+        for method in self.methods if self.shape is not None else ():
+            if method in _OF_SHAPE:
+                rule = said("fits the shape too, which is given here")
+                raise InputError(rule, field="method", value=method, example=_AT_SHAPE[0])
 
     @property
     def lives(self) -> tuple[Estimand, ...]:
@@ -122,6 +139,16 @@ class Wanted:
         """Quantities that are bounded; the shape only where it is not given."""
         shape = (Estimand.of("shape"),) if with_shape else ()
         return (*shape, Estimand.of("scale"), *self.lives, *self.shares)
+
+    def bounds_of(self, test: LifeTest) -> tuple[Sides, float]:
+        """Sides and confidence of the bounds of a test.
+
+        Without failures nothing bounds from above. The lower bound then has the confidence that
+        it has among two-sided ones, so that all lower bounds of a page are of one kind.
+        """
+        if test.failures or self.sides != "two":
+            return self.sides, self.confidence
+        return "lower", 0.5 * (1.0 + self.confidence)
 
 
 @dataclass(frozen=True, slots=True)
@@ -168,12 +195,12 @@ class AssumedShape:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class GroupSummary:
-    """What one group says, or a test without groups.
+    """What one group or one failure mode says, or a test without either.
 
     Attributes
     ----------
     name
-        label of the group; empty without
+        label of the group or the mode; empty without
     test
         its part of the data
     fits
@@ -186,6 +213,10 @@ class GroupSummary:
         calculated lives set against it, by their names
     prior_code, credible
         status of the posterior, empty if not requested; and its results
+    goodness
+        whether a Weibull distribution describes it
+    models
+        other distributions beside, where it does not, or if they are asked for
     """
 
     name: str
@@ -196,6 +227,8 @@ class GroupSummary:
     calculated: Mapping[str, CalculatedLife]
     prior_code: str
     credible: tuple[Credible, ...]
+    goodness: GoodnessOfFit
+    models: tuple[LifeModel, ...] = ()
 
     @property
     def ranked(self) -> bool:
@@ -240,6 +273,8 @@ class GroupSummary:
             "posterior": {"code": self.prior_code, "of": [c.to_mapping() for c in self.credible]}
             if self.prior_code
             else None,
+            "goodness_of_fit": self.goodness.to_mapping(),
+            "models": [model.to_mapping() for model in self.models],
         }
 
 
@@ -254,7 +289,12 @@ class LifeTestSummary:
     wanted
         what was asked for
     groups
-        in the order of the data; one without a name where they are not parted
+        in the order of the data; one without a name where they are not parted. The failure modes
+        where the data are taken by them
+    system
+        the modes put together; None without
+    notes
+        what is to be known of the whole
     comparisons
         whether the groups have shape and life in common
     ratios
@@ -266,6 +306,8 @@ class LifeTestSummary:
     groups: tuple[GroupSummary, ...]
     comparisons: tuple[Comparison, ...] = ()
     ratios: tuple[LifeRatio, ...] = ()
+    system: ModeSystem | None = None
+    notes: tuple[Note, ...] = ()
 
     @property
     def has_result(self) -> bool:
@@ -281,7 +323,7 @@ class LifeTestSummary:
             "title": test.title,
             "source": test.source,
             "passed_over": list(test.passed_over),
-            "notes": [note.to_mapping() for note in test.notes],
+            "notes": [note.to_mapping() for note in (*self.notes, *test.notes)],
             "unit": test.unit,
             "size": test.size,
             "failures": test.failures,
@@ -292,6 +334,8 @@ class LifeTestSummary:
             "groups": [group.to_mapping() for group in self.groups],
             "comparisons": [one.to_mapping() for one in self.comparisons],
             "life_ratios": [one.to_mapping() for one in self.ratios],
+            "by_mode": self.system is not None,
+            "system": None if self.system is None else self.system.to_mapping(),
         }
 
 
@@ -318,6 +362,7 @@ def summarise(
     wanted: Wanted | None = None,
     *,
     by_group: bool = True,
+    by_mode: bool = True,
     progress: Progress | None = None,
 ) -> LifeTestSummary:
     """Find all that a life test says.
@@ -330,17 +375,29 @@ def summarise(
         What to find; the default of `Wanted` if not given.
     by_group
         Whether to take each group by itself and to compare them; all together otherwise.
+    by_mode
+        Whether to take each failure mode by itself, the others as suspensions, and to put them
+        together, where the data have several; all failures alike otherwise.
     progress
         Called with steps done and steps in all.
 
     Raises
     ------
     InputError
-        For more than 20 groups to be taken by themselves, or what bounds and fits refuse.
+        For more than 20 groups or modes to be taken by themselves, groups and modes at once, or
+        what bounds and fits refuse.
     """
     test = LifeTest.of(test)
     asked = Wanted() if wanted is None else wanted
     tests = test.by_group() if by_group else {"": test}
+    modes = test.modes
+    notes: tuple[Note, ...] = ()
+    if len(modes) > 1 and by_mode:
+        _check_groups_and_modes(tests, modes)
+        tests = test.by_mode()
+    elif len(modes) > 1:
+        notes = (Note("modes_pooled", {"count": len(modes)}),)
+    system_wanted = len(modes) > 1 and by_mode
     if len(tests) > MAXIMUM_GROUPS:
         raise InputError(
             said(
@@ -351,9 +408,9 @@ def summarise(
             field="groups",
             value=len(tests),
         )
-    compared = len(tests) > 1 and not test.inspected
+    compared = len(tests) > 1 and not test.inspected and not system_wanted
     pairs = list(tests)[1 : _MAXIMUM_RATIOS + 1] if compared else []
-    steps = len(tests) + (len(_HYPOTHESES) if compared else 0) + len(pairs)
+    steps = len(tests) + (len(_HYPOTHESES) if compared else 0) + len(pairs) + system_wanted
     done = 0
 
     def step() -> None:
@@ -374,23 +431,53 @@ def summarise(
     for other in pairs:
         ratios.append(_ratio_to_first(tests, other, comparisons, asked))
         step()
-    return LifeTestSummary(test, asked, tuple(groups), tuple(comparisons), tuple(ratios))
+    system = None
+    if system_wanted:
+        system = system_of_modes(
+            test,
+            (*asked.lives, *asked.shares),
+            shape=asked.shape,
+            confidence=asked.confidence,
+            sides=asked.sides,
+            samples=asked.samples,
+            seed=asked.seed,
+        )
+        step()
+    return LifeTestSummary(
+        test, asked, tuple(groups), tuple(comparisons), tuple(ratios), system, notes
+    )
+
+
+def _check_groups_and_modes(groups: Mapping[str, LifeTest], modes: tuple[str, ...]) -> None:
+    if len(groups) > 1:
+        raise InputError(
+            said(
+                "has {groups} groups and {modes} failure modes: choose one mode, so that its groups"
+                " are compared; or one group, so that its modes are separated; or take the groups"
+                " together",
+                groups=len(groups),
+                modes=len(modes),
+            ),
+            field="only_mode",
+            example=f'only_mode="{modes[0]}"',
+        )
 
 
 def _summary_of(name: str, test: LifeTest, asked: Wanted) -> GroupSummary:
     fits = _fits_by(test, asked)
-    # without failures nothing bounds from above: all of the confidence goes to the lower bound
-    sides = asked.sides if test.failures or asked.sides != "two" else "lower"
+    sides, confidence = asked.bounds_of(test)
     bounds = all_bounds(
         test,
         asked.bounded(with_shape=asked.shape is None),
         method=asked.bounds,
-        confidence=asked.confidence,
+        confidence=confidence,
         sides=sides,
         samples=asked.samples,
         seed=asked.seed,
         shape=asked.shape,
     )
+    goodness = goodness_of_fit(test, shape=asked.shape, samples=asked.samples, seed=asked.seed)
+    beside = goodness.contradicted if asked.models is None else asked.models
     alone = not any(bound.converged for bound in bounds)
     code, credible = _credible_intervals(test, asked)
     return GroupSummary(
@@ -398,42 +485,44 @@ def _summary_of(name: str, test: LifeTest, asked: Wanted) -> GroupSummary:
         test,
         fits,
         bounds,
-        _at_assumed_shapes(test, asked, sides) if alone and not credible else (),
+        _at_assumed_shapes(test, asked) if alone and not credible else (),
         {
             label: _against_calculation(test, life, asked)
             for label, life in asked.calculated.items()
         },
         code,
         credible,
+        goodness,
+        life_models(test) if beside else (),
     )
 
 
 def _fits_by(test: LifeTest, asked: Wanted) -> tuple[WeibullFit, ...]:
     """Fits by every method, the one that the bounds are about first."""
     fits = [] if asked.shape is None else [fixed_shape(test, asked.shape)]
-    wanted = dict.fromkeys(asked.methods)
-    if asked.shape is None:  # the bounds' own
-        wanted = dict.fromkeys(("maximum_likelihood", *wanted))
+    wanted = dict.fromkeys(("maximum_likelihood", *asked.methods))  # the bounds' own is the first
     for method in wanted:
         if method.startswith("rank_regression") and not has_ranks(test):
             continue
         if method == "maximum_likelihood":
-            fits.append(maximum_likelihood(test))
+            fits += [maximum_likelihood(test)] if asked.shape is None else []
         elif method == "unbiased":
             fits.append(unbiased(test, samples=asked.samples, seed=asked.seed))
         elif method == "three_parameter":
             fits.append(three_parameter(test))
         else:
-            fits.append(rank_regression(test, "x_on_y" if "x_on_y" in method else "y_on_x"))
+            regression: Regression = "x_on_y" if "x_on_y" in method else "y_on_x"
+            fits.append(rank_regression(test, regression, shape=asked.shape))
     return tuple(fits)
 
 
-def _at_assumed_shapes(test: LifeTest, asked: Wanted, sides: Sides) -> tuple[AssumedShape, ...]:
+def _at_assumed_shapes(test: LifeTest, asked: Wanted) -> tuple[AssumedShape, ...]:
     quantities = (*asked.lives, *asked.shares)
+    sides, confidence = asked.bounds_of(test)
     return tuple(
         AssumedShape(
             shape,
-            all_bounds(test, quantities, confidence=asked.confidence, sides=sides, shape=shape),
+            all_bounds(test, quantities, confidence=confidence, sides=sides, shape=shape),
         )
         for shape in ASSUMED_SHAPES
     )
@@ -491,7 +580,8 @@ def bands_of(summary: LifeTestSummary) -> dict[str, Band]:
         group.name: confidence_band(
             group.test,
             method=asked.bounds,
-            confidence=asked.confidence,
+            sides=asked.bounds_of(group.test)[0],
+            confidence=asked.bounds_of(group.test)[1],
             samples=asked.samples,
             seed=asked.seed,
             shape=asked.shape,

@@ -111,6 +111,35 @@ def series_life(
     return increasing_root(excess, start, least, np.maximum(most, least))[0]
 
 
+def lives_of_series(
+    log_risk: FloatArray | float, shapes: FloatArray, log_scales: FloatArray
+) -> FloatArray:
+    """Logarithm of the time by which a series has used up a risk -ln R; of many series at once.
+
+    Parameters
+    ----------
+    log_risk : ln(-ln R), a number or (...).
+    shapes, log_scales : (..., parts), β and ln η of each part.
+
+    Returns
+    -------
+    (...) ln t; NaN where there is none.
+    """
+    wanted = np.broadcast_to(np.asarray(log_risk, dtype=float), shapes.shape[:-1])
+    each = wanted[..., np.newaxis]
+    least = (log_scales + (each - np.log(shapes.shape[-1])) / shapes).min(axis=-1)
+    most = (log_scales + each / shapes).min(axis=-1)  # one part alone uses up less than all
+
+    def excess(y: FloatArray) -> tuple[FloatArray, FloatArray]:
+        z = shapes * (y[..., np.newaxis] - log_scales)
+        top = z.max(axis=-1)
+        terms = np.exp(z - top[..., np.newaxis])
+        total = terms.sum(axis=-1)
+        return np.log(total) + top - wanted, np.sum(shapes * terms, axis=-1) / total
+
+    return increasing_root(excess, 0.5 * (least + most), least, np.maximum(most, least))[0]
+
+
 def _distributions(
     shapes: ArrayLike, scales: ArrayLike, locations: ArrayLike
 ) -> tuple[FloatArray, FloatArray, FloatArray]:

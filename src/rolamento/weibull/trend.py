@@ -419,7 +419,7 @@ def _check_names_of_bearings(
     for place in unread:
         cells = [row[place] for row in table.rows]
         words = [cell for cell in cells if cell and Numerals(commas=True).number(cell) is None]
-        if words and kinds[place] not in ("remark", "date"):
+        if words and kinds[place] not in ("remark", "mode", "date"):
             raise InputError(
                 said("may name what was measured; choose it as the bearing, or leave it out"),
                 field=table.header[place],

@@ -44,7 +44,9 @@ REMARKS: Final = frozenset(
         # of life tests: how the numbers were found
         "location_at_zero", "censoring_modelled", "inspected_without_ranks",
         "inspected_groups_not_compared", "too_many_for_ranks", "group_without_failures",
-        "fleet_failed_left_out",
+        "fleet_failed_left_out", "modes_independent", "modes_at_inspections",
+        "modes_of_suspended", "running_on_day_of_data", "inspections_shared",
+        "lives_from_dates_and_use", "lives_from_dates_and_column",
     }
 )  # fmt: skip
 """Keys of notes that change no headline."""

@@ -61,6 +61,62 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "too_many_for_ranks": marked(
         "Too many failures to be ranked: no rank regression, no plotted points."
     ),
+    # --- failure modes, dates -----------------------------------------------------------------
+    "modes_independent": marked(
+        "Each mode is fitted with the failures by other modes as suspensions. This holds for modes"
+        " that are independent of each other, which the data cannot show."
+    ),
+    "modes_unknown": marked(
+        "The mode is not known of {count} of {failures} failures. They are taken as a mode of their"
+        " own: the lives by the known modes are too long."
+    ),
+    "one_mode": marked(
+        "Only failures by the mode {mode} count; the {others} failures by other modes are taken as"
+        " suspensions."
+    ),
+    "modes_at_inspections": marked(
+        "A failure by another mode that was found at an inspection counts as suspended at the"
+        " inspection before: the lives by single modes are somewhat too short."
+    ),
+    "modes_pooled": marked(
+        "Failures by {count} different modes are taken together as if they were of one kind."
+    ),
+    "modes_of_suspended": marked(
+        "Suspended bearings with a failure mode, which is not used: {count}."
+    ),
+    "lives_from_dates": marked(
+        "Lives are the calendar days between {first} and {last}, not running time."
+    ),
+    "lives_from_dates_and_use": marked(
+        "Lives are the days between {first} and {last}, at a use of {use:.6} {unit} a day."
+    ),
+    "lives_from_dates_and_column": marked(
+        "Lives are the days between {first} and {last}, at the use per day of column {column}."
+    ),
+    "running_on_day_of_data": marked(
+        "Bearings without a second date, taken as running until {day}: {count}."
+    ),
+    # --- goodness of fit ----------------------------------------------------------------------
+    "dog_leg_steeper": marked(
+        "The Weibull plot has a dog-leg at about {time:.3r} {unit}: slope {before:.3} before it,"
+        " {after:.3} after (p = {p:.2}). A single Weibull distribution does not describe these"
+        " failures; early failures and wear-out are probably mixed. Separate failure modes or"
+        " populations."
+    ),
+    "dog_leg_flatter": marked(
+        "The Weibull plot has a dog-leg at about {time:.3r} {unit}: slope {before:.3} before it,"
+        " {after:.3} after (p = {p:.2}). A single Weibull distribution does not describe these"
+        " failures; perhaps only part of the bearings have the defect, there are two populations,"
+        " or nothing fails before a certain time."
+    ),
+    "weibull_contradicted": marked(
+        "The data contradict a Weibull distribution (Anderson-Darling test by simulation,"
+        " p = {p:.2})."
+    ),
+    "weibull_contradicted_by_intervals": marked(
+        "The data contradict a Weibull distribution (likelihood-ratio test of the intervals by"
+        " simulation, p = {p:.2})."
+    ),
     # --- why there is no result, and what to do ---------------------------------------------
     "weibull_no_failures": marked(
         "There are no failures: the test bounds the life from below only. With a shape assumed from"
@@ -94,6 +150,14 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "The mean of the shape does not exist for two failures, nor where the end of the test could"
         " have left so few: use the median."
     ),
+    "weibull_few_to_test": marked(
+        "Fewer than three failures do not show whether a Weibull distribution describes them."
+    ),
+    "weibull_mode_without_fit": marked(
+        "A mode has too few failures for a distribution, and without it the bearing as a whole"
+        " would come out too good. Join it with a related mode, or assume a shape from experience"
+        " (such as --shape 1.5)."
+    ),
     "weibull_group_without_fit": marked(
         "A group has no fit of its own: it has no failures, or its failures have no spread."
     ),
@@ -103,6 +167,10 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     "decision_groups_pooled": marked(
         "The data have {count} groups, taken together here. Choose some with --only if they differ."
+    ),
+    "decision_one_mode": marked(
+        "The cost of failures by other modes comes on top, and a planned replacement may bring more"
+        " of them, such as mounting damage."
     ),
     "decision_beyond_data": marked(
         "This lies beyond the longest time in the data, {longest:.5} {unit}: it relies on the"
