@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from math import log10, pi
+from math import isfinite, log10, pi
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -176,6 +176,14 @@ def _source(known: ShaftSpeed) -> str:
     if known.lost:
         return said("taken as constant: it was not found in the vibration")
     if known.source == "vibration" and tracking is not None:
+        if isfinite(tracking.share):
+            return said(
+                "found in the vibration within {within:.3 %} of {nominal:.6 rpm}; {share:.0f %} of"
+                " the power about a harmonic lies on it",
+                within=tracking.within,
+                nominal=abs(tracking.nominal),
+                share=tracking.share,
+            )
         return said(
             "found in the vibration within {within:.3 %} of {nominal:.6 rpm}",
             within=tracking.within,
@@ -316,7 +324,7 @@ def _verdict_of(part: ComponentVerdict) -> str:
     return {
         "fault": said_in("part", "damaged"),
         "undecided": said_in("part", "undecided"),
-        "watch": said_in("part", "watch"),
+        "watch": said_in("part", "watch" if part.depth >= DAMAGE else "weak peaks"),
         "nothing_found": said_in("part", "nothing"),
         "not_tested": said_in("part", "not tested"),
     }[part.verdict]

@@ -135,7 +135,7 @@ class DiagnosisResult:
             return "fault"
         if self.still:
             return "no_verdict"
-        if "undecided" in verdicts or self.diagnosis.undecided:
+        if "undecided" in verdicts or self.diagnosis.undecided or self.diagnosis.impacts:
             return "undecided"
         if "watch" in verdicts:
             return "watch"
@@ -238,11 +238,16 @@ class DiagnosisResult:
                 {"component": part, "shaft_frequency": frequency}
                 for part, frequency in diagnosis.undecided
             ],
+            "impacts": None if diagnosis.impacts is None else asdict(diagnosis.impacts),
+            "slips": [
+                {"component": part, "cage_deviation": slip} for part, slip in diagnosis.slips
+            ],
             "statement": _mappings(self.statement),
             "advice": _mappings((*diagnosis.advice, *self._other_counts(), *self._shared())),
             "lookalikes": None if self.lookalikes is None else self.lookalikes.to_mapping(),
             "components": [part.to_mapping() for part in diagnosis.components],
             "unexplained": [asdict(line) for line in diagnosis.unexplained],
+            "kurtosis": diagnosis.kurtosis,
             "false_alarm": diagnosis.false_alarm,
             "tolerance": diagnosis.tolerance,
             "slip": diagnosis.tolerance if self.slip is None else self.slip,
