@@ -11,11 +11,14 @@ from itertools import product
 from math import ceil, inf, isfinite, pi
 from typing import TYPE_CHECKING, Any, Final, Literal, Unpack
 
+import numpy as np
+
 from rolamento.case import Case
 from rolamento.case.bearing import Bearing
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.catalogue import catalogue, rolling_bearings
 from rolamento.errors import InputError
+from rolamento.numerics import FloatArray
 from rolamento.tasks.bearing import BearingLike, angle_of, at_speeds, case_of, has_load, name_of
 from rolamento.tasks.parameters import Stages, quietly, speed_of
 from rolamento.tasks.shaft_speed import AskedSpeed, KnownSpeed, ShaftSpeed, known_speed
@@ -35,6 +38,7 @@ from rolamento.vibration.frequency_band import open_counts, roller_counts
 from rolamento.vibration.lookalikes import Lookalikes, lookalikes
 from rolamento.vibration.noise_floor import LOWEST_LINE
 from rolamento.vibration.reading import open_signal
+from rolamento.vibration.reading.memory import SPEED
 from rolamento.vibration.signal import Signal
 from rolamento.vibration.spectrum import Indicators, indicators
 from rolamento.words import Note, said
@@ -363,7 +367,7 @@ class TooShort:
 
 
 def diagnose(
-    path: str | os.PathLike[str],
+    path: str | os.PathLike[str] | Signal | FloatArray,
     bearing: BearingLike,
     *,
     speed: str | float | None = None,
@@ -383,12 +387,13 @@ def diagnose(
     stages: Stages = quietly,
     **reading: Unpack[Reading],
 ) -> DiagnosisResult | TooShort:
-    """Tell which parts of a bearing a file of vibration shows to be damaged.
+    """Diagnose which bearing components a vibration record shows to be damaged.
 
     Parameters
     ----------
     path
-        Of the file; a long one is read piece by piece, in bounded memory.
+        Of a file; a long one is read piece by piece, in bounded memory. Or a signal in memory, or
+        its samples, (samples,), with their ``rate``, and ``unit`` where their size counts.
     bearing
         Designation, case file or case: with a load, the loaded bearing's frequencies are sought.
     speed, outer_speed
@@ -422,6 +427,11 @@ def diagnose(
         If a file cannot be read, or what is given contradicts itself or does not suffice.
     """
     case = _case_sought(bearing, settings)
+    if isinstance(path, np.ndarray):
+        path = _in_memory(path, reading.get("rate"))
+    if isinstance(path, Signal) and path.speed is not None and path.speed.ndim:
+        told = speed is None and outer_speed is None and tacho is None and not track
+        speed_channel = SPEED if told and speed_channel is None else speed_channel
     asked = AskedSpeed(
         inner=speed_of(speed, "speed"),
         outer=speed_of(outer_speed, "outer_speed"),
@@ -452,7 +462,7 @@ def diagnose(
             )
             found = engine.diagnose(held.pieces, FaultOrders.of(frequencies), wide.settings)
         return DiagnosisResult(
-            title=held.first.title or os.fspath(path),
+            title=held.first.title or source.path.name,
             bearing_name=name_of(bearing, case),
             bearing=case.bearing,
             frequencies=frequencies,
@@ -469,6 +479,14 @@ def diagnose(
             other_rows=wide.other_rows,
             lookalikes=_lookalikes(found, frequencies, case.bearing, wide.settings),
         )
+
+
+def _in_memory(samples: FloatArray, rate: float | None) -> Signal:
+    if rate is None:
+        raise InputError(
+            said("must be given with samples in memory"), field="rate", example="rate=12_000.0"
+        )
+    return Signal(samples, rate)
 
 
 def _lookalikes(
