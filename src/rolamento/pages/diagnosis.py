@@ -155,12 +155,14 @@ def _by_whom(found: DiagnosisResult, known: ShaftSpeed) -> Iterable[str]:
     """Say where the speed is from: as given or measured, or by the shaft's own peaks."""
     diagnosis, source = found.diagnosis, _source(known)
     if diagnosis.speed_factor != 1.0:
-        off = 1.0 / diagnosis.speed_factor - 1.0
-        yield said(
-            "by the shaft's own peaks; {given:.6 rpm} {source}, {off} %",
-            given=abs(known.mean),
-            source=source,
-            off=manner().fixed(100.0 * off, 1 if abs(off) >= 1e-3 else 2),
+        off = diagnosis.speed_factor - 1.0
+        values = {"given": abs(known.mean), "source": source, "off": off}
+        yield (
+            said("by the shaft's own peaks, {off:+.1f %} from {given:.6 rpm} {source}", **values)
+            if abs(off) >= 1e-3
+            else said(
+                "by the shaft's own peaks, {off:+.2f %} from {given:.6 rpm} {source}", **values
+            )
         )
         return
     yield source

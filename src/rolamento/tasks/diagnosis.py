@@ -27,6 +27,7 @@ from rolamento.units import rpm_of
 from rolamento.vibration import diagnosis as engine
 from rolamento.vibration.diagnosis import (
     COMPONENTS,
+    DAMAGE,
     ComponentVerdict,
     Diagnosis,
     DiagnosisSettings,
@@ -41,6 +42,7 @@ from rolamento.vibration.reading import open_signal
 from rolamento.vibration.reading.memory import SPEED
 from rolamento.vibration.signal import Signal
 from rolamento.vibration.spectrum import Indicators, indicators
+from rolamento.vibration.unknown_bearing import UnknownBearing, unknown_bearing
 from rolamento.words import Note, said
 from rolamento.words.naming import of_element
 
@@ -382,6 +384,8 @@ def diagnose(
     angle: str | float | None = None,
     start: float = 0.0,
     duration: float | None = None,
+    turning: tuple[float, ...] = (),
+    elsewhere: tuple[float, ...] = (),
     search: DiagnosisSettings | None = None,
     settings: Sequence[str] = (),
     stages: Stages = quietly,
@@ -412,6 +416,8 @@ def diagnose(
         Of contact, without a load: "zero", "free", an angle such as "15 deg", or rad.
     start, duration
         Of the part that is diagnosed; s.
+    turning, elsewhere
+        Orders of what else turns, and of the faults of other bearings: see `FaultOrders`.
     search
         How to look, and how sure to be.
     settings
@@ -460,7 +466,8 @@ def diagnose(
             held = streamed(
                 pieces, known.at, lambda done: progress(-(-done // part.step), len(part))
             )
-            found = engine.diagnose(held.pieces, FaultOrders.of(frequencies), wide.settings)
+            orders = replace(FaultOrders.of(frequencies, turning), elsewhere=elsewhere)
+            found = engine.diagnose(held.pieces, orders, wide.settings)
         return DiagnosisResult(
             title=held.first.title or source.path.name,
             bearing_name=name_of(bearing, case),
@@ -479,6 +486,91 @@ def diagnose(
             other_rows=wide.other_rows,
             lookalikes=_lookalikes(found, frequencies, case.bearing, wide.settings),
         )
+
+
+@dataclass(frozen=True, eq=False)
+class UnknownResult:
+    """The combs of a record whose bearing nobody knows, and the bearings that would have them.
+
+    Attributes
+    ----------
+    title
+        of the signal
+    found
+        combs, and bearings ranked
+    """
+
+    title: str
+    found: UnknownBearing
+
+    @property
+    def verdict(self) -> Conclusion:
+        """Undecided over a comb as deep as damage: of which part only the bearing would tell."""
+        deep = any(comb.depth >= DAMAGE for comb in self.found.combs)
+        return "undecided" if deep else "nothing_found"
+
+    @property
+    def statement(self) -> tuple[Note, ...]:
+        """What it comes to."""
+        combs, fits = self.found.combs, self.found.fits
+        if not combs:
+            return (Note("no_combs"),)
+        values = {"frequency": combs[0].frequency, "order": combs[0].order, "depth": combs[0].depth}
+        notes = [Note("deepest_comb", values)]
+        if fits:
+            named = [fit.designation for fit in fits[:3]]
+            notes.append(Note("bearings_with_combs", {"count": len(fits), "named": named}))
+        else:
+            notes.append(Note("no_bearing_with_combs", {"compared": self.found.compared}))
+        return tuple(notes)
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Return everything as plain data."""
+        return {
+            "schema": SCHEMA,
+            "kind": "unknown_bearing",
+            "title": self.title,
+            "verdict": self.verdict,
+            "statement": _mappings(self.statement),
+            **self.found.to_mapping(),
+        }
+
+
+def rank_bearings(
+    path: str | os.PathLike[str] | Signal | FloatArray,
+    *,
+    speed: str | float | None = None,
+    start: float = 0.0,
+    duration: float | None = None,
+    search: DiagnosisSettings | None = None,
+    of_rollers: bool = False,
+    **reading: Unpack[Reading],
+) -> UnknownResult:
+    """Find the combs of a record, and rank the bearings of the catalogue that would have them.
+
+    Parameters
+    ----------
+    path, speed, start, duration, search, reading
+        As of `diagnose`; the speed is steady.
+    of_rollers
+        Whether roller bearings are compared, and not ball bearings.
+
+    Raises
+    ------
+    FileError, InputError
+        If a file cannot be read, or the speed is not known.
+    """
+    if isinstance(path, np.ndarray):
+        path = _in_memory(path, reading.get("rate"))
+    asked = AskedSpeed(inner=speed_of(speed, "speed"))
+    with open_signal(path, **reading) as source:
+        part = part_of(source, start, duration)
+        known = known_speed(asked, (None, None), source, part, lambda done, total: None)
+        pieces = (source.read(place, min(part.step, part.stop - place)) for place in part)
+        held = streamed(pieces, known.at, lambda done: None)
+        bearings = rolling_bearings(of_rollers=of_rollers)
+        found = unknown_bearing(held.pieces, bearings, search)
+        return UnknownResult(held.first.title or source.path.name, found)
 
 
 def _in_memory(samples: FloatArray, rate: float | None) -> Signal:

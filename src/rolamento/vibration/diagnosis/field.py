@@ -302,9 +302,9 @@ def cage_slip(part: Component, order: float, orders: FaultOrders) -> float:
 
 
 def unexplained_lines(
-    field: Field, fault: tuple[Component, float, float] | None
+    field: Field, fault: tuple[Component, float, float] | None, most: int = _MOST
 ) -> tuple[UnexplainedLine, ...]:
-    """Return up to three lines that noise would not give, the deepest first.
+    """Return a few lines that noise would not give, the deepest first.
 
     Parameters
     ----------
@@ -314,6 +314,8 @@ def unexplained_lines(
         The part that explains most, its order, and its depth: from where it counts as damage on,
         only lines as deep are listed, so that none is taken for what a fault makes besides its
         multiples and their sidebands. One that is no damage explains no line as deep as damage.
+    most
+        How many.
     """
     if fault is not None and fault[2] < DAMAGE:
         deep = [line for line in unexplained_lines(field, None) if line.depth >= DAMAGE]
@@ -322,12 +324,12 @@ def unexplained_lines(
             for line in _unexplained_beside(field, fault)
             if all(abs(line.order - one.order) > _APART * one.order for one in deep)
         ]
-        return (*deep, *rest)[:_MOST]
-    return _unexplained_beside(field, fault)
+        return (*deep, *rest)[:most]
+    return _unexplained_beside(field, fault, most)
 
 
 def _unexplained_beside(
-    field: Field, fault: tuple[Component, float, float] | None
+    field: Field, fault: tuple[Component, float, float] | None, most: int = _MOST
 ) -> tuple[UnexplainedLine, ...]:
     """Return lines that stand out beside what a fault explains."""
     left_out = field.left_out.copy()
@@ -355,7 +357,7 @@ def _unexplained_beside(
     peaks = np.where(clearness < log(trials / field.settings.false_alarm), 0.0, squares)
     strongest = fault[2] if fault is not None and fault[2] >= DAMAGE else 0.0
     found: list[UnexplainedLine] = []
-    while len(found) < _MOST:
+    while len(found) < most:
         band, line = (int(place) for place in np.unravel_index(peaks.argmax(), peaks.shape))
         depth = depth_of(squares[band], line, 1) if peaks[band, line] > 0.0 else 0.0
         if depth == 0.0 or depth < strongest:

@@ -11,7 +11,7 @@ import numpy as np
 from rolamento.numerics import FloatArray
 from rolamento.vibration._checks import Band
 from rolamento.vibration.diagnosis.settings import Component
-from rolamento.vibration.diagnosis.size import DAMAGE, GRADES, Grade
+from rolamento.vibration.diagnosis.size import DAMAGE, GRADES, Grade, depth_of
 from rolamento.words import Note
 from rolamento.words.naming import of_element
 
@@ -205,6 +205,9 @@ class EnvelopeSpectra:
         Hz
     above_noise
         (bands, lines), power over the mean of the noise about each line; NaN where that is unknown
+    squared_depth
+        (bands, lines), mean squares of the modulation depth, less those of noise; 0 at lines of
+        what turns
     evidence
         (bands,) for each component that was looked for: -ln of the least probability of one trial
     """
@@ -212,7 +215,24 @@ class EnvelopeSpectra:
     order: FloatArray
     bands: tuple[Band, ...]
     above_noise: FloatArray
+    squared_depth: FloatArray
     evidence: dict[Component, FloatArray]
+
+    def depth_about(self, order: float, within: float) -> float:
+        """Return the deepest modulation of any band near an order; NaN beyond the spectra.
+
+        Noise lifts the deepest of many lines: it is at most that.
+
+        within: part of the order to either side.
+        """
+        turns = 1.0 / float(self.order[1])
+        lines = range(
+            max(1, round(order * (1.0 - within) * turns)),
+            round(order * (1.0 + within) * turns) + 1,
+        )
+        if not lines or lines[-1] >= len(self.order):
+            return nan
+        return max(depth_of(band, line, 1) for band in self.squared_depth for line in lines)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -214,8 +214,12 @@ def judge(
                 hidden.add(part)
     found = {part: _kept_step(one, with_shaft) for part, one in found.items()}
     first = _first(found)
-    unexplained = unexplained_lines(
-        whole, None if first is None else (first.part, first.order, first.depth)
+    unexplained = tuple(
+        line
+        for line in unexplained_lines(
+            whole, None if first is None else (first.part, first.order, first.depth)
+        )
+        if not orders.is_elsewhere(line.order, settings.tolerance)
     )
     verdict = _verdict_of(first, unexplained, spectra.dropouts)
     second = _seconds(first, found) if verdict == "fault" else []
@@ -263,7 +267,10 @@ def judge(
         revolutions=spectra.turns * spectra.blocks,
         blocks=spectra.blocks,
         resolution=1.0 / spectra.turns,
-        spectra=_pictured(whole, {part: np.array(f.per_band) for part, f in findings.items() if f}),
+        spectra=_pictured(
+            first.field if first is not None else whole,
+            {part: np.array(f.per_band) for part, f in findings.items() if f},
+        ),
         unexplained=unexplained,
         notes=tuple(of_element(note, element) for note in notes),
         element=element,
@@ -649,6 +656,7 @@ def _pictured(field: Field, per_band: dict[Component, FloatArray]) -> EnvelopeSp
         order=np.arange(power.shape[1], dtype=np.float64) / field.turns,
         bands=field.spectra.bands,
         above_noise=above,
+        squared_depth=field.depths,
         evidence=per_band,
     )
 
