@@ -326,7 +326,9 @@ def _verdict_of(part: ComponentVerdict) -> str:
     return {
         "fault": said_in("part", "damaged"),
         "undecided": said_in("part", "undecided"),
-        "watch": said_in("part", "watch" if part.depth >= DAMAGE else "weak peaks"),
+        "watch": (
+            said_in("part", "watch") if part.depth >= DAMAGE else said_in("part", "weak peaks")
+        ),
         "nothing_found": said_in("part", "nothing"),
         "not_tested": said_in("part", "not tested"),
     }[part.verdict]
