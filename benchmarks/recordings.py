@@ -5,7 +5,8 @@ FOLDER holds WAV files and `recordings.csv`, a table of them with at least the c
     file, rig, bearing, nominal_rpm, truth
 
 where `truth` is outer_race, inner_race, ball, cage, healthy or healthy_disputed.
-`damaged_elsewhere` says of a healthy bearing that another part of the machine is damaged. Of a rig's name the part before the
+`damaged_elsewhere` says of a healthy bearing that another part of the machine is damaged. Of a
+rig's name the part before the
 first "-" is the rig that limits are left out for: "CWRU-12k_DE" and "CWRU-normal" are of CWRU.
 
 Beside the diagnosis stands what a user would write instead: cepstrum pre-whitening, squared

@@ -81,6 +81,16 @@ def places_between(power: FloatArray, lines: IntArray) -> FloatArray:
     return np.asarray(lines + np.where(above > below, offset, -offset), dtype=np.float64)
 
 
+def leaked(power: FloatArray, line: int, leakage: FloatArray, apart: int) -> float:
+    """Return the maximum power that lines so far away or farther leave at a line.
+
+    leakage: as `tone_leakage` or `envelope_leakage` gives it.
+    """
+    about = np.arange(max(1, line - len(leakage) + 1), min(len(power), line + len(leakage)))
+    away = np.abs(about - line)
+    return float(np.max((power[about] * leakage[away])[away >= apart], initial=0.0))
+
+
 def _spread(window: FloatArray) -> FloatArray:
     power = np.square(np.abs(fft.rfft(window, _OVERSAMPLING * _LENGTH)))
     # a peak may lie half a line off its line

@@ -36,6 +36,7 @@ from rolamento.vibration.diagnosis.blocks import Block
 from rolamento.vibration.diagnosis.lines import (
     MAINS,
     is_near_mains,
+    leaked,
     places_between,
     power_of,
     tone_leakage,
@@ -181,7 +182,7 @@ def _first_multiple(
     of_mains = [is_near_mains(hertz, resolution, mains) for mains in MAINS]
     seen = np.where(np.any(of_mains, axis=0), 0.0, ratio[lines])
     highest = int(np.argmax(seen))
-    if seen[highest] < _FIRST_ABOVE * _leaked(ratio, int(lines[highest])):
+    if seen[highest] < _FIRST_ABOVE * leaked(ratio, int(lines[highest]), tone_leakage(), _TONE):
         return None
     apart = np.abs(lines - lines[highest]) > max(2.0, _APART * turns)
     if comb is None:
@@ -191,14 +192,6 @@ def _first_multiple(
         rival = float(np.max(ratio[about - 1 : about + 2]))
     stays = seen[highest] >= max(_FIRST_CLEAR, _FIRST_ABOVE * rival)
     return float(lines[highest]) / turns if stays else None
-
-
-def _leaked(ratio: FloatArray, line: int) -> float:
-    """Return what the taper leaves at a line of all other tones, at most."""
-    leakage = tone_leakage()
-    about = np.arange(max(1, line - len(leakage) + 1), min(len(ratio), line + len(leakage)))
-    away = np.abs(about - line)
-    return float(np.max((ratio[about] * leakage[away])[away >= _TONE], initial=0.0))
 
 
 def _refined(ratio: FloatArray, block: Block, factor: float) -> float:

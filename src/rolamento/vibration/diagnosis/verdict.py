@@ -28,6 +28,7 @@ from rolamento.vibration.diagnosis.field import (
     slips_of,
     unexplained_lines,
 )
+from rolamento.vibration.diagnosis.lines import envelope_leakage, leaked
 from rolamento.vibration.diagnosis.record import (
     ComponentVerdict,
     Diagnosis,
@@ -149,6 +150,8 @@ _IN_STEP: Final = 0.9
 """Depth of the line on the multiple over that of all about it, from which on it keeps step."""
 _HUMP: Final = 16
 """Lines about it that are the same hump."""
+_OVER_SKIRTS: Final = 4.0
+"""Power of a sideband over the skirts of stronger lines."""
 _WIDEST_SLIP: Final = 0.05
 """Part by which a cage may be off for an unexplained peak to be named as a part's."""
 _MULTIPLES: Final = 5
@@ -404,12 +407,17 @@ def _has_cage_sidebands(one: _Candidate, field: Field) -> bool:
     band, reach = one.finding.band, np.arange(-_FOOT, _FOOT + 1)
     spacing = cage * (1.0 + np.nan_to_num(cage_slip(one.part, one.order, field.orders)))
     scores = Scores(field.spectra.power, field.left_out, field.medians, field.spectra.blocks)
+    power = field.spectra.power[band]
     for multiple in (1, 2, 3):
         places = (multiple * one.order + spacing * np.array([-1.0, 1.0])) * field.turns
         lines = np.rint(places[:, None] + reach).astype(np.int64)
         sides = [scores.about(some, 1)[band] for some in lines]
+        highest = [int(some[np.argmax(side)]) for some, side in zip(lines, sides, strict=True)]
         least = log(6 * len(reach) / field.settings.false_alarm)
-        if all(np.max(side) >= least for side in sides):
+        if all(np.max(side) >= least for side in sides) and all(
+            power[line] >= _OVER_SKIRTS * leaked(power, line, envelope_leakage(), 2 * _FOOT)
+            for line in highest
+        ):
             return True
     return False
 
