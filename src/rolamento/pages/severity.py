@@ -95,7 +95,7 @@ def severity_statement(found: SeverityResult) -> str:
     by_velocity = found.machine.zone_of(worst.severity.velocity)
     if by_velocity != zone:
         return said(
-            "Zone {zone}, {meaning}, by displacement: {displacement:.3 um} RMS; zone {by_velocity}"
+            "Zone {zone}, {meaning}, by displacement: {displacement:.3 µm} RMS; zone {by_velocity}"
             " by velocity: {velocity:.3 mm/s} RMS ({standard}, {name}).",
             standard=found.machine.standard,
             name=class_name(found.machine.name),
