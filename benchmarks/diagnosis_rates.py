@@ -83,7 +83,8 @@ def try_healthy(kind: str, duration: float, seed: int) -> tuple[float, bool, boo
     signal, orders = healthy(kind, duration, seed)
     found = diagnose(signal, orders)
     least = float(np.nanmin([part.probability for part in found.components]))
-    return least, bool(found.faults), bool(found.watched)
+    watched = any(part.verdict == "watch" for part in found.components)
+    return least, bool(found.faults), watched
 
 
 def find(setting: Setting, ratio: float, seed: int) -> tuple[bool, bool, bool]:
@@ -101,7 +102,7 @@ def find(setting: Setting, ratio: float, seed: int) -> tuple[bool, bool, bool]:
         seed=seed,
     )
     found = diagnose(synthesise(recipe).signal, FaultOrders.of(frequencies))
-    named = setting.kind in (*found.faults, *found.watched)
+    named = found.of(setting.kind).verdict in ("fault", "undecided", "watch")
     stated = setting.kind in found.faults
     return named, stated, any(part != setting.kind for part in found.faults)
 

@@ -13,6 +13,7 @@ from math import pi
 from typing import Any, Final
 
 import numpy as np
+from scipy import signal
 
 from rolamento import Bearing
 from rolamento.vibration.diagnosis import FaultOrders
@@ -137,6 +138,40 @@ def everything(shaft: Machine, random: np.random.Generator) -> Array:
     return total
 
 
+def fan(shaft: Machine, random: np.random.Generator) -> Array:
+    """Blades that strike the air as often as there are of them in a turn."""
+    blades = int(random.integers(3, 12))
+    return harmonics(shaft, random) + _struck(shaft, blades, 0.01, random)
+
+
+def coupling(shaft: Machine, random: np.random.Generator) -> Array:
+    """A jaw coupling with play: its jaws strike, one harder than the others."""
+    jaws = int(random.integers(2, 7))
+    uneven = _struck(shaft, 1, 0.003, random)
+    return harmonics(shaft, random) + _struck(shaft, jaws, 0.003, random) + 0.5 * uneven
+
+
+def converter(shaft: Machine, random: np.random.Generator) -> Array:
+    """A motor on a converter: noise that swings at twice the supply, tones where it switches."""
+    time = np.arange(len(shaft.turns)) / RATE
+    supply = shaft.frequency * int(random.choice([1, 2])) / (1.0 - random.uniform(0.005, 0.04))
+    switching = random.uniform(2000.0, 12_000.0)
+    level = 1.0 + random.uniform(0.05, 0.6) * np.cos(4 * pi * supply * time)
+    total = np.sqrt(level) * harmonics(shaft, random)
+    for side in (-4, -2, 0, 2, 4):
+        total += random.uniform(0.2, 3.0) * np.sin(2 * pi * (switching + side * supply) * time)
+    return total
+
+
+def knocks(shaft: Machine, random: np.random.Generator) -> Array:
+    """Something that knocks on the machine now and then, and a rub once a turn."""
+    total = harmonics(shaft, random)
+    count = int(random.integers(5, 60))
+    places = random.integers(0, len(total) - 1000, size=count)
+    total += _rung(places, 10 ** random.uniform(0.5, 2.0, size=count), len(total), random)
+    return total + random.uniform(0.2, 1.0) * _struck(shaft, 1, 0.002, random)
+
+
 KINDS: Final[dict[str, tuple[Callable[[Machine, np.random.Generator], Array], float]]] = {
     "white noise": (white, 0.0),
     "noise with resonances": (resonances, 0.0),
@@ -146,6 +181,10 @@ KINDS: Final[dict[str, tuple[Callable[[Machine, np.random.Generator], Array], fl
     "noise modulated by the shaft": (modulated, 0.0),
     "all of these": (everything, 0.0),
     "all of these, speed wandering": (everything, 0.03),
+    "fan": (fan, 0.0),
+    "coupling": (coupling, 0.0),
+    "converter": (converter, 0.0),
+    "knocks": (knocks, 0.0),
     "lines of a healthy bearing": (lines_of_parts, 0.0),
     "lines of a healthy bearing, speed wandering": (lines_of_parts, 0.03),
 }
@@ -163,6 +202,27 @@ def healthy(kind: str, duration: float, seed: int) -> tuple[Signal, FaultOrders]
 
 def _tone(turns: Array, order: float, amplitude: float, random: np.random.Generator) -> Array:
     return amplitude * np.sin(2 * pi * order * turns + random.uniform(0, 2 * pi))
+
+
+def _struck(shaft: Machine, times: int, scatter: float, random: np.random.Generator) -> Array:
+    """Blows so many times a turn, in step with the shaft but for a part of a period of each."""
+    turns = shaft.turns
+    blows = np.arange(1, int(turns[-1] * times)) / times
+    blows = blows + scatter / times * random.normal(size=len(blows))
+    unlike = 1.0 + 0.1 * random.normal(size=times)
+    size = 10 ** random.uniform(0.0, 1.3) * np.resize(unlike, len(blows))
+    places = np.clip(np.searchsorted(turns, blows), 0, len(turns) - 1)
+    return _rung(places, size, len(turns), random)
+
+
+def _rung(places: Any, size: Array, count: int, random: np.random.Generator) -> Array:
+    """A resonance that is struck at some places."""
+    struck = np.zeros(count)
+    np.add.at(struck, places, size)
+    decay = np.arange(2048) / RATE
+    own = random.uniform(1500.0, 9000.0)
+    ringing = np.exp(-random.uniform(300.0, 1500.0) * decay) * np.sin(2 * pi * own * decay)
+    return np.asarray(signal.fftconvolve(struck, ringing)[:count])
 
 
 def _gear(turns: Array, teeth: int, random: np.random.Generator) -> Array:

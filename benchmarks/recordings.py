@@ -4,8 +4,9 @@ FOLDER holds WAV files and `recordings.csv`, a table of them with at least the c
 
     file, rig, bearing, nominal_rpm, truth
 
-where `truth` is outer_race, inner_race, ball, cage or healthy. `damaged_elsewhere` tells of a
-healthy bearing that another part of the machine is damaged. Of a rig's name the part before the
+where `truth` is outer_race, inner_race, ball, cage, healthy or healthy_disputed.
+`damaged_elsewhere` says of a healthy bearing that another part of the machine is damaged. Of a
+rig's name the part before the
 first "-" is the rig that limits are left out for: "CWRU-12k_DE" and "CWRU-normal" are of CWRU.
 
 Beside the diagnosis stands what a user would write instead: cepstrum pre-whitening, squared
@@ -22,7 +23,7 @@ import json
 import time
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import asdict, dataclass, replace
-from math import inf, pi, sqrt
+from math import inf, nan, pi, sqrt
 from pathlib import Path
 from statistics import median
 from typing import Any, Final
@@ -34,6 +35,7 @@ from rolamento.vibration.demodulation import prewhitened
 from rolamento.vibration.diagnosis import (
     COMPONENTS,
     DAMAGE,
+    SMOOTH,
     Component,
     Diagnosis,
     FaultOrders,
@@ -80,7 +82,8 @@ class Outcome:
 
     stated: as damaged, the first first; undecided: part that something speaks against as strongly;
     watched: part with lines as healthy bearings have; depth: of the first part of any of these;
-    plain: score and part of the plain baseline.
+    plain: score and part of the plain baseline; kurtosis, band_kurtosis: of the record, and of the
+    band of the first part that is stated or watched.
     """
 
     stated: tuple[str, ...]
@@ -91,6 +94,8 @@ class Outcome:
     speed_factor: float
     seconds: float
     plain: tuple[float, str]
+    kurtosis: float = nan
+    band_kurtosis: float = nan
 
     @property
     def first(self) -> str:
@@ -135,16 +140,21 @@ def outcome(found: Diagnosis, seconds: float, baseline: tuple[float, str]) -> Ou
     """What a diagnosis comes to."""
     seen = [part for part in found.components if part.depth > 0.0]
     stated = [part for part in seen if part.verdict in ("fault", "undecided", "watch")]
+    watched = sorted((p for p in stated if p.verdict == "watch"), key=lambda part: -part.depth)
     undecided = [part.component for part in stated if part.verdict == "undecided"]
+    if not undecided and (found.undecided or found.impacts is not None):
+        undecided = ["unexplained"]
     return Outcome(
         stated=found.causes,
         undecided=undecided[0] if undecided else "",
-        watched=found.watched[0] if found.watched else "",
+        watched=watched[0].component if watched else "",
         depth=max((part.depth for part in stated or seen), default=0.0),
         grade=found.grade,
         speed_factor=found.speed_factor,
         seconds=seconds,
         plain=baseline,
+        kurtosis=found.kurtosis,
+        band_kurtosis=max(stated, key=lambda part: part.depth).band_kurtosis if stated else nan,
     )
 
 
@@ -189,6 +199,7 @@ def rates(results: Sequence[Result]) -> dict[str, tuple[int, int]]:
     balls = [r for r in results if r[0].kind in ("ball", "cage")]
     healthy = [r for r in results if r[0].kind == "healthy"]
     other = [r for r in results if r[0].kind == "other end"]
+    disputed = [r for r in results if r[0].kind == "healthy_disputed"]
     return {
         "race: named first": _count(races, lambda r: is_right(r[1].first, r[0].truth)),
         "race: damage stated, it alone": _count(races, _alone),
@@ -202,6 +213,7 @@ def rates(results: Sequence[Result]) -> dict[str, tuple[int, int]]:
         "ball: another part stated": _count(balls, _wrong),
         "healthy: damage stated": _count(healthy, lambda r: bool(r[1].stated)),
         "other end: damage stated": _count(other, lambda r: bool(r[1].stated)),
+        "health disputed: damage stated": _count(disputed, lambda r: bool(r[1].stated)),
         "not decided": _count(results, lambda r: bool(r[1].undecided)),
     }
 
@@ -283,13 +295,15 @@ def markdown(by_length: dict[float, list[Result]]) -> str:
     """All tables."""
     whole = by_length[inf]
     groups = [COUNT_ALL, *sorted({r[0].rig for r in whole})]
-    lines = [f"{len(whole)} recordings.", "", "| | " + " | ".join(groups) + " | plain |"]
-    lines.append("|---|" + "---|" * (len(groups) + 1))
+    heads = [groups[0], "95 %", *groups[1:], "plain"]
+    lines = [f"{len(whole)} recordings.", "", "| | " + " | ".join(heads) + " |"]
+    lines.append("|---|" + "---|" * len(heads))
     allowed = sum(bool(r[1].stated) for r in whole if r[0].truth == "healthy")
     baseline = plain_rates(whole, allowed)
     columns = [rates([r for r in whole if group in (COUNT_ALL, r[0].rig)]) for group in groups]
     for name in columns[0]:
         cells = [_share(column[name]) for column in columns]
+        cells.insert(1, _limits(columns[0][name]))
         lines.append(f"| {name} | " + " | ".join(cells) + f" | {_share(baseline[name])} |")
     lines += ["", "| part | recordings | named first | damage stated | wrong part stated |"]
     lines.append("|---|---|---|---|---|")
@@ -304,7 +318,7 @@ def markdown(by_length: dict[float, list[Result]]) -> str:
             lines.append(f"| {truth} | {len(some)} | " + " | ".join(cells) + " |")
     grades = ("nothing", "watch", "undecided", "damage", "severe")
     lines += ["", "| | " + " | ".join(grades) + " |", "|---|" + "---|" * len(grades)]
-    for kind in ("race", "ball", "cage", "healthy", "other end"):
+    for kind in ("race", "ball", "cage", "healthy", "other end", "healthy_disputed"):
         some = [r for r in whole if r[0].kind == kind]
         if some:
             counts = [sum(_grade(r[1]) == grade for r in some) for grade in grades]
@@ -323,6 +337,7 @@ def markdown(by_length: dict[float, list[Result]]) -> str:
             f"| {row['rig']} | {row['limit']:.0%} | {_share(row['healthy'])} | "
             f"{_share(row['race'])} |"
         )
+    lines += ["", *smooth_left_out(whole)]
     return "\n".join(lines) + "\n"
 
 
@@ -333,6 +348,68 @@ def _grade(outcome: Outcome) -> str:
 def _share(counts: tuple[int, int]) -> str:
     count, number = counts
     return f"{count} of {number}" if number else "–"
+
+
+def wilson(count: int, number: int, z: float = 1.96) -> tuple[float, float]:
+    """Limits of a share at 95 % (Wilson, Journal of the American Statistical Association 22)."""
+    share, spread = count / number, z * z / number
+    middle = (share + 0.5 * spread) / (1.0 + spread)
+    half = z * sqrt(share * (1.0 - share) / number + 0.25 * spread / number) / (1.0 + spread)
+    return max(0.0, middle - half), min(1.0, middle + half)
+
+
+def _limits(counts: tuple[int, int]) -> str:
+    if not counts[1]:
+        return "–"
+    low, high = wilson(*counts)
+    return f"{100 * low:.0f} to {100 * high:.0f} %"
+
+
+_RECORD_LIMITS: Final = (3.0, 3.2, 3.4, 3.6, 3.8, 4.0)
+_BAND_LIMITS: Final = (4.0, 4.5, 5.0, 5.5, 6.0)
+
+
+def smooth_limits(results: Sequence[Result]) -> tuple[float, float]:
+    """Highest limits of kurtosis, one step back, at which no damage that is stated right is lost.
+
+    Of the record first, with any band; then of the band, with the highest of the record's.
+    """
+    right = [r[1] for r in results if _alone(r) and r[1].depth < SMOOTH]
+    records = [
+        limit for limit in _RECORD_LIMITS if all(one.kurtosis >= limit for one in right)
+    ] or [_RECORD_LIMITS[0]]
+    record = records[-2] if len(records) > 1 else records[-1]
+    bands = [
+        limit
+        for limit in _BAND_LIMITS
+        if all(one.kurtosis >= records[-1] or one.band_kurtosis >= limit for one in right)
+    ]
+    return record, bands[-2] if len(bands) > 1 else _BAND_LIMITS[0]
+
+
+def smooth_left_out(results: Sequence[Result]) -> list[str]:
+    """For each rig the limits of smooth modulation that the others give, and what they cost it."""
+    lines = ["| rig left out | record | band | right and held back | not damaged and held back |"]
+    lines.append("|---|---|---|---|---|")
+    for group in sorted({r[0].group for r in results}):
+        record, band = smooth_limits([r for r in results if r[0].group != group])
+        deep = [
+            r
+            for r in results
+            if r[0].group == group
+            and DAMAGE <= r[1].depth < SMOOTH
+            and r[1].kurtosis < record
+            and r[1].band_kurtosis < band
+        ]
+        lost = sum(r[0].kind in ("race", "ball") for r in deep)
+        races = sum(r[0].group == group and r[0].kind in ("race", "ball") for r in results)
+        held = len(deep) - lost
+        sound = sum(r[0].group == group for r in results) - races
+        lines.append(
+            f"| {group} | {record:g} | {band:g} | {_share((lost, races))} | "
+            f"{_share((held, sound))} |"
+        )
+    return lines
 
 
 def main(arguments: Sequence[str] | None = None) -> None:

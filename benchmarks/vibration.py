@@ -57,7 +57,7 @@ SHORT: Final = 2.0
 """s; a signal of which the search takes as long as all the rest."""
 SECONDS: Final = 0.25
 """That the diagnosis of a signal of full length may take."""
-NOISE: Final = -8.0
+NOISE: Final = 0.0
 """Ratio of the fault to the noise; dB."""
 DIVISIONS: Final = (1, 2, 3, 4, 6, 8)
 """Of half the rate, in bands: those of the diagnosis."""

@@ -61,7 +61,7 @@ def outer(loaded: bool = False) -> np.ndarray:
     if loaded:
         frequencies = frequencies_of(solve(parse_case(THRUST)))
     recipe = Recipe(
-        frequencies=frequencies, faults=(Fault(kind="outer_race"),), noise=Noise(ratio=-5.0),
+        frequencies=frequencies, faults=(Fault(kind="outer_race"),), noise=Noise(ratio=0.0),
         duration=5.0, rate=RATE,
     )  # fmt: skip
     return synthesise(recipe).signal.samples

@@ -45,7 +45,7 @@ class Machine(NamedTuple):
 def machine(duration: float = 12.0) -> Machine:
     recipe = Recipe(
         frequencies=nominal_frequencies(Bearing.named("6205"), MEAN),
-        faults=(Fault(kind="outer_race"),), noise=Noise(ratio=-6.0), duration=duration, rate=RATE,
+        faults=(Fault(kind="outer_race"),), noise=Noise(ratio=0.0), duration=duration, rate=RATE,
         speed=SwingingSpeed(MEAN, depth=0.06, frequency=0.15), shaft_harmonics=(2.0, 1.0, 1.0),
     )  # fmt: skip
     signal = synthesise(recipe).signal
@@ -243,7 +243,7 @@ class TestFindingTheSpeed:
     def test_a_fault_is_one_without_it(self, run: Run) -> None:
         recipe = Recipe(
             frequencies=nominal_frequencies(Bearing.named("6205"), MEAN),
-            faults=(Fault(kind="outer_race"),), noise=Noise(ratio=-3.0), duration=10.0, rate=RATE,
+            faults=(Fault(kind="outer_race"),), noise=Noise(ratio=2.0), duration=10.0, rate=RATE,
         )  # fmt: skip
         np.save("steady.npy", synthesise(recipe).signal.samples)
         given = ("steady.npy", "--rate", "12 kHz", "--bearing", "6205")

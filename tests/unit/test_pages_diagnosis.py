@@ -340,7 +340,7 @@ class TestUnexplainedLines:
             in text
         )
         assert text.startswith("Nothing found")
-        assert "There are other peaks: see the notes." in text
+        assert "Other peaks are there, the deepest at 53.20 Hz, modulation depth 31 %:" in text
 
     def test_several_the_clearest_first_and_the_rest_counted(self) -> None:
         lines = [line(frequency=60.0 + i, depth=0.1 + 0.01 * i) for i in range(7)]
@@ -394,8 +394,9 @@ class TestGrades:
         found = self.one("watch", "watch")
         assert found.verdict == "watch"
         text = squeezed(page(found, "en"))
+        # of 40 %: as deep as damage, without impacts
         assert text.startswith("No damage stated. Watch the outer race: ")
-        assert "as in many healthy bearings. Recommendation: no action;" in text
+        assert "a smooth modulation without impacts. Recommendation: compare with records" in text
         data = data_of(found)
         assert (data["verdict"], data["faults"]) == ("watch", [])
         assert data["watched"] == ["outer_race"]
@@ -503,7 +504,7 @@ class TestSpeed:
         assert "shaft 1797 rpm (29.95 Hz) as given not confirmed by the shaft's own peaks" in text
         told = replace(found.diagnosis, speed_factor=1.02, shaft_frequency=30.549)
         text = squeezed(page(replace(found, diagnosis=told), "en"))
-        assert "by the shaft's own peaks; 1797 rpm as given, −2.0 % signal" in text
+        assert "by the shaft's own peaks, +2.0 % from 1797 rpm as given signal" in text
         assert data_of(found)["speed"]["mean"] == pytest.approx(SPEED)
 
     @pytest.mark.parametrize(

@@ -37,7 +37,7 @@ ORDERS = FaultOrders.of(FREQUENCIES)
 @cache
 def outer() -> tuple[Signal, Diagnosis]:
     recipe = Recipe(
-        frequencies=FREQUENCIES, faults=(Fault(kind="outer_race"),), noise=Noise(ratio=-5.0),
+        frequencies=FREQUENCIES, faults=(Fault(kind="outer_race"),), noise=Noise(ratio=3.0),
         duration=5.0, rate=12_000.0,
     )  # fmt: skip
     signal = synthesise(recipe).signal
@@ -47,7 +47,7 @@ def outer() -> tuple[Signal, Diagnosis]:
 @cache
 def inner() -> Diagnosis:
     recipe = Recipe(
-        frequencies=FREQUENCIES, faults=(Fault(kind="inner_race"),), noise=Noise(ratio=-5.0),
+        frequencies=FREQUENCIES, faults=(Fault(kind="inner_race"),), noise=Noise(ratio=3.0),
         load=LoadDistribution.radial(), duration=5.0, rate=12_000.0,
     )  # fmt: skip
     return diagnose(synthesise(recipe).signal, ORDERS)

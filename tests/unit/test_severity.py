@@ -211,3 +211,16 @@ class TestCommand:
         assert code == 0
         assert Path("zones.png").stat().st_size > 5000
         assert Path("trend.svg").stat().st_size > 5000
+
+
+def test_the_worse_zone_leads(tmp_path: Path) -> None:
+    """A slow machine that moves far: zone C by displacement, A by velocity."""
+    from rolamento.pages.severity import severity_statement
+
+    time = np.arange(20 * 5120) / 5120.0
+    path = tmp_path / "slow.npz"
+    velocity = 1.1107e-3 * np.sin(2 * np.pi * 2.5 * time)
+    np.savez(path, velocity=velocity, fs=5120.0)
+    found = tasks.severity_of(path, speed="150 rpm", power="45 kW", support="rigid", unit="m/s")
+    assert found.zone == "C"
+    assert "zone A by velocity" in severity_statement(found)

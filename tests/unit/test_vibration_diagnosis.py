@@ -58,7 +58,7 @@ def orders(frequencies: FaultFrequencies) -> FaultOrders:
 def planted(
     frequencies: FaultFrequencies,
     *kinds: Component,
-    ratio: float = -8.0,
+    ratio: float = -3.0,
     duration: float = 6.0,
     jitter: float = 0.01,
     speed: SpeedProfile | None = None,
@@ -128,10 +128,11 @@ def test_a_planted_fault_is_found(
 def test_a_weak_fault_is_watched(
     component: Component, frequencies: FaultFrequencies, orders: FaultOrders
 ) -> None:
-    """Its lines are certain, and as small as many healthy bearings have them."""
+    """Its lines are certain, and as small as many healthy bearings have them: no part is named."""
     found = diagnose(planted(frequencies, component, ratio=-18.0), orders)
-    assert found.faults == ()
-    assert found.watched == (component,)
+    assert found.faults == found.watched == ()
+    assert found.of(component).verdict == "watch"
+    assert [note.key for note in found.statement()] == ["peaks_watched"]
     assert found.grade == "watch"
     assert found.of(component).depth < DAMAGE
     assert found.of(component).evidence > 2.0
@@ -141,7 +142,7 @@ def test_the_deeper_the_worse(frequencies: FaultFrequencies, orders: FaultOrders
     """Depth and grade rise with the ratio to noise; a train of blows alone has a depth of 2."""
     found = [
         diagnose(planted(frequencies, "outer_race", ratio=ratio), orders).of("outer_race")
-        for ratio in (-18.0, -8.0, 10.0)
+        for ratio in (-18.0, -3.0, 10.0)
     ]
     assert [part.grade for part in found] == ["watch", "damage", "severe"]
     assert 0.0 < found[0].depth < found[1].depth < found[2].depth < 2.0
@@ -150,7 +151,7 @@ def test_the_deeper_the_worse(frequencies: FaultFrequencies, orders: FaultOrders
 def test_a_ring_that_turns_through_the_load_has_sidebands(
     frequencies: FaultFrequencies, orders: FaultOrders
 ) -> None:
-    signal = planted(frequencies, "inner_race", load=LoadDistribution.radial(), ratio=-8.0)
+    signal = planted(frequencies, "inner_race", load=LoadDistribution.radial(), ratio=-3.0)
     found = diagnose(signal, orders)
     assert found.faults == ("inner_race",)
     sidebands = found.of("inner_race").sidebands
@@ -173,7 +174,7 @@ def test_slip_within_the_tolerance_is_followed(
 
 
 def test_two_faults_of_one_cage(frequencies: FaultFrequencies, orders: FaultOrders) -> None:
-    found = diagnose(planted(frequencies, "outer_race", "inner_race", ratio=-5.0), orders)
+    found = diagnose(planted(frequencies, "outer_race", "inner_race", ratio=3.0), orders)
     assert set(found.faults) == {"outer_race", "inner_race"}
 
 
@@ -311,9 +312,9 @@ def test_averaging_many_blocks_finds_weaker_faults(
         for duration in (3.0, 40.0)
     ]
     short, long = (diagnose(s, orders, DiagnosisSettings(block_revolutions=80.0)) for s in weak)
-    assert short.watched == ()
+    assert short.of("outer_race").verdict == "nothing_found"
     assert long.blocks == 15
-    assert long.watched == ("outer_race",)
+    assert long.of("outer_race").verdict == "watch"
 
 
 def test_what_is_known_to_turn_is_left_out(
@@ -375,7 +376,7 @@ def test_a_record_copied_end_to_end_is_named(orders: FaultOrders) -> None:
 @pytest.mark.thirds
 def test_a_wrong_speed_is_seen(rpm: int, frequencies: FaultFrequencies) -> None:
     """No part is blamed; the line that nothing explains tells whose it is at which speed."""
-    signal = planted(frequencies, "outer_race", ratio=-8.0)
+    signal = planted(frequencies, "outer_race", ratio=-3.0)
     orders = FaultOrders.of(frequencies)
     found = diagnose(Signal(signal.samples, RATE, speed=rpm * pi / 30.0), orders)
     assert found.faults == ()
@@ -393,7 +394,7 @@ def test_a_speed_somewhat_wrong_is_borne(
     rpm: int, frequencies: FaultFrequencies, orders: FaultOrders
 ) -> None:
     """Up to 3 % and what slip may add; unless the speed is certain."""
-    signal = planted(frequencies, "outer_race", ratio=-8.0)
+    signal = planted(frequencies, "outer_race", ratio=-3.0)
     wrong = Signal(signal.samples, RATE, speed=rpm * pi / 30.0)
     found = diagnose(wrong, orders)
     assert found.faults == ("outer_race",)
@@ -425,11 +426,47 @@ def test_the_shaft_tells_its_speed(
     assert ("other_speed" in doubts(found, "inner_race")) == (abs(off) > 0.03)
 
 
+@pytest.mark.parametrize("designation", ["6200", "6203", "6305", "6310"])
+@pytest.mark.parametrize("tones", [(3.0, 1.0), ()])
+@pytest.mark.parametrize("kind", ["inner_race", "outer_race"])
+@pytest.mark.thirds
+def test_a_right_speed_is_kept_beside_a_comb_of_the_fault(
+    designation: str, tones: tuple[float, ...], kind: Component
+) -> None:
+    """An inner race near five times the shaft, or an outer race near three times, is no shaft."""
+    sought = nominal_frequencies(Bearing.named(designation), SPEED)
+    recipe = Recipe(
+        frequencies=sought,
+        duration=6.0,
+        rate=RATE,
+        faults=(Fault(kind=kind),),
+        load=LoadDistribution.radial(),
+        shaft_harmonics=tones,
+        noise=Noise(ratio=6.0),
+        seed=5,
+    )
+    found = diagnose(synthesise(recipe).signal, FaultOrders.of(sought))
+    assert found.speed_factor == pytest.approx(1.0, abs=5e-4)
+    assert found.faults == (kind,)
+
+
+@pytest.mark.parametrize("frequency", [29.95, 29.9, 30.03])
+def test_the_shaft_lies_between_lines(frequency: float) -> None:
+    """A clear line of 8 s lies at its frequency, not at the nearest eighth of a hertz."""
+    time = np.arange(int(8 * RATE)) / RATE
+    random = np.random.default_rng(21)
+    samples = random.normal(size=len(time)) + 2.0 * np.sin(2 * pi * frequency * time)
+    sought = FaultOrders(outer_race=3.585, inner_race=5.415)
+    found = diagnose(Signal(samples, RATE, speed=2 * pi * 29.8), sought)
+    assert found.speed_confirmed
+    assert found.shaft_frequency == pytest.approx(frequency, abs=0.01)
+
+
 def test_a_part_that_only_a_wrong_speed_brings_near_is_not_stated(
     frequencies: FaultFrequencies, orders: FaultOrders
 ) -> None:
     """At 4/3 of the speed twice the outer race's order is near the inner's: half of it is not."""
-    signal = planted(frequencies, "outer_race", ratio=-8.0)
+    signal = planted(frequencies, "outer_race", ratio=-3.0)
     found = diagnose(Signal(signal.samples, RATE, speed=SPEED * 4.0 / 3.0), orders)
     assert found.faults == ()
     assert found.of("inner_race").verdict == "undecided"
@@ -462,10 +499,67 @@ def modulated(hertz: float, depth: float, seed: int = 11) -> Signal:
 def test_depth_is_what_was_put_in(orders: FaultOrders) -> None:
     """Noise whose power is modulated by a part d has a squared envelope of that depth."""
     line = (orders.outer_race or nan) * SPEED / (2 * pi)
-    for depth, verdict in ((0.1, "watch"), (0.2, "watch"), (0.4, "fault"), (0.8, "fault")):
+    for depth, verdict in ((0.1, "watch"), (0.2, "watch"), (0.4, "watch"), (0.8, "fault")):
         part = diagnose(modulated(line, depth), orders).of("outer_race")
         assert part.depth == pytest.approx(depth, rel=0.1)
         assert part.verdict == verdict
+        # of noise whose power is m(t) the kurtosis is 3 E[m²]/E[m]²
+        assert part.band_kurtosis == pytest.approx(3.0 * (1.0 + 0.5 * depth**2), rel=0.03)
+
+
+def test_a_deep_modulation_without_impacts_is_watched(orders: FaultOrders) -> None:
+    """Noise that rises and falls by 50 % is load that varies, and is said to be smooth."""
+    line = (orders.outer_race or nan) * SPEED / (2 * pi)
+    found = diagnose(modulated(line, 0.5), orders)
+    assert found.faults == ()
+    assert found.watched == ("outer_race",)
+    assert [note.key for note in found.statement()] == ["part_smooth"]
+    assert "smooth_modulation" in reasons(found, "outer_race")
+    assert found.advice[0].key == "compare_with_healthy"
+
+
+def blows(per_turn: float, jitter: float, *, adding_up: bool, seed: int = 3) -> Signal:
+    """A resonance struck so many times a turn, beside a shaft, in noise."""
+    random, period = np.random.default_rng(seed), 2 * pi / (SPEED * per_turn)
+    scatter = jitter * random.normal(size=int(9.5 / period))
+    if adding_up:
+        scatter = np.cumsum(scatter)
+    times = period * (1 + np.arange(len(scatter)) + scatter)
+    time = np.arange(int(10 * RATE)) / RATE
+    samples = random.normal(size=len(time))
+    np.add.at(samples, (times * RATE).astype(int), 10.0)
+    decay = np.arange(400) / RATE
+    ringing = np.exp(-900.0 * decay) * np.sin(2 * pi * 3000.0 * decay)
+    struck = np.convolve(samples - random.normal(size=len(time)), ringing)[: len(time)]
+    tones = 3.0 * np.sin(SPEED * time) + np.sin(2 * SPEED * time)
+    return Signal(struck + samples + tones, RATE, speed=SPEED)
+
+
+@pytest.mark.parametrize("adding_up", [False, True])
+def test_blades_of_a_fan_are_not_a_race(adding_up: bool) -> None:
+    """Five of them keep step with the shaft, where an inner race of order 4.94 is looked for."""
+    sought = FaultOrders.of(nominal_frequencies(Bearing.named("6310"), SPEED))
+    found = diagnose(blows(5.0, 0.01, adding_up=adding_up), sought)
+    assert found.faults == ()
+    assert found.of("inner_race").verdict == "undecided"
+    assert "keeps_step" in doubts(found, "inner_race")
+    raced = diagnose(blows(4.9394, 0.01, adding_up=True), sought)
+    assert raced.faults == ("inner_race",)
+    assert "keeps_step" not in doubts(raced, "inner_race")
+
+
+def test_a_peak_that_slip_would_explain_leads(orders: FaultOrders) -> None:
+    """Nothing found is not said over a comb 96 % deep: of a race, if the cage is 4 % slow."""
+    off = 0.96 * (orders.outer_race or nan)
+    found = diagnose(blows(off, 0.01, adding_up=True), orders)
+    assert found.faults == ()
+    assert found.impacts is not None
+    assert [part for part, _ in found.slips] == ["outer_race"]
+    assert found.slips[0][1] == pytest.approx(-0.04, abs=2e-3)
+    assert found.statement()[0].key == "undecided_slip"
+    far = diagnose(blows(0.88 * (orders.outer_race or nan), 0.01, adding_up=True), orders)
+    assert far.slips == ()
+    assert far.statement()[0].key == "undecided_impacts"
 
 
 @pytest.mark.parametrize(("hertz", "part"), [(100.0, "outer_race"), (120.0, "inner_race")])
@@ -522,9 +616,10 @@ def test_a_race_on_a_multiple_of_the_shaft() -> None:
         noise = random.normal(size=len(time))
         return diagnose(Signal(noise * np.sqrt(level), RATE, speed=SPEED), sought)
 
-    found = seen(0.1, 0.05, 0.6, 0.0, 0.0, 0.15)
-    assert found.faults == ("outer_race",)
-    assert doubts(found, "outer_race") >= {"on_shaft"}
+    found = seen(0.1, 0.05, 0.75, 0.0, 0.0, 0.15)
+    assert found.faults == ()
+    assert found.of("outer_race").verdict == "undecided"
+    assert doubts(found, "outer_race") >= {"keeps_step"}
     found = seen(0.45, 0.05, 0.35)
     assert found.faults == ()
     assert found.of("outer_race").verdict == "not_tested"
@@ -557,7 +652,7 @@ def test_a_damaged_ball_is_not_taken_for_its_cage(
     frequencies: FaultFrequencies, orders: FaultOrders
 ) -> None:
     """A ball goes through the load once in a turn of the cage, and marks the cage's lines."""
-    signal = planted(frequencies, "ball", load=LoadDistribution.radial(), ratio=-14.0)
+    signal = planted(frequencies, "ball", load=LoadDistribution.radial(), ratio=-4.0)
     found = diagnose(signal, orders)
     assert found.faults == ("ball",)
     assert found.of("cage").verdict == "nothing_found"
@@ -565,7 +660,7 @@ def test_a_damaged_ball_is_not_taken_for_its_cage(
 
 def test_a_damaged_cage_blames_no_other(frequencies: FaultFrequencies, orders: FaultOrders) -> None:
     """Its ninth multiple is the outer race's order, its twelfth near the ball's."""
-    for ratio in (-15.0, 5.0):
+    for ratio in (-5.0, 5.0):
         found = diagnose(planted(frequencies, "cage", ratio=ratio, duration=9.0), orders)
         assert found.faults == ("cage",)
         assert found.causes == ("ball_or_cage",)
@@ -746,7 +841,10 @@ def test_noise_that_may_have_lifted_a_depth_leaves_it_undecided(orders: FaultOrd
     def seen(depth: float, duration: float, seed: int) -> Diagnosis:
         time = np.arange(int(duration * RATE)) / RATE
         level = 1.0 + depth * np.cos((orders.outer_race or nan) * SPEED * time)
-        noise = np.random.default_rng(seed).normal(size=len(time))
+        # a few greater samples, so that it is not taken for smooth
+        random = np.random.default_rng(seed)
+        level = level * np.where(random.random(len(time)) < 0.02, 12.0, 1.0)
+        noise = random.normal(size=len(time))
         signal = Signal(noise * np.sqrt(level), RATE, speed=SPEED)
         return diagnose(signal, orders, DiagnosisSettings(speed_tolerance=0.0))
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, Annotated, ClassVar, Final
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final
 
 import typer
 
@@ -47,7 +48,7 @@ class DiagnoseCommand(JsonCommand):
     """`rolamento diagnose`, its help in groups."""
 
     groups: ClassVar[Groups] = {
-        "Bearing": ("bearing", *CASE_OPTIONS, "nominal", "angle"),
+        "Bearing": ("bearing", "machine", "baseline", *CASE_OPTIONS, "nominal", "angle"),
         "Speed": (
             *("speed", "outer_speed", "speed_channel", "speed_unit"),
             *("tacho", "pulses", "track", "within"),
@@ -73,7 +74,8 @@ def diagnose(
         str,
         typer.Argument(
             metavar="SIGNAL",
-            help="Signal file: WAV, CSV, NumPy, MATLAB, HDF5, Parquet or UFF 58.",
+            help="Signal file: WAV, CSV, NumPy, MATLAB, HDF5, Parquet or UFF 58; or a folder of "
+            "many, followed by their names.",
         ),
     ],
     bearing: Annotated[
@@ -82,9 +84,28 @@ def diagnose(
             "--bearing",
             metavar="BEARING",
             help="Designation such as 6205, or a case file; for a case with a load, "
-            "the frequencies of the loaded bearing are searched.",
+            "the frequencies of the loaded bearing are searched. 'unknown' ranks the bearings of "
+            "the catalogue.",
         ),
-    ],
+    ] = "",
+    machine: Annotated[
+        str | None,
+        typer.Option(
+            "--machine",
+            metavar="FILE",
+            help="File of a machine with several bearings, shafts and gears, instead of "
+            "--bearing: all are tested together.",
+        ),
+    ] = None,
+    baseline: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--baseline",
+            metavar="PATH",
+            help="Record of the machine in good order, or a folder of them; may be repeated. "
+            "Damage is what has doubled since.",
+        ),
+    ] = None,
     given: CaseOptions = NOTHING_GIVEN,
     nominal: Annotated[
         bool,
@@ -210,47 +231,124 @@ def diagnose(
         outputs.check(
             {"--json": json, "--plot": plot, "--kurtogram": kurtogram},
             signal,
-            bearing,
+            bearing or machine or "",
             rule=marked("is one of the input files; choose another name"),
         )
         from rolamento import tasks
         from rolamento.tasks.quantities import number_given, part_of_one
         from rolamento.vibration.diagnosis import DiagnosisSettings
 
-        found = tasks.diagnose(
-            signal,
-            bearing,
-            speed=speed,
-            outer_speed=outer_speed,
-            speed_channel=speed_channel,
-            speed_unit=speed_unit,
-            tacho=tacho,
-            pulses=pulses,
-            track=track,
-            within=within,
-            nominal=nominal,
-            angle=angle,
-            channel=channel,
-            rate=number_given(rate, "--rate", "frequency", "--rate '50 kHz'"),
-            unit=unit,
-            scale=scale,
-            start=number_given(start, "--start", "time", "--start '2 s'") or 0.0,
-            duration=number_given(duration, "--duration", "time", "--duration '10 s'"),
-            decimal_mark=decimal_mark,
-            search=DiagnosisSettings(
-                false_alarm=false_alarm,
-                tolerance=slip,
-                speed_tolerance=part_of_one(speed_tolerance, "speed_tolerance", _TOLERANCE_EXAMPLE),
-            ),
-            settings=given.settings,
-            stages=_stages_shown(lang),
+        reading: dict[str, Any] = {
+            "channel": channel,
+            "rate": number_given(rate, "--rate", "frequency", "--rate '50 kHz'"),
+            "unit": unit,
+            "scale": scale,
+            "decimal_mark": decimal_mark,
+        }
+        part: dict[str, Any] = {
+            "start": number_given(start, "--start", "time", "--start '2 s'") or 0.0,
+            "duration": number_given(duration, "--duration", "time", "--duration '10 s'"),
+        }
+        search = DiagnosisSettings(
+            false_alarm=false_alarm,
+            tolerance=slip,
+            speed_tolerance=part_of_one(speed_tolerance, "speed_tolerance", _TOLERANCE_EXAMPLE),
         )
+        asked: dict[str, Any] = {
+            "speed": speed,
+            "outer_speed": outer_speed,
+            "speed_channel": speed_channel,
+            "speed_unit": speed_unit,
+            "tacho": tacho,
+            "pulses": pulses,
+            "track": track,
+            "within": within,
+            "nominal": nominal,
+            "angle": angle,
+            "search": search,
+            "settings": given.settings,
+            "stages": _stages_shown(lang),
+            **part,
+            **reading,
+        }
+        _check_together(signal, bearing, machine, baseline)
+        found: Any
+        if machine is not None:
+            found = tasks.diagnose_machine(signal, machine, **asked)
+        elif bearing == _UNKNOWN:
+            found = tasks.rank_bearings(signal, speed=speed, search=search, **part, **reading)
+        elif os.path.isdir(signal):
+            found = tasks.trend_of_records([signal], bearing, **asked)
+        elif baseline:
+            found = tasks.diagnose_since(signal, bearing, baseline, **asked)
+        else:
+            found = tasks.diagnose(signal, bearing, **asked)
+        if not isinstance(found, tasks.DiagnosisResult | tasks.TooShort):
+            _refuse_pictures(plot, kurtogram)
+            _show_more(found, signal, json, outputs)
+            verdict = getattr(found, "verdict", "nothing_found")
+            raise typer.Exit(NO_RESULT if verdict in _NO_VERDICT else SOLVED)
         if isinstance(found, tasks.TooShort):
             _show_too_short(found, json)
             raise typer.Exit(NO_RESULT)
         _draw(found, plot, kurtogram)
         _show(found, json, outputs)
     raise typer.Exit(NO_RESULT if found.verdict in _NO_VERDICT else SOLVED)
+
+
+_UNKNOWN: Final = "unknown"
+
+
+def _check_together(
+    signal: str, bearing: str, machine: str | None, baseline: list[str] | None
+) -> None:
+    """Refuse what does not go together: a machine, a bearing, a folder and a history.
+
+    Raises
+    ------
+    InputError
+        With an example of what does.
+    """
+    from rolamento.errors import InputError
+
+    if not bearing and machine is None:
+        raise InputError(said("must be given"), field="--bearing", example="--bearing 6205")
+    if bearing and machine is not None:
+        rule = said("names the bearings: leave --bearing out")
+        raise InputError(rule, field="--machine", example="--machine machine.toml")
+    alone = machine is not None or bearing == _UNKNOWN or os.path.isdir(signal)
+    if baseline and alone:
+        rule = said("goes with one record and one bearing")
+        raise InputError(rule, field="--baseline", example="now.wav --bearing 6205")
+    if os.path.isdir(signal) and (machine is not None or bearing == _UNKNOWN):
+        rule = said("must be one record here")
+        raise InputError(rule, field="signal", value=signal, example="now.wav")
+
+
+def _refuse_pictures(plot: str | None, kurtogram: str | None) -> None:
+    from rolamento.errors import InputError
+
+    for option, given in (("--plot", plot), ("--kurtogram", kurtogram)):
+        if given is not None:
+            rule = said("goes with one record; --report draws the others")
+            raise InputError(rule, field=option, example="--report page.pdf")
+
+
+def _show_more(found: Any, signal: str, json: str | None, outputs: Outputs) -> None:
+    """Write a history, many records, a machine, or the bearings that a record may be of."""
+    from rolamento import tasks
+    from rolamento.pages import history as pages
+
+    if json is not None:
+        put_json(found.to_mapping(), json)
+    if isinstance(found, tasks.History):
+        outputs.show(lambda: pages.history_page(found), json)
+    elif isinstance(found, tasks.Records):
+        outputs.show(lambda: pages.records_page(found, signal), json)
+    elif isinstance(found, tasks.MachineDiagnosis):
+        outputs.show(lambda: pages.machine_page(found), json)
+    else:
+        outputs.show(lambda: pages.unknown_page(found), json)
 
 
 def _stages_shown(lang: Language | None) -> Stages:

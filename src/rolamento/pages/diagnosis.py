@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from math import log10, pi
+from math import isfinite, log10, pi
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -155,12 +155,14 @@ def _by_whom(found: DiagnosisResult, known: ShaftSpeed) -> Iterable[str]:
     """Say where the speed is from: as given or measured, or by the shaft's own peaks."""
     diagnosis, source = found.diagnosis, _source(known)
     if diagnosis.speed_factor != 1.0:
-        off = 1.0 / diagnosis.speed_factor - 1.0
-        yield said(
-            "by the shaft's own peaks; {given:.6 rpm} {source}, {off} %",
-            given=abs(known.mean),
-            source=source,
-            off=manner().fixed(100.0 * off, 1 if abs(off) >= 1e-3 else 2),
+        off = diagnosis.speed_factor - 1.0
+        values = {"given": abs(known.mean), "source": source, "off": off}
+        yield (
+            said("by the shaft's own peaks, {off:+.1f %} from {given:.6 rpm} {source}", **values)
+            if abs(off) >= 1e-3
+            else said(
+                "by the shaft's own peaks, {off:+.2f %} from {given:.6 rpm} {source}", **values
+            )
         )
         return
     yield source
@@ -176,6 +178,14 @@ def _source(known: ShaftSpeed) -> str:
     if known.lost:
         return said("taken as constant: it was not found in the vibration")
     if known.source == "vibration" and tracking is not None:
+        if isfinite(tracking.share):
+            return said(
+                "found in the vibration within {within:.3 %} of {nominal:.6 rpm}; {share:.0f %} of"
+                " the power about a harmonic lies on it",
+                within=tracking.within,
+                nominal=abs(tracking.nominal),
+                share=tracking.share,
+            )
         return said(
             "found in the vibration within {within:.3 %} of {nominal:.6 rpm}",
             within=tracking.within,
@@ -316,7 +326,9 @@ def _verdict_of(part: ComponentVerdict) -> str:
     return {
         "fault": said_in("part", "damaged"),
         "undecided": said_in("part", "undecided"),
-        "watch": said_in("part", "watch"),
+        "watch": (
+            said_in("part", "watch") if part.depth >= DAMAGE else said_in("part", "weak peaks")
+        ),
         "nothing_found": said_in("part", "nothing"),
         "not_tested": said_in("part", "not tested"),
     }[part.verdict]

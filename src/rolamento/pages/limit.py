@@ -68,7 +68,16 @@ def limit_statement(
         )
     elif crossing.code == "exceeded":
         tone = "bad-strong"
-        text = said("The limit of {limit:.4} {unit} has been reached already.", **values)
+        last = growth.last_value
+        if last < crossing.limit:
+            text = said(
+                "The fitted trend has reached the limit of {limit:.4} {unit}; the last reading,"
+                " {last:.3} {unit}, has not.",
+                last=last,
+                **values,
+            )
+        else:
+            text = said("The limit of {limit:.4} {unit} has been reached already.", **values)
     elif crossing.code == "falling":
         tone = "good"
         text = said(

@@ -92,6 +92,17 @@ def severity_statement(found: SeverityResult) -> str:
             " is of.",
             **values,
         )
+    by_velocity = found.machine.zone_of(worst.severity.velocity)
+    if by_velocity != zone:
+        return said(
+            "Zone {zone}, {meaning}, by displacement: {displacement:.3 µm} RMS; zone {by_velocity}"
+            " by velocity: {velocity:.3 mm/s} RMS ({standard}, {name}).",
+            standard=found.machine.standard,
+            name=class_name(found.machine.name),
+            by_velocity=by_velocity,
+            displacement=worst.severity.displacement,
+            **values,
+        )
     return said(
         "Zone {zone}, {meaning}: {velocity:.3 mm/s} RMS ({standard}, {name}).",
         standard=found.machine.standard,

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from rolamento.vibration.demodulation import Kurtogram
-    from rolamento.vibration.diagnosis import Component, Diagnosis
+    from rolamento.vibration.diagnosis import Component, ComponentVerdict, Diagnosis
     from rolamento.vibration.signal import Signal
 
 
@@ -451,7 +451,7 @@ def envelope_lines(
         _mark_shaft(axes, diagnosis)
         drawn = _Drawn(hertz, level, manner().mark)
         for number_of, part in enumerate(COMPONENTS):
-            _mark_component(axes, diagnosis, part, series(number_of), drawn)
+            _mark_component(axes, diagnosis, part, series(number_of), drawn, threshold)
         _mark_unexplained(axes, diagnosis, drawn)
         label_x(axes, said("Frequency (Hz)"))
         label_y(axes, said("Envelope² over noise (dB)"))
@@ -486,12 +486,14 @@ def _mark_component(
     part: Component,
     look: Series,
     drawn: _Drawn,
+    threshold: float,
 ) -> None:
     hertz, level, mark = drawn
     verdict, name = diagnosis.of(part), part_name(part, diagnosis.element)
     if verdict.band is not None:
         keywords: dict[str, Any] = {"color": look.color, "linestyle": "", "marker": look.marker}
         lines = [(line.frequency, f"{line.multiple:g}×") for line in verdict.lines]
+        lines += _further_multiples(verdict, drawn, threshold)
         tops = [_peak_height(place, hertz, level) for place, _ in lines]
         axes.plot(
             [place for place, _ in lines], tops, **keywords, label=said("{part}, found", part=name)
@@ -517,6 +519,21 @@ def _mark_component(
             axes.axvspan(
                 nominal - spread, nominal + spread, color=look.color, alpha=0.15, linewidth=0.0
             )
+
+
+def _further_multiples(
+    verdict: ComponentVerdict, drawn: _Drawn, threshold: float
+) -> list[tuple[float, str]]:
+    """Return multiples of a fault beside those it was matched by, that are no noise either."""
+    matched = {line.multiple for line in verdict.lines}
+    last = float(drawn.hertz[np.flatnonzero(np.isfinite(drawn.level))[-1]])
+    numbers = range(1, int(last / verdict.frequency) + 1)
+    return [
+        (number * verdict.frequency, f"{number}×")
+        for number in numbers
+        if number not in matched
+        and _peak_height(number * verdict.frequency, drawn.hertz, drawn.level) >= threshold
+    ]
 
 
 def _mark_unexplained(axes: Axes, diagnosis: Diagnosis, drawn: _Drawn) -> None:

@@ -11,12 +11,20 @@ from typing import TYPE_CHECKING, Any, Final
 
 if TYPE_CHECKING:
     from rolamento.tasks.demonstration import example_case, write_example
-    from rolamento.tasks.diagnosis import DiagnosisResult, TooShort, diagnose
+    from rolamento.tasks.diagnosis import (
+        DiagnosisResult,
+        TooShort,
+        UnknownResult,
+        diagnose,
+        rank_bearings,
+    )
     from rolamento.tasks.drawing import Drawing, Kind, draw
     from rolamento.tasks.frequencies import FrequencyResult, fault_frequencies
+    from rolamento.tasks.history import History, Records, diagnose_since, trend_of_records
     from rolamento.tasks.life import CaseLife, ShaftLife, life_of_case, life_of_shaft
     from rolamento.tasks.life_over import LifeCurve, life_curve
     from rolamento.tasks.life_spectrum import DutyLife, SpectrumLife, life_under, read_spectrum
+    from rolamento.tasks.machine import Machine, MachineDiagnosis, diagnose_machine, read_machine
     from rolamento.tasks.noise import FullScale, NoiseResult, anderons
     from rolamento.tasks.replace import (
         FleetStudy,
@@ -42,12 +50,14 @@ if TYPE_CHECKING:
 
 _NAMES_OF_MODULES: Final = {
     "demonstration": ("example_case", "write_example"),
-    "diagnosis": ("DiagnosisResult", "TooShort", "diagnose"),
+    "diagnosis": ("DiagnosisResult", "TooShort", "UnknownResult", "diagnose", "rank_bearings"),
     "drawing": ("Drawing", "Kind", "draw"),
     "frequencies": ("FrequencyResult", "fault_frequencies"),
+    "history": ("History", "Records", "diagnose_since", "trend_of_records"),
     "life": ("CaseLife", "ShaftLife", "life_of_case", "life_of_shaft"),
     "life_over": ("LifeCurve", "life_curve"),
     "life_spectrum": ("DutyLife", "SpectrumLife", "life_under", "read_spectrum"),
+    "machine": ("Machine", "MachineDiagnosis", "diagnose_machine", "read_machine"),
     "noise": ("FullScale", "NoiseResult", "anderons"),
     "replace": (
         "FleetStudy",
@@ -85,10 +95,14 @@ __all__ = [
     "FleetStudy",
     "FrequencyResult",
     "FullScale",
+    "History",
     "Kind",
     "LifeCurve",
+    "Machine",
+    "MachineDiagnosis",
     "NoiseResult",
     "PrecisionStudy",
+    "Records",
     "RemainingStudy",
     "ReplacementStudy",
     "Report",
@@ -99,11 +113,14 @@ __all__ = [
     "SynthesisResult",
     "TooShort",
     "TrendStudy",
+    "UnknownResult",
     "Unsolved",
     "anderons",
     "compare_variants",
     "demonstration_study",
     "diagnose",
+    "diagnose_machine",
+    "diagnose_since",
     "draw",
     "example_case",
     "fault_frequencies",
@@ -114,6 +131,8 @@ __all__ = [
     "life_test_study",
     "life_under",
     "precision_study",
+    "rank_bearings",
+    "read_machine",
     "read_spectrum",
     "remaining_study",
     "replacement_study",
@@ -122,6 +141,7 @@ __all__ = [
     "sweep",
     "synthesise",
     "tolerance",
+    "trend_of_records",
     "trend_study",
     "write_example",
 ]

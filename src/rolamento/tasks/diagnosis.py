@@ -11,11 +11,14 @@ from itertools import product
 from math import ceil, inf, isfinite, pi
 from typing import TYPE_CHECKING, Any, Final, Literal, Unpack
 
+import numpy as np
+
 from rolamento.case import Case
 from rolamento.case.bearing import Bearing
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.catalogue import catalogue, rolling_bearings
 from rolamento.errors import InputError
+from rolamento.numerics import FloatArray
 from rolamento.tasks.bearing import BearingLike, angle_of, at_speeds, case_of, has_load, name_of
 from rolamento.tasks.parameters import Stages, quietly, speed_of
 from rolamento.tasks.shaft_speed import AskedSpeed, KnownSpeed, ShaftSpeed, known_speed
@@ -24,6 +27,7 @@ from rolamento.units import rpm_of
 from rolamento.vibration import diagnosis as engine
 from rolamento.vibration.diagnosis import (
     COMPONENTS,
+    DAMAGE,
     ComponentVerdict,
     Diagnosis,
     DiagnosisSettings,
@@ -35,8 +39,10 @@ from rolamento.vibration.frequency_band import open_counts, roller_counts
 from rolamento.vibration.lookalikes import Lookalikes, lookalikes
 from rolamento.vibration.noise_floor import LOWEST_LINE
 from rolamento.vibration.reading import open_signal
+from rolamento.vibration.reading.memory import SPEED
 from rolamento.vibration.signal import Signal
 from rolamento.vibration.spectrum import Indicators, indicators
+from rolamento.vibration.unknown_bearing import UnknownBearing, unknown_bearing
 from rolamento.words import Note, said
 from rolamento.words.naming import of_element
 
@@ -135,7 +141,7 @@ class DiagnosisResult:
             return "fault"
         if self.still:
             return "no_verdict"
-        if "undecided" in verdicts or self.diagnosis.undecided:
+        if "undecided" in verdicts or self.diagnosis.undecided or self.diagnosis.impacts:
             return "undecided"
         if "watch" in verdicts:
             return "watch"
@@ -238,11 +244,16 @@ class DiagnosisResult:
                 {"component": part, "shaft_frequency": frequency}
                 for part, frequency in diagnosis.undecided
             ],
+            "impacts": None if diagnosis.impacts is None else asdict(diagnosis.impacts),
+            "slips": [
+                {"component": part, "cage_deviation": slip} for part, slip in diagnosis.slips
+            ],
             "statement": _mappings(self.statement),
             "advice": _mappings((*diagnosis.advice, *self._other_counts(), *self._shared())),
             "lookalikes": None if self.lookalikes is None else self.lookalikes.to_mapping(),
             "components": [part.to_mapping() for part in diagnosis.components],
             "unexplained": [asdict(line) for line in diagnosis.unexplained],
+            "kurtosis": diagnosis.kurtosis,
             "false_alarm": diagnosis.false_alarm,
             "tolerance": diagnosis.tolerance,
             "slip": diagnosis.tolerance if self.slip is None else self.slip,
@@ -358,7 +369,7 @@ class TooShort:
 
 
 def diagnose(
-    path: str | os.PathLike[str],
+    path: str | os.PathLike[str] | Signal | FloatArray,
     bearing: BearingLike,
     *,
     speed: str | float | None = None,
@@ -373,17 +384,20 @@ def diagnose(
     angle: str | float | None = None,
     start: float = 0.0,
     duration: float | None = None,
+    turning: tuple[float, ...] = (),
+    elsewhere: tuple[float, ...] = (),
     search: DiagnosisSettings | None = None,
     settings: Sequence[str] = (),
     stages: Stages = quietly,
     **reading: Unpack[Reading],
 ) -> DiagnosisResult | TooShort:
-    """Tell which parts of a bearing a file of vibration shows to be damaged.
+    """Diagnose which bearing components a vibration record shows to be damaged.
 
     Parameters
     ----------
     path
-        Of the file; a long one is read piece by piece, in bounded memory.
+        Of a file; a long one is read piece by piece, in bounded memory. Or a signal in memory, or
+        its samples, (samples,), with their ``rate``, and ``unit`` where their size counts.
     bearing
         Designation, case file or case: with a load, the loaded bearing's frequencies are sought.
     speed, outer_speed
@@ -402,6 +416,8 @@ def diagnose(
         Of contact, without a load: "zero", "free", an angle such as "15 deg", or rad.
     start, duration
         Of the part that is diagnosed; s.
+    turning, elsewhere
+        Orders of what else turns, and of the faults of other bearings: see `FaultOrders`.
     search
         How to look, and how sure to be.
     settings
@@ -417,6 +433,11 @@ def diagnose(
         If a file cannot be read, or what is given contradicts itself or does not suffice.
     """
     case = _case_sought(bearing, settings)
+    if isinstance(path, np.ndarray):
+        path = _in_memory(path, reading.get("rate"))
+    if isinstance(path, Signal) and path.speed is not None and path.speed.ndim:
+        told = speed is None and outer_speed is None and tacho is None and not track
+        speed_channel = SPEED if told and speed_channel is None else speed_channel
     asked = AskedSpeed(
         inner=speed_of(speed, "speed"),
         outer=speed_of(outer_speed, "outer_speed"),
@@ -445,9 +466,10 @@ def diagnose(
             held = streamed(
                 pieces, known.at, lambda done: progress(-(-done // part.step), len(part))
             )
-            found = engine.diagnose(held.pieces, FaultOrders.of(frequencies), wide.settings)
+            orders = replace(FaultOrders.of(frequencies, turning), elsewhere=elsewhere)
+            found = engine.diagnose(held.pieces, orders, wide.settings)
         return DiagnosisResult(
-            title=held.first.title or os.fspath(path),
+            title=held.first.title or source.path.name,
             bearing_name=name_of(bearing, case),
             bearing=case.bearing,
             frequencies=frequencies,
@@ -464,6 +486,99 @@ def diagnose(
             other_rows=wide.other_rows,
             lookalikes=_lookalikes(found, frequencies, case.bearing, wide.settings),
         )
+
+
+@dataclass(frozen=True, eq=False)
+class UnknownResult:
+    """The combs of a record whose bearing nobody knows, and the bearings that would have them.
+
+    Attributes
+    ----------
+    title
+        of the signal
+    found
+        combs, and bearings ranked
+    """
+
+    title: str
+    found: UnknownBearing
+
+    @property
+    def verdict(self) -> Conclusion:
+        """Undecided over a comb as deep as damage: of which part only the bearing would tell."""
+        deep = any(comb.depth >= DAMAGE for comb in self.found.combs)
+        return "undecided" if deep else "nothing_found"
+
+    @property
+    def statement(self) -> tuple[Note, ...]:
+        """What it comes to."""
+        combs, fits = self.found.combs, self.found.fits
+        if not combs:
+            return (Note("no_combs"),)
+        values = {"frequency": combs[0].frequency, "order": combs[0].order, "depth": combs[0].depth}
+        notes = [Note("deepest_comb", values)]
+        if fits:
+            named = [fit.designation for fit in fits[:3]]
+            notes.append(Note("bearings_with_combs", {"count": len(fits), "named": named}))
+        else:
+            notes.append(Note("no_bearing_with_combs", {"compared": self.found.compared}))
+        return tuple(notes)
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Return everything as plain data."""
+        return {
+            "schema": SCHEMA,
+            "kind": "unknown_bearing",
+            "title": self.title,
+            "verdict": self.verdict,
+            "statement": _mappings(self.statement),
+            **self.found.to_mapping(),
+        }
+
+
+def rank_bearings(
+    path: str | os.PathLike[str] | Signal | FloatArray,
+    *,
+    speed: str | float | None = None,
+    start: float = 0.0,
+    duration: float | None = None,
+    search: DiagnosisSettings | None = None,
+    of_rollers: bool = False,
+    **reading: Unpack[Reading],
+) -> UnknownResult:
+    """Find the combs of a record, and rank the bearings of the catalogue that would have them.
+
+    Parameters
+    ----------
+    path, speed, start, duration, search, reading
+        As of `diagnose`; the speed is steady.
+    of_rollers
+        Whether roller bearings are compared, and not ball bearings.
+
+    Raises
+    ------
+    FileError, InputError
+        If a file cannot be read, or the speed is not known.
+    """
+    if isinstance(path, np.ndarray):
+        path = _in_memory(path, reading.get("rate"))
+    asked = AskedSpeed(inner=speed_of(speed, "speed"))
+    with open_signal(path, **reading) as source:
+        part = part_of(source, start, duration)
+        known = known_speed(asked, (None, None), source, part, lambda done, total: None)
+        pieces = (source.read(place, min(part.step, part.stop - place)) for place in part)
+        held = streamed(pieces, known.at, lambda done: None)
+        bearings = rolling_bearings(of_rollers=of_rollers)
+        found = unknown_bearing(held.pieces, bearings, search)
+        return UnknownResult(held.first.title or source.path.name, found)
+
+
+def _in_memory(samples: FloatArray, rate: float | None) -> Signal:
+    if rate is None:
+        raise InputError(
+            said("must be given with samples in memory"), field="rate", example="rate=12_000.0"
+        )
+    return Signal(samples, rate)
 
 
 def _lookalikes(

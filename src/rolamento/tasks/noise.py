@@ -18,7 +18,6 @@ from rolamento.tasks.signals import (
     Reading,
     blocks_at,
     require_calibrated,
-    unit_of_full_scale,
 )
 from rolamento.vibration.anderon import (
     ACCEPTED,
@@ -87,7 +86,6 @@ class MeasuredNoise:
     title: str
     noise: Noise
     hours: float = nan
-    scaled_unit: str = ""
     sensitivity: str = ""
     reading_notes: tuple[Note, ...] = ()
     choices: tuple[Note, ...] = ()
@@ -113,8 +111,6 @@ class MeasuredNoise:
             notes.append(Note(f"velocity_from_{velocity.quantity}"))
         if self.sensitivity:
             notes.append(Note("scaled_by_sensitivity", {"sensitivity": self.sensitivity}))
-        if self.scaled_unit:
-            notes.append(Note("full_scale_one", {"unit": self.scaled_unit}))
         return tuple(notes)
 
     def _has(self, key: str) -> bool:
@@ -326,7 +322,6 @@ def anderons(
                         title=source.path.name,
                         noise=noise,
                         hours=time,
-                        scaled_unit=unit_of_full_scale(source, reading),
                         sensitivity="" if scale is None else str(scale),
                         reading_notes=source.notes,
                         choices=source.choices,

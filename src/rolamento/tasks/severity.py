@@ -23,7 +23,6 @@ from rolamento.tasks.signals import (
     Reading,
     blocks_at,
     require_calibrated,
-    unit_of_full_scale,
 )
 from rolamento.vibration.reading import open_signal
 from rolamento.vibration.severity import (
@@ -61,8 +60,8 @@ class MeasuredSeverity:
         as measured
     hours
         at which it was recorded; NaN if not given
-    scaled_unit, sensitivity
-        how a file of whole numbers was scaled; "" otherwise
+    sensitivity
+        by which the samples were scaled, as given; "" if by none
     reading_notes, choices
         how the samples were taken from their file
     """
@@ -70,7 +69,6 @@ class MeasuredSeverity:
     title: str
     severity: Severity
     hours: float = nan
-    scaled_unit: str = ""
     sensitivity: str = ""
     reading_notes: tuple[Note, ...] = ()
     choices: tuple[Note, ...] = ()
@@ -81,8 +79,6 @@ class MeasuredSeverity:
         notes = list(self.severity.notes)
         if self.sensitivity:
             notes.append(Note("scaled_by_sensitivity", {"sensitivity": self.sensitivity}))
-        if self.scaled_unit:
-            notes.append(Note("full_scale_one", {"unit": self.scaled_unit}))
         return (*notes, *self.choices)
 
 
@@ -148,8 +144,11 @@ class SeverityResult:
         return max(measured, key=lambda one: one.severity.velocity)
 
     def zone_of(self, one: MeasuredSeverity, machine: MachineClass) -> Zone | None:
-        """Zone of a signal, were the machine of a class."""
-        return machine.zone_of(one.severity.velocity) if one.severity.measured else None
+        """Zone of a signal, were the machine of a class: the worse of velocity and displacement."""
+        if not one.severity.measured:
+            return None
+        moved = machine.zone_of_displacement(one.severity.displacement)
+        return max(machine.zone_of(one.severity.velocity), moved or "A")
 
     @property
     def zone(self) -> Zone | None:
@@ -157,7 +156,7 @@ class SeverityResult:
         worst = self.worst
         if worst is None:
             return None
-        zones = {machine.zone_of(worst.severity.velocity) for machine in self.classes}
+        zones = {self.zone_of(worst, machine) for machine in self.classes}
         return zones.pop() if len(zones) == 1 else None
 
     @property
@@ -193,8 +192,10 @@ class SeverityResult:
         worst, machine = self.worst, self.machine
         if machine is not None and worst is not None:
             moved = machine.zone_of_displacement(worst.severity.displacement)
-            if moved is not None and moved > machine.zone_of(worst.severity.velocity):
-                notes.append(Note("severity_displacement_worse", {"zone": moved}))
+            by_velocity = machine.zone_of(worst.severity.velocity)
+            if moved is not None and moved > by_velocity:
+                values = {"zone": moved, "by_velocity": by_velocity}
+                notes.append(Note("severity_displacement_worse", values))
         return tuple(notes)
 
     def to_mapping(self) -> dict[str, Any]:
@@ -346,7 +347,6 @@ def severity_of(
                         source.path.name,
                         found,
                         time,
-                        unit_of_full_scale(source, reading),
                         "" if scale is None else str(scale),
                         source.notes,
                         source.choices,

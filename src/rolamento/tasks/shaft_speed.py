@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from dataclasses import asdict, dataclass, replace
 from itertools import pairwise
-from math import ceil, floor, nan, pi
+from math import ceil, floor, isnan, nan, pi
 from typing import Any, Final, Literal, Protocol
 
 import numpy as np
@@ -64,7 +64,10 @@ class Tracking:
     evidence
         -log10 of the probability that noise gives as clear a path, of the least clear stretch
     lost
-        beginning and end of the first stretch in which it does not stand out, s; None if found
+        beginning and end of the first stretch in which it does not stand out, or in which the path
+        does not follow it, s; None if found
+    share
+        of a clear harmonic's power that lies on the path, of the worst stretch; NaN without any
     """
 
     nominal: float
@@ -72,6 +75,7 @@ class Tracking:
     found: bool
     evidence: float
     lost: tuple[float, float] | None = None
+    share: float = nan
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,7 +126,9 @@ class ShaftSpeed:
         assert tracking is not None
         start, end = tracking.lost or (nan, nan)
         values = {"start": start, "end": end, "within": tracking.within}
-        return Note("speed_not_found", values | {"nominal": abs(tracking.nominal)})
+        key = "speed_not_found" if isnan(tracking.share) else "path_lost"
+        shared = {"nominal": abs(tracking.nominal), "share": tracking.share}
+        return Note(key, values | shared)
 
     def to_mapping(self) -> dict[str, Any]:
         """Return all of it as plain data, in rad/s."""
@@ -619,7 +625,7 @@ def found_in_vibration(
     stretches = _stretches(count, per_turn)
     margin = ceil(_MARGIN * per_turn)
     step = max(1, int(per_turn / _KNOTS))
-    places, speeds, evidence = [], [], np.inf
+    places, speeds, evidence, share = [], [], np.inf, nan
     for number, (start, end) in enumerate(stretches, start=1):
         first, last = max(0, start - margin), min(count, end + margin)
         signal = source.read(part.start + first, last - first)
@@ -630,14 +636,16 @@ def found_in_vibration(
         evidence = min(evidence, found.evidence)
         if not found.found:
             lost = (part.start + start) / source.rate, (part.start + end) / source.rate
-            return None, Tracking(nominal, within, False, evidence, lost)
+            failed = found.share if found.is_off_path else nan
+            return None, Tracking(nominal, within, False, evidence, lost, failed)
+        share = float(np.fmin(share, found.share))
         knots = np.arange(start, end, step)
         places.append(knots.astype(np.float64))
         speeds.append(found.speed[knots - first])
         progress(number, len(stretches))
     sign = -1.0 if nominal < 0.0 else 1.0
     along = AtPlaces(np.concatenate(places), sign * np.concatenate(speeds))
-    return along, Tracking(nominal, within, True, float(evidence))
+    return along, Tracking(nominal, within, True, float(evidence), share=share)
 
 
 def _stretches(count: int, per_turn: float) -> list[tuple[int, int]]:

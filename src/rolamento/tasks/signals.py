@@ -149,6 +149,17 @@ def require_calibrated(source: SignalFile, path: str) -> None:
     if source.quantity != "unknown":
         return
     unit = source.unit
+    if source.channel.unit == "1":
+        raise InputError(
+            said(
+                "is not known: the file holds whole numbers, and no unit tells what the recorder's"
+                " full scale is worth. Give that, or the sensitivity of the sensor with the"
+                " recorder's range"
+            ),
+            field="scale",
+            example='scale="5 g"',
+            source=path,
+        )
     raise InputError(
         said(
             "is not in the file: give the unit of a velocity, an acceleration or a "
@@ -171,10 +182,3 @@ def blocks_at(source: SignalFile, speed: float | None, progress: Progress) -> It
     for place, block in enumerate(source.blocks(PIECE), start=1):
         yield block if speed is None else replace(block, speed=np.asarray(speed))
         progress(place, -(-source.length // PIECE))
-
-
-def unit_of_full_scale(source: SignalFile, reading: Reading) -> str:
-    """Return the unit that a recorder's full scale is taken for; "" if nothing of the kind is."""
-    if source.channel.unit != "1" or reading.get("scale") is not None:
-        return ""
-    return reading.get("unit") or ""

@@ -17,13 +17,16 @@ and Signal Processing 19 (2005), 766-785).
 
 The tracked signal shows whether there is a shaft at all: of its lines at orders 1 … H over
 the noise about them the evidence is a sum of exponential variables, and the chance that noise
-gives as much is counted over all paths that were searched.
+gives as much is counted over all paths that were searched. That there is a shaft does not mean that
+the path follows it all along: on a true path a harmonic is one line over the angle, and what lies
+beside that within a quarter of an order is of where the path was lost. The share of the line is
+1.00 on paths that follow a run-up, and up to 0.79 on paths that lose one.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from math import exp, log, pi
+from math import ceil, exp, floor, log, nan, pi
 from typing import Final, Literal
 
 import numpy as np
@@ -175,6 +178,14 @@ _TURNS_PER_BLOCK: Final = 24
 _PADDING: Final = 4
 _CLEAR: Final = 20.0
 """Power over noise at which a phase is good to a few hundredths of a revolution."""
+_SHARE: Final = 0.9
+"""Of a clear harmonic's power on the path; below, the path has been lost."""
+_CLEAR_HARMONIC: Final = 100.0
+"""Power about a harmonic over the noise in a line, from which on it can be asked where it lies."""
+_BESIDE: Final = 0.25
+"""Of an order, to either side of a harmonic: what lies there is of that harmonic."""
+_ON_PATH: Final = 3
+"""Lines to either side, within which it lies on the path."""
 _MOST_BLOCKS: Final = 20_000
 _MOST_CANDIDATES: Final = 4_000
 
@@ -186,19 +197,28 @@ class SpeedEstimate:
     Attributes
     ----------
     found
-        whether the shaft's harmonics stand out of noise
+        whether the shaft's harmonics stand out of noise, and lie on the path
     speed
         (samples,), rad/s; NaN if not found
     probability
         that noise alone gives as clear a path
     evidence
         -log10 of that, also where it is too small for a number
+    share
+        of the power about a clear harmonic that lies on the path, of the harmonic on which most
+        does; NaN where none is clear
     """
 
     found: bool
     speed: FloatArray
     probability: float
     evidence: float
+    share: float
+
+    @property
+    def is_off_path(self) -> bool:
+        """Whether a harmonic is clear, and does not lie on the path."""
+        return self.share < _SHARE
 
 
 def estimate_speed(
@@ -256,7 +276,8 @@ def estimate_speed(
     speed = _TURN * search.at_samples(path)
     speed = _corrected(replace(slow, speed=speed), harmonics)
     evidence = _evidence(replace(slow, speed=speed), harmonics, paths)
-    found = evidence > -log(false_alarm)
+    share = _share(replace(slow, speed=speed), harmonics)
+    found = evidence > -log(false_alarm) and not share < _SHARE  # nor of NaN
     at = np.arange(len(signal.samples)) / signal.rate
     whole = np.interp(at, np.arange(len(speed)) / slow.rate, speed)
     return SpeedEstimate(
@@ -264,6 +285,7 @@ def estimate_speed(
         speed=whole if found else np.full(len(whole), np.nan),
         probability=exp(-max(evidence, 0.0)),
         evidence=max(evidence, 0.0) / log(10.0),
+        share=share,
     )
 
 
@@ -426,6 +448,27 @@ def _side_band(spectrum: ComplexArray, order: int, turns: float) -> ComplexArray
 def _reach(turns: float) -> int:
     """Half width of a side band: a line for each block."""
     return max(2, round(turns / _TURNS_PER_BLOCK))
+
+
+def _share(signal: Signal, harmonics: int) -> float:
+    """Share of a clear harmonic's power that lies on the path, of the best one; NaN without any."""
+    tracked = order_tracked(signal, 4.0 * (harmonics + 1))
+    turns, window = tracked.revolutions, np.hanning(len(tracked.samples))
+    power = np.square(np.abs(fft.rfft(window * (tracked.samples - np.mean(tracked.samples)))))
+    best = nan
+    for harmonic in range(1, harmonics + 1):
+        lines = np.arange(
+            max(1, ceil((harmonic - _BESIDE) * turns)),
+            min(len(power), floor((harmonic + _BESIDE) * turns) + 1),
+        )
+        level = float(np.median(power[lines])) / log(2.0)
+        # of noise alone a line in twenty is higher than that
+        above = np.clip(power[lines] - 3.0 * level, 0.0, None)
+        total = float(np.sum(above))
+        if total >= _CLEAR_HARMONIC * level > 0.0:
+            on_path = float(np.sum(above[np.abs(lines - harmonic * turns) <= _ON_PATH]))
+            best = float(np.fmax(best, on_path / total))
+    return best
 
 
 def _evidence(signal: Signal, harmonics: int, ways: float) -> float:

@@ -369,7 +369,7 @@ def _synthesise(path: Path, *, damaged: bool) -> None:
         speed="1797 rpm",
         faults=[Fault(kind="outer_race", jitter=0.01)] if damaged else [],
         shaft_harmonics=(0.3, 0.1),
-        noise=Noise(ratio=-3.0) if damaged else Noise(level=0.5),
+        noise=Noise(ratio=3.0) if damaged else Noise(level=0.5),
         duration=5.0,
         rate=12_000.0,
         seed=1,

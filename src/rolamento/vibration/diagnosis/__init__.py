@@ -20,7 +20,7 @@ from rolamento.vibration.diagnosis.settings import (
     DiagnosisSettings,
     FaultOrders,
 )
-from rolamento.vibration.diagnosis.size import DAMAGE, GRADES, SEVERE, Grade
+from rolamento.vibration.diagnosis.size import DAMAGE, GRADES, SEVERE, SMOOTH, Grade
 from rolamento.vibration.diagnosis.verdict import diagnose
 
 __all__ = [
@@ -28,6 +28,7 @@ __all__ = [
     "DAMAGE",
     "GRADES",
     "SEVERE",
+    "SMOOTH",
     "Cause",
     "Component",
     "ComponentVerdict",

@@ -30,7 +30,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import partial
-from math import ceil, log
+from math import ceil, log, nan
 from typing import Final, NamedTuple
 
 import numpy as np
@@ -198,6 +198,8 @@ _LEAST: Final = 0.1
 _NEIGHBOURS: Final = 50
 _CHANCE: Final = 0.01
 """That noise has any line which is taken for regular."""
+_FOR_TAPER: Final = 4096
+"""Places at which the taper's moments are taken."""
 _SPREAD_TO: Final = 0.3
 """Of the noise: down to there the lines about a regular one are taken with it."""
 
@@ -483,6 +485,10 @@ class BandSpectra:
         whether samples only repeat the one before, again and again
     repeats_after
         samples after which the record begins anew, one by one the same; None if it does not
+    kurtosis
+        of the samples; 3 for noise, NaN if they do not change
+    band_kurtosis
+        (bands,), of the whitened samples in each band; 3 for noise
     """
 
     plain: FloatArray
@@ -501,6 +507,8 @@ class BandSpectra:
     has_comb: bool
     dropouts: bool
     repeats_after: int | None
+    kurtosis: float
+    band_kurtosis: FloatArray
 
     @property
     def shaft_frequency(self) -> float:
@@ -545,6 +553,8 @@ def band_spectra(blocks: Iterable[Whitening], plan: Plan) -> BandSpectra:
         has_comb=2 * sums.combs > sums.number,
         dropouts=watch.gaps > MOST_GAPS,
         repeats_after=watch.repeats_after,
+        kurtosis=sums.kurtosis,
+        band_kurtosis=sums.band_kurtosis,
     )
 
 
@@ -579,6 +589,29 @@ class _Sums:
         self.depths = np.zeros((len(self.bands), lines))
         self.spreads = np.full((len(self.bands), 1 + len(self.regular)), -1, dtype=np.int64)
         self.number = self.samples = self.bare = self.combs = 0
+        # of the samples, and of each band's squared envelope: Σ x, Σ x², … of each
+        self._raw = np.zeros(4)
+        self._squares = np.zeros((2, len(self.bands)))
+
+    @property
+    def kurtosis(self) -> float:
+        """Of all samples that were used."""
+        mean, second, third, fourth = self._raw / max(self.samples, 1)
+        variance = second - mean**2
+        if variance <= 0.0:
+            return nan
+        central = fourth - 4.0 * mean * third + 6.0 * mean**2 * second - 3.0 * mean**4
+        return float(central / variance**2)
+
+    @property
+    def band_kurtosis(self) -> FloatArray:
+        """Of each band: of a narrow band 1.5 E|a|⁴/(E|a|²)², with its envelope |a|."""
+        first, second = self._squares / max(self.number, 1)
+        window = np.square(taper(even_places(_FOR_TAPER)))
+        of_taper = np.mean(np.square(window)) / np.mean(window) ** 2
+        found = np.full(len(self.bands), nan)
+        np.divide(1.5 * second, of_taper * first**2, out=found, where=first > 0.0)
+        return found
 
     def add(self, whitening: Whitening) -> None:
         """Add a block's powers, plain and with the regular part divided out."""
@@ -595,14 +628,16 @@ class _Sums:
         # must not grow, each thread would keep memory of its own
         shared = self.number == 0 and len(block.samples) >= _LONG
         side = side_by_side if shared else map
-        for bands, powers in zip(together, side(of_bands, together), strict=True):
+        for bands, (powers, squares) in zip(together, side(of_bands, together), strict=True):
             some = bands.bands
+            self._squares[:, some] += squares
             self.powers[0, some] += powers.plain
             self.powers[1, some] += powers.even
             self.depths[some] += powers.depth
             self.spreads[some] = np.maximum(self.spreads[some], powers.spreads)
         self.number += 1
         self.samples += len(block.samples)
+        self._raw += [np.sum(block.samples**power) for power in (1, 2, 3, 4)]
 
     def _together(self, lines: int, half_rate: float, turning: Turning) -> list[_Together]:
         """The bands of a block's spectrum of so many lines, some of one size at a time."""
@@ -625,13 +660,18 @@ class _Sums:
 
     def _of_bands(
         self, white: ComplexArray, turning: Turning, bands: _Together
-    ) -> ModulationPowers:
-        """Powers of some bands of a block, of the sums over products of carriers."""
+    ) -> tuple[ModulationPowers, FloatArray]:
+        """Powers of some bands of a block, of the sums over products of carriers.
+
+        And (2, bands), means of the squared envelopes and of their squares.
+        """
         size = bands.size
         one_sided = np.zeros((len(bands.carriers), size), dtype=np.complex128)
         for into, carriers in zip(one_sided, bands.carriers, strict=True):
             into[: carriers.stop - carriers.start] = white[carriers]
         squared = power_of(np.asarray(fft.ifft(one_sided, overwrite_x=True)))
+        squares = np.stack([np.mean(squared**power, axis=1) for power in (1, 2)])
+        squares *= np.array([[float(size) ** 2], [float(size) ** 4]])
         for one in squared:
             limit(one)
         envelopes = over_angle(squared, turning)
@@ -645,7 +685,7 @@ class _Sums:
         )
         # however many steps it was taken in
         scale = float(size) ** 4 / float(envelopes.shape[1]) ** 2
-        return powers._replace(plain=powers.plain * scale, even=powers.even * scale)
+        return powers._replace(plain=powers.plain * scale, even=powers.even * scale), squares
 
 
 def _bands(rate: float, highest: float) -> tuple[Band, ...]:

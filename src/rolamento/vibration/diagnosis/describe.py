@@ -12,7 +12,7 @@ from rolamento.vibration.diagnosis.field import SEEN, Field
 from rolamento.vibration.diagnosis.record import ComponentVerdict, MatchedLine, Verdict
 from rolamento.vibration.diagnosis.search import Finding, SearchedLine, chance
 from rolamento.vibration.diagnosis.settings import Component
-from rolamento.vibration.diagnosis.size import Grade
+from rolamento.vibration.diagnosis.size import DAMAGE, Grade, is_smooth
 from rolamento.vibration.noise_floor import LOWEST_LINE
 from rolamento.words import Note
 
@@ -40,12 +40,16 @@ def stated(
     lines = tuple(_matched(line, fundamental, finding, field) for line in finding.hypothesis.lines)
     sidebands = _sidebands(component, fundamental, finding, field)
     band = field.spectra.bands[finding.band]
+    record, in_band = field.kurtosis(finding.band)
     reasons = [
         Note("modulation_depth", {"depth": depth, "grade": grade}),
         _above_noise(order, frequency, lines),
     ]
     if sidebands:
         reasons.append(_modulated(component, _spacing(component, finding, field), sidebands))
+    if is_smooth(depth, record, in_band) and depth >= DAMAGE:
+        values = {"record": record, "band": in_band}
+        reasons.insert(1, Note("smooth_modulation", values))
     reasons += [
         Note("clearest_band", {"low": band[0], "high": band[1]}),
         Note("improbable_in_noise", {"evidence": evidence, "trials": trials}),
@@ -67,6 +71,7 @@ def stated(
         sidebands=sidebands,
         reasons=tuple(reasons),
         doubts=doubts,
+        band_kurtosis=in_band,
     )
 
 

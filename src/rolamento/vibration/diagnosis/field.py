@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import product
-from math import log
+from math import log, nan
 from typing import Final
 
 import numpy as np
@@ -131,6 +131,10 @@ class Field:
         """Standard deviation of the depth at a line by the noise about it."""
         place = min(round(line), self._depth_levels.shape[1] - 1)
         return depth_error(float(self._depth_levels[band, place]), self.spectra.blocks)
+
+    def kurtosis(self, band: int) -> tuple[float, float]:
+        """Return that of the record, and of its whitened band; 3 for noise."""
+        return self.spectra.kurtosis, float(self.spectra.band_kurtosis[band])
 
     def on_mains(self, band: int, line: float) -> bool:
         """Whether a line is of the mains and discrete: a bearing slips, a grid hardly."""
@@ -266,10 +270,41 @@ _NEAR_SPEED: Final = 0.25
 """By which a speed may be wrong for a line to be named as a part's at another speed."""
 
 
+def slips_of(
+    order: float, orders: FaultOrders, within: float
+) -> tuple[tuple[Component, float], ...]:
+    """Return of which part a line would be the lowest, and by which part its cage were off.
+
+    Parameters
+    ----------
+    order
+        Of the line.
+    orders
+        Of the bearing's faults.
+    within
+        Part by which the cage may be off, at most.
+    """
+    found = []
+    for part in COMPONENTS:
+        nominal = orders.fundamental(part)
+        allowed = orders.tolerance(part, within)
+        if nominal is not None and abs(order / nominal - 1.0) <= allowed:
+            found.append((part, cage_slip(part, order, orders)))
+    return tuple(sorted(found, key=lambda one: abs(one[1])))
+
+
+def cage_slip(part: Component, order: float, orders: FaultOrders) -> float:
+    """Part by which the cage is faster than nominal, by the order found of a part."""
+    deviation = order / (orders.fundamental(part) or nan) - 1.0
+    if part == "inner_race" and orders.outer_race and orders.inner_race:
+        return -deviation * orders.inner_race / orders.outer_race
+    return deviation
+
+
 def unexplained_lines(
-    field: Field, fault: tuple[Component, float, float] | None
+    field: Field, fault: tuple[Component, float, float] | None, most: int = _MOST
 ) -> tuple[UnexplainedLine, ...]:
-    """Return up to three lines that noise would not give, the deepest first.
+    """Return a few lines that noise would not give, the deepest first.
 
     Parameters
     ----------
@@ -278,8 +313,25 @@ def unexplained_lines(
     fault
         The part that explains most, its order, and its depth: from where it counts as damage on,
         only lines as deep are listed, so that none is taken for what a fault makes besides its
-        multiples and their sidebands.
+        multiples and their sidebands. One that is no damage explains no line as deep as damage.
+    most
+        How many.
     """
+    if fault is not None and fault[2] < DAMAGE:
+        deep = [line for line in unexplained_lines(field, None) if line.depth >= DAMAGE]
+        rest = [
+            line
+            for line in _unexplained_beside(field, fault)
+            if all(abs(line.order - one.order) > _APART * one.order for one in deep)
+        ]
+        return (*deep, *rest)[:most]
+    return _unexplained_beside(field, fault, most)
+
+
+def _unexplained_beside(
+    field: Field, fault: tuple[Component, float, float] | None, most: int = _MOST
+) -> tuple[UnexplainedLine, ...]:
+    """Return lines that stand out beside what a fault explains."""
     left_out = field.left_out.copy()
     orders = np.arange(left_out.shape[1]) / field.turns
     if fault is not None:
@@ -305,7 +357,7 @@ def unexplained_lines(
     peaks = np.where(clearness < log(trials / field.settings.false_alarm), 0.0, squares)
     strongest = fault[2] if fault is not None and fault[2] >= DAMAGE else 0.0
     found: list[UnexplainedLine] = []
-    while len(found) < _MOST:
+    while len(found) < most:
         band, line = (int(place) for place in np.unravel_index(peaks.argmax(), peaks.shape))
         depth = depth_of(squares[band], line, 1) if peaks[band, line] > 0.0 else 0.0
         if depth == 0.0 or depth < strongest:

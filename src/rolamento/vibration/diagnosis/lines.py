@@ -15,6 +15,7 @@ _TAPERED: Final = 0.1
 that the lines of noise stay independent of their neighbours."""
 _LENGTH: Final = 4096
 _OVERSAMPLING: Final = 8
+_FINE: Final = 64
 
 
 def taper(places: FloatArray) -> FloatArray:
@@ -49,6 +50,45 @@ def envelope_leakage() -> FloatArray:
 def reach(leakage: FloatArray, ratio: FloatArray) -> IntArray:
     """Lines from a peak within which it leaves more than 1 over a ratio of its power."""
     return np.asarray(np.searchsorted(-leakage, -1.0 / np.maximum(ratio, 1.0)))
+
+
+@cache
+def _halves() -> tuple[FloatArray, FloatArray]:
+    """Power of a tone's second line over that of its first, and how far it lies from the first."""
+    window = taper((np.arange(_LENGTH) + 0.5) / _LENGTH)
+    power = np.square(np.abs(fft.rfft(window, _FINE * _LENGTH)[: _FINE + 1]))
+    offsets = np.arange(_FINE // 2 + 1)
+    return power[_FINE - offsets] / power[offsets], offsets / _FINE
+
+
+def places_between(power: FloatArray, lines: IntArray) -> FloatArray:
+    """Places of discrete tones between the lines of a tapered block, in lines.
+
+    The ratio of a tone's two highest lines gives its place (Rife and Vincent, Bell System Technical
+    Journal 49 (1970), 197-228), here with the taper's own ratio.
+
+    Parameters
+    ----------
+    power
+        (lines,), of a spectrum.
+    lines
+        (tones,), each the highest line of a tone, neither the first nor the last of the spectrum.
+    """
+    below, above = power[lines - 1], power[lines + 1]
+    ratios, offsets = _halves()
+    second = np.maximum(below, above) / np.maximum(power[lines], np.finfo(np.float64).tiny)
+    offset = np.interp(second, ratios, offsets)
+    return np.asarray(lines + np.where(above > below, offset, -offset), dtype=np.float64)
+
+
+def leaked(power: FloatArray, line: int, leakage: FloatArray, apart: int) -> float:
+    """Return the maximum power that lines so far away or farther leave at a line.
+
+    leakage: as `tone_leakage` or `envelope_leakage` gives it.
+    """
+    about = np.arange(max(1, line - len(leakage) + 1), min(len(power), line + len(leakage)))
+    away = np.abs(about - line)
+    return float(np.max((power[about] * leakage[away])[away >= apart], initial=0.0))
 
 
 def _spread(window: FloatArray) -> FloatArray:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import asdict, dataclass, replace
-from math import isfinite, pi
+from math import isfinite, nan, pi
 from typing import TYPE_CHECKING, Any, Final, Literal
 
 import numpy as np
@@ -11,7 +11,7 @@ import numpy as np
 from rolamento.numerics import FloatArray
 from rolamento.vibration._checks import Band
 from rolamento.vibration.diagnosis.settings import Component
-from rolamento.vibration.diagnosis.size import GRADES, Grade
+from rolamento.vibration.diagnosis.size import DAMAGE, GRADES, Grade, depth_of
 from rolamento.words import Note
 from rolamento.words.naming import of_element
 
@@ -29,6 +29,7 @@ _ADVICE: Final = {
     "severe": "replace_bearing",
     "damage": "plan_replacement",
     "watch": "measure_as_usual",
+    "smooth": "compare_with_healthy",
     "undecided": "resolve_doubts",
 }
 
@@ -133,6 +134,8 @@ class ComponentVerdict:
         of the fault as found, at the shaft's mean speed; Hz
     band
         in which it is clearest; Hz, None unless a fault was found
+    band_kurtosis
+        of the whitened samples in that band; 3 for noise, NaN without a band
     lines
         multiples of the order that were matched
     sidebands
@@ -158,6 +161,7 @@ class ComponentVerdict:
     sidebands: tuple[MatchedLine, ...]
     reasons: tuple[Note, ...]
     doubts: tuple[Note, ...] = ()
+    band_kurtosis: float = nan
 
     def of_element(self, element: RollingElement) -> ComponentVerdict:
         """Return the verdict with its notes as they are said of balls, or of rollers."""
@@ -181,6 +185,7 @@ class ComponentVerdict:
             "deviation": self.deviation,
             "frequency": self.frequency,
             "band": self.band,
+            "band_kurtosis": self.band_kurtosis,
             "lines": [asdict(line) for line in self.lines],
             "sidebands": [asdict(line) for line in self.sidebands],
             "reasons": [note.to_mapping() for note in self.reasons],
@@ -200,6 +205,9 @@ class EnvelopeSpectra:
         Hz
     above_noise
         (bands, lines), power over the mean of the noise about each line; NaN where that is unknown
+    squared_depth
+        (bands, lines), mean squares of the modulation depth, less those of noise; 0 at lines of
+        what turns
     evidence
         (bands,) for each component that was looked for: -ln of the least probability of one trial
     """
@@ -207,7 +215,24 @@ class EnvelopeSpectra:
     order: FloatArray
     bands: tuple[Band, ...]
     above_noise: FloatArray
+    squared_depth: FloatArray
     evidence: dict[Component, FloatArray]
+
+    def depth_about(self, order: float, within: float) -> float:
+        """Return the deepest modulation of any band near an order; NaN beyond the spectra.
+
+        Noise lifts the deepest of many lines: it is at most that.
+
+        within: part of the order to either side.
+        """
+        turns = 1.0 / float(self.order[1])
+        lines = range(
+            max(1, round(order * (1.0 - within) * turns)),
+            round(order * (1.0 + within) * turns) + 1,
+        )
+        if not lines or lines[-1] >= len(self.order):
+            return nan
+        return max(depth_of(band, line, 1) for band in self.squared_depth for line in lines)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -232,8 +257,15 @@ class Diagnosis:
         "given", "shaft_lines" or "fault_lines": where it is from
     speed_confirmed
         whether the shaft's own lines give it or agree with it, or it was certain
+    kurtosis
+        of the samples that were used; 3 for noise
     undecided
         parts that would be damaged if the shaft ran at another speed, and that speed; Hz
+    impacts
+        the deepest peak that nothing explains, where nothing else is stated and it is as deep as
+        damage; None if there is none
+    slips
+        parts whose peak that would be if the cage turned faster by a part than is allowed
     revolutions
         of the shaft that were used
     blocks
@@ -259,6 +291,9 @@ class Diagnosis:
     speed_source: SpeedSource
     speed_confirmed: bool
     undecided: tuple[tuple[Component, float], ...]
+    impacts: UnexplainedLine | None
+    slips: tuple[tuple[Component, float], ...]
+    kurtosis: float
     revolutions: float
     blocks: int
     resolution: float
@@ -274,8 +309,12 @@ class Diagnosis:
 
     @property
     def watched(self) -> tuple[Component, ...]:
-        """Parts with lines as many healthy bearings have, the deepest modulation first."""
-        return self._with("watch")
+        """Parts as deeply modulated as damaged ones, without impacts; the deepest first.
+
+        A part whose peaks are as small as those of many healthy bearings is not named: they are
+        as often another's.
+        """
+        return tuple(part for part in self._with("watch") if self.of(part).depth >= DAMAGE)
 
     @property
     def causes(self) -> tuple[Cause, ...]:
@@ -319,11 +358,15 @@ class Diagnosis:
         if self.undecided:
             speeds = [[part, 2.0 * pi * frequency] for part, frequency in self.undecided]
             notes.append(Note("undecided_speed", {"speeds": speeds}))
+        elif self.impacts is not None:
+            notes.insert(0, self._undecided_impacts(self.impacts))
         elif not self.stated:
             clear = any(part.probability <= self.false_alarm for part in parts)
             notes.append(Note("nothing_own" if clear else "nothing_found", {"parts": tested}))
-        if self.unexplained and not self.stated:
-            notes.append(Note("other_peaks"))
+        if self.unexplained and not (self.stated or self.undecided or self.impacts):
+            deepest = max(self.unexplained, key=lambda line: line.depth)
+            values = {"frequency": deepest.frequency, "depth": deepest.depth}
+            notes.append(Note("other_peaks", values))
         if untested:
             notes.append(Note("parts_untested", {"parts": untested}))
         return tuple(of_element(note, self.element) for note in notes)
@@ -331,7 +374,8 @@ class Diagnosis:
     def _stated(self, part: ComponentVerdict) -> Note:
         verdict = "part_severely_damaged" if part.grade == "severe" else "part_damaged"
         if part.verdict != "fault":
-            verdict = "part_undecided" if part.verdict == "undecided" else "part_watched"
+            smooth = "part_smooth" if part.depth >= DAMAGE else "peaks_watched"
+            verdict = "part_undecided" if part.verdict == "undecided" else smooth
         seen = [line for line in part.lines if line.multiple != 1.0 and isfinite(line.above_noise)]
         values = {
             "part": self.cause(part.component),
@@ -341,18 +385,29 @@ class Diagnosis:
         }
         return Note(verdict, values)
 
+    def _undecided_impacts(self, line: UnexplainedLine) -> Note:
+        values = {
+            "frequency": line.frequency,
+            "depth": line.depth,
+            "slips": [list(one) for one in self.slips],
+        }
+        return Note("undecided_slip" if self.slips else "undecided_impacts", values)
+
     @property
     def advice(self) -> tuple[Note, ...]:
         """What to do, and the evidence against the verdict; empty where nothing is found."""
         if self.undecided:
             return (Note("find_speed"),)
+        if self.impacts is not None:
+            return (Note("find_cage_speed" if self.slips else "explain_impacts"),)
         if not self.stated:
             return ()
         doubts = dict.fromkeys(doubt for part in self.stated for doubt in part.doubts)
         against = [{"key": doubt.key, "values": dict(doubt.values)} for doubt in doubts]
         undecided = self.stated[0].verdict == "undecided"
+        grade = "smooth" if self.watched else self.grade
         return (
-            Note(_ADVICE["undecided" if undecided else self.grade]),
+            Note(_ADVICE["undecided" if undecided else grade]),
             Note("doubts", {"doubts": against}) if against else Note("no_doubts"),
         )
 

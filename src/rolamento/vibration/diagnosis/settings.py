@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 Component = Literal["outer_race", "inner_race", "ball", "cage"]
 COMPONENTS: Final[tuple[Component, ...]] = ("outer_race", "inner_race", "ball", "cage")
 _HIGHEST: Final = 1000.0
+_MULTIPLES_ELSEWHERE: Final = 3
 _MOST_KNOWN: Final = 20
 _LEAST_KNOWN: Final = 0.01
 """Multiples of a lower order would leave nothing to look at."""
@@ -43,6 +44,9 @@ class FaultOrders:
     known
         orders of other things that turn and are known to be there, such as the other shafts of a
         gearbox, or a half order; they and their multiples are left out, as those of the shaft are
+    elsewhere
+        orders of the faults of other bearings of the machine: peaks there, and at their multiples
+        up to the third, are not unexplained
     element
         what rolls, "ball" or "roller": the component "ball" is called so
 
@@ -60,6 +64,7 @@ class FaultOrders:
     inner_spacing: float = 1.0
     known: tuple[float, ...] = ()
     element: RollingElement = "ball"
+    elsewhere: tuple[float, ...] = ()
 
     def __post_init__(self) -> None:
         present = [name for name in COMPONENTS if getattr(self, name) is not None]
@@ -118,7 +123,10 @@ class FaultOrders:
         }
         present = {name: line for name, line in lines.items() if isfinite(line) and line > 0.0}
         return cls(
-            **present,
+            outer_race=present.get("outer_race"),
+            inner_race=present.get("inner_race"),
+            ball=present.get("ball"),
+            cage=present.get("cage"),
             outer_spacing=frequencies.spacing("outer_race"),
             inner_spacing=frequencies.spacing("inner_race"),
             known=known,
@@ -139,6 +147,14 @@ class FaultOrders:
             "cage": 0.0,
         }
         return spacings[component]
+
+    def is_elsewhere(self, order: float, slip: float) -> bool:
+        """Whether a line may be of another bearing of the machine, whose cage slips by a part."""
+        return any(
+            abs(order / (number * other) - 1.0) <= slip
+            for other in self.elsewhere
+            for number in range(1, _MULTIPLES_ELSEWHERE + 1)
+        )
 
     def tolerance(self, component: Component, of_cage: float) -> float:
         """Part by which a component's order may be off when the cage's is off by a part.
@@ -218,7 +234,7 @@ class DiagnosisSettings:
         checked_number(
             self.block_revolutions,
             "block_revolutions",
-            least=50.0,
+            least=2.0,
             most=5000.0,
             example="block_revolutions = 400",
         )

@@ -27,13 +27,32 @@ DAMAGE: Final = 0.30
 """Depth from which a part counts as damaged; docs/adr/0012 says how it was found."""
 SEVERE: Final = 1.0
 """From there on the band holds hardly more than impacts."""
+SMOOTH: Final = 0.65
+"""Depth up to which a modulation counts as smooth where nothing is impulsive: see `is_smooth`."""
+SMOOTH_RECORD: Final = 3.4
+"""Kurtosis of the record below which that may be."""
+SMOOTH_BAND: Final = 5.0
+"""And of the whitened band; docs/adr/0031 says how the three were found."""
 _REACH: Final = 2
 """Lines on either side of a discrete one that the taper spreads it over."""
 
 
 def grade_of(depth: float) -> Grade:
-    """Return what the depth of a line that noise does not give is worth."""
+    """Return what the depth of a line that stands out of the noise is worth."""
     return "severe" if depth >= SEVERE else "damage" if depth >= DAMAGE else "watch"
+
+
+def is_smooth(depth: float, kurtosis: float, band_kurtosis: float) -> bool:
+    """Whether a deep modulation comes without impacts: load that varies, not damage.
+
+    Parameters
+    ----------
+    depth
+        Of the modulation.
+    kurtosis, band_kurtosis
+        Of the record, and of its whitened band; 3 for noise.
+    """
+    return depth < SMOOTH and kurtosis < SMOOTH_RECORD and band_kurtosis < SMOOTH_BAND
 
 
 def depth_of(squares: FloatArray, line: float, width: int) -> float:
@@ -46,7 +65,7 @@ def depth_of(squares: FloatArray, line: float, width: int) -> float:
     line
         Where.
     width
-        Of the hump; lines.
+        Width of the hump, in spectral lines.
     """
     reach = max(_REACH, width // 2 + 1)
     first, last = max(1, round(line) - reach), round(line) + reach + 1

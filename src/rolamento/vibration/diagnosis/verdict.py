@@ -20,7 +20,15 @@ from rolamento.numerics import FloatArray
 from rolamento.vibration.diagnosis import describe
 from rolamento.vibration.diagnosis.band_spectra import BandSpectra, Plan, band_spectra
 from rolamento.vibration.diagnosis.blocks import blocks_of
-from rolamento.vibration.diagnosis.field import Field, explained, field_of, unexplained_lines
+from rolamento.vibration.diagnosis.field import (
+    Field,
+    cage_slip,
+    explained,
+    field_of,
+    slips_of,
+    unexplained_lines,
+)
+from rolamento.vibration.diagnosis.lines import envelope_leakage, leaked
 from rolamento.vibration.diagnosis.record import (
     ComponentVerdict,
     Diagnosis,
@@ -37,7 +45,7 @@ from rolamento.vibration.diagnosis.settings import (
     FaultOrders,
 )
 from rolamento.vibration.diagnosis.shaft import ShaftLines, shaft_lines
-from rolamento.vibration.diagnosis.size import DAMAGE, grade_of
+from rolamento.vibration.diagnosis.size import DAMAGE, grade_of, is_smooth
 from rolamento.vibration.diagnosis.whitening import Whitening
 from rolamento.vibration.signal import Signal
 from rolamento.words import Note, said
@@ -86,7 +94,8 @@ def diagnose(
     first = next(blocks, None)
     if first is None:
         raise InputError(said("has no samples"), field="signal")
-    shaft = shaft_lines(first, chosen.speed_tolerance)
+    own = _combs(orders, chosen.tolerance, 0.0)
+    shaft = shaft_lines(first, chosen.speed_tolerance, own)
     freedom = 0.0 if shaft.confirmed else chosen.speed_tolerance
     present = [part for part in COMPONENTS if orders.fundamental(part) is not None]
     plan = Plan(
@@ -129,10 +138,22 @@ _CLEAR_BAND: Final = 0.5
 _ABOVE_SHAFT: Final = 2.0
 """Depth of a line on a multiple of the shaft over that of all lower multiples, from which on it is
 not the shaft's alone: what turns with the shaft has its own first multiples."""
-_FOOT: Final = 3.0
+_FOOT: Final = 3
 """Lines within which one counts as lying on a multiple of the shaft."""
 _BESIDE: Final = 0.01
 """Orders likewise."""
+_OFF_STEP: Final = 1.0
+"""Lines by which one may lie beside a multiple of the shaft and still keep step with it."""
+_OFF_STEP_EACH: Final = 0.05
+"""And for each multiple: as well the shaft's first line is known."""
+_IN_STEP: Final = 0.9
+"""Depth of the line on the multiple over that of all about it, from which on it keeps step."""
+_HUMP: Final = 16
+"""Lines about it that are the same hump."""
+_OVER_SKIRTS: Final = 4.0
+"""Power of a sideband over the skirts of stronger lines."""
+_WIDEST_SLIP: Final = 0.05
+"""Part by which a cage may be off for an unexplained peak to be named as a part's."""
 _MULTIPLES: Final = 5
 """Of a first part's order, near which a second part's lines mean nothing."""
 _CLOSE_CALL: Final = 1.3
@@ -147,7 +168,8 @@ class _Candidate:
     """A part whose lines noise does not give.
 
     field: in which they were found; order; depth, and its standard deviation by noise; evidence:
-    -log10 of the chance in noise; shaft: the multiple of the shaft on which they lie, 0 for none.
+    -log10 of the chance in noise; shaft: the multiple of the shaft on which they lie, 0 for none;
+    turns_with_shaft: whether they keep step with it, as only what turns with it does.
     """
 
     part: Component
@@ -158,11 +180,19 @@ class _Candidate:
     error: float
     evidence: float
     shaft: int = 0
+    turns_with_shaft: bool = False
 
     @property
     def is_open(self) -> bool:
         """Whether noise may have lifted the depth over the limit of damage."""
         return self.depth - _SURE * self.error < DAMAGE <= self.depth
+
+    @property
+    def is_smooth(self) -> bool:
+        """Whether the modulation is as deep as damage, but comes without impacts."""
+        return self.depth >= DAMAGE and is_smooth(
+            self.depth, *self.field.kurtosis(self.finding.band)
+        )
 
 
 def judge(
@@ -185,9 +215,14 @@ def judge(
             elif by_shaft and (apart is None or apart.depth < _FAIR_SHARE * DAMAGE):
                 found.pop(part, None)
                 hidden.add(part)
+    found = {part: _kept_step(one, with_shaft) for part, one in found.items()}
     first = _first(found)
-    unexplained = unexplained_lines(
-        whole, None if first is None else (first.part, first.order, first.depth)
+    unexplained = tuple(
+        line
+        for line in unexplained_lines(
+            whole, None if first is None else (first.part, first.order, first.depth)
+        )
+        if not orders.is_elsewhere(line.order, settings.tolerance)
     )
     verdict = _verdict_of(first, unexplained, spectra.dropouts)
     second = _seconds(first, found) if verdict == "fault" else []
@@ -215,7 +250,8 @@ def judge(
                     depth=nan if one is None else one.depth,
                 )
             )
-    undecided = _other_speeds(verdict, unexplained, whole)
+    undecided = _other_speeds(verdict, unexplained, whole, shaft)
+    impacts = None if undecided else _impacts(verdict, unexplained)
     notes = [*_notes(spectra), *_of_unexplained(unexplained)]
     element = orders.element
     return Diagnosis(
@@ -228,10 +264,16 @@ def judge(
         speed_source=_speed_source(shaft, first),
         speed_confirmed=shaft.confirmed,
         undecided=undecided,
+        impacts=impacts,
+        slips=() if impacts is None else _slips(impacts, orders, settings.tolerance),
+        kurtosis=spectra.kurtosis,
         revolutions=spectra.turns * spectra.blocks,
         blocks=spectra.blocks,
         resolution=1.0 / spectra.turns,
-        spectra=_pictured(whole, {part: np.array(f.per_band) for part, f in findings.items() if f}),
+        spectra=_pictured(
+            first.field if first is not None else whole,
+            {part: np.array(f.per_band) for part, f in findings.items() if f},
+        ),
         unexplained=unexplained,
         notes=tuple(of_element(note, element) for note in notes),
         element=element,
@@ -333,8 +375,51 @@ def _by_shaft(field: Field, part: Component, trials: int, *, seen: bool) -> _Can
         # a hump that reaches the multiple has what that has
         narrow = field.depth(one.finding.band, one.order * field.turns)
         return one if number not in numbers or narrow >= of_shaft[-1] else one.depth >= DAMAGE
+    # a comb of the shaft's first multiples has them all; what stands out may still turn with it
     stands_out = one.depth >= _ABOVE_SHAFT * max(of_shaft[:-1])
     return replace(one, shaft=number) if stands_out else one.depth >= DAMAGE
+
+
+def _kept_step(one: _Candidate, with_shaft: Field) -> _Candidate:
+    """Mark a candidate whose line is discrete and lies on a multiple of the shaft.
+
+    What turns with the shaft (blades, lobes, teeth) never gains or loses against it; a bearing's
+    cage does, unless the slip happens to be that of the multiple. Sidebands of the cage tell then.
+    """
+    number, turns = round(one.order), with_shaft.turns
+    if number < 1 or one.part == "cage":
+        return one
+    band = one.finding.band
+    apart = abs(one.order - number) * turns
+    locked = with_shaft.depth(band, number * turns)
+    whole = with_shaft.depth(band, one.order * turns, _HUMP)
+    keeps = apart <= _OFF_STEP + _OFF_STEP_EACH * number and locked >= _IN_STEP * whole
+    if not keeps or _has_cage_sidebands(one, with_shaft):
+        return one
+    return replace(one, shaft=number, turns_with_shaft=True)
+
+
+def _has_cage_sidebands(one: _Candidate, field: Field) -> bool:
+    """Whether lines one turn of the cage away from a part's stand clear of the noise, in pairs."""
+    cage = field.orders.cage
+    if not cage:
+        return False
+    band, reach = one.finding.band, np.arange(-_FOOT, _FOOT + 1)
+    spacing = cage * (1.0 + np.nan_to_num(cage_slip(one.part, one.order, field.orders)))
+    scores = Scores(field.spectra.power, field.left_out, field.medians, field.spectra.blocks)
+    power = field.spectra.power[band]
+    for multiple in (1, 2, 3):
+        places = (multiple * one.order + spacing * np.array([-1.0, 1.0])) * field.turns
+        lines = np.rint(places[:, None] + reach).astype(np.int64)
+        sides = [scores.about(some, 1)[band] for some in lines]
+        highest = [int(some[np.argmax(side)]) for some, side in zip(lines, sides, strict=True)]
+        least = log(6 * len(reach) / field.settings.false_alarm)
+        if all(np.max(side) >= least for side in sides) and all(
+            power[line] >= _OVER_SKIRTS * leaked(power, line, envelope_leakage(), 2 * _FOOT)
+            for line in highest
+        ):
+            return True
+    return False
 
 
 def _of_shaft(field: Field, band: int, number: int) -> list[float]:
@@ -407,7 +492,7 @@ def _seconds(first: _Candidate | None, found: dict[Component, _Candidate]) -> li
         for one in found.values()
         if one is not first
         and one.depth >= max(DAMAGE, _FAIR_SHARE * first.depth)
-        and not one.is_open
+        and not (one.is_open or one.is_smooth or one.turns_with_shaft)
         and not describe.at_edge(one.finding)
         and {one.part, first.part} != {"ball", "cage"}
         and not _explains(first, one)
@@ -423,14 +508,9 @@ def _same_cage(first: _Candidate, other: _Candidate) -> bool:
 def _cage_slip(one: _Candidate) -> float:
     """Part by which the cage is faster than nominal, by one part; NaN if it does not show it."""
     orders = one.field.orders
-    deviation = one.order / (orders.fundamental(one.part) or nan) - 1.0
-    if one.part == "cage" and orders.outer_spacing > 0.0:
-        return nan  # the outer ring carries the cage along
-    if one.part in ("outer_race", "cage"):
-        return deviation
-    if one.part == "inner_race" and orders.outer_race and orders.inner_race:
-        return -deviation * orders.inner_race / orders.outer_race
-    return nan
+    carried = one.part == "cage" and orders.outer_spacing > 0.0  # by the outer ring
+    lone = one.part == "inner_race" and not (orders.outer_race and orders.inner_race)
+    return nan if carried or lone or one.part == "ball" else cage_slip(one.part, one.order, orders)
 
 
 # --- verdicts --------------------------------------------------------------------------------
@@ -446,7 +526,25 @@ def _verdict_of(
     stronger = stronger or dropouts or _on_mains(first)
     if first.depth < DAMAGE:
         return "nothing_found" if stronger else "watch"
-    return "undecided" if stronger or first.is_open else "fault"
+    if stronger or first.is_open or first.turns_with_shaft:
+        return "undecided"
+    return "watch" if first.is_smooth else "fault"
+
+
+def _slips(
+    line: UnexplainedLine, orders: FaultOrders, searched: float
+) -> tuple[tuple[Component, float], ...]:
+    """Return parts whose line it would be with more slip than was searched, and how much."""
+    near = slips_of(line.order, orders, max(_WIDEST_SLIP, searched))
+    return tuple((part, slip) for part, slip in near if abs(slip) > searched)
+
+
+def _impacts(verdict: Verdict, unexplained: Sequence[UnexplainedLine]) -> UnexplainedLine | None:
+    """Return the deepest peak that nothing explains, over which "nothing found" is not said."""
+    deep = [one for one in unexplained if one.depth >= DAMAGE and not one.of_mains]
+    if verdict in ("fault", "undecided") or not deep:
+        return None
+    return max(deep, key=lambda line: line.depth)
 
 
 def _on_mains(one: _Candidate) -> bool:
@@ -473,7 +571,9 @@ def _stated(
         doubts.append(Note("dropouts"))
     if one.field.spectra.has_comb and one.depth >= DAMAGE:
         doubts.append(Note("no_slip"))
-    if one.shaft:
+    if one.turns_with_shaft:
+        doubts.append(Note("keeps_step", _to_decide(one)))
+    elif one.shaft:
         doubts.append(Note("on_shaft", {"multiple": one.shaft}))
     slip = one.field.orders.tolerance(one.part, one.field.settings.tolerance)
     if not shaft.confirmed and abs(deviation) > slip:
@@ -493,10 +593,16 @@ def _stated(
         one.field,
         trials,
         verdict,
-        grade_of(one.depth),
+        "watch" if verdict == "watch" else grade_of(one.depth),
         one.depth,
         tuple(doubts),
     )
+
+
+def _to_decide(one: _Candidate) -> dict[str, float]:
+    """Return the multiple of the shaft, and the slip at which the part's line would lie on it."""
+    slip = cage_slip(one.part, float(one.shaft), one.field.orders)
+    return {"multiple": one.shaft, "slip": slip}
 
 
 def _why_not(
@@ -523,14 +629,24 @@ def _why_not(
 
 
 def _other_speeds(
-    verdict: Verdict, unexplained: Sequence[UnexplainedLine], field: Field
+    verdict: Verdict, unexplained: Sequence[UnexplainedLine], field: Field, shaft: ShaftLines
 ) -> tuple[tuple[Component, float], ...]:
-    """Whose damage it would be at which speed, if what stands out is deep and the speed open."""
-    if verdict == "fault" or not field.freedom:
+    """Whose damage it would be at which speed, if what stands out is deep.
+
+    Where the speed is open, at any that is near; else at the given one, if the shaft was heard at
+    another.
+    """
+    if verdict == "fault":
         return ()
+    given = field.spectra.shaft_frequency / shaft.factor
     for line in unexplained:
-        if line.depth >= DAMAGE and line.shaft_frequencies:
+        if line.depth < DAMAGE:
+            continue
+        if field.freedom and line.shaft_frequencies:
             return line.shaft_frequencies
+        at_given = slips_of(line.order * shaft.factor, field.orders, field.settings.tolerance)
+        if at_given and shaft.confirmed and shaft.is_another:
+            return tuple((part, given) for part, _ in at_given)
     return ()
 
 
@@ -548,6 +664,7 @@ def _pictured(field: Field, per_band: dict[Component, FloatArray]) -> EnvelopeSp
         order=np.arange(power.shape[1], dtype=np.float64) / field.turns,
         bands=field.spectra.bands,
         above_noise=above,
+        squared_depth=field.depths,
         evidence=per_band,
     )
 

@@ -187,6 +187,9 @@ class Meaning:
         self.rate = _rate(channel, rate)
         self.choices = _choices(channel, self.rate, is_given=rate is not None)
         before = channel.unit if unit is None else _given_unit(channel, unit)
+        uncalibrated = channel.unit == "1" and scale is None and before != "1"
+        if uncalibrated:
+            before = "1"
         if scale is None:
             self.quantity, self.unit, self.scale = _unit(channel, before, quantity)
         else:
@@ -195,6 +198,8 @@ class Meaning:
             self.scale, self.quantity = checked_scale(scale, before, quantity)
             self.unit = SI_UNITS[self.quantity]
         self.notes = _notes(before, None if scale is None else self.scale, self.unit)
+        if uncalibrated and unit is not None:
+            self.notes += (Note("full_scale_unknown", {"unit": checked_unit(unit)}),)
 
 
 def chosen_channel(channels: tuple[Channel, ...], wanted: Any) -> int:

@@ -345,6 +345,9 @@ def layout_of(head: bytes, source: str, mark: DecimalMark | None = None) -> CsvL
     if separator == "," and above and all(len(_cells_of(line, ",")) == 1 for line in above[-1:]):
         separator = ";"  # one heading over "0,25": a decimal comma
         cells = _cells_of(lines[number], separator)
+    if separator == "," and not above and _is_one_column(lines[number:], mark):
+        separator = ";"
+        cells = _cells_of(lines[number], separator)
     if len(cells) == 1:
         separator = ";"  # blanks in the heading of one column separate nothing
     if len(cells) > MOST_CHANNELS:
@@ -406,6 +409,25 @@ def _first_row(lines: Sequence[str], source: str) -> tuple[int, str | None]:
         said("has no table of numbers in its first lines"),
         example=said("time (s);acc (g) over rows such as 0,0001;0,25"),
         source=source,
+    )
+
+
+_FRACTION: Final = re.compile(r"\s*([+-]?\d+),(\d+)\s*")
+
+
+def _is_one_column(rows: Sequence[str], mark: DecimalMark | None) -> bool:
+    """Whether rows such as ``0,12345`` are one number with a decimal comma, and not two.
+
+    Of two columns of whole numbers none is ``-0``, and none of the second begins with a zero that
+    more digits follow.
+    """
+    found = [_FRACTION.fullmatch(row) for row in rows if row.strip()]
+    if mark == "point" or not all(found):
+        return False
+    numbers = [match for match in found if match]
+    return mark == "comma" or any(
+        match[1] in ("-0", "+0") or (len(match[2]) > 1 and match[2].startswith("0"))
+        for match in numbers
     )
 
 

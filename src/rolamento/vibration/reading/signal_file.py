@@ -25,6 +25,7 @@ from rolamento.vibration.reading.channels import (
     chosen_speed,
 )
 from rolamento.vibration.reading.formats import open_source
+from rolamento.vibration.reading.memory import SPEED, MemorySource
 from rolamento.vibration.reading.metadata import speeds_perhaps
 from rolamento.vibration.signal import Quantity, Signal
 from rolamento.words import Note, marked, said
@@ -193,7 +194,7 @@ class SignalFile:
 
 
 def open_signal(
-    path: str | os.PathLike[str],
+    path: str | os.PathLike[str] | Signal,
     *,
     channel: str | int | None = None,
     rate: float | None = None,
@@ -211,7 +212,8 @@ def open_signal(
     Parameters
     ----------
     path
-        WAV, CSV, .npy, .npz, MATLAB 5 to 7.3, HDF5, Parquet or universal file
+        WAV, CSV, .npy, .npz, MATLAB 5 to 7.3, HDF5, Parquet or universal file; or a signal in
+        memory, which is read alike
     channel
         its name, or its number counted from 1; not needed if there is only one
     rate
@@ -247,8 +249,14 @@ def open_signal(
         not known or in doubt, unit or scale is none, a unit contradicts the file, or the part does
         not lie within it.
     """
-    source = open_source(path, None if decimal_mark is None else checked_mark(decimal_mark))
-    name = os.fspath(path)
+    if isinstance(path, Signal):
+        source: Source = MemorySource(path)
+        name = path.title or said("signal")
+        if len(source.channels) > 1 and speed_channel is None:
+            channel, speed_channel = 1, SPEED
+    else:
+        mark = None if decimal_mark is None else checked_mark(decimal_mark)
+        source, name = open_source(path, mark), os.fspath(path)
     try:
         with guarded(str(name), marked("signal file")):
             beside = channel_beside(source, speed_channel) if channel is None else None

@@ -70,8 +70,16 @@ def _severely_damaged(values: Values) -> str:
 
 def _watched(values: Values) -> str:
     return said(
-        "No damage stated. Watch {part}: {peaks}, modulation depth {depth:.0f %}, as in many"
-        " healthy bearings.",
+        "No damage stated. Watch: {peaks}, modulation depth {depth:.0f %}, as in many healthy"
+        " bearings.",
+        peaks=_peaks(values), depth=values["depth"],
+    )  # fmt: skip
+
+
+def _smooth(values: Values) -> str:
+    return said(
+        "No damage stated. Watch {part}: {peaks}, modulation depth {depth:.0f %}, a smooth"
+        " modulation without impacts.",
         part=the_part(values["part"]), peaks=_peaks(values), depth=values["depth"],
     )  # fmt: skip
 
@@ -90,6 +98,37 @@ def _undecided_speed(values: Values) -> str:
         for part, speed in values["speeds"]
     )
     return said("Undecided: damage to {cases}.", cases=cases)
+
+
+def _undecided_slip(values: Values) -> str:
+    cases = either(_at_slip(part, slip) for part, slip in values["slips"])
+    return said(
+        "Undecided: a peak at {frequency} Hz, modulation depth {depth:.0f %}, would be damage to"
+        " {cases}.",
+        frequency=hertz(values["frequency"]), depth=values["depth"], cases=cases,
+    )  # fmt: skip
+
+
+def _at_slip(part: str, slip: float) -> str:
+    if slip < 0.0:
+        return said("{part} if the cage is {slip:.1f %} slow", part=the_part(part), slip=-slip)
+    return said("{part} if the cage is {slip:.1f %} fast", part=the_part(part), slip=slip)
+
+
+def _undecided_impacts(values: Values) -> str:
+    return said(
+        "Undecided: a peak at {frequency} Hz, modulation depth {depth:.0f %}, is explained by no"
+        " part of this bearing and by no multiple of the shaft speed.",
+        frequency=hertz(values["frequency"]), depth=values["depth"],
+    )  # fmt: skip
+
+
+def _other_peaks(values: Values) -> str:
+    return said(
+        "Other peaks are there, the deepest at {frequency} Hz, modulation depth {depth:.0f %}: see"
+        " the notes.",
+        frequency=hertz(values["frequency"]), depth=values["depth"],
+    )  # fmt: skip
 
 
 def _nothing_found(values: Values) -> str:
@@ -398,12 +437,15 @@ SENTENCES: Final[dict[str, Sentence]] = {
     # verdict
     "part_damaged": _damaged,
     "part_severely_damaged": _severely_damaged,
-    "part_watched": _watched,
+    "peaks_watched": _watched,
+    "part_smooth": _smooth,
+    "undecided_slip": _undecided_slip,
+    "undecided_impacts": _undecided_impacts,
     "part_undecided": _undecided,
     "undecided_speed": _undecided_speed,
     "nothing_found": _nothing_found,
     "nothing_own": _nothing_own,
-    "other_peaks": marked("There are other peaks: see the notes."),
+    "other_peaks": _other_peaks,
     "parts_untested": _untested,
     "no_part_tested": marked("No verdict: this signal says nothing about any part of the bearing."),
     "no_verdict_without": _no_verdict_without,
@@ -435,6 +477,18 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "resolve_doubts": marked(
         "Recommendation: remove the causes of doubt, or measure for longer or elsewhere."
     ),
+    "compare_with_healthy": marked(
+        "Recommendation: compare with records of the same machine in good order (--baseline): a"
+        " modulation that was always there is not damage."
+    ),
+    "find_cage_speed": marked(
+        "Recommendation: check the load and the contact angle, which set the speed of the cage, and"
+        " the designation; give a case with the load, or allow more --slip."
+    ),
+    "explain_impacts": marked(
+        "Recommendation: check the speed and the designation, and name the other bearings, shafts"
+        " and gears of the machine (--machine): one of them may have this frequency."
+    ),
     "find_speed": marked(
         "Recommendation: determine the speed of the shaft and give it with --speed."
     ),
@@ -447,6 +501,10 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "no_doubts": marked("Evidence against: none in this record."),
     # reasons
     "modulation_depth": _depth,
+    "smooth_modulation": marked(
+        "Nothing is impulsive (kurtosis {record:.3} of the record, {band:.3} of the band; 3 for"
+        " noise): load that varies makes such a modulation, and damage seldom does."
+    ),
     "harmonics_above_noise": _harmonics,
     "sidebands": _sidebands,
     "clearest_band": marked("Clearest between {low:.0f} and {high:.0f Hz}."),
@@ -498,6 +556,12 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "on_shaft": marked(
         "It lies at {multiple} times the shaft speed, though it stands out from all lower"
         " multiples: anything with as many lobes that turns with the shaft gives the same."
+    ),
+    "keeps_step": marked(
+        "It keeps step with {multiple} times the shaft speed, as blades, lobes or teeth on the"
+        " shaft do; of this bearing it would be only with the cage off by just {slip:+.2f %}. What"
+        " decides: a record at another load or speed, where the cage slips otherwise and the shaft"
+        " does not; or whether anything on the shaft repeats {multiple} times a turn."
     ),
     "speed_open": marked(
         "The shaft's own peaks do not reveal its speed; without slip it would deviate by"
@@ -555,6 +619,12 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "From {start:.4} to {end:.4 s} the shaft does not stand out from the vibration's noise,"
         " within {within:.3 %} of {nominal:.6 rpm}: the speed was taken as constant. If it was"
         " not, damage may remain undetected. Give a measured speed, or a part of the record."
+    ),
+    "path_lost": marked(
+        "From {start:.4} to {end:.4 s} the speed found within {within:.3 %} of {nominal:.6 rpm}"
+        " does not follow the shaft: at most {share:.0f %} of the power about a harmonic lies on"
+        " it. The speed was taken as constant, and damage may remain undetected. Give a measured"
+        " speed; one that changes by more than 2 % within 12 revolutions is not followed."
     ),
     "no_loaded_frequencies": _not_loaded,
     "peak_of_other_count": _other_count,

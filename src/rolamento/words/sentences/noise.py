@@ -68,9 +68,6 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "Velocity is obtained from displacement, line by line of the spectrum."
     ),
     "scaled_by_sensitivity": marked("The samples are scaled by {sensitivity}, as given."),
-    "full_scale_one": marked(
-        "The file holds integers: the recorder's full scale is taken as 1 {unit}."
-    ),
     "damage_not_struck": _unstruck,
     "frequency_modulation": marked(
         "Frequency modulation is what Braga and Almeida assume, not what impacts do: its envelope"

@@ -64,5 +64,9 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "samples_not_calibrated": marked(
         "Samples in {unit} are not calibrated: no sensitivity was given."
     ),
+    "full_scale_unknown": marked(
+        "Whole numbers of unknown full scale: the unit {unit} alone does not calibrate them, and"
+        " sizes stay parts of the full scale. Give what that is worth, such as --scale '5 {unit}'."
+    ),
     "bits_to_full_scale": marked("Samples of {bits} bits are scaled to a full scale of 1."),
 }

@@ -61,7 +61,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " part of the band."
     ),
     "severity_displacement_worse": marked(
-        "By displacement the machine is in zone {zone}, worse than by velocity: low frequencies"
-        " dominate. ISO 20816-3 takes the worse of the two."
+        "By displacement the machine is in zone {zone}, by velocity in zone {by_velocity}: low"
+        " frequencies dominate. ISO 20816-3 takes the worse of the two, and so does the verdict."
     ),
 }

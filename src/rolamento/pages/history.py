@@ -1,0 +1,259 @@
+"""The pages of a machine's history, of its bearings together, and of a bearing nobody knows."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+from rolamento.document import (
+    Beside,
+    Block,
+    Column,
+    Document,
+    Entry,
+    Figure,
+    KeyValues,
+    Section,
+    Statement,
+    Table,
+    Title,
+    Tone,
+)
+from rolamento.pages.diagnosis import diagnosis_page
+from rolamento.words import ABSENT, said, said_in
+from rolamento.words.naming import one_line, part_name
+from rolamento.words.sentences.history import series_name
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Picture
+
+    from rolamento.tasks.diagnosis import UnknownResult
+    from rolamento.tasks.history import History, Records
+    from rolamento.tasks.machine import MachineDiagnosis
+    from rolamento.words import Note
+
+__all__ = ["history_page", "machine_page", "records_page", "unknown_page"]
+
+_TONES: Final[dict[str, Tone]] = {
+    "fault": "bad-strong",
+    "undecided": "warning-strong",
+    "watch": "warning",
+    "nothing_found": "good",
+    "no_verdict": "warning-strong",
+}
+_MOST_FITS: Final = 20
+_MOST_ROWS: Final = 60
+
+
+def _headline(verdict: str, statement: tuple[Note, ...]) -> Section:
+    tone = _TONES[verdict]
+    return Section("", tuple(Statement(note.text, tone) for note in statement), key="verdict")
+
+
+def history_page(found: History) -> Document:
+    """Return the page of a record beside those of the machine's good days.
+
+    Parameters
+    ----------
+    found
+        Of `rolamento.tasks.history.diagnose_since`.
+    """
+    element = found.now.diagnosis.element
+    changes = {
+        "grown": said_in("depth", "doubled"),
+        "as_always": said_in("depth", "as always"),
+        "small": said_in("depth", "small"),
+        "unknown": ABSENT,
+    }
+    parts = found.parts
+    table = Table(
+        columns=(
+            Column(head="", values=[part_name(p.component, element) for p in parts], key="part"),
+            Column(head=said("order"), values=[p.order for p in parts], form=".4f", key="order"),
+            Column(
+                head=said("depth then, at most"),
+                values=[p.usual for p in parts],
+                unit="%",
+                form=".0f [%]",
+                key="then",
+            ),
+            Column(
+                head=said("depth now"),
+                values=[p.now for p in parts],
+                unit="%",
+                form=".0f [%]",
+                key="now",
+            ),
+            Column(head=said("change"), values=[changes[p.change] for p in parts], key="change"),
+        ),
+        key="then",
+        legends=(
+            said(
+                "Depth then: the greatest of {count} records at like speed, of all bands, near the"
+                " order of now. Doubled: damage; below {least:.0f %} nothing is compared.",
+                count=len(found.compared),
+                least=0.15,
+            ),
+        ),
+    )
+
+    def draw() -> Picture:
+        from rolamento.plots.history import then_figure
+
+        return then_figure([(part.component, part.now, part.then) for part in parts])
+
+    figure = Figure(caption=said("Modulation depth now and then"), draw=draw, key="then")
+    page = diagnosis_page(found.now)
+    rest = [section for section in page.sections if section.key != "verdict"]
+    sections = (
+        _headline(found.verdict, found.statement),
+        Section(said("Now and then"), (table,), key="history"),
+        Section("", (figure,), key="history_figure"),
+        *rest,
+    )
+    return Document(page.title, sections, kind="diagnose", main="then")
+
+
+def records_page(found: Records, title: str) -> Document:
+    """Return the page of many records of one machine.
+
+    Parameters
+    ----------
+    found
+        Of `rolamento.tasks.history.trend_of_records`.
+    title
+        Of the folder.
+    """
+    last = found.last
+    verdict = "watch" if any(found.steps.values()) else "nothing_found"
+    if last is not None and last.verdict in ("fault", "undecided"):
+        verdict = last.verdict
+    columns = [
+        Column(head=said("from record"), values=list(found.names), key="record"),
+        Column(head=said("records"), values=list(found.counts), key="count"),
+    ]
+    for name, values in found.series.items():
+        is_depth = name not in ("rms", "kurtosis")
+        columns.append(
+            Column(
+                head=series_name(name),
+                values=values.tolist(),
+                unit="%" if is_depth else "",
+                form=".0f [%]" if is_depth else ".4",
+                key=name,
+            )
+        )
+    table = Table(columns=tuple(columns), key="records")
+
+    def draw() -> Picture:
+        from rolamento.plots.history import records_figure
+
+        changes = {name: [step.place for step in steps] for name, steps in found.steps.items()}
+        depths = {str(part): values for part, values in found.depths.items()}
+        return records_figure(depths, changes)
+
+    figure = Figure(caption=said("Modulation depth over the records"), draw=draw, key="records")
+    blocks: list[Block] = [Title(one_line(title)), table]
+    sections = [
+        _headline(verdict, found.statement),
+        Section("", tuple(blocks), key="records"),
+        Section("", (figure,), key="figures"),
+    ]
+    return Document(title, tuple(sections), kind="diagnose", main="records")
+
+
+def machine_page(found: MachineDiagnosis) -> Document:
+    """Return the page of all bearings of a machine.
+
+    Parameters
+    ----------
+    found
+        Of `rolamento.tasks.machine.diagnose_machine`.
+    """
+    sections: list[Section | Beside] = [_headline(found.verdict, found.statement)]
+    for bearing, one in zip(found.machine.bearings, found.found, strict=True):
+        page = diagnosis_page(one)
+        kept = [part for part in page.sections if part.key in ("given", "parts", "why")]
+        sections += [Section(bearing.name, (), key="bearing"), *kept]
+    return Document(one_line(found.found[0].title), tuple(sections), kind="diagnose", main="parts")
+
+
+def unknown_page(found: UnknownResult) -> Document:
+    """Return the page of the combs of a record, and of the bearings that would have them.
+
+    Parameters
+    ----------
+    found
+        Of `rolamento.tasks.diagnosis.rank_bearings`.
+    """
+    combs, fits = found.found.combs, found.found.fits[:_MOST_FITS]
+    confirmed = found.found.speed_confirmed
+    speed = said("by the shaft's own peaks") if confirmed else said("as given")
+    entries = (
+        Entry(
+            said("shaft"),
+            said(
+                "{frequency:.5 Hz}, {source}", frequency=found.found.shaft_frequency, source=speed
+            ),
+        ),
+        Entry(said("compared"), said("{count} bearings", count=found.found.compared)),
+    )
+    table = Table(
+        columns=(
+            Column(head=said("comb"), values=list(range(1, len(combs) + 1)), key="comb"),
+            Column(
+                head=said("frequency"),
+                values=[comb.frequency for comb in combs],
+                unit="Hz",
+                form=".2f [Hz]",
+                key="frequency",
+            ),
+            Column(head=said("order"), values=[c.order for c in combs], form=".4f", key="order"),
+            Column(
+                head=said_in("column", "depth"),
+                values=[comb.depth for comb in combs],
+                unit="%",
+                form=".0f [%]",
+                key="depth",
+            ),
+            Column(head=said("lines"), values=[comb.lines for comb in combs], key="lines"),
+        ),
+        key="combs",
+    )
+    ranked = Table(
+        columns=(
+            Column(
+                head=said("bearing"), values=[fit.designation for fit in fits], key="designation"
+            ),
+            Column(
+                head=said("explains"),
+                values=[fit.share for fit in fits],
+                unit="%",
+                form=".0f [%]",
+                key="share",
+            ),
+            Column(
+                head=said("cage off by"),
+                values=[fit.slip for fit in fits],
+                unit="%",
+                form=".2f [%]",
+                key="slip",
+            ),
+            Column(
+                head=said("combs"),
+                values=[
+                    ", ".join(f"{number + 1}: {part_name(part)}" for part, number, _ in fit.parts)
+                    for fit in fits
+                ],
+                key="parts",
+            ),
+        ),
+        key="bearings",
+        legends=(said("Explains: of the squared depths of all combs, with one cage speed."),),
+    )
+    sections = (
+        _headline(found.verdict, found.statement),
+        Section("", (Title(one_line(found.title)), KeyValues(entries)), key="given"),
+        Section(said("Combs"), (table,), key="combs"),
+        Section(said("Bearings that would have them"), (ranked,), key="bearings"),
+    )
+    return Document(one_line(found.title), sections, kind="diagnose", main="bearings")

@@ -1,0 +1,82 @@
+"""A machine's history: depths now and then, and over many records."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rolamento.numerics import FloatArray
+from rolamento.plots.frame import GREY, label_x, label_y, legend_above
+from rolamento.plots.style import new_figure, series, styled
+from rolamento.vibration.diagnosis import DAMAGE
+from rolamento.words import said
+from rolamento.words.naming import part_name
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+__all__ = ["records_figure", "then_figure"]
+
+
+def then_figure(parts: Sequence[tuple[str, float, Sequence[float]]]) -> Figure:
+    """Draw the depth of each part now beside those of the machine's good days.
+
+    Parameters
+    ----------
+    parts
+        Name, depth now, and depths then.
+    """
+    with styled():
+        figure, axes = new_figure(height=70.0)
+        places = np.arange(len(parts))
+        now = [100.0 * part[1] for part in parts]
+        look = series(0)
+        for place, (_, _, then) in enumerate(parts):
+            label = said("machine in good order") if place == 0 else None
+            axes.plot(
+                np.full(len(then), place), 100.0 * np.array(then), color=GREY, linestyle="",
+                marker="_", markersize=18.0, label=label,
+            )  # fmt: skip
+        axes.plot(
+            places, now, color=look.color, linestyle="", marker=look.marker, label=said("now")
+        )
+        axes.axhline(100.0 * DAMAGE, color=GREY, linestyle="--", linewidth=0.9,
+                     label=said("damage, without a history"))  # fmt: skip
+        axes.set_xticks(places, [part_name(part[0]) for part in parts])
+        axes.set_xlim(-0.5, len(parts) - 0.5)
+        axes.set_ylim(bottom=0.0)
+        label_y(axes, said("Modulation depth (%)"))
+        legend_above(axes)
+    return figure
+
+
+def records_figure(
+    depths: Mapping[str, FloatArray], changes: Mapping[str, Sequence[int]]
+) -> Figure:
+    """Draw the depth of each part over many records, and where its level changes.
+
+    Parameters
+    ----------
+    depths
+        (records,) by part.
+    changes
+        Places of the first records of a new level, by part.
+    """
+    with styled():
+        figure, axes = new_figure(height=80.0)
+        for number, (part, values) in enumerate(depths.items()):
+            look = series(number)
+            axes.plot(
+                np.arange(1, len(values) + 1), 100.0 * values, color=look.color, linewidth=0.9,
+                marker=look.marker, markersize=3.0, label=part_name(part),
+            )  # fmt: skip
+            for place in changes.get(part, ()):
+                axes.axvline(place + 1, color=look.color, linestyle=":", linewidth=0.9)
+        axes.axhline(100.0 * DAMAGE, color=GREY, linestyle="--", linewidth=0.9)
+        axes.set_ylim(bottom=0.0)
+        label_x(axes, said("Record"))
+        label_y(axes, said("Modulation depth (%)"))
+        legend_above(axes)
+    return figure

@@ -1,0 +1,327 @@
+"""A machine with several bearings, shafts and gears, tested together by one record."""
+
+from __future__ import annotations
+
+import os
+import tomllib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any, Final
+
+from rolamento._foreign.bounds import size_of_file
+from rolamento.errors import FileError, InputError, nearest
+from rolamento.tasks.diagnosis import SCHEMA, Conclusion, DiagnosisResult, TooShort, diagnose
+from rolamento.units import rpm_of
+from rolamento.vibration.diagnosis import Component, FaultOrders
+from rolamento.vibration.frequencies import nominal_frequencies
+from rolamento.words import Note, said
+
+__all__ = ["Machine", "MachineDiagnosis", "Mounted", "diagnose_machine", "read_machine"]
+
+_LARGEST: Final = 2**20
+_MOST: Final = 20
+_SAME: Final = 0.004
+"""Part of a frequency within which the peaks of two bearings are one."""
+_MAIN: Final = "main"
+"""Name of the shaft whose speed is given."""
+_KEYS: Final[Mapping[str, frozenset[str]]] = {
+    "bearings": frozenset({"name", "designation", "shaft"}),
+    "shafts": frozenset({"name", "ratio"}),
+    "gears": frozenset({"teeth", "shaft"}),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Mounted:
+    """A bearing of a machine.
+
+    Attributes
+    ----------
+    name
+        in the machine, such as "motor, drive end"
+    designation
+        of the catalogue, or a case file
+    ratio
+        speed of its shaft over that of the main one
+    """
+
+    name: str
+    designation: str
+    ratio: float
+
+
+@dataclass(frozen=True, slots=True)
+class Machine:
+    """What turns in a machine.
+
+    Attributes
+    ----------
+    bearings
+        that are tested
+    shafts
+        speeds of the other shafts over that of the main one, by name
+    meshes
+        teeth that mesh in a turn of the main shaft, of each gear
+    """
+
+    bearings: tuple[Mounted, ...]
+    shafts: Mapping[str, float]
+    meshes: tuple[float, ...]
+
+    def turning(self, ratio: float) -> tuple[float, ...]:
+        """Return the orders, over a shaft of some ratio, of all else that turns."""
+        orders = (*self.shafts.values(), 1.0, *self.meshes)
+        own = (order / ratio for order in orders if order != ratio)
+        return tuple(dict.fromkeys(own))[:_MOST]
+
+
+def read_machine(path: str | os.PathLike[str]) -> Machine:
+    """Read the file of a machine: ``[[bearings]]``, ``[[shafts]]`` and ``[[gears]]`` in TOML.
+
+    Raises
+    ------
+    FileError
+        If it is no such file.
+    InputError
+        If a shaft is not known, or a number is none.
+    """
+    source = os.fspath(path)
+    if size_of_file(Path(source)) > _LARGEST:
+        raise FileError(said("is too large for the file of a machine"), source=source)
+    try:
+        data = tomllib.loads(Path(source).read_text(encoding="utf-8"))
+    except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+        raise FileError(said("is not TOML: {what}", what=error), source=source) from None
+    try:
+        return _machine(data)
+    except InputError as error:
+        raise error.with_details(source=source) from None
+
+
+def _machine(data: Mapping[str, Any]) -> Machine:
+    for table in data:
+        if table not in _KEYS:
+            raise InputError(
+                said("is not known"), field=table, example=f"[[{nearest(table, _KEYS) or 'gears'}]]"
+            )
+    rows = {table: _rows(data, table) for table in _KEYS}
+    if not rows["bearings"]:
+        raise InputError(
+            said("must name at least one"),
+            field="bearings",
+            example='[[bearings]]\ndesignation = "6205"',
+        )
+    shafts = {_text(row, "name"): _number(row, "ratio") for row in rows["shafts"]}
+    ratios = {**shafts, _MAIN: 1.0}
+    bearings = tuple(
+        Mounted(
+            str(row.get("name") or f"{place} {_text(row, 'designation')}"),
+            _text(row, "designation"),
+            _ratio(row, ratios),
+        )
+        for place, row in enumerate(rows["bearings"], start=1)
+    )
+    meshes = tuple(_number(row, "teeth") * _ratio(row, ratios) for row in rows["gears"])
+    return Machine(bearings, shafts, meshes)
+
+
+def _rows(data: Mapping[str, Any], table: str) -> Sequence[Mapping[str, Any]]:
+    rows = data.get(table, [])
+    if not isinstance(rows, list) or not all(isinstance(row, dict) for row in rows):
+        raise InputError(said("must be a list of tables"), field=table, example=f"[[{table}]]")
+    if len(rows) > _MOST:
+        raise InputError(said("must be at most {most}", most=_MOST), field=table, value=len(rows))
+    for row in rows:
+        for key in row.keys() - _KEYS[table]:
+            raise InputError(
+                said("is not known; known: {known}", known=", ".join(sorted(_KEYS[table]))),
+                field=f"{table}.{key}",
+            )
+    return rows
+
+
+def _text(row: Mapping[str, Any], key: str) -> str:
+    value = row.get(key)
+    if not isinstance(value, str) or not value.strip():
+        raise InputError(said("must be text"), field=key, value=value, example=f'{key} = "6205"')
+    return value
+
+
+def _number(row: Mapping[str, Any], key: str) -> float:
+    value = row.get(key)
+    is_number = isinstance(value, int | float) and not isinstance(value, bool)
+    if value is None or not is_number or not 0.01 <= value <= 1000.0:
+        rule = said("must be a number from 0.01 to 1000")
+        raise InputError(rule, field=key, value=value, example=f"{key} = 31")
+    return float(value)
+
+
+def _ratio(row: Mapping[str, Any], ratios: Mapping[str, float]) -> float:
+    name = row.get("shaft", _MAIN)
+    if name not in ratios:
+        raise InputError(
+            said("is none of the shafts: {known}", known=", ".join(ratios)),
+            field="shaft",
+            value=name,
+        )
+    return ratios[name]
+
+
+# --- the diagnosis -------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, eq=False)
+class MachineDiagnosis:
+    """Every bearing of a machine, by one record.
+
+    Attributes
+    ----------
+    machine
+        as given
+    found
+        a diagnosis for each bearing, in its order
+    shared
+        pairs of damaged parts of different bearings that have the same peak: bearing's place and
+        part of each; the peak decides between neither
+    """
+
+    machine: Machine
+    found: tuple[DiagnosisResult, ...]
+    shared: tuple[tuple[tuple[int, Component], tuple[int, Component]], ...]
+
+    def alone(self, place: int) -> tuple[Component, ...]:
+        """Return the damaged parts of a bearing whose peaks no other bearing shares."""
+        of_both = {one for pair in self.shared for one in pair}
+        faults = self.found[place].diagnosis.faults
+        return tuple(part for part in faults if (place, part) not in of_both)
+
+    @property
+    def verdict(self) -> Conclusion:
+        """Of the worst bearing: one part that is damaged alone is a fault."""
+        places = range(len(self.found))
+        if any(self.alone(place) for place in places):
+            return "fault"
+        verdicts = [one.verdict for one in self.found]
+        if self.shared or "undecided" in verdicts:
+            return "undecided"
+        worst: tuple[Conclusion, ...] = ("watch", "no_verdict", "nothing_found")
+        return next(one for one in worst if one in verdicts)
+
+    @property
+    def statement(self) -> tuple[Note, ...]:
+        """What it comes to, bearing by bearing."""
+        notes = []
+        for (first, part), (second, other) in self.shared:
+            named = [self.machine.bearings[place].name for place in (first, second)]
+            frequency = self.found[first].diagnosis.of(part).frequency
+            values = {"bearings": named, "parts": [part, other], "frequency": frequency}
+            notes.append(Note("peak_of_either", values))
+        of_both = {one for pair in self.shared for one in pair}
+        for place, (bearing, one) in enumerate(zip(self.machine.bearings, self.found, strict=True)):
+            faults = one.diagnosis.faults
+            if faults and all((place, part) in of_both for part in faults):
+                continue
+            notes += [Note("of_bearing", {"name": bearing.name}), *one.statement]
+        return tuple(notes)
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Return everything as plain data, in SI units and Hz."""
+        return {
+            "schema": SCHEMA,
+            "kind": "diagnosis_machine",
+            "verdict": self.verdict,
+            "statement": [note.to_mapping() for note in self.statement],
+            "shared": [
+                [
+                    {"bearing": self.machine.bearings[place].name, "component": part}
+                    for place, part in pair
+                ]
+                for pair in self.shared
+            ],
+            "bearings": [
+                {"name": bearing.name, "ratio": bearing.ratio, **one.to_mapping()}
+                for bearing, one in zip(self.machine.bearings, self.found, strict=True)
+            ],
+        }
+
+
+def diagnose_machine(
+    path: str | os.PathLike[str], machine: Machine | str | os.PathLike[str], **asked: Any
+) -> MachineDiagnosis | TooShort:
+    """Diagnose all bearings of a machine by one record.
+
+    The other shafts and the meshes of the gears are left out of the search for each bearing, and
+    the frequencies of the other bearings are no unexplained peaks. Where damaged parts of two
+    bearings have the same peak, neither is stated.
+
+    Parameters
+    ----------
+    path, asked
+        As of `rolamento.tasks.diagnose`; the speed is that of the main shaft, and steady.
+    machine
+        Or the name of its file.
+
+    Raises
+    ------
+    FileError, InputError
+        As of `rolamento.tasks.diagnose`, or if the machine's file is none.
+    """
+    from rolamento.tasks.bearing import case_of
+    from rolamento.tasks.parameters import speed_of
+
+    if not isinstance(machine, Machine):
+        machine = read_machine(machine)
+    speed = speed_of(asked.pop("speed", None), "speed")
+    if speed is None:
+        raise InputError(
+            said("must be given with a machine: that of its main shaft"),
+            field="speed",
+            example='speed="1480 rpm"',
+        )
+    orders = [
+        FaultOrders.of(nominal_frequencies(case_of(one.designation, ()).bearing, 1.0))
+        for one in machine.bearings
+    ]
+    found = []
+    for place, bearing in enumerate(machine.bearings):
+        others = tuple(
+            order * other.ratio / bearing.ratio
+            for number, (other, own) in enumerate(zip(machine.bearings, orders, strict=True))
+            if number != place
+            for order in _all_of(own)
+        )
+        one = diagnose(
+            path,
+            bearing.designation,
+            speed=f"{rpm_of(speed * bearing.ratio)} rpm",
+            turning=machine.turning(bearing.ratio),
+            elsewhere=others,
+            **asked,
+        )
+        if isinstance(one, TooShort):
+            return one
+        found.append(replace(one, bearing_name=f"{bearing.name} ({one.bearing_name})"))
+    return MachineDiagnosis(machine, tuple(found), _shared(found))
+
+
+def _all_of(orders: FaultOrders) -> tuple[float, ...]:
+    found = (orders.fundamental(part) for part in ("outer_race", "inner_race", "ball"))
+    return tuple(order for order in found if order is not None)
+
+
+def _shared(
+    found: Sequence[DiagnosisResult],
+) -> tuple[tuple[tuple[int, Component], tuple[int, Component]], ...]:
+    """Pairs of damaged parts of different bearings with the same peak."""
+    damaged: list[tuple[int, Component, float]] = [
+        (place, part, one.diagnosis.of(part).frequency)
+        for place, one in enumerate(found)
+        for part in one.diagnosis.faults
+    ]
+    return tuple(
+        ((first[0], first[1]), (second[0], second[1]))
+        for number, first in enumerate(damaged)
+        for second in damaged[number + 1 :]
+        if first[0] != second[0] and abs(second[2] / first[2] - 1.0) <= _SAME
+    )
