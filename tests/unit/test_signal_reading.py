@@ -19,8 +19,8 @@ import pytest
 import scipy.io
 import scipy.io.wavfile
 
-from rolamento._foreign import bounds, isolated
 from rolamento.errors import FileError, InputError
+from rolamento.io.foreign import bounds, isolated
 from rolamento.vibration.reading import channels_of, open_signal, read_signal
 from rolamento.words import Note
 

@@ -10,9 +10,9 @@ import pytest
 from typer.testing import CliRunner
 
 from rolamento import InputError, parse_case
-from rolamento._data import toml_of
 from rolamento.cli.app import app
 from rolamento.document.terminal import terminal
+from rolamento.io.data import toml_of
 from rolamento.pages.speed import speed_page
 from rolamento.ratings import roller_dynamic_rating
 from rolamento.speeds import (

@@ -1,8 +1,8 @@
 """What a catalogue holds of one bearing, with the source of each figure; read from CSV or TOML.
 
-A CSV file has one bearing in a line, as `rolamento._tables` reads it; the units are in the names of
-the columns. ``# maker: NSK``, ``# kind:`` and ``# source:`` before the header hold for all lines. A
-TOML file has one ``[[bearing]]`` a bearing, quantities with units.
+A CSV file has one bearing in a line, as `rolamento.io.tables` reads it; the units are in the names
+of the columns. ``# maker: NSK``, ``# kind:`` and ``# source:`` before the header hold for all
+lines. A TOML file has one ``[[bearing]]`` a bearing, quantities with units.
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ from typing import Any, Final, Literal, cast, get_args
 
 import numpy as np
 
-from rolamento._data import toml_of
-from rolamento._tables import Numerals, parse_table
 from rolamento.errors import FileError, InputError, UnknownKeyError, guess
+from rolamento.io.data import toml_of
+from rolamento.io.tables import Numerals, parse_table
 from rolamento.ratings import RatedType
 from rolamento.units import Dimension, readable, to_si
 from rolamento.words import said

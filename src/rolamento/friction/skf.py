@@ -51,7 +51,6 @@ from typing import Any, Final, Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento._data import toml_of
 from rolamento.errors import InputError, guess
 from rolamento.friction.model import (
     Setting,
@@ -65,6 +64,7 @@ from rolamento.friction.model import (
     relative_speed,
     torque_of_parts,
 )
+from rolamento.io.data import toml_of
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.words import marked, said
 

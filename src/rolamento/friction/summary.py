@@ -9,7 +9,6 @@ from typing import Any, Final, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rolamento._json import plain
 from rolamento.errors import InputError
 from rolamento.friction.closed_forms import DEFAULT_HYSTERESIS
 from rolamento.friction.line_losses import RIB_COEFFICIENT
@@ -40,6 +39,7 @@ from rolamento.friction.rollers import (
 )
 from rolamento.friction.rolling_resistance import rolling_resistance_loss
 from rolamento.friction.traction import EllipseMesh
+from rolamento.io.json import plain
 from rolamento.lubrication.films import film, has_film, oil_of
 from rolamento.numerics import FloatArray
 from rolamento.numerics.blocks import in_blocks

@@ -14,8 +14,8 @@ from typing import Any, Final, TypeVar
 import numpy as np
 
 import rolamento
-from rolamento._writing import UNFINISHED, write_bytes, written_whole
 from rolamento.errors import FileError, cause, shown
+from rolamento.io.writing import UNFINISHED, write_bytes, written_whole
 from rolamento.studies.plan import Part, Plan
 from rolamento.words import said
 

@@ -9,9 +9,9 @@ from typing import Any, Final
 
 import numpy as np
 
-from rolamento._json import dumps
 from rolamento.case import Case, load_case
 from rolamento.errors import InputError
+from rolamento.io.json import dumps
 from rolamento.life import (
     Change,
     Headline,

@@ -16,11 +16,11 @@ from typing import Any, Final, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento._json import dumps
-from rolamento._tables import Table, read_table
 from rolamento.case import Case
 from rolamento.case.life_model import LifeModel
 from rolamento.errors import FileError, InputError
+from rolamento.io.json import dumps
+from rolamento.io.tables import Table, read_table
 from rolamento.life import Headline, Life
 from rolamento.life.iso281 import hours
 from rolamento.life.iso16281 import THEORY as REFERENCE

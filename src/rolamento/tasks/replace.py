@@ -379,7 +379,7 @@ def _fleet_of(
 
 
 def _date(given: str | date | None, field: str) -> date | None:
-    from rolamento._columns import dates_of
+    from rolamento.io.columns import dates_of
 
     if not isinstance(given, str):
         return given

@@ -14,9 +14,9 @@ from typing import Any, Final, Unpack
 
 import numpy as np
 
-from rolamento._columns import folded_name
-from rolamento._json import csv_number
 from rolamento.errors import InputError
+from rolamento.io.columns import folded_name
+from rolamento.io.json import csv_number
 from rolamento.numerics.growth import Forecast, Law, forecast
 from rolamento.tasks.parameters import Stages, quietly, speed_of
 from rolamento.tasks.signals import (
@@ -399,7 +399,7 @@ def _hours(hours: Sequence[float] | None, count: int) -> list[float]:
 
 def _days(given: Sequence[str], count: int) -> tuple[list[float], str]:
     """Hours from the first of some dates, and that date."""
-    from rolamento._columns import dates_of
+    from rolamento.io.columns import dates_of
 
     texts = [text.strip() for text in given]
     read = dates_of(texts)

@@ -7,12 +7,12 @@ from dataclasses import dataclass, replace
 from math import degrees, hypot, isfinite, nan, pi
 from typing import Any, Final, Literal
 
-from rolamento._json import plain
 from rolamento.case import Case
 from rolamento.case.bearing import Bearing
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.errors import InputError
 from rolamento.friction.palmgren import friction_load
+from rolamento.io.json import plain
 from rolamento.life.equivalent_load import equivalent_load
 from rolamento.life.equivalent_load import minimum_axial_load as minimum_thrust_load
 from rolamento.lubrication.oil_state import oil_state

@@ -245,7 +245,7 @@ def signal_page(path: str, label: str, typed: Typed, form: str = "") -> dict[str
 
 def life_test_page(path: str, label: str, typed: Typed, form: str = "") -> dict[str, Any]:
     """Say what a life test says; parameters as of `signal_page`."""
-    from rolamento._tables import table_text
+    from rolamento.io.tables import table_text
     from rolamento.pages.weibull import weibull_page
     from rolamento.tasks.asked import number_in
     from rolamento.tasks.weibull import (
@@ -379,8 +379,8 @@ def _bearing(designation: str, page_case: str) -> Case:
         return _of_designation(designation)
     if not page_case:
         raise InputError(said("is missing"), field="bearing", example="6205")
-    from rolamento._reading import parse_mapping
     from rolamento.case import Case
+    from rolamento.io.text import parse_mapping
 
     return Case.from_mapping(parse_mapping(page_case, "json", ""))
 
@@ -531,7 +531,7 @@ def _file(document: Document, mapping: dict[str, Any], form: str) -> bytes:
 
         return to_xlsx(document)
     if form == "json":
-        from rolamento._json import dumps
+        from rolamento.io.json import dumps
 
         return (dumps(mapping, indent=2) + "\n").encode()
     rule = said("must be one of {known}", known=", ".join(_TYPES))

@@ -13,15 +13,15 @@ from typing import Final
 
 import numpy as np
 
-from rolamento._columns import (
+from rolamento.errors import InputError
+from rolamento.io.columns import (
     check_names,
     column_by_name,
     folded_name,
     place_of,
     title_parts,
 )
-from rolamento._tables import parse_table, table_text
-from rolamento.errors import InputError
+from rolamento.io.tables import parse_table, table_text
 from rolamento.numerics import FloatArray, IntArray
 from rolamento.weibull.life_test import MAXIMUM_TIME, LifeTest, passed_over_notes
 from rolamento.weibull.reading import (

@@ -23,7 +23,7 @@ holds status words is read. Machines whose bearings ended at several times are n
 that they were not read. With `size`, a row is a rig of so
 many bearings that stopped at its first failure (sudden death): the others are suspended.
 
-Tables are read as `rolamento._tables` tells: any separator, either decimal mark. Of the comments
+Tables are read as `rolamento.io.tables` tells: any separator, either decimal mark. Of the comments
 ``# unit: Mrev``, ``# title:`` and ``# source:`` are read. Columns named bearing, id, date, note,
 comment, procedure and their like are passed over, and all others that are not known, which a note
 names.
@@ -38,7 +38,8 @@ from dataclasses import dataclass, replace
 from importlib import resources
 from typing import Any, Final
 
-from rolamento._columns import (
+from rolamento.errors import InputError, UnknownKeyError
+from rolamento.io.columns import (
     COLUMN_OF,
     check_names,
     column_by_name,
@@ -46,8 +47,7 @@ from rolamento._columns import (
     place_of,
     word_and_unit,
 )
-from rolamento._tables import Numerals, Table, parse_table, table_text
-from rolamento.errors import InputError, UnknownKeyError
+from rolamento.io.tables import Numerals, Table, parse_table, table_text
 from rolamento.weibull._checks import one_of
 from rolamento.weibull.life_test import (
     LONGEST_LABEL,

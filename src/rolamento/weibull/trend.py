@@ -4,8 +4,8 @@ A record comes from a CSV file: a column of running times or of dates, one that 
 the machine, which a record of a single one can do without, and one for each quantity: with its unit
 in brackets, or under a usual name. A note names the columns that were passed over. ``x`` stands for
 a measurement that was off the scale or rejected, an empty cell for none. Tables are read as
-`rolamento._tables` tells: any separator, either decimal mark; names and dates as
-`rolamento._columns` tells. Of the comments ``# title:``, ``# source:``, ``# dates: day first``.
+`rolamento.io.tables` tells: any separator, either decimal mark; names and dates as
+`rolamento.io.columns` tells. Of the comments ``# title:``, ``# source:``, ``# dates: day first``.
 
     # title: Radial clearance of two bearings
     time (h),bearing,radial clearance (µm)
@@ -25,7 +25,8 @@ from typing import TYPE_CHECKING, Any, Final, get_args
 
 import numpy as np
 
-from rolamento._columns import (
+from rolamento.errors import InputError
+from rolamento.io.columns import (
     DateOrder,
     Dates,
     check_names,
@@ -35,8 +36,7 @@ from rolamento._columns import (
     title_parts,
     word_and_unit,
 )
-from rolamento._tables import Numerals, Table, parse_table, table_text
-from rolamento.errors import InputError
+from rolamento.io.tables import Numerals, Table, parse_table, table_text
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.weibull._checks import one_of
 from rolamento.weibull.life_test import LONGEST_LABEL, TextArray, passed_over_notes

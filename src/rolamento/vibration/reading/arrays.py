@@ -18,10 +18,10 @@ from typing import Any, BinaryIO, Final, Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento._foreign.bounds import check_inflated, check_whole, guarded, size_of_file
-from rolamento._foreign.isolated import Isolated
-from rolamento._foreign.readers import MOST_VARIABLES, Hdf5Arrays, MatlabArrays, Variable
 from rolamento.errors import FileError
+from rolamento.io.foreign.bounds import check_inflated, check_whole, guarded, size_of_file
+from rolamento.io.foreign.isolated import Isolated
+from rolamento.io.foreign.readers import MOST_VARIABLES, Hdf5Arrays, MatlabArrays, Variable
 from rolamento.numerics import FloatArray
 from rolamento.vibration.reading.channels import Channel, Source, checked_channels
 from rolamento.vibration.reading.metadata import (

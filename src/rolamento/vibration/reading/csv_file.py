@@ -14,9 +14,9 @@ from typing import BinaryIO, Final
 
 import numpy as np
 
-from rolamento._foreign.bounds import guarded, size_of_file
-from rolamento._tables import DecimalMark, Numerals, checked_mark, mark_said, numerals_of
 from rolamento.errors import FileError, InputError
+from rolamento.io.foreign.bounds import guarded, size_of_file
+from rolamento.io.tables import DecimalMark, Numerals, checked_mark, mark_said, numerals_of
 from rolamento.numerics import FloatArray
 from rolamento.vibration.reading.channels import MOST_CHANNELS, Channel, Source, checked_channels
 from rolamento.vibration.reading.metadata import (

@@ -7,9 +7,9 @@ import re
 from pathlib import Path
 from typing import BinaryIO, Final
 
-from rolamento._foreign.bounds import check_declared, guarded, size_of_file
-from rolamento._tables import DecimalMark
 from rolamento.errors import FileError
+from rolamento.io.foreign.bounds import check_declared, guarded, size_of_file
+from rolamento.io.tables import DecimalMark
 from rolamento.vibration.reading.channels import Source
 from rolamento.words import marked, said
 

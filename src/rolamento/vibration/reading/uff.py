@@ -15,8 +15,8 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from rolamento._foreign.bounds import check_whole, guarded, size_of_file
 from rolamento.errors import FileError
+from rolamento.io.foreign.bounds import check_whole, guarded, size_of_file
 from rolamento.numerics import FloatArray
 from rolamento.vibration.reading.channels import Channel, Source, checked_channels
 from rolamento.vibration.reading.metadata import Timeline, positive, short_name

@@ -15,8 +15,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Final, Literal, get_args
 
-from rolamento._reading import STANDARD_INPUT, read_bytes
 from rolamento.errors import ABSENT, FileError, InputError
+from rolamento.io.text import STANDARD_INPUT, read_bytes
 from rolamento.words import marked, said
 
 __all__ = [

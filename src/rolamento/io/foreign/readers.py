@@ -15,13 +15,13 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento._foreign.bounds import (
+from rolamento.errors import FileError
+from rolamento.io.foreign.bounds import (
     LARGEST_CHUNK,
     check_declared,
     check_inflated,
     most_declared,
 )
-from rolamento.errors import FileError
 from rolamento.words import said
 
 __all__ = ["MOST_VARIABLES", "Hdf5Arrays", "MatlabArrays", "NetcdfVariables", "Variable"]
