@@ -13,8 +13,9 @@ from typer.testing import CliRunner
 from rolamento.catalogue.records import records_of_csv
 from rolamento.cli.app import app
 from rolamento.errors import InputError
-from rolamento.io.columns import DateOrder, Dates, dates_of
-from rolamento.io.tables import Numerals, numerals_of, parse_table
+from rolamento.io.dates import DateOrder, Dates, dates_of
+from rolamento.io.numerals import Numerals, numerals_of
+from rolamento.io.tables import parse_table
 from rolamento.life.l_able import read_factor_table
 from rolamento.tasks.life_spectrum import read_spectrum
 from rolamento.vibration.reading import open_signal

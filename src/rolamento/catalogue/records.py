@@ -18,7 +18,8 @@ import numpy as np
 
 from rolamento.errors import FileError, InputError, UnknownKeyError, guess
 from rolamento.io.data import toml_of
-from rolamento.io.tables import Numerals, parse_table
+from rolamento.io.numerals import Numerals
+from rolamento.io.tables import parse_table
 from rolamento.ratings import RatedType
 from rolamento.units import Dimension, readable, to_si
 from rolamento.words import said

@@ -196,7 +196,7 @@ def _cost(text: str | None, option: str) -> float:
     InputError
         If it is missing, no number, or may be two.
     """
-    from rolamento.io.tables import Numerals
+    from rolamento.io.numerals import Numerals
     from rolamento.units import refuse_thousands
     from rolamento.words import manner
 

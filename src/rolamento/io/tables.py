@@ -1,197 +1,86 @@
-"""Tables that people write: comma-separated values with a header, one reader for all of them.
+"""Tables that people, spreadsheets and recorders write: one reader for all of them.
 
-Commas, semicolons or tabs part the cells. Lines that begin with # are comments; ``# name: value``
-above the header is read. A table may be of a spreadsheet that writes decimal commas: then points
-part thousands, and ``12.500`` is 12500. Where nothing in the table tells, the user is asked; a line
+Semicolons, tabs, vertical bars, commas or blanks part the cells, and a first line ``sep=;`` says
+which. The text is UTF-8, UTF-16 or what Windows writes in Western languages. Lines that begin with
+# are comments; ``# name: value`` above the header is read, and so it is without the #. Title lines
+above the header count nothing. A line of units below the header belongs to the names above it. A
+workbook (.xlsx) is a table where it has one sheet that holds something; ``lives.xlsx#Rig 3`` names
+one of several.
+
+A table may be of a spreadsheet that writes decimal commas: then points part thousands, and
+``12.500`` is 12500. Where nothing in the table tells, the user is asked; a line
 ``# decimal mark: point`` or ``# decimal mark: comma`` above the header answers, or an argument.
 """
 
 from __future__ import annotations
 
+import codecs
 import csv
 import os
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Final, Literal, get_args
+from typing import Final
 
-from rolamento.errors import ABSENT, FileError, InputError
+from rolamento.errors import FileError, InputError
+from rolamento.io.columns import is_unit_word, title_parts
+from rolamento.io.numerals import (
+    DECIMAL_COMMA,
+    GROUPED,
+    IN_THOUSANDS,
+    PLAIN,
+    Numerals,
+    checked_mark,
+    lead_of,
+    numerals_of,
+    rewritten,
+)
+from rolamento.io.sheets import is_workbook, text_of_workbook
 from rolamento.io.text import STANDARD_INPUT, read_bytes
 from rolamento.words import marked, said
 
 __all__ = [
-    "DecimalMark",
-    "Numerals",
+    "BLANKS",
+    "SEPARATORS",
     "Table",
-    "checked_mark",
+    "decoded",
+    "encoding_of",
     "mark_said",
-    "numerals_of",
     "parse_table",
     "read_table",
+    "separator_said",
+    "split_line",
     "table_text",
+    "with_units",
 ]
 
-DecimalMark = Literal["point", "comma"]
+SEPARATORS: Final = (";", "\t", "|", ",")
+"""Between cells, the surest sign of a table first."""
+BLANKS: Final = " "
+"""Where one blank or several part the cells."""
 
 _LONGEST_LINE: Final = 5000
 _LONGEST_CELL: Final = 200
 _MOST_COLUMNS: Final = 1000
-_LONGEST_NUMBER: Final = 40
 _LARGEST: Final = 5_000_000
+_MOST_ABOVE: Final = 200
+"""Lines above the header."""
+_SAMPLED: Final = 300
+"""Lines by which the separator is judged."""
+_MOST_LINES_OF_CELL: Final = 4
 _MARK: Final = "decimal mark"
-_IN_PORTUGUESE: Final = {
-    "título": "title", "titulo": "title", "fonte": "source", "unidade": "unit", "datas": "dates",
-    "separador decimal": _MARK, "marca decimal": _MARK,
+_SAID: Final = {
+    "title": "title", "título": "title", "titulo": "title", "titel": "title",
+    "source": "source", "fonte": "source", "fuente": "source", "quelle": "source",
+    "unit": "unit", "unidade": "unit", "unidad": "unit", "einheit": "unit",
+    "dates": "dates", "datas": "dates", "fechas": "dates",
+    "decimal mark": _MARK, "separador decimal": _MARK, "marca decimal": _MARK,
+    "dezimaltrennzeichen": _MARK,
 }  # fmt: skip
-"""Names of comments, and those that are read."""
-_GROUPED: Final = re.compile(r"[+-]?\d{1,3}(?:[ \u00a0\u2009\u202f]\d{3})+(?!\d)")
-"""A number whose thousands are parted by spaces, as these pages write it."""
-
-_EXPONENT: Final = r"(?:[eE][+-]?\d{1,3})?"
-_PLAIN: Final = re.compile(rf"[+-]?(?:\d+(?:\.\d*)?|\.\d+){_EXPONENT}")
-_IN_THOUSANDS: Final = re.compile(rf"[+-]?[1-9]\d{{0,2}}(?:\.\d{{3}})+(?:,\d*)?{_EXPONENT}")
-"""A number whose points may part thousands; one with a leading zero never does."""
-_DECIMAL_COMMA: Final = re.compile(
-    r"[+-]?(?:\d{1,3}(?:\.\d{3})+,\d*|\d*,(?:\d{1,2}|\d{4,}))(?:[eE][+-]?\d{1,3})?"
-)
-_MARKED: Final = re.compile(r"[+-]?[\d.,]*[.,][\d.,]*(?:[eE][+-]?\d{1,3})?")
-_LEAD: Final = re.compile(r"[+-]?(?=[.,]?\d)[\d.,]+(?:[eE][+-]?\d{1,3})?(?=\s|%|[A-Za-zµμ°]|$)")
-_POINTS_AND_COMMAS: Final = str.maketrans(".,", ",.")
-
-
-@dataclass(frozen=True, slots=True)
-class Numerals:
-    """How the numbers of a table are written.
-
-    Attributes
-    ----------
-    commas
-        whether a comma can be part of a number: none parts the cells
-    mark
-        the decimal mark, if it is known; then the other one parts thousands
-    doubt
-        a cell that is one number with a decimal point and another with a decimal comma; empty if
-        there is none
-    """
-
-    commas: bool
-    mark: DecimalMark | None = None
-    doubt: str = ""
-
-    def number(self, cell: str) -> float | None:
-        """Return the number of a cell; None if it is none."""
-        text = self.plain(cell)
-        return None if text is None else float(text)
-
-    def plain(self, cell: str) -> str | None:
-        """Return the number of a cell as text with a decimal point; None if it is none."""
-        text = cell
-        if len(text) > _LONGEST_NUMBER:
-            return None
-        if not self.commas and _PLAIN.fullmatch(text):
-            return text
-        if grouped := _GROUPED.match(text):
-            text = "".join(grouped[0].split()) + text[grouped.end() :]
-        if self.commas and self.mark == "comma":
-            text = text.translate(_POINTS_AND_COMMAS)
-        if self.commas and "," in text:
-            # 1,234.5 in thousands; else the comma is the decimal one, as there is no other mark
-            turned = text.translate(_POINTS_AND_COMMAS)
-            if self.mark is not None or "." in text:
-                text = text.replace(",", "") if _IN_THOUSANDS.fullmatch(turned) else ""
-            else:
-                text = turned
-        return text if _PLAIN.fullmatch(text) else None
-
-    def readings(self) -> tuple[float, float]:
-        """Return what the cell in doubt is with a decimal point, and with a decimal comma."""
-        point, comma = (Numerals(True, mark).number(self.doubt) for mark in get_args(DecimalMark))
-        assert point is not None
-        assert comma is not None
-        return point, comma
-
-    def check(self, field: str, *, argument: bool = True) -> None:
-        """Refuse numbers that may be read in two ways.
-
-        argument: whether the reader takes the mark as an argument, besides the line in the file.
-
-        Raises
-        ------
-        InputError
-            With both readings, and how to say which it is.
-        """
-        if not self.doubt:
-            return
-        point, comma = self.readings()
-        readings = {"point": point, "comma": comma}
-        rule = said(
-            "is {point:.9g} if the point is the decimal mark and {comma:.9g} if it "
-            "separates thousands; the table does not tell which",
-            **readings,
-        )
-        if "," in self.doubt:
-            rule = said(
-                "is {point:.9g} if the comma separates thousands and {comma:.9g} if it is the"
-                " decimal mark; the table does not tell which",
-                **readings,
-            )
-        example = said(
-            '"# decimal mark: point" above the table for {point:.9g}, "# decimal mark: comma" for'
-            " {comma:.9g}",
-            **readings,
-        )
-        if argument:
-            example = said(
-                'decimal_mark="point" for {point:.9g}, decimal_mark="comma" for {comma:.9g}; or a'
-                ' line "# decimal mark: comma" above the table',
-                **readings,
-            )
-        raise InputError(rule, field=field, value=self.doubt, example=example)
-
-
-def numerals_of(
-    cells: Iterable[str],
-    *,
-    commas: bool,
-    mark: DecimalMark | None = None,
-    ask_of_commas: bool = False,
-) -> Numerals:
-    """Tell how the numbers of a table are written, by all of them together.
-
-    Parameters
-    ----------
-    cells
-        Those that hold numbers; others count nothing.
-    commas
-        Whether a comma can be part of a number: none parts the cells.
-    mark
-        What the user says, which holds.
-    ask_of_commas
-        Whether 12,500 may be 12500 as well: nothing else shows that decimal commas are written.
-    """
-    if not commas or mark is not None:
-        return Numerals(commas, mark)
-    doubt = in_commas = ""
-    point = False
-    for cell in cells:
-        if len(cell) > _LONGEST_NUMBER or not _MARKED.fullmatch(cell):
-            continue
-        if "." not in cell:
-            if _IN_THOUSANDS.fullmatch(cell.replace(",", ".")):
-                in_commas = in_commas or cell
-            else:
-                ask_of_commas = False  # 0,25, 12,5: a decimal comma
-        elif not _IN_THOUSANDS.fullmatch(cell):
-            point = True  # 0.25, 12.5, 1,234.5: a decimal point
-            if in_commas:
-                break
-        elif not point and ("," in cell or cell.count(".") > 1):
-            return Numerals(commas, "comma")
-        elif "e" not in cell.lower():
-            doubt = doubt or cell
-    if point:  # 12,500 beside 8.2 is 12500
-        return Numerals(commas, "point" if in_commas else None)
-    return Numerals(commas, None, doubt or (in_commas if ask_of_commas else ""))
+"""Names of comments in the languages in which they are read."""
+_OPEN_QUOTE: Final = re.compile(r'(?:^|[;,\t|])"(?:[^"]|"")*$')
+_SEPARATOR_SAID: Final = re.compile(r'"?sep=(.|\\t)"?', re.I)
+_BEGINS_AS_NUMBER: Final = re.compile(r"[+-]?[.,]?\d")
 
 
 @dataclass(frozen=True, slots=True)
@@ -211,7 +100,7 @@ class Table:
     rows
         cells, as many in each row as there are columns
     separator
-        between the cells
+        between the cells; a blank where blanks part them
     """
 
     source: str
@@ -248,10 +137,11 @@ class Table:
         """
         given = self.said.get(_MARK) if mark is None else mark
         chosen = None if given is None else checked_mark(given, self.source)
-        leads = (_lead(row[column]) for row in self.rows for column in columns)
+        leads = (lead_of(row[column]) for row in self.rows for column in columns)
         apart = self.separator != ","
         asked = apart or chosen is not None or self._has_decimal_commas()
-        found = numerals_of(leads, commas=asked, mark=chosen, ask_of_commas=self.separator == "\t")
+        ask = self.separator in ("\t", "|", BLANKS) or len(self.header) == 1
+        found = numerals_of(leads, commas=asked, mark=chosen, ask_of_commas=ask)
         if apart and "." in found.doubt and self._has_decimal_commas(alone=True):
             found = Numerals(True, "comma")  # 12.450 beside 1.250,00: one hand wrote both
         if not apart and chosen is None and not found.doubt:
@@ -261,7 +151,7 @@ class Table:
                 (number, column)
                 for number, row in enumerate(self.rows)
                 for column in columns
-                if _lead(row[column]) == found.doubt
+                if lead_of(row[column]) == found.doubt
             )
             try:
                 found.check(self.header[column], argument=argument)
@@ -276,12 +166,12 @@ class Table:
         """
         cells = [cell for row in self.rows for cell in row]
         if alone and any(
-            _PLAIN.fullmatch(lead) and not _IN_THOUSANDS.fullmatch(lead)
-            for lead in (_lead(cell) for cell in cells if "." in cell)
+            PLAIN.fullmatch(lead) and not IN_THOUSANDS.fullmatch(lead)
+            for lead in (lead_of(cell) for cell in cells if "." in cell)
             if "." in lead
         ):
             return False
-        return any(_DECIMAL_COMMA.fullmatch(_lead(cell)) for cell in cells if "," in cell)
+        return any(DECIMAL_COMMA.fullmatch(lead_of(cell)) for cell in cells if "," in cell)
 
     def plain(self, mark: object = None) -> Table:
         """Return the table with decimal points, and no marks in thousands, in all its numbers.
@@ -294,84 +184,109 @@ class Table:
         numerals = self.numerals(range(len(self.header)), mark)
         if not numerals.commas:
             return self
-        rows = tuple(tuple(_rewritten(cell, numerals) for cell in row) for row in self.rows)
-        header = tuple(_rewritten(cell, numerals) for cell in self.header)
+        rows = tuple(tuple(rewritten(cell, numerals) for cell in row) for row in self.rows)
+        header = tuple(rewritten(cell, numerals) for cell in self.header)
         return replace(self, header=header, rows=rows)
-
-
-def _lead(cell: str) -> str:
-    """The number with which a cell begins, a unit or a per cent behind it or not."""
-    found = _LEAD.match(cell)
-    return "" if found is None else found[0]
-
-
-def _rewritten(cell: str, numerals: Numerals) -> str:
-    lead = _lead(cell)
-    text = numerals.plain(lead) if lead else None
-    return cell if text is None else text + cell[len(lead) :]
 
 
 def mark_said(line: str) -> str | None:
     """Return what a comment above a table says of its decimal mark; None if it says nothing."""
-    name, colon, value = line.lstrip("#% \t").partition(":")
-    folded = name.strip().casefold()
-    return value.strip() if colon and _IN_PORTUGUESE.get(folded, folded) == _MARK else None
+    found = _saying(line.lstrip("#% \t"))
+    return found[1] if found is not None and found[0] == _MARK else None
 
 
-def checked_mark(mark: object, source: str = "") -> DecimalMark:
-    """Return a decimal mark by its name, or as the sign itself.
-
-    Raises
-    ------
-    InputError
-        If it is none.
-    """
-    known: dict[Any, DecimalMark] = {"point": "point", "comma": "comma", ".": "point", ",": "comma"}
-    known |= {"ponto": "point", "vírgula": "comma", "virgula": "comma"}
-    word = mark.strip().casefold() if isinstance(mark, str) else None
-    if word not in known:
-        raise InputError(
-            said("must be one of {known}", known=", ".join(get_args(DecimalMark))),
-            field="decimal_mark",
-            value=ABSENT if mark is None else mark,
-            example='decimal_mark="comma"',
-            source=source,
-        )
-    return known[word]
+def _saying(line: str, separator: str = "") -> tuple[str, str] | None:
+    """What a line above the header says by a name that is read, and the name in English."""
+    for mark in (":", "=", separator):
+        name, found, value = line.partition(mark) if mark else ("", "", "")
+        folded = _SAID.get(name.strip().casefold())
+        if found and folded is not None:
+            return folded, value.strip().strip('"').rstrip(";,|\t ")[:_LONGEST_CELL]
+    return None
 
 
-def read_table(path: str | os.PathLike[str], *, most_rows: int, example: str) -> Table:
+# --- from bytes to text -------------------------------------------------------------------------
+
+
+def read_table(
+    path: str | os.PathLike[str],
+    *,
+    most_rows: int,
+    example: str,
+    is_header: Callable[[Sequence[str]], bool] | None = None,
+) -> Table:
     """Read a table from a file, or from standard input for ``"-"``; see `parse_table`."""
-    return parse_table(*table_text(path), most_rows=most_rows, example=example)
+    return parse_table(*table_text(path), most_rows=most_rows, example=example, is_header=is_header)
 
 
 def table_text(path: str | os.PathLike[str]) -> tuple[str, str]:
     """Return the text of a table and what to call it; ``"-"`` is standard input.
 
-    UTF-8, or else what Windows writes in Western languages; 5 MB at most.
+    UTF-8, UTF-16, or else what Windows writes in Western languages; or a workbook, of which one
+    sheet is taken. 5 MB at most.
 
     Raises
     ------
     FileError
-        If it cannot be read, or is no text.
+        If it cannot be read, is no text, or is a workbook of several sheets of which none is named.
     """
     source = os.fspath(path)
+    if is_workbook(source):
+        return text_of_workbook(source, _LARGEST), source
     source = STANDARD_INPUT if source == "-" else source
     content = read_bytes(path, _LARGEST, marked("a CSV table"))
     if len(content) > _LARGEST:
         raise FileError(said("is larger than {most} MB", most=_LARGEST // 1_000_000), source=source)
-    if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
-        raise FileError(said("is UTF-16 text; save it as CSV in UTF-8"), source=source)
+    return decoded(content, source), source
+
+
+def decoded(content: bytes, source: str) -> str:
+    """Return the text of some bytes: UTF-8, UTF-16, or what Windows writes in Western languages.
+
+    Raises
+    ------
+    FileError
+        If they are no text.
+    """
+    name = encoding_of(content)
+    if name != "utf-8":
+        try:
+            return content.decode(name).removeprefix("\ufeff")
+        except UnicodeDecodeError:
+            raise FileError(said("is damaged UTF-16 text"), source=source) from None
     if b"\0" in content:
         raise FileError(said("is a binary file; save the table as CSV"), source=source)
     try:
-        return content.decode("utf-8-sig"), source
+        return content.decode("utf-8-sig")
     except UnicodeDecodeError:
-        return content.decode("cp1252", errors="replace"), source
+        return content.decode("cp1252", errors="replace")
+
+
+def encoding_of(content: bytes) -> str:
+    """Return "utf-16-le" or "utf-16-be" of text that is such, by its mark or its zeros."""
+    for mark, name in ((codecs.BOM_UTF16_LE, "utf-16-le"), (codecs.BOM_UTF16_BE, "utf-16-be")):
+        if content.startswith(mark):
+            return name
+    head = content[:200]
+    half = len(head) // 2
+    if half > 3 and head[1::2].count(0) > 0.8 * half and not head[::2].count(0):
+        return "utf-16-le"
+    if half > 3 and head[::2].count(0) > 0.8 * half and not head[1::2].count(0):
+        return "utf-16-be"
+    return "utf-8"
+
+
+# --- from text to cells -------------------------------------------------------------------------
 
 
 def parse_table(
-    text: str, source: str, *, most_rows: int, example: str, least_rows: int = 1
+    text: str,
+    source: str,
+    *,
+    most_rows: int,
+    example: str,
+    least_rows: int = 1,
+    is_header: Callable[[Sequence[str]], bool] | None = None,
 ) -> Table:
     """Take a table apart.
 
@@ -385,36 +300,37 @@ def parse_table(
         Below the header.
     example
         Of a header, for messages.
+    is_header
+        Whether cells are names of columns that are known: by them a header below title lines is
+        found. Without it the first line is the header.
 
     Raises
     ------
     FileError
         If it is no such table, or is too large.
     """
+    comments, given, lines = _lines_of(text, source)
+    if not lines:
+        raise FileError(said("contains no table"), source=source, example=example)
+    separator, first = _layout(lines, given, is_header)
     told: dict[str, str] = {}
+    for number, line in comments:
+        if number < lines[first][0] and (saying := _saying(line)):
+            told.setdefault(*saying)
     found: list[tuple[int, tuple[str, ...]]] = []
-    separator = ","
-    for number, line in enumerate(text.replace("\r\n", "\n").replace("\r", "\n").split("\n"), 1):
-        if len(line) > _LONGEST_LINE:
-            rule = said("is longer than {most} characters", most=_LONGEST_LINE)
-            raise FileError(rule, source=source, line=number)
-        if line.lstrip().startswith("#"):
-            name, colon, value = line.lstrip("# \t").partition(":")
-            if colon and not found:
-                folded = name.strip().casefold()
-                told.setdefault(_IN_PORTUGUESE.get(folded, folded), value.strip()[:_LONGEST_CELL])
-            continue
-        if not line.strip(" \t;,"):
-            continue
-        if not found:
-            separator = next((mark for mark in ";\t" if mark in line), ",")
-        if len(found) > most_rows:
+    for number, line in lines[first:]:
+        if len(found) > most_rows + 1:
             raise FileError(said("has more than {most} rows", most=most_rows), source=source)
+        if not line.strip(" \t;,|"):
+            continue
         found.append((number, _cells(line, separator, source, number)))
         _check_row(found, separator, source)
-    if not found:
-        raise FileError(said("contains no table"), source=source, example=example)
+    _take_titles(lines[:first], separator, told, source)
     (header_line, header), *rows = found
+    if rows and _is_row_of_units(rows[0][1]):
+        header = with_units(header, rows.pop(0)[1])
+    if len(rows) > most_rows:
+        raise FileError(said("has more than {most} rows", most=most_rows), source=source)
     if len(rows) < least_rows:
         raise FileError(said("has a header but no rows"), source=source, example=example)
     return Table(
@@ -428,7 +344,140 @@ def parse_table(
     )
 
 
+def _lines_of(text: str, source: str) -> tuple[list[tuple[int, str]], str, list[tuple[int, str]]]:
+    """Take comments, the separator that is given, and the other lines, with their numbers.
+
+    A cell in quotation marks may go over several lines of the file.
+    """
+    comments: list[tuple[int, str]] = []
+    lines: list[tuple[int, str]] = []
+    given = ""
+    held: list[str] = []
+    for number, line in enumerate(text.replace("\r\n", "\n").replace("\r", "\n").split("\n"), 1):
+        if len(line) > _LONGEST_LINE:
+            rule = said("is longer than {most} characters", most=_LONGEST_LINE)
+            raise FileError(rule, source=source, line=number)
+        if held:
+            held.append(line.strip())
+            line = " ".join(held)
+            if _OPEN_QUOTE.search(line) and len(held) < _MOST_LINES_OF_CELL:
+                continue
+            number, held = number - len(held) + 1, []
+        elif _OPEN_QUOTE.search(line):
+            held = [line.rstrip()]
+            continue
+        if line.lstrip().startswith("#"):
+            comments.append((number, line.lstrip("# \t")))
+            continue
+        if not lines and not given and (match := separator_said(line)):
+            given = match
+            continue
+        if line.strip(" \t;,|"):
+            lines.append((number, line))
+    if held:
+        lines.append((number - len(held) + 1, " ".join(held)))
+    return comments, given, lines
+
+
+def separator_said(line: str) -> str:
+    """Return the separator that a line such as ``sep=;`` says; empty if it says none."""
+    match = _SEPARATOR_SAID.fullmatch(line.strip(" \ufeff"))
+    if match is None:
+        return ""
+    return "\t" if match[1] in ("\\t", "\t") else match[1]
+
+
+def split_line(line: str, separator: str) -> list[str]:
+    """Return the cells of a line, without the blanks around them; none of a line that is no CSV."""
+    if separator == BLANKS:
+        return line.split()
+    try:
+        return [cell.strip() for cell in next(csv.reader([line], delimiter=separator, strict=True))]
+    except (csv.Error, StopIteration):
+        return []
+
+
+def _layout(
+    lines: Sequence[tuple[int, str]],
+    given: str,
+    is_header: Callable[[Sequence[str]], bool] | None,
+) -> tuple[str, int]:
+    """Return what parts the cells, and which line is the header.
+
+    A header holds a known name and as many cells as the line below it; of several ways to part the
+    cells, that of the most lines is taken, and the earlier of `SEPARATORS` where they are even.
+    """
+    best: tuple[tuple[bool, int], str, int] | None = None
+    texts = [line for _, line in lines[: _MOST_ABOVE + _SAMPLED]]
+    marks = (given,) if given else (*SEPARATORS, BLANKS)
+    for mark in marks:
+        if is_header is None:
+            break
+        if mark == BLANKS and _only_grouped(texts):
+            continue
+        rows = [split_line(line, mark) for line in texts]
+        for place, row in enumerate(rows[:_MOST_ABOVE]):
+            alone = place + 1 == len(rows)
+            if not is_header(row) or (not alone and len(rows[place + 1]) != len(row)):
+                continue
+            if any(PLAIN.fullmatch(cell.replace(",", ".")) for cell in row):
+                continue
+            score = len(row) > 1, sum(len(other) == len(row) for other in rows[place:])
+            if best is None or score > best[0]:
+                best = score, mark, place
+            break
+    if best is not None:
+        return best[1], best[2]
+    if given:
+        return given, 0
+    first = texts[0]
+    return next((mark for mark in (";", "\t", "|") if mark in first), ","), 0
+
+
+def _only_grouped(lines: Sequence[str]) -> bool:
+    """Whether below the first line every line is one number, its thousands parted by blanks."""
+    return all(GROUPED.fullmatch(line.strip()) for line in lines[1:])
+
+
+def _take_titles(
+    lines: Sequence[tuple[int, str]], separator: str, told: dict[str, str], source: str
+) -> None:
+    """Take what the lines above the header say; refuse those that are rows of numbers.
+
+    Raises
+    ------
+    FileError
+        If numbers stand there: they would be left out.
+    """
+    for number, line in lines:
+        cells = [cell for cell in split_line(line, separator) if cell]
+        if len(cells) > 1 and _BEGINS_AS_NUMBER.match(cells[0]):
+            rule = said("stands above the names of the columns; put it below them, or leave it out")
+            raise FileError(rule, field=cells[0], source=source, line=number)
+        if saying := _saying(line, separator):
+            told.setdefault(*saying)
+        elif len(cells) == 1:
+            told.setdefault("title", cells[0][:_LONGEST_CELL])
+
+
+def _is_row_of_units(cells: Sequence[str]) -> bool:
+    """Whether every cell that is filled is a unit."""
+    filled = [cell for cell in cells if cell]
+    return bool(filled) and all(is_unit_word(cell.strip("[]() ")) for cell in filled)
+
+
+def with_units(header: Sequence[str], units: Sequence[str]) -> tuple[str, ...]:
+    """Return names of columns with the units of the line below them in brackets."""
+    bare = [unit.strip("[]() ") for unit in units]
+    return tuple(
+        f"{name} [{unit}]" if unit and not title_parts(name)[1] else name
+        for name, unit in zip(header, bare, strict=True)
+    )
+
+
 def _cells(line: str, separator: str, source: str, number: int) -> tuple[str, ...]:
+    if separator == BLANKS:
+        return tuple(line.split())
     try:
         cells = next(csv.reader([line], delimiter=separator, strict=True))
     except (csv.Error, StopIteration):

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from datetime import date, timedelta
 from math import expm1, isfinite
 from typing import TYPE_CHECKING
 
 from rolamento.document import Column, Number, Section, Statement, Table, Tone
+from rolamento.io.dates import moment_after
 from rolamento.words import ABSENT, ENDLESS, manner, said, said_in
 
 if TYPE_CHECKING:
@@ -187,6 +187,6 @@ def _time(value: float, start: str = "") -> str:
     if not start:
         return manner().number(value, ".4")
     try:
-        return (date.fromisoformat(start) + timedelta(days=round(value))).isoformat()
+        return moment_after(start, value, to_the_day=True)
     except OverflowError:
         return ENDLESS

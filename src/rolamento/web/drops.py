@@ -263,7 +263,7 @@ def life_test_page(path: str, label: str, typed: Typed, form: str = "") -> dict[
         if bounds is not None and "shape" in told:
             rule = said("cannot be combined with a shape from experience, which has its own bounds")
             raise InputError(rule, field="bounds", value=bounds)
-        columns = {name: told.get(name) for name in _COLUMNS}
+        columns: dict[str, Any] = {name: told.get(name) for name in _COLUMNS}
         found = life_test_study(
             parse_life_test(table_text(path)[0], label, **columns),
             only=told.get("only", ()),

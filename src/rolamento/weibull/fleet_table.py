@@ -8,6 +8,7 @@ such as "hours per day" or "uso por dia" holds the use of each: in the unit of t
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -18,6 +19,7 @@ from rolamento.io.columns import (
     check_names,
     column_by_name,
     folded_name,
+    heads_table,
     place_of,
     title_parts,
 )
@@ -103,6 +105,7 @@ def read_fleet(
     count: str | None = None,
     usage: str | None = None,
     decimal_mark: str | None = None,
+    ignored: Sequence[str] = (),
 ) -> FleetTable:
     """Read a table of bearings in service from a CSV file.
 
@@ -116,6 +119,8 @@ def read_fleet(
         Names of the columns, in place of the usual ones.
     decimal_mark
         ``"point"`` or ``"comma"``, where nothing in the file shows whether 12.500 is 12.5.
+    ignored
+        Names of columns that have nothing to say, though they could.
 
     Raises
     ------
@@ -125,7 +130,7 @@ def read_fleet(
     text, source = table_text(path)
     return parse_fleet(
         text, source, unit=unit, time=time, status=status, count=count, usage=usage,
-        decimal_mark=decimal_mark,
+        decimal_mark=decimal_mark, ignored=ignored,
     )  # fmt: skip
 
 
@@ -139,15 +144,19 @@ def parse_fleet(
     count: str | None = None,
     usage: str | None = None,
     decimal_mark: str | None = None,
+    ignored: Sequence[str] = (),
 ) -> FleetTable:
     """Read a table of bearings in service from text; arguments as of `read_fleet`."""
-    table = parse_table(text, source, most_rows=_MAXIMUM_ROWS, example=_EXAMPLE)
     wanted = {"time": time, "status": status, "count": count}
     chosen = {name: title for name, title in wanted.items() if title is not None}
+    is_header = heads_table(*chosen.values(), usage or "")
+    table = parse_table(
+        text, source, most_rows=_MAXIMUM_ROWS, example=_EXAMPLE, is_header=is_header
+    )
     try:
         check_names(table.header, _EXAMPLE)
         header = header_of(table.header, chosen, table.rows)
-        check_status(header, table.rows)
+        check_status(header, table.rows, ignored)
         use = _place_of_use(table.header, usage, set(header.places.values()))
     except InputError as error:
         raise table.placed(error) from None

@@ -7,8 +7,9 @@ and case, with or without a unit in brackets:
 column     names                                                           holds
 =========  ==============================================================  =======================
 time       time, life, tempo, vida; hours, horas, Mrev, revolutions, ...   failure or suspension
-status     status, state, estado; failed, falha; censored, suspenso, ...   failed or suspended
-lower      lower, last_inspection, from, inferior, ultima_inspecao, ...    last inspection passed
+status     status, event, delta, E; failed, falha; censored, suspenso, ... failed or suspended
+lower      lower, left, last_inspection, from, inferior, ...               last inspection passed
+upper      upper, right, superior, ... (or a time)                         found failed; blank: none
 count      count, quantity, freq, quantidade, ...                          bearings in this row
 group      group, lot, condition, grupo, lote, condicao, ...               label
 rig        rig, test, bancada, ensaio, ...                                 label: ended together
@@ -16,7 +17,9 @@ machine    machine, position, equipment, maquina, posicao, ...             as ri
 size       size, rig_size, bearings_per_rig, tamanho, ...                  bearings in the rig
 =========  ==============================================================  =======================
 
-Only a time is needed; without a status all failed. Status words: failed, f, 1, true, yes, falha,
+Only a time is needed; without a status all failed, unless a column that is not read could be one:
+then the user is asked. Of inspections without an upper end the bearings had not failed at the
+lower one. Status words: failed, f, 1, true, yes, falha,
 sim; suspended, censored, s, c, 0, false, no, suspenso, nao. In a column named failed or falha "s"
 means sim; in one named censored or suspenso 1 means suspended. Of two such columns the one that
 holds status words is read. Machines whose bearings ended at several times are no rigs: a note says
@@ -26,13 +29,14 @@ many bearings that stopped at its first failure (sudden death): the others are s
 Tables are read as `rolamento.io.tables` tells: any separator, either decimal mark. Of the comments
 ``# unit: Mrev``, ``# title:`` and ``# source:`` are read. Columns named bearing, id, date, note,
 comment, procedure and their like are passed over, and all others that are not known, which a note
-names.
+names, if they cannot change the result.
 """
 
 from __future__ import annotations
 
 import difflib
 import os
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from importlib import resources
@@ -44,10 +48,12 @@ from rolamento.io.columns import (
     check_names,
     column_by_name,
     folded_name,
+    heads_table,
     place_of,
     word_and_unit,
 )
-from rolamento.io.tables import Numerals, Table, parse_table, table_text
+from rolamento.io.numerals import Numerals
+from rolamento.io.tables import Table, parse_table, table_text
 from rolamento.weibull._checks import one_of
 from rolamento.weibull.life_test import (
     LONGEST_LABEL,
@@ -84,8 +90,8 @@ _SUSPENDED: Final = _words(
     " sem_defeito sem_avaria em_uso em_trabalho funcionando bom boa ativo ativa preventiva"
     " preventivo manutencao_preventiva troca_preventiva retirada suspensoes"
 )
-_YES: Final = _words("1 true yes y x sim s v verdadeiro")
-_NO: Final = _words("0 false no n nao f falso") | {""}
+_YES: Final = _words("1 true yes y x sim s v verdadeiro ja j si wahr verdadero")
+_NO: Final = _words("0 false no n nao f falso nein falsch") | {""}
 _SAYINGS: Final = {
     "status": (_FAILED, _SUSPENDED, "failed, suspended"),
     "failed": (_YES | _FAILED - {"f"}, _NO | _SUSPENDED - {"s"}, "yes, no"),
@@ -96,10 +102,12 @@ _KINDS_OF_STATUS: Final = ("status", "failed", "suspended")
 _CHOICES: Final = ("time", "group", "count", *_KINDS_OF_STATUS)
 _SILENT: Final = ("bearing", "remark", "date")
 """Columns that a life test has no use for, and everybody knows."""
-_UNREAD: Final = ("value", "tag")
+_UNREAD: Final = ("value", "tag", "mode", "clock")
 _READ: Final = [
     word for word, column in COLUMN_OF.items() if column not in (*_SILENT, *_UNREAD, "machine")
 ]
+_NO_END: Final = frozenset(("", "inf", "infinity", "infinite", "oo", "na", "nan", "infinito"))
+"""Upper ends of an interval, folded, in which a bearing has not failed; ∞ and - fold to nothing."""
 _NEAR: Final = 0.8
 """Likeness of a name to a known one from which on it is a slip of the pen, not another column."""
 
@@ -113,6 +121,7 @@ def read_life_test(
     status: str | None = None,
     count: str | None = None,
     decimal_mark: str | None = None,
+    ignored: Sequence[str] = (),
 ) -> LifeTest:
     """Read a life test from a CSV file.
 
@@ -127,11 +136,14 @@ def read_life_test(
         Label of the times, in place of what the file says; "h" where it says nothing.
     decimal_mark
         ``"point"`` or ``"comma"``, where nothing in the file shows whether 12.500 is 12.5.
+    ignored
+        Names of columns that have nothing to say, though they could.
 
     Raises
     ------
     FileError, InputError
-        With line, column and an example, if the file cannot be read or is no life test.
+        With line, column and an example, if the file cannot be read, is no life test, or has a
+        column that is not read and could say what failed.
     """
     return parse_life_test(
         *table_text(path),
@@ -141,6 +153,7 @@ def read_life_test(
         status=status,
         count=count,
         decimal_mark=decimal_mark,
+        ignored=ignored,
     )
 
 
@@ -154,6 +167,7 @@ def parse_life_test(
     status: str | None = None,
     count: str | None = None,
     decimal_mark: str | None = None,
+    ignored: Sequence[str] = (),
 ) -> LifeTest:
     """Read a life test from the text of a CSV file.
 
@@ -163,7 +177,7 @@ def parse_life_test(
         As described in the module.
     source
         What to call the text in messages.
-    group, unit, time, status, count, decimal_mark
+    group, unit, time, status, count, decimal_mark, ignored
         As of `read_life_test`.
 
     Raises
@@ -171,13 +185,14 @@ def parse_life_test(
     FileError, InputError
         If it is no life test.
     """
-    table = parse_table(text, source, most_rows=MAXIMUM_ROWS, example=_EXAMPLE)
     wanted = {"group": group, "time": time, "status": status, "count": count}
     chosen = {name: title for name, title in wanted.items() if title is not None}
+    is_header = heads_table(*chosen.values())
+    table = parse_table(text, source, most_rows=MAXIMUM_ROWS, example=_EXAMPLE, is_header=is_header)
     try:
         check_names(table.header, _EXAMPLE)
         header = header_of(table.header, chosen, table.rows)
-        check_status(header, table.rows)
+        check_status(header, table.rows, ignored)
     except InputError as error:
         raise table.placed(error) from None
     rows = _rows_of(table, header, decimal_mark)
@@ -224,7 +239,7 @@ def _life_test_of(
     return LifeTest(times, failed, machines=header.machines, **columns)
 
 
-def published_life_test(name: str, **columns: str | None) -> LifeTest:
+def published_life_test(name: str, **columns: Any) -> LifeTest:
     """Return a published life test.
 
     Parameters
@@ -320,6 +335,12 @@ def header_of(
                 said("occurs twice, perhaps under another name"), field=title, example=example
             )
         places[column] = place
+    upper = places.pop("upper", None)
+    if upper is not None and "time" in places:
+        unknown.append(upper)
+    elif upper is not None:
+        places["time"] = upper
+        unit = word_and_unit(cells[upper])[1]
     machine = places.pop("machine", None)
     if machine is not None and "rig" in places:
         unknown.append(machine)
@@ -357,47 +378,106 @@ def _holds_status(column: str | None, place: int, rows: Sequence[Sequence[str]])
     return {folded_name(row[place]) for row in rows} <= failed | not_failed
 
 
-def check_status(header: Header, rows: Sequence[Sequence[str]]) -> None:
-    """Refuse a test without a status that has it in a column that was passed over.
+def check_status(
+    header: Header, rows: Sequence[Sequence[str]], ignored: Sequence[str] = ()
+) -> None:
+    """Refuse a test whose status may be read in two ways, or lies in a column that is not read.
 
     All bearings would count as failed.
+
+    ignored: titles of columns that have nothing to say.
     """
-    if any(kind in header.places for kind in _KINDS_OF_STATUS):
+    kinds = [kind for kind in _KINDS_OF_STATUS if kind in header.places]
+    if kinds:
+        _check_letters(kinds[0], header, rows)
         return
-    known = {word for word in _FAILED | _SUSPENDED if len(word) > 1 and not word.isdecimal()}
+    left_out = {folded_name(title) for title in ignored}
     for place, title in enumerate(header.titles):
-        if title not in header.passed_over:
+        kind = column_by_name(word_and_unit(title)[0])
+        if place in header.places.values() or folded_name(title) in left_out or kind == "date":
             continue
         words = {folded_name(row[place]) for row in rows}
-        letters = words <= {"f", "s", "c"} and "f" in words and len(words) > 1
-        if words <= known or letters:
-            raise InputError(
-                said(
-                    "seems to say what failed, but by an unknown name; choose it as the "
-                    "status, or leave it out"
-                ),
-                field=title,
-                example=f'status="{title}"',
+        if not _may_say_what_failed(words, kind, named=title in header.passed_over):
+            continue
+        rule = said(
+            "seems to say what failed, but by an unknown name; choose it as the status, or leave"
+            " it out"
+        )
+        if kind == "mode" and "" in words:
+            rule = said(
+                "is blank where nothing failed, it seems; add a column status, or leave it out"
             )
+        elif folded_name(title) in _EITHER:
+            rule = said(
+                "may hold 1 for what failed or for what was censored; call it failed or censored,"
+                " or choose it as the status if 1 is a failure"
+            )
+        raise InputError(rule, field=title, example=f'status="{title}", ignored=["{title}"]')
+
+
+_EITHER: Final = _words("c cens censor censor_flag cens_flag ic zens")
+"""Names of columns in which 1 is a failure in some programs and a suspension in others."""
+
+
+def _may_say_what_failed(words: set[str], kind: str | None, *, named: bool) -> bool:
+    """Whether a column that is not read holds what decides: words of failure, or one of two.
+
+    named: whether it is a column that a note names; others, as of bearings, are known to be none.
+    """
+    filled = words - {""}
+    known = {word for word in _FAILED | _SUSPENDED if len(word) > 1 and not word.isdecimal()}
+    if filled and filled <= known:
+        return True
+    if not named:
+        return False
+    letters = filled <= {"f", "s", "c"} and "f" in words and len(words) > 1
+    numbers = all(re.fullmatch(r"[\d_]+", word) for word in filled)
+    flags = filled <= {"0", "1"} and bool(filled)
+    if len(words) == 2 and numbers:
+        return flags
+    return (
+        letters
+        or flags
+        or (len(words) == 2 and bool(filled))
+        or (kind == "mode" and "" in words and bool(filled))
+    )
+
+
+def _check_letters(kind: str, header: Header, rows: Sequence[Sequence[str]]) -> None:
+    """Refuse a status of S and N: sim and não, or suspended and no."""
+    words = {folded_name(row[header.places[kind]]) for row in rows}
+    if kind == "status" and {"s", "n"} <= words <= {"s", "n", ""}:
+        raise InputError(
+            said("may hold yes and no (sim, não) or suspended; call it failed, or write the words"),
+            field=header.titles[header.places[kind]],
+            value="S",
+        )
 
 
 def row_of(cells: Sequence[str], header: Header, numerals: Numerals) -> Row:
     """Read one row."""
     given = {column: cells[place] for column, place in header.places.items()}
     titles = header.names
-    time = number_in(given["time"], titles["time"], numerals)
+    is_open = "lower" in given and folded_name(given["time"]) in _NO_END
+    end = "lower" if is_open else "time"
+    time = number_in(given[end], titles[end], numerals)
     if not MINIMUM_TIME <= time <= MAXIMUM_TIME:
         raise InputError(
             said("must be positive and at most {most:.6g}", most=MAXIMUM_TIME),
-            field=titles["time"],
-            value=given["time"],
+            field=titles[end],
+            value=given[end],
             example="120.5",
         )
-    failed = says_failed(given, titles)
+    states = any(kind in given for kind in _KINDS_OF_STATUS)
+    failed = says_failed(given, titles) if states else not is_open
+    if failed and is_open:
+        rule = said("is without an end, but the bearing is said to have failed")
+        raise InputError(rule, field=titles["time"], value=given["time"], example="120.5")
+    found = "" if is_open else given.get("lower", "")
     return Row(
         time,
         failed,
-        _last_inspection(given, titles, time, failed, numerals),
+        _last_inspection(found, titles, time, failed, numerals),
         whole_number_in(given, titles, "count"),
         _label_in(given, titles, "group"),
         _label_in(given, titles, "rig"),
@@ -470,9 +550,8 @@ def says_failed(given: dict[str, str], titles: dict[str, str]) -> bool:
 
 
 def _last_inspection(
-    given: dict[str, str], titles: dict[str, str], time: float, failed: bool, numerals: Numerals
+    cell: str, titles: dict[str, str], time: float, failed: bool, numerals: Numerals
 ) -> float:
-    cell = given.get("lower", "")
     if not cell:
         return float("nan")
     lower = number_in(cell, titles["lower"], numerals)

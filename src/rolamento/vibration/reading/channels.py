@@ -16,7 +16,7 @@ from typing import Any, Final, NamedTuple, Self
 import numpy as np
 
 from rolamento.errors import FileError, InputError, nearest
-from rolamento.io.tables import Numerals
+from rolamento.io.numerals import Numerals
 from rolamento.numerics import FloatArray
 from rolamento.vibration._checks import checked_number
 from rolamento.vibration.reading.metadata import SAME_RATE, RateClaim, TwoWays, short_name

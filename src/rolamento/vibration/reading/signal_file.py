@@ -11,7 +11,7 @@ import numpy as np
 
 from rolamento.errors import FileError, InputError
 from rolamento.io.foreign.bounds import guarded
-from rolamento.io.tables import checked_mark
+from rolamento.io.numerals import checked_mark
 from rolamento.numerics import FloatArray
 from rolamento.vibration._checks import checked_count, checked_number
 from rolamento.vibration.reading.channels import (
