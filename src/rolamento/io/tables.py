@@ -72,7 +72,7 @@ _MARK: Final = "decimal mark"
 _SAID: Final = {
     "title": "title", "título": "title", "titulo": "title", "titel": "title",
     "source": "source", "fonte": "source", "fuente": "source", "quelle": "source",
-    "unit": "unit", "unidade": "unit", "unidad": "unit", "einheit": "unit",
+    "unit": "unit", "units": "unit", "unidades": "unit", "einheiten": "unit", "unidade": "unit", "unidad": "unit", "einheit": "unit",
     "dates": "dates", "datas": "dates", "fechas": "dates",
     "decimal mark": _MARK, "separador decimal": _MARK, "marca decimal": _MARK,
     "dezimaltrennzeichen": _MARK,

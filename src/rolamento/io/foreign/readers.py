@@ -1,7 +1,7 @@
 """What reads MATLAB, HDF5, NetCDF, TDMS and workbooks, in a process of its own (`Isolated`).
 
-These classes know nothing but errors and bounds, and import a library when they need it, so that the
-process starts soon.
+These classes know nothing but errors and bounds, and import a library when they need it, so that
+the process starts soon.
 """
 
 from __future__ import annotations

@@ -698,7 +698,7 @@ def _ends_saying(rest: str) -> bool:
 
 
 def _kind_of_unit(unit: str) -> tuple[str, float]:
-    """Hz, rpm, s or samples/s for the unit of a number above a table, and how many of them it is."""
+    """Hz, rpm, s or samples/s for the unit of a number above a table, and how many they are."""
     plain = unit.replace("µ", "u").replace("μ", "u")
     lower = plain.lower()
     if not plain:
