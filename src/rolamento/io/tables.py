@@ -315,8 +315,10 @@ def parse_table(
     separator, first = _layout(lines, given, is_header)
     told: dict[str, str] = {}
     for number, line in comments:
-        if number < lines[first][0] and (saying := _saying(line)):
-            told.setdefault(*saying)
+        name, colon, value = line.partition(":")
+        if colon and number < lines[first][0]:
+            folded = name.strip().casefold()
+            told.setdefault(_SAID.get(folded, folded), value.strip()[:_LONGEST_CELL])
     found: list[tuple[int, tuple[str, ...]]] = []
     for number, line in lines[first:]:
         if len(found) > most_rows + 1:
