@@ -236,7 +236,7 @@ def _column_of(title: str, usual: Mapping[str, float]) -> CatalogueColumn | None
             said("is an unknown column; {guess}", guess=guess(name, known)), field=title
         )
     if shown_unit and of != quantity:
-        raise InputError(said("has a unit that is not one of it"), field=title, value=shown_unit)
+        raise InputError(said("has a unit of another quantity"), field=title, value=shown_unit)
     if not unit and quantity in usual:
         factor = usual[quantity]
     elif not unit and quantity == "force":

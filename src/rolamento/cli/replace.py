@@ -21,6 +21,7 @@ from rolamento.cli.streams import STANDARD_STREAM, complain, put_json
 from rolamento.cli.table_options import (
     CountColumnOption,
     DecimalMarkOption,
+    IgnoreColumnOption,
     StatusColumnOption,
     TimeColumnOption,
     told_in_options,
@@ -69,6 +70,7 @@ class LivesOptions:
     time_column: TimeColumnOption = None
     status_column: StatusColumnOption = None
     count_column: CountColumnOption = None
+    ignore_column: IgnoreColumnOption = None
     unit: Annotated[
         str | None,
         typer.Option("--unit", metavar="UNIT", help="Unit of the times, if the file says another."),
@@ -355,7 +357,11 @@ def fleet_command(
                 usage=usage,
                 renewed=renewed,
                 confidence=confidence,
-                fleet_columns={"usage": usage_column, "decimal_mark": of_lives.decimal_mark},
+                fleet_columns={
+                    "usage": usage_column,
+                    "decimal_mark": of_lives.decimal_mark,
+                    "ignored": tuple(of_lives.ignore_column or ()),
+                },
                 **lives,
             )
 
@@ -392,6 +398,7 @@ def _lives(
     columns = {
         "unit": options.unit, "time": options.time_column, "status": options.status_column,
         "count": options.count_column, "decimal_mark": options.decimal_mark,
+        "ignored": tuple(options.ignore_column or ()),
     }  # fmt: skip
     lives: dict[str, Any] = {
         "columns": columns, "only": options.only or (),

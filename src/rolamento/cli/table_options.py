@@ -17,6 +17,7 @@ __all__ = [
     "CountColumnOption",
     "DateOrderOption",
     "DecimalMarkOption",
+    "IgnoreColumnOption",
     "StatusColumnOption",
     "TimeColumnOption",
     "ValueColumnOption",
@@ -33,6 +34,7 @@ _OPTIONS: Final = {
     "group": "--group",
     "count": "--count-column",
     "values": "--value-column",
+    "ignored": "--ignore-column",
 }
 _ARGUMENT: Final = re.compile(rf'\b({"|".join(_OPTIONS)})=\[?"([^"]*)"\]?')
 
@@ -64,6 +66,14 @@ CountColumnOption = Annotated[
         "--count-column",
         metavar="COLUMN",
         help=_ASKED["count"].meaning,
+    ),
+]
+IgnoreColumnOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--ignore-column",
+        metavar="COLUMN",
+        help="Column that could say what failed, and does not. Repeatable.",
     ),
 ]
 BearingColumnOption = Annotated[

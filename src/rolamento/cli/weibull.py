@@ -20,6 +20,7 @@ from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put_jso
 from rolamento.cli.table_options import (
     CountColumnOption,
     DecimalMarkOption,
+    IgnoreColumnOption,
     StatusColumnOption,
     TimeColumnOption,
     told_in_options,
@@ -50,7 +51,7 @@ class WeibullCommand(JsonCommand):
     groups: ClassVar[Groups] = {
         "Data": (
             *("example", "write", "unit", "time_column", "status_column", "count_column"),
-            "decimal_mark",
+            *("ignore_column", "decimal_mark"),
             *("group", "by_group", "only"),
         ),
         "Fit": ("method", "three_parameter", "shape", "bayes"),
@@ -177,6 +178,7 @@ def weibull(
     time_column: TimeColumnOption = None,
     status_column: StatusColumnOption = None,
     count_column: CountColumnOption = None,
+    ignore_column: IgnoreColumnOption = None,
     decimal_mark: DecimalMarkOption = None,
     samples: Annotated[
         int | None,
@@ -221,9 +223,10 @@ def weibull(
             print_text(_write_example(data, example, write))
             return
         check_one_given(data, example, "weibull", EXAMPLES)
-        columns = {
+        columns: dict[str, Any] = {
             "group": group, "unit": unit, "time": time_column, "status": status_column,
             "count": count_column, "decimal_mark": decimal_mark,
+            "ignored": tuple(ignore_column or ()),
         }  # fmt: skip
         from rolamento.tasks.weibull import (
             bounds_named,

@@ -155,7 +155,7 @@ _UNIT_WORDS: Final = _words(
     "s sec ms us µs ns min h d hz khz rpm 1/min min-1 min^-1 min⁻¹ r/min u/min rad/s mm µm um nm m"
     " in mil mils mm/s m/s in/s ips µm/s um/s m/s² m/s^2 m/s2 mm/s² mm/s^2 mm/s2 m/s/s g ge mg gn"
     " v mv µv uv volt volts dbv counts n kn lbf kgf n·m n-m pa kpa bar mpa db °c ºc degc °f k a ma"
-    " kw w % - – 1 mrev rev cycles horas hours"
+    " kw w % - – mrev rev cycles horas hours"
 )
 """What stands in a line of units below the names of columns; without case."""
 
@@ -306,6 +306,8 @@ def seconds_of_heading(name: str, unit: str) -> tuple[float | None, bool]:
         None of a column that is none, or whose unit is not one of time; and whether the name is
         that of times and nothing else. Of one that is not sure the numbers have to rise evenly.
     """
+    if not unit:
+        name, unit = title_parts(name)
     word = _folded_time(name)
     scale = _SECONDS.get(_folded_time(unit))
     if unit and scale is None:

@@ -72,7 +72,8 @@ _MARK: Final = "decimal mark"
 _SAID: Final = {
     "title": "title", "título": "title", "titulo": "title", "titel": "title",
     "source": "source", "fonte": "source", "fuente": "source", "quelle": "source",
-    "unit": "unit", "units": "unit", "unidades": "unit", "einheiten": "unit", "unidade": "unit", "unidad": "unit", "einheit": "unit",
+    "unit": "unit", "unidade": "unit", "unidad": "unit", "einheit": "unit",
+    "units": "unit", "unidades": "unit", "einheiten": "unit",
     "dates": "dates", "datas": "dates", "fechas": "dates",
     "decimal mark": _MARK, "separador decimal": _MARK, "marca decimal": _MARK,
     "dezimaltrennzeichen": _MARK,
@@ -420,6 +421,8 @@ def _layout(
         rows = [split_line(line, mark) for line in texts]
         for place, row in enumerate(rows[:_MOST_ABOVE]):
             alone = place + 1 == len(rows)
+            if mark == BLANKS and len(row) < 2:
+                continue
             if not is_header(row) or (not alone and len(rows[place + 1]) != len(row)):
                 continue
             if any(PLAIN.fullmatch(cell.replace(",", ".")) for cell in row):
@@ -463,9 +466,9 @@ def _take_titles(
 
 
 def _is_row_of_units(cells: Sequence[str]) -> bool:
-    """Whether every cell that is filled is a unit."""
-    filled = [cell for cell in cells if cell]
-    return bool(filled) and all(is_unit_word(cell.strip("[]() ")) for cell in filled)
+    """Whether every cell that is filled is a unit, and one of them more than a dash."""
+    filled = [cell.strip("[]() ") for cell in cells if cell]
+    return all(map(is_unit_word, filled)) and any(cell not in ("", "-", "–") for cell in filled)
 
 
 def with_units(header: Sequence[str], units: Sequence[str]) -> tuple[str, ...]:

@@ -397,7 +397,8 @@ def check_status(
         if place in header.places.values() or folded_name(title) in left_out or kind == "date":
             continue
         words = {folded_name(row[place]) for row in rows}
-        if not _may_say_what_failed(words, kind, named=title in header.passed_over):
+        named = title in header.passed_over and kind in (None, "mode")
+        if not _may_say_what_failed(words, kind, named=named):
             continue
         rule = said(
             "seems to say what failed, but by an unknown name; choose it as the status, or leave"
@@ -471,7 +472,7 @@ def row_of(cells: Sequence[str], header: Header, numerals: Numerals) -> Row:
     states = any(kind in given for kind in _KINDS_OF_STATUS)
     failed = says_failed(given, titles) if states else not is_open
     if failed and is_open:
-        rule = said("is without an end, but the bearing is said to have failed")
+        rule = said("has no upper end, but the bearing is said to have failed")
         raise InputError(rule, field=titles["time"], value=given["time"], example="120.5")
     found = "" if is_open else given.get("lower", "")
     return Row(
