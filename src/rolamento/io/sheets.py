@@ -74,7 +74,9 @@ def text_of_workbook(path: str | os.PathLike[str], most: int) -> str:
         known = ", ".join(names[:_MOST_LISTED])
         if wanted is None and len(names) > 1:
             raise FileError(
-                said("has several sheets ({names}); name one after the name of the file", names=known),
+                said(
+                    "has several sheets ({names}); name one after the name of the file", names=known
+                ),
                 source=source,
                 example=f"{os.path.basename(file)}#{names[0]}",
             )

@@ -425,8 +425,9 @@ def _layout(
                 continue
             if not is_header(row) or (not alone and len(rows[place + 1]) != len(row)):
                 continue
-            if any(PLAIN.fullmatch(cell.replace(",", ".")) for cell in row):
-                continue
+            below = [] if alone else rows[place + 1]
+            if _has_number(row) or (below and is_header(below) and not _has_number(below)):
+                continue  # a title, perhaps, above the names
             score = len(row) > 1, sum(len(other) == len(row) for other in rows[place:])
             if best is None or score > best[0]:
                 best = score, mark, place
@@ -437,6 +438,10 @@ def _layout(
         return given, 0
     first = texts[0]
     return next((mark for mark in (";", "\t", "|") if mark in first), ","), 0
+
+
+def _has_number(cells: Sequence[str]) -> bool:
+    return any(PLAIN.fullmatch(cell.replace(",", ".")) for cell in cells)
 
 
 def _only_grouped(lines: Sequence[str]) -> bool:

@@ -506,9 +506,9 @@ def _name_and_unit(cell: str) -> tuple[str, str]:
             field="header",
             value=cell,
         )
-    head, _, tail = name.rpartition(" ")
-    if not unit and tail in _UNITS:
-        return head, tail
+    tail = name.replace("_", " ").rpartition(" ")[2]
+    if not unit and tail in _UNITS and tail != name:
+        return name[: -len(tail) - 1], tail
     return name, unit
 
 

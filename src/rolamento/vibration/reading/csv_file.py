@@ -172,7 +172,8 @@ class CsvSource(Source):
             f"{name} {layout.number_units.get(name, '')}": value
             for name, value in layout.numbers.items()
         }
-        unit = layout.units[number]
+        alone = sum(not layout.units[column] for column in self._columns) == 1
+        unit = layout.units[number] or (layout.unit if alone else "")
         return Channel(
             layout.names[number],
             self._rows.count,
@@ -391,6 +392,8 @@ class CsvLayout:
         lines above the table whose number nothing shows how to read
     numerals
         how the numbers of the table are written
+    unit
+        that stands above the table, of its only channel
     """
 
     separator: str | None
@@ -403,6 +406,7 @@ class CsvLayout:
     number_units: dict[str, str]
     two_ways: tuple[TwoWays, ...]
     numerals: Numerals
+    unit: str = ""
 
     def columns_of_times_perhaps(self, rate: float | None) -> Iterator[tuple[int, float]]:
         """Columns that are of times if they rise evenly, and the unit of each in seconds.
@@ -489,9 +493,9 @@ def layout_of(head: bytes, source: str, mark: DecimalMark | None = None) -> CsvL
     comma = numerals.mark == "comma" or (
         numerals.commas and mark is None and any("," in cell for row in rows for cell in row)
     )
-    labelled = lines[:begin]
+    labelled = [_saying(line, separator) for line in lines[:begin]]
     numbers, number_units, two_ways = _pairs(labelled, "comma" if comma else mark)
-    units = _units_above(labelled, separator, units, dates)
+    units, unit = _units_above(lines[:begin], separator, units)
     return CsvLayout(
         separator=separator,
         offset=sum(len(line) + 1 for line in raw[:number]),
@@ -503,6 +507,7 @@ def layout_of(head: bytes, source: str, mark: DecimalMark | None = None) -> CsvL
         number_units=number_units,
         two_ways=two_ways,
         numerals=numerals,
+        unit=unit,
     )
 
 
@@ -635,6 +640,15 @@ def _headings_of_width(cells: list[str], width: int) -> list[str]:
     return cells[:width]
 
 
+def _saying(line: str, separator: str | None) -> str:
+    """What a line above a table says: where commas part cells, the first two of them or three."""
+    cells = _cells_of(line, separator) if separator == "," else []
+    if len(cells) < 2 or not cells[0]:
+        return line
+    unit = cells[2] if len(cells) > 2 and not _is_number(cells[2], ",") else ""
+    return f"{cells[0]}: {cells[1]} {unit}".rstrip()
+
+
 def _are_units(cells: Sequence[str]) -> bool:
     """Whether cells that are filled are units, with or without brackets."""
     bare = [cell.strip("[]() ") for cell in cells if cell]
@@ -642,23 +656,24 @@ def _are_units(cells: Sequence[str]) -> bool:
 
 
 def _units_above(
-    above: Sequence[str], separator: str | None, units: Sequence[str], dates: Sequence[bool]
-) -> tuple[str, ...]:
-    """Units of the columns; those without one have that of a line such as ``Y_Unit_Label  g``."""
+    above: Sequence[str], separator: str | None, units: Sequence[str]
+) -> tuple[tuple[str, ...], str]:
+    """Units of the columns, and the one that stands above the table for its only channel.
+
+    A line such as ``Y_Unit_Label  g  V`` gives those of columns without one.
+    """
     found = list(units)
+    alone = ""
     for line in above[:_MOST_LINES_READ]:
         cells = _cells_of(line, separator)
         if len(cells) == len(found) > 1 and is_unit_name(cells[0]) and _are_units(cells[1:]):
-            found = [
-                own or plain_unit(cell) for own, cell in zip(found, ["", *cells[1:]], strict=True)
-            ]
+            pairs = zip(found, ["", *cells[1:]], strict=True)
+            found = [own or plain_unit(cell) for own, cell in pairs]
             continue
-        match = _TEXT_PAIR.fullmatch(line.lstrip("#% ")[:200])
+        match = _TEXT_PAIR.fullmatch(_saying(line, separator).lstrip("#% ")[:200])
         if match and is_unit_name(match[1]) and is_unit(plain_unit(match[2])):
-            open_places = [n for n, own in enumerate(found) if not own and not dates[n]]
-            if len(open_places) == 1:
-                found[open_places[0]] = plain_unit(match[2])
-    return tuple(found)
+            alone = plain_unit(match[2])
+    return tuple(found), alone
 
 
 def _pairs(

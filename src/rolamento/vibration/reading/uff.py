@@ -203,10 +203,9 @@ class _Reader:
         if kind not in (_SINGLE, _DOUBLE) or not wanted or count < 1:
             function = _whole(texts[5], 0, 5)
             over = _whole(texts[7], 0, 10)
-            named = _FUNCTIONS.get(function, "")
-            if not named:
-                named = marked("spectra") if over == _FREQUENCY else marked("other functions")
-            self.passed_over[named] = None
+            named = _FUNCTIONS.get(function, marked("spectra"))
+            if function in _FUNCTIONS or over == _FREQUENCY:  # else a header without anything
+                self.passed_over[named] = None
             return place, None
         content = memoryview(self._content)[begin:stop]
         kept = _Form(order, kind == _DOUBLE, even == 1, count)
