@@ -524,3 +524,19 @@ def test_headings_of_spectra(tmp_path: Path, text: str) -> None:
     )
     assert steps.values["duty.load.fx"] == (500.0, 200.0)
     assert steps.values["duty.load.fz"] == (3000.0, 2000.0)
+
+
+def test_several_bearings_under_one_spectrum(run: Run) -> None:
+    Path("s.csv").write_text("Share;Speed (rpm);Fx (kN);Fz (kN)\n30 %;1500;0,5;3\n70 %;1000;0,2;2\n")
+    given = ("--fr", "3 kN", "--speed", "1000 rpm", "--spectrum", "s.csv")
+    alone = []
+    for name in ("6310", "6309"):
+        assert run("life", name, *given, "--json", "a.json")[0] == 0
+        alone.append(json.loads(Path("a.json").read_text())["headline"]["hours"])
+    code, out, _ = run("life", "6310", "6309", *given)
+    assert code == 0
+    assert "the 2 bearings together reach" in out
+    assert run("life", "6310", "6309", *given, "--json", "b.json")[0] == 0
+    together = json.loads(Path("b.json").read_text())["together"]["hours"]
+    slope = 10.0 / 9.0  # of balls; Lundberg and Palmgren 1947
+    assert together == pytest.approx(sum(one**-slope for one in alone) ** (-1.0 / slope))

@@ -426,7 +426,8 @@ def _layout(
             if not is_header(row) or (not alone and len(rows[place + 1]) != len(row)):
                 continue
             below = [] if alone else rows[place + 1]
-            if _has_number(row) or (below and is_header(below) and not _has_number(below)):
+            names_below = is_header(below) and not (_has_number(below) or _is_row_of_units(below))
+            if _has_number(row) or names_below:
                 continue  # a title, perhaps, above the names
             score = len(row) > 1, sum(len(other) == len(row) for other in rows[place:])
             if best is None or score > best[0]:

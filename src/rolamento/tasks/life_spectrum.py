@@ -26,6 +26,7 @@ from rolamento.life import Headline, Life
 from rolamento.life.iso281 import hours
 from rolamento.life.iso16281 import THEORY as REFERENCE
 from rolamento.life.l_able import FactorTable
+from rolamento.life.record import slope_of
 from rolamento.life.reliability import reliability_factor, reliability_of
 from rolamento.life.spectrum import miner_life, races_under_spectrum, revolution_shares
 from rolamento.life.theories import THEORIES
@@ -33,12 +34,28 @@ from rolamento.numerics import BoolArray, FloatArray
 from rolamento.solution import solve
 from rolamento.studies.fields import Field, Value, read_field, refuse_rivals
 from rolamento.studies.solving import CONVERGED, INVALID_INPUT, array_fields, base_case
-from rolamento.tasks.life import SCHEMA, CaseSource, TableSource, case_of, factor_table
+from rolamento.tasks.life import (
+    SCHEMA,
+    CaseSource,
+    SystemLife,
+    TableSource,
+    case_of,
+    checked_shaft,
+    factor_table,
+)
 from rolamento.tasks.life_over import LifeRows, lives_of_rows
 from rolamento.units import HOUR
 from rolamento.words import said
 
-__all__ = ["DutyLife", "DutySteps", "SpectrumLife", "life_under", "read_spectrum"]
+__all__ = [
+    "DutyLife",
+    "DutySteps",
+    "ShaftSpectrum",
+    "SpectrumLife",
+    "life_under",
+    "lives_under",
+    "read_spectrum",
+]
 
 MOST_WITH_STRESS_VOLUME: Final = 1000
 """Steps up to which the theory of Ioannides and Harris, which takes milliseconds, is evaluated."""
@@ -200,35 +217,72 @@ class SpectrumLife:
 
     def to_json(self) -> str:
         """Return all of it as one JSON object: SI units, hours, millions of revolutions."""
+        return dumps(self.to_mapping(), indent=2)
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give it as plain values and arrays: SI units, hours, millions of revolutions."""
         leading = self.headline
+        return {
+            "schema": SCHEMA,
+            "kind": "life_spectrum",
+            "title": self.case.title,
+            "reliability": self.reliability,
+            "mean_speed": self.mean_speed,
+            "headline": {
+                "theory": leading.theory or None,
+                **leading.to_mapping(),
+                "step_hours": leading.steps.hours,
+                "damage": leading.damage,
+            },
+            "theories": {name: _of_theory(own) for name, own in self.theories.items()},
+            "wanted_life": None
+            if self.required_life is None
+            else {
+                "life": self.required_life,
+                "reliability": self.reliability_of_required(),
+                "below": leading.below,
+            },
+            "steps": {
+                "status": self.status,
+                "time_share": self.time_shares,
+                "revolution_share": self.revolution_shares,
+                "values": self.steps.values,
+            },
+            "case": self.case.to_mapping(),
+        }
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ShaftSpectrum:
+    """Lives of several bearings under the steps of one duty, and of all together.
+
+    Attributes
+    ----------
+    bearings
+        each under all steps
+    together
+        of the lives that lead
+    """
+
+    bearings: tuple[SpectrumLife, ...]
+    together: SystemLife
+
+    @property
+    def converged(self) -> bool:
+        """Whether every step of every bearing that takes part has a result."""
+        return all(own.converged for own in self.bearings)
+
+    def to_json(self, names: Sequence[str]) -> str:
+        """Return all of it as one JSON object; names: of the bearings."""
         return dumps(
             {
                 "schema": SCHEMA,
-                "kind": "life_spectrum",
-                "title": self.case.title,
-                "reliability": self.reliability,
-                "mean_speed": self.mean_speed,
-                "headline": {
-                    "theory": leading.theory or None,
-                    **leading.to_mapping(),
-                    "step_hours": leading.steps.hours,
-                    "damage": leading.damage,
-                },
-                "theories": {name: _of_theory(own) for name, own in self.theories.items()},
-                "wanted_life": None
-                if self.required_life is None
-                else {
-                    "life": self.required_life,
-                    "reliability": self.reliability_of_required(),
-                    "below": leading.below,
-                },
-                "steps": {
-                    "status": self.status,
-                    "time_share": self.time_shares,
-                    "revolution_share": self.revolution_shares,
-                    "values": self.steps.values,
-                },
-                "case": self.case.to_mapping(),
+                "kind": "shaft_life_spectrum",
+                "together": self.together.to_mapping(),
+                "bearings": [
+                    {"name": name, **own.to_mapping()}
+                    for name, own in zip(names, self.bearings, strict=True)
+                ],
             },
             indent=2,
         )
@@ -301,6 +355,43 @@ def life_under(
         required_life=wishes.wanted_life,
         stress_volume=len(duty) <= MOST_WITH_STRESS_VOLUME,
     )
+
+
+def lives_under(
+    cases: Sequence[CaseSource],
+    steps: str | os.PathLike[str],
+    *,
+    nsk_table: TableSource = None,
+    decimal_mark: str | None = None,
+) -> ShaftSpectrum:
+    """Find the lives of several bearings of a shaft under the steps of one duty.
+
+    Parameters
+    ----------
+    cases
+        Or their files, one a bearing. What the steps vary holds for all of them: of shares of
+        revolutions and of forces that is so if all bearings take the same.
+    steps, nsk_table, decimal_mark
+        As of `life_under`.
+
+    Raises
+    ------
+    InputError
+        As `life_under`; or if their reliabilities differ.
+    """
+    read = checked_shaft(cases)
+    found = tuple(
+        life_under(case, steps, nsk_table=nsk_table, decimal_mark=decimal_mark) for case in read
+    )
+    leading = [own.headline for own in found]
+    together = SystemLife.combined(
+        [own.theory for own in leading],
+        np.array([own.hours for own in leading]),
+        np.array([slope_of(own.steps.element) for own in leading]),
+        valid=all(own.valid for own in leading),
+        below=any(own.below for own in leading),
+    )
+    return ShaftSpectrum(found, together)
 
 
 def _solved_steps(case: Case, steps: DutySteps, nsk_table: FactorTable | None) -> LifeRows:

@@ -253,7 +253,9 @@ def fleet_study(
                          example='within="2000 h"')  # fmt: skip
     law, title, test, notes = lives_of(data, **lives)
     table = _fleet_of(fleet, test, fleet_columns or {}, law.unit)
-    first, last = _moment(begin, "begin"), _moment(until, "until")
+    first, of_begin = _moment(begin, "begin")
+    last, of_until = _moment(until, "until")
+    notes = (*notes, *dict.fromkeys((*of_begin, *of_until)))
     if within is not None:
         if first is not None or usage is not None:
             field = "begin" if first is not None else "usage"
@@ -379,17 +381,18 @@ def _fleet_of(
     return FleetTable.of_test(test)
 
 
-def _moment(given: str | date | None, field: str) -> datetime | None:
+def _moment(given: str | date | None, field: str) -> tuple[datetime | None, tuple[Note, ...]]:
+    """A moment, and how a date was read that may be read in two ways."""
     if given is None or isinstance(given, datetime):
-        return given
+        return given, ()
     if isinstance(given, date):
-        return datetime.combine(given, time())
+        return datetime.combine(given, time()), ()
     dates = dates_of([given.strip()])
     found = dates.moment(given.strip())
     if found is None or dates.doubt:
         rule = said("must be a date whose day and month cannot be taken for each other")
         raise InputError(rule, field=field, value=given, example="2026-12-31")
-    return found
+    return found, dates.notes
 
 
 def _ahead(

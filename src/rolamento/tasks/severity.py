@@ -319,12 +319,13 @@ def severity_of(
     )
     usual, goal = _velocity(baseline, "baseline"), _velocity(limit, "limit")
     times, first = _hours(hours, len(files)), ""
+    dated: tuple[Note, ...] = ()
     if dates is not None:
         if hours is not None:
             raise InputError(said("cannot be combined with hours"), field="dates")
-        times, first = _days(dates, len(files))
+        times, first, dated = _days(dates, len(files))
     shaft = speed_of(speed, "speed")
-    measured = []
+    measured: list[MeasuredSeverity] = []
     for path, time in zip(files, times, strict=True):
         with stages("reading") as progress:
             opened = open_signal(path, start=start, duration=duration, **reading)
@@ -349,7 +350,7 @@ def severity_of(
                         unit_of_full_scale(source, reading),
                         "" if scale is None else str(scale),
                         source.notes,
-                        source.choices,
+                        (*source.choices, *(() if measured else dated)),
                     )
                 )
     if hours is not None or dates is not None:
@@ -397,8 +398,8 @@ def _hours(hours: Sequence[float] | None, count: int) -> list[float]:
     return times
 
 
-def _days(given: Sequence[str], count: int) -> tuple[list[float], str]:
-    """Hours from the first of some moments, and that moment."""
+def _days(given: Sequence[str], count: int) -> tuple[list[float], str, tuple[Note, ...]]:
+    """Hours from the first of some moments, that moment, and how the dates were read."""
     texts = [text.strip() for text in given]
     read = dates_of(texts)
     example = "2026-01-31,2026-02-28"
@@ -407,4 +408,5 @@ def _days(given: Sequence[str], count: int) -> tuple[list[float], str]:
     if len(texts) != count or len(known) != count:
         rule = said("must be a date for each signal, here {count}", count=count)
         raise InputError(rule, field="dates", value=", ".join(texts), example=example)
-    return [_DAY * day for day in days_between(known, "dates")], moment_said(min(known))
+    hours = [_DAY * day for day in days_between(known, "dates")]
+    return hours, moment_said(min(known)), read.notes
