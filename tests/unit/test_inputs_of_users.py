@@ -527,7 +527,9 @@ def test_headings_of_spectra(tmp_path: Path, text: str) -> None:
 
 
 def test_several_bearings_under_one_spectrum(run: Run) -> None:
-    Path("s.csv").write_text("Share;Speed (rpm);Fx (kN);Fz (kN)\n30 %;1500;0,5;3\n70 %;1000;0,2;2\n")
+    Path("s.csv").write_text(
+        "Share;Speed (rpm);Fx (kN);Fz (kN)\n30 %;1500;0,5;3\n70 %;1000;0,2;2\n"
+    )
     given = ("--fr", "3 kN", "--speed", "1000 rpm", "--spectrum", "s.csv")
     alone = []
     for name in ("6310", "6309"):

@@ -38,6 +38,11 @@ def test_numbers_are_what_the_sheet_holds(tmp_path: Path) -> None:
     assert test.title == "Life tests of rig 3"
 
 
+def test_a_workbook_goes_by_its_bytes(tmp_path: Path) -> None:
+    path = _book(tmp_path / "a.xlsx", Lives=LIVES).rename(tmp_path / "dropped")
+    assert read_life_test(path).failures == 2
+
+
 def test_one_of_several_sheets_is_named(tmp_path: Path) -> None:
     path = _book(tmp_path / "a.xlsx", **{"Rig 3": LIVES, "Rig 4": [["time"], [7]]})
     with pytest.raises(FileError, match=r"several sheets \(Rig 3, Rig 4\).*a\.xlsx#Rig 3"):
@@ -69,6 +74,7 @@ def test_moments_and_signals(tmp_path: Path) -> None:
     ("name", "content", "message"),
     [
         ("a.xlsx", b"PK\x03\x04[Content_Types].xml" + bytes(200), "is not a readable workbook"),
+        ("a.zip", b"PK\x03\x04" + bytes(200), "is a binary file"),
         ("a.xls", b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1" + bytes(600), "before 2007"),
         ("a.ods", b"PK\x03\x04mimetypeapplication/vnd.oasis.opendocument.spreadsheet", "OpenDocu"),
     ],

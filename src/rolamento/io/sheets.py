@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import zipfile
 from pathlib import Path
 from typing import Final
 
@@ -41,7 +42,16 @@ def is_workbook(path: str | os.PathLike[str]) -> bool:
     if begins_as_archive(head) and b"opendocument.spreadsheet" in head:
         rule = said("is an OpenDocument spreadsheet; save it as .xlsx or as CSV")
         raise FileError(rule, source=file)
-    return begins_as_archive(head) and (name.endswith(_ENDINGS) or b"[Content_Types].xml" in head)
+    return begins_as_archive(head) and (name.endswith(_ENDINGS) or _holds_workbook(file))
+
+
+def _holds_workbook(file: str) -> bool:
+    """Whether an archive under any name has the parts of a workbook."""
+    try:
+        with zipfile.ZipFile(file) as archive:
+            return "xl/workbook.xml" in archive.NameToInfo
+    except (OSError, ValueError, zipfile.BadZipFile, NotImplementedError):
+        return False
 
 
 def begins_as_archive(head: bytes) -> bool:

@@ -330,6 +330,8 @@ def parse_table(
         _check_row(found, separator, source)
     _take_titles(lines[:first], separator, told, source)
     (header_line, header), *rows = found
+    if is_header is not None:
+        _refuse_second_header(lines[:first], separator, header, is_header, source)
     if rows and _is_row_of_units(rows[0][1]):
         header = with_units(header, rows.pop(0)[1])
     if len(rows) > most_rows:
@@ -426,8 +428,8 @@ def _layout(
             if not is_header(row) or (not alone and len(rows[place + 1]) != len(row)):
                 continue
             below = [] if alone else rows[place + 1]
-            names_below = is_header(below) and not (_has_number(below) or _is_row_of_units(below))
-            if _has_number(row) or names_below:
+            plain = _has_number(below) or _is_row_of_units(below)
+            if _has_number(row) or (len(row) > 1 and is_header(below) and not plain):
                 continue  # a title, perhaps, above the names
             score = len(row) > 1, sum(len(other) == len(row) for other in rows[place:])
             if best is None or score > best[0]:
@@ -469,6 +471,27 @@ def _take_titles(
             told.setdefault(*saying)
         elif len(cells) == 1:
             told.setdefault("title", cells[0][:_LONGEST_CELL])
+
+
+def _refuse_second_header(
+    lines: Sequence[tuple[int, str]],
+    separator: str,
+    header: Sequence[str],
+    is_header: Callable[[Sequence[str]], bool],
+    source: str,
+) -> None:
+    """Refuse a table above whose header another line holds nothing but names of columns.
+
+    Raises
+    ------
+    FileError
+        If there is one: nobody knows which of them names the columns.
+    """
+    for number, line in lines:
+        cells = split_line(line, separator)
+        if len(cells) == len(header) > 1 and all(is_header([cell]) for cell in cells):
+            rule = said("holds names of columns, and so does a line below; leave one out")
+            raise FileError(rule, field=cells[0], source=source, line=number)
 
 
 def _is_row_of_units(cells: Sequence[str]) -> bool:

@@ -8,6 +8,7 @@ steps may load different races and rows.
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import inf, isfinite
@@ -601,12 +602,13 @@ _FIELD_OF: Final = {
 }
 """Headings of spectra as people write them, and the fields that they give."""
 _DURATION: Final = "duration of steps"
+_DOTTED: Final = re.compile(r"[a-z_]+(?:\.[a-z_]+)+")
 
 
 def _heads_spectrum(cells: Sequence[str]) -> bool:
     """Whether cells are headings of a spectrum: of shares, or of fields of a case."""
     words = {folded_name(title_parts(cell)[0]) for cell in cells}
-    return bool(words & (_SHARES | _TURNS | _HOURS)) or any("." in cell for cell in cells)
+    return bool(words & (_SHARES | _TURNS | _HOURS)) or any(map(_DOTTED.fullmatch, cells))
 
 
 def _with_names(table: Table) -> Table:

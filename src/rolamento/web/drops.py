@@ -184,7 +184,7 @@ def described() -> dict[str, Any]:
             ]
             for kind, many in _EXAMPLES.items()
         },
-        "endings": {"signal": list(_ENDINGS), "weibull": [".csv", ".tsv", ".txt"]},
+        "endings": {"signal": list(_ENDINGS), "weibull": [".csv", ".tsv", ".txt", ".xlsx"]},
         "largest": dict(LARGEST),
         "files": list(_TYPES),
         "reports": list(REPORTS),
