@@ -365,10 +365,10 @@ def _lines_of(text: str, source: str) -> tuple[list[tuple[int, str]], str, list[
         if held:
             held.append(line.strip())
             line = " ".join(held)
-            if _OPEN_QUOTE.search(line) and len(held) < _MOST_LINES_OF_CELL:
+            if _is_open(line) and len(held) < _MOST_LINES_OF_CELL:
                 continue
             number, held = number - len(held) + 1, []
-        elif _OPEN_QUOTE.search(line):
+        elif _is_open(line):
             held = [line.rstrip()]
             continue
         if line.lstrip().startswith("#"):
@@ -382,6 +382,11 @@ def _lines_of(text: str, source: str) -> tuple[list[tuple[int, str]], str, list[
     if held:
         lines.append((number - len(held) + 1, " ".join(held)))
     return comments, given, lines
+
+
+def _is_open(line: str) -> bool:
+    """Whether a line ends within a cell in quotation marks."""
+    return line.count('"') % 2 == 1 and _OPEN_QUOTE.search(line) is not None
 
 
 def separator_said(line: str) -> str:
@@ -412,35 +417,47 @@ def _layout(
     A header holds a known name and as many cells as the line below it; of several ways to part the
     cells, that of the most lines is taken, and the earlier of `SEPARATORS` where they are even.
     """
-    best: tuple[tuple[bool, int], str, int] | None = None
     texts = [line for _, line in lines[: _MOST_ABOVE + _SAMPLED]]
-    marks = (given,) if given else (*SEPARATORS, BLANKS)
-    for mark in marks:
-        if is_header is None:
-            break
-        if mark == BLANKS and _only_grouped(texts):
+    found: list[tuple[tuple[bool, int], str, int]] = []
+    there = [mark for mark in (*SEPARATORS, BLANKS) if any(mark in line for line in texts)]
+    # where nothing parts the cells it is one column, in which a comma is a decimal one
+    for mark in (given,) if given else (*there, SEPARATORS[0]):
+        place = None if is_header is None else _header_place(texts, mark, is_header)
+        if place is None:
             continue
-        rows = [split_line(line, mark) for line in texts]
-        for place, row in enumerate(rows[:_MOST_ABOVE]):
-            alone = place + 1 == len(rows)
-            if mark == BLANKS and len(row) < 2:
-                continue
-            if not is_header(row) or (not alone and len(rows[place + 1]) != len(row)):
-                continue
-            below = [] if alone else rows[place + 1]
-            plain = _has_number(below) or _is_row_of_units(below)
-            if _has_number(row) or (len(row) > 1 and is_header(below) and not plain):
-                continue  # a title, perhaps, above the names
-            score = len(row) > 1, sum(len(other) == len(row) for other in rows[place:])
-            if best is None or score > best[0]:
-                best = score, mark, place
-            break
-    if best is not None:
-        return best[1], best[2]
+        width = len(split_line(texts[place], mark))
+        fitting = sum(len(split_line(line, mark)) == width for line in texts[place:])
+        found.append(((width > 1, fitting), mark, place))
+        if width > 1 and fitting == len(texts) - place:
+            break  # no other can do better
+    if found:
+        best = max(score for score, *_ in found)
+        return next((mark, place) for score, mark, place in found if score == best)
     if given:
         return given, 0
     first = texts[0]
     return next((mark for mark in (";", "\t", "|") if mark in first), ","), 0
+
+
+def _header_place(
+    lines: Sequence[str], mark: str, is_header: Callable[[Sequence[str]], bool]
+) -> int | None:
+    """The first line that can be the header if a mark parts the cells; None without."""
+    if mark == BLANKS and _only_grouped(lines):
+        return None
+    for place, line in enumerate(lines[:_MOST_ABOVE]):
+        row = split_line(line, mark)
+        if (mark == BLANKS and len(row) < 2) or not is_header(row) or _has_number(row):
+            continue
+        if place + 1 == len(lines):
+            return place
+        below = split_line(lines[place + 1], mark)
+        if len(below) != len(row):
+            continue
+        plain = _has_number(below) or _is_row_of_units(below)
+        if plain or len(row) == 1 or not is_header(below):
+            return place  # else it is a title, perhaps, above the names
+    return None
 
 
 def _has_number(cells: Sequence[str]) -> bool:
