@@ -302,7 +302,8 @@ class WorkbookSheets:
         with zipfile.ZipFile(path) as archive:
             inflated = sum(member.file_size for member in archive.infolist())
         check_inflated(inflated, os.path.getsize(path), path)
-        self._book = openpyxl.load_workbook(path, read_only=True, data_only=True)
+        self._file = open(path, "rb")  # noqa: SIM115 - of a name without its ending it wants a file
+        self._book = openpyxl.load_workbook(self._file, read_only=True, data_only=True)
 
     def filled(self) -> list[str]:
         """Names of the sheets that are shown and hold something."""
