@@ -205,7 +205,7 @@ def column_by_name(word: str) -> str | None:
 
 
 def heads_table(*more: str) -> Callable[[Sequence[str]], bool]:
-    """Return what tells the names of columns from other lines: one at least is known.
+    """Return a predicate that recognises a line of column names: at least one is known.
 
     more: further names that are known, as they are written, such as those that the user chose.
     """

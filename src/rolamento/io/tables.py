@@ -8,7 +8,7 @@ workbook (.xlsx) is a table where it has one sheet that holds something; ``lives
 one of several.
 
 A table may be of a spreadsheet that writes decimal commas: then points part thousands, and
-``12.500`` is 12500. Where nothing in the table tells, the user is asked; a line
+``12.500`` is 12500. Where nothing in the table shows it, the user is asked; a line
 ``# decimal mark: point`` or ``# decimal mark: comma`` above the header answers, or an argument.
 """
 
@@ -134,7 +134,7 @@ class Table:
         Raises
         ------
         InputError
-            If nothing tells, and it matters; or the mark is none.
+            If nothing shows it, and it matters; or the mark is none.
         """
         given = self.said.get(_MARK) if mark is None else mark
         chosen = None if given is None else checked_mark(given, self.source)
@@ -294,7 +294,7 @@ def parse_table(
     Parameters
     ----------
     text
-        As the module tells. Lines without anything count nothing.
+        As described in the module. Lines without anything count nothing.
     source
         What to call it in messages.
     most_rows, least_rows

@@ -26,7 +26,7 @@ holds status words is read. Machines whose bearings ended at several times are n
 that they were not read. With `size`, a row is a rig of so
 many bearings that stopped at its first failure (sudden death): the others are suspended.
 
-Tables are read as `rolamento.io.tables` tells: any separator, either decimal mark. Of the comments
+Tables are read by `rolamento.io.tables`: any separator, either decimal mark. Of the comments
 ``# unit: Mrev``, ``# title:`` and ``# source:`` are read. Columns named bearing, id, date, note,
 comment, procedure and their like are passed over, and all others that are not known, which a note
 names, if they cannot change the result.
