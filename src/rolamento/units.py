@@ -38,6 +38,7 @@ __all__ = [
     "refuse_thousands",
     "rpm_of",
     "to_si",
+    "typed",
     "usual_units",
 ]
 
@@ -192,16 +193,56 @@ _COMMON: Final[dict[Dimension, dict[str, _Unit]]] = {
 _LONGEST_TEXT: Final = 100
 _GREATEST_EXPONENT: Final = 400
 _NUMBER: Final = r"[+-]?(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?"
+_WITH_COMMA: Final = re.compile(
+    r"([+-]?(?:[1-9][0-9]{0,2}(?:\.[0-9]{3})+|[0-9]*),[0-9]+(?:[eE][+-]?[0-9]+)?)\s*([^,]*)",
+    re.DOTALL,
+)
+"""A number with a decimal comma, as those write who part thousands with points."""
 _QUANTITY: Final = re.compile(rf"({_NUMBER})\s*(.*)", re.DOTALL)
 _IN_THOUSANDS: Final = re.compile(r"[+-]?[1-9]\d{0,2}\.\d{3}")
 """As those write thousands whose decimal mark is a comma."""
-_COUNTED_IN_THOUSANDS: Final = ("rpm", "r/min", "1/min", "N", "kgf")
+_COUNTED_IN_THOUSANDS: Final = (
+    "rpm", "RPM", "r/min", "1/min", "min^-1", "min⁻¹", "U/min", "rot/min", "N", "kgf", "kp",
+)  # fmt: skip
 """Units of which a thousandth is hardly meant; 9.525 mm is."""
 _FACTOR: Final = re.compile(r"\s*([*/])?\s*([A-Za-zµμ]+)(?:(?:\^|\*\*)?(-?[1-4])(?![0-9]))?\s*")
 _ONE_OVER: Final = re.compile(r"^\s*1\s*/\s*([A-Za-z]+)(?![A-Za-z^*0-9])")
 _PLAINER: Final = str.maketrans(
-    {"·": "*", "⋅": "*", "×": "*", ".": "*", "²": "2", "³": "3", "⁴": "4", "¹": "1", "⁻": "-"}
-)
+    {"·": "*", "⋅": "*", "×": "*", ".": "*", "²": "2", "³": "3", "⁴": "4", "¹": "1", "⁻": "-",
+     "−": "-", "º": "°", "˚": "°", "℃": "°C", "℉": "°F"}
+)  # fmt: skip
+_HYPHEN: Final = re.compile(r"(?<=[A-Za-z])-(?=[A-Za-z])")
+"""Between the units of a moment: N-m, in-lb."""
+_TURNS: Final = {
+    **dict.fromkeys(
+        ("rpm", "1/min", "/min", "min^-1", "min-1", "r/min", "rev/min", "u/min", "rot/min",
+         "tr/min", "umdr/min", "upm", "giri/min"), "rpm"
+    ),
+    **dict.fromkeys(("hz", "rps", "r/s", "rev/s", "u/s", "rot/s", "tr/s"), "rev/s"),
+}  # fmt: skip
+"""What name plates call turns in a minute and in a second, without case.
+
+Of a speed ISO 80000-3 has r/min, or min⁻¹, for the rotational frequency: a shaft's hertz are turns.
+s⁻¹ is of turns or of radians, and is refused.
+"""
+_ALSO: Final[dict[Dimension, dict[str, str]]] = {
+    "temperature": {"C": "degC", "c": "degC", "F": "degF"},
+    "power": {"PS": "cv", "ch": "cv", "CV": "cv"},
+    "force": {"lbs": "lbf", "lb": "lbf"},
+}
+"""Units that another quantity has under the same name, or that have none here."""
+_PLATES: Final[dict[Dimension, tuple[str, ...]]] = {
+    "length": ("cm", "km"),
+    "force": ("MN", "mN", "daN", "kgf", "kp", "lbf"),
+    "moment": ("Nm", "kNm", "mN m", "MN m", "kgf m", "daN m"),
+    "stress": ("mPa", "kPa", "bar", "psi", "ksi"),
+    "time": ("min", "ms", "d"),
+    "power": ("MW", "mW"),
+    "velocity": ("µm/s",),
+    "temperature": ("degF", "°C", "°F"),
+}
+"""Units besides the common ones whose case may be wrong, and those for which they may be taken."""
+_POUND: Final = re.compile(r"\blbs?\b")
 _SMALL_LENGTH: Final = 1e-4
 """Below it (m) people write a computed length in micrometres."""
 _FIFTEEN_DIGITS: Final = Context(prec=15)
@@ -312,7 +353,9 @@ def _plain(decimal: Decimal) -> str:
 def _split(text: str, dimension: Dimension) -> tuple[str, str]:
     """Return the number and the unit of a text, or explain what is wrong with it."""
     stripped = text.strip()
-    match = _QUANTITY.fullmatch(stripped)
+    if stripped.startswith("−"):
+        stripped = "-" + stripped[1:]
+    match = _QUANTITY.fullmatch(typed(stripped))
     if match is None:
         raise UnitError(
             said(
@@ -333,6 +376,16 @@ def _split(text: str, dimension: Dimension) -> tuple[str, str]:
             said("needs a decimal point, not a comma"), value=text, example=_example(dimension)
         )
     return number, unit
+
+
+def typed(text: str) -> str:
+    """Return a number with a decimal point that was typed with a comma, and its unit behind it.
+
+    Where the language that is spoken has decimal commas; other texts are returned as they are.
+    """
+    if manner().mark != "," or not (match := _WITH_COMMA.fullmatch(text.strip())):
+        return text
+    return f"{match[1].replace('.', '').replace(',', '.')} {match[2]}".strip()
 
 
 def refuse_thousands(text: str, units: tuple[str, ...] = _COUNTED_IN_THOUSANDS) -> None:
@@ -382,12 +435,46 @@ def _exact(number: str) -> Fraction:
 
 def _unit(text: str, dimension: Dimension) -> _Unit:
     common = _COMMON[dimension].get(text)
-    return common if common is not None else _parsed_unit(text, dimension)
+    return common if common is not None else _spelled_unit(text, dimension)
+
+
+@lru_cache(maxsize=1024)
+def _spelled_unit(text: str, dimension: Dimension) -> _Unit:
+    """Return any unit of a quantity, in the spellings of name plates and in the wrong case.
+
+    Case is mended only where one meaning is left: KN is kN, and MPA is refused for mPa and MPa.
+    """
+    if dimension == "angular_speed":
+        plain = text.translate(_PLAINER).replace(" ", "").casefold()
+        if plain in _TURNS:
+            return _parsed_unit(_TURNS[plain], dimension)
+    text = _ALSO.get(dimension, {}).get(text, text)
+    try:
+        return _parsed_unit(text, dimension)
+    except UnitError:
+        found = _mended(text, dimension)
+        if found is None:
+            raise
+        return found
+
+
+def _mended(text: str, dimension: Dimension) -> _Unit | None:
+    """The only unit of a quantity that a text is but for its case; None of others."""
+    folded = text.translate(_PLAINER).replace(" ", "").casefold()
+    found = {
+        _parsed_unit(name, dimension)
+        for name in (*_COMMON[dimension], *_PLATES.get(dimension, ()))
+        if name.translate(_PLAINER).replace(" ", "").casefold() == folded
+    }
+    return found.pop() if len(found) == 1 else None
 
 
 @lru_cache(maxsize=1024)
 def _parsed_unit(text: str, dimension: Dimension) -> _Unit:
     """Return any unit of a quantity, by way of pint."""
+    common = _COMMON[dimension].get(text)
+    if common is not None:
+        return common
     import pint
 
     names = _factors(text, dimension)
@@ -412,7 +499,10 @@ def _factors(text: str, dimension: Dimension) -> list[tuple[str, str, int]]:
 
     The grammar is read here, not by pint, whose parser would evaluate arithmetic.
     """
-    plain = text.translate(_PLAINER).replace("°C", "degC").replace("°F", "degF")
+    plain = _HYPHEN.sub("*", text).translate(_PLAINER)
+    plain = plain.replace("°C", "degC").replace("°F", "degF")
+    if dimension in ("force", "moment"):
+        plain = _POUND.sub("lbf", plain)
     plain = plain.replace("°", "deg")
     if SI_UNIT[dimension].startswith("1/"):
         plain = _ONE_OVER.sub(r"\1^-1", plain, count=1)

@@ -26,8 +26,8 @@ import scipy.io.wavfile
 from hypothesis import HealthCheck, given, note, settings
 from hypothesis import strategies as st
 
-from rolamento._foreign import isolated
 from rolamento.errors import InputError
+from rolamento.io.foreign import isolated
 from rolamento.vibration.reading import open_signal
 from rolamento.vibration.signal import Signal
 

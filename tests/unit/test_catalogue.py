@@ -315,7 +315,7 @@ def test_toml_of_a_user_takes_the_place_of_the_built_in(tmp_path: Path) -> None:
     ("text", "message"),
     [
         ("", "contains no table"),
-        ("designation,bore_mm,outside_mm\n", "outside_diameter_mm"),
+        ("designation,bore_mm,outside_mm\n", "outside_diameter"),
         ("designation,bore_mm,bore_mm\n", "occurs twice"),
         (HEADER + "A,25,52,14\n", "line 2: has 4 cells where the header has 5"),
         (HEADER + "A,25,52,14,x\n", "must be a number"),

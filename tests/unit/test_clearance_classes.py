@@ -7,7 +7,6 @@ from itertools import pairwise
 import pytest
 
 from rolamento import Bearing
-from rolamento._data import toml_of
 from rolamento.clearance import (
     CLEARANCE_CLASSES,
     class_clearance,
@@ -16,6 +15,7 @@ from rolamento.clearance import (
     usual_measuring_load,
 )
 from rolamento.errors import InputError
+from rolamento.io.data import toml_of
 from rolamento.static import race_stiffness
 
 

@@ -18,10 +18,10 @@ import pytest
 from typer.testing import CliRunner
 
 from rolamento import tasks
-from rolamento._json import dumps
 from rolamento.cli.anderon import _full_scales_of as full_scales_of
 from rolamento.cli.app import app
 from rolamento.document.terminal import terminal
+from rolamento.io.json import dumps
 from rolamento.pages.anderon import anderon_page, noise_statement
 from rolamento.plots.anderon import noise_bands, noise_figure
 from rolamento.tasks import signals

@@ -16,10 +16,10 @@ import typer
 from typer.testing import CliRunner
 
 from rolamento import load_case
-from rolamento._json import dumps
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.turn import turn
 from rolamento.document.terminal import terminal
+from rolamento.io.json import dumps
 from rolamento.pages.turn import turn_page
 from rolamento.studies.cage_turn import DEFAULT_POINTS, cage_turn
 

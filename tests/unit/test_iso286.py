@@ -7,7 +7,6 @@ from math import sqrt
 
 import pytest
 
-from rolamento._data import toml_of
 from rolamento.clearance import (
     Band,
     bore_deviations,
@@ -17,6 +16,7 @@ from rolamento.clearance import (
     standard_tolerance,
 )
 from rolamento.errors import InputError
+from rolamento.io.data import toml_of
 
 SIZES = toml_of("iso286", "rolamento.clearance")["sizes_mm"]
 STEPS = list(pairwise(SIZES))

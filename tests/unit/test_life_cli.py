@@ -406,7 +406,6 @@ def test_a_class_outside_the_table_of_bores(run: Run) -> None:
             "combined with --over",
         ),
         ((CASE, CASE, "--over", "duty.load.fz=1..8kN"), "is for a single case; several are given"),
-        ((CASE, CASE, "--spectrum", "6305_steps.csv"), "is for a single case; several are given"),
         ((CASE, "--variant", "life.contamination=1"), "needs --over"),
         ((CASE, "--plot", "x.png"), "needs --over"),
         ((CASE, "--over", "duty.load.fz=1..8kN", "--plot", "x.doc"), "x.doc"),

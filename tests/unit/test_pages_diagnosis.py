@@ -15,10 +15,10 @@ import numpy as np
 import pytest
 
 from rolamento import Bearing, Case, Duty, Load
-from rolamento._json import dumps
 from rolamento.document.medium import Medium
 from rolamento.document.tables import to_csv
 from rolamento.document.terminal import terminal
+from rolamento.io.json import dumps
 from rolamento.pages.diagnosis import diagnosis_page
 from rolamento.solution import solve
 from rolamento.status import NOT_CONVERGED

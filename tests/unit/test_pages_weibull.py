@@ -9,9 +9,9 @@ from typing import Any, get_args
 import numpy as np
 import pytest
 
-from rolamento._json import dumps
 from rolamento.document import Document, Medium
 from rolamento.document.terminal import terminal
+from rolamento.io.json import dumps
 from rolamento.pages.weibull import BOUND_METHODS, FITS, HYPOTHESES, SCHEMES, weibull_page
 from rolamento.pages.weibull_plan import demonstration_page, precision_page
 from rolamento.tasks.weibull import demonstration_study, precision_study

@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 from rolamento import Case, InputError, load_case, parse_case
-from rolamento._data import toml_of
 from rolamento.assembly.mounted import preload_stages, running_set
 from rolamento.assembly.preload import preload_of
 from rolamento.case.roller_bearing import RollerBearing
@@ -20,6 +19,7 @@ from rolamento.clearance import (
     clearance_of_case,
     operating_case,
 )
+from rolamento.io.data import toml_of
 from rolamento.solution import solve
 from rolamento.tasks.bearing import case_of
 from rolamento.tasks.clearance import mounted_clearance, mounted_samples

@@ -19,8 +19,8 @@ import pytest
 import scipy.io
 import scipy.io.wavfile
 
-from rolamento._foreign import bounds, isolated
 from rolamento.errors import FileError, InputError
+from rolamento.io.foreign import bounds, isolated
 from rolamento.vibration.reading import channels_of, open_signal, read_signal
 from rolamento.words import Note
 
@@ -380,7 +380,7 @@ def test_universal_file(tmp_path: Path, binary: int, even: int) -> None:
 @writes_uff
 def test_universal_file_of_other_functions(tmp_path: Path) -> None:
     write_uff(tmp_path / "a.uff", func_type=4, abscissa_spec_data_type=18)
-    with pytest.raises(FileError, match="file without a channel of real numbers"):
+    with pytest.raises(FileError, match="holds frequency responses; a record over time is needed"):
         channels_of(tmp_path / "a.uff")
 
 
@@ -513,7 +513,7 @@ def test_samples_that_are_no_signal(tmp_path: Path) -> None:
         ("a.wav", b"not a wav", "is not a WAV file, although its name says so"),
         ("a.mat", b"MATLAB 4?", "is not a MATLAB file of version 5 to 7.3"),
         ("a.jpg", b"\xff\xd8\xff", "is not of a format that can be read: WAV"),
-        ("a.csv", b"\xff\xfea\0", "is UTF-16 text"),
+        ("a.csv", b"\xff\xfea\0", "has no table of numbers in its first lines"),
         ("a.csv", b"1,2\n\0\0", "is a binary file"),
         ("a.h5", b"", "is empty"),
         ("a.h5", b"\x89HDF\r\n\x1a\n" + bytes(100), "is not a readable HDF5 file"),

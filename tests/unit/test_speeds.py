@@ -10,11 +10,11 @@ import pytest
 from typer.testing import CliRunner
 
 from rolamento import InputError, parse_case
-from rolamento._data import toml_of
 from rolamento.case.bearing import Bearing
 from rolamento.case.preload_classes import level_of_force
 from rolamento.cli.app import app
 from rolamento.document.terminal import terminal
+from rolamento.io.data import toml_of
 from rolamento.pages.speed import speed_page
 from rolamento.ratings import dynamic_rating, roller_dynamic_rating, static_rating
 from rolamento.speeds import (

@@ -19,8 +19,8 @@ import xarray as xr
 
 import rolamento
 from rolamento import Case
-from rolamento._foreign import isolated
 from rolamento.errors import FileError
+from rolamento.io.foreign import isolated
 from rolamento.studies import (
     Axis,
     Distribution,

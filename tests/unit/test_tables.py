@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
-from datetime import date
+from datetime import UTC, datetime
 from pathlib import Path
 
 import pytest
 from typer.testing import CliRunner
 
-from rolamento._columns import DateOrder, Dates, dates_of
-from rolamento._tables import Numerals, numerals_of, parse_table
 from rolamento.catalogue.records import records_of_csv
 from rolamento.cli.app import app
 from rolamento.errors import InputError
+from rolamento.io.dates import DateOrder, Dates, dates_of
+from rolamento.io.numerals import Numerals, numerals_of
+from rolamento.io.tables import parse_table
 from rolamento.life.l_able import read_factor_table
 from rolamento.tasks.life_spectrum import read_spectrum
 from rolamento.vibration.reading import open_signal
@@ -165,30 +166,45 @@ def test_what_dates_tell_of_their_order(cells: list[str], order: str | None, dou
 
 
 @pytest.mark.parametrize(
-    ("cell", "order", "day"),
+    ("cell", "order", "moment"),
     [
-        ("2024-02-29", None, date(2024, 2, 29)),
-        ("2024-02-29T14:30:00", None, date(2024, 2, 29)),
-        ("29/02/2024 14:30", None, date(2024, 2, 29)),
-        ("03/04/2024", "month_first", date(2024, 3, 4)),
-        ("03.04.24", "month_first", date(2024, 4, 3)),
-        ("3 de março de 2024", None, date(2024, 3, 3)),
-        ("03-Mar-2024", None, date(2024, 3, 3)),
+        ("2024-02-29", None, datetime(2024, 2, 29)),
+        ("2024-02-29T14:30:00", None, datetime(2024, 2, 29, 14, 30)),
+        ("20240229T143000", None, datetime(2024, 2, 29, 14, 30)),
+        ("2024-02-29T14:30:00+02:00", None, datetime(2024, 2, 29, 12, 30, tzinfo=UTC)),
+        ("2024-02-29 14:30 Z", None, datetime(2024, 2, 29, 14, 30, tzinfo=UTC)),
+        ("29/02/2024 14:30", None, datetime(2024, 2, 29, 14, 30)),
+        ("29/02/2024 14:30:15,250", None, datetime(2024, 2, 29, 14, 30, 15, 250_000)),
+        ("29/02/2024 às 14h30", None, datetime(2024, 2, 29, 14, 30)),
+        ("02/29/2024 2:30:00 PM", "month_first", datetime(2024, 2, 29, 14, 30)),
+        ("02/29/2024 12:05 am", "month_first", datetime(2024, 2, 29, 0, 5)),
+        ("03/04/2024", "month_first", datetime(2024, 3, 4)),
+        ("03.04.24", "month_first", datetime(2024, 4, 3)),
+        ("3 de março de 2024", None, datetime(2024, 3, 3)),
+        ("4. März 2024, 08:00", None, datetime(2024, 3, 4, 8)),
+        ("4 de enero de 2024", None, datetime(2024, 1, 4)),
+        ("Mar 4, 2024 08:00", None, datetime(2024, 3, 4, 8)),
+        ("03-Mar-2024", None, datetime(2024, 3, 3)),
+        ("13-Apr-23 09:57:51", None, datetime(2023, 4, 13, 9, 57, 51)),
+        ("2024-02-29 24:00", None, datetime(2024, 3, 1)),
+        ("2024-02-29 25:00", None, None),
+        ("2024-02-29 13:30 PM", None, None),
+        ("2024-02-29 about noon", None, None),
         ("30/02/2024", None, None),
         ("25/13/2024", None, None),
         ("2024", None, None),
         ("1" * 99, None, None),
     ],
 )
-def test_dates(cell: str, order: DateOrder | None, day: date | None) -> None:
-    assert Dates(order).day(cell) == day
+def test_dates(cell: str, order: DateOrder | None, moment: datetime | None) -> None:
+    assert Dates(order).moment(cell) == moment
 
 
 def test_dates_of_two_readings_are_asked_about(run: Run) -> None:
-    Path("t.csv").write_text("Data;Vibração (mm/s)\n03/04/2024;2,1\n05/04/2024;2,4\n", "utf-8")
+    Path("t.csv").write_text("Date;Vibration (mm/s)\n03/04/2024;2.1\n05/04/2024;2.4\n", "utf-8")
     code, _, error = run("trend", "t.csv")
     assert code == 2
-    assert 'line 2: Data = "03/04/2024": is 2024-04-03 if the day comes first' in error
+    assert 'line 2: Date = "03/04/2024": is 2024-04-03 if the day comes first' in error
     assert "--date-order day_first for 2024-04-03, --date-order month_first for 2024-03-04" in error
     for order, days in (("day_first", 2.0), ("month_first", 61.0)):
         code, out, _ = run("trend", "t.csv", "--date-order", order, "--json")

@@ -222,7 +222,7 @@ def test_reading_files(tmp_path: Path) -> None:
     assert list(test.group) == ["úmida"]
     assert test.source == str(path)
     for content, message in (
-        (b"\xff\xfet\x00", "UTF-16"),
+        (b"\xff\xfet\x00\n", "damaged UTF-16"),
         (b"time\n\x00", "binary"),
         (b"time\n" + b"1\n" * 2_600_000, "larger than 5 MB"),
     ):

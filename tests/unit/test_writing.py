@@ -10,9 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from rolamento import _writing
-from rolamento._writing import check_space, write_bytes, write_text, written_whole
 from rolamento.errors import FileError
+from rolamento.io import writing
+from rolamento.io.writing import check_space, write_bytes, write_text, written_whole
 
 
 @pytest.fixture
@@ -133,5 +133,5 @@ def test_room_on_the_disk(old: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     def silent(path: Path) -> None:
         raise OSError
 
-    monkeypatch.setattr(_writing.shutil, "disk_usage", silent)
+    monkeypatch.setattr(writing.shutil, "disk_usage", silent)
     check_space(10**18, old)

@@ -15,7 +15,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rolamento._data import toml_of
 from rolamento.clearance import class_clearance
 from rolamento.friction.palmgren import friction_load, load_torque, palmgren, rib_torque
 from rolamento.friction.skf import (
@@ -28,6 +27,7 @@ from rolamento.friction.skf import (
     thrust_constants,
 )
 from rolamento.friction.skf import angular_contact_constants as angular_contact
+from rolamento.io.data import toml_of
 from rolamento.life.contamination import (
     class_of_code,
     class_of_filter,

@@ -8,7 +8,7 @@ from typing import Any, Final
 
 import numpy as np
 
-from rolamento._data import toml_of
+from rolamento.io.data import toml_of
 from rolamento_reproductions.record import Floats, Series
 from rolamento_reproductions.text import Prose, Text
 

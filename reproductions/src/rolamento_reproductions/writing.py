@@ -15,12 +15,12 @@ from math import isfinite
 from pathlib import Path
 from typing import Final
 
-from rolamento._writing import write_bytes
 from rolamento.document import Document
 from rolamento.document import Figure as Picture
 from rolamento.document.html import html
 from rolamento.document.markdown import markdown
 from rolamento.errors import FileError
+from rolamento.io.writing import write_bytes
 from rolamento_reproductions.page import (
     PageEnding,
     index_page,

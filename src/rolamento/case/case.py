@@ -11,16 +11,6 @@ from typing import TYPE_CHECKING, Annotated, Any, Final, Self
 
 from pydantic import Field, ModelWrapValidatorHandler, ValidationInfo, model_validator
 
-from rolamento._reading import (
-    TextFormat,
-    format_of_path,
-    format_of_text,
-    line_of,
-    lines_of_keys,
-    parse_mapping,
-    read_text,
-)
-from rolamento._writing import write_text
 from rolamento.case.bearing import Bearing
 from rolamento.case.duty import Duty
 from rolamento.case.fields import OVERRIDE_SOURCE, changed, fields_of, overridden
@@ -38,6 +28,16 @@ from rolamento.case.rolling_bearing import RollingBearing, element_told
 from rolamento.case.surface import Surface
 from rolamento.case.temperature import Temperature
 from rolamento.errors import FileError, InputError, nearest
+from rolamento.io.text import (
+    TextFormat,
+    format_of_path,
+    format_of_text,
+    line_of,
+    lines_of_keys,
+    parse_mapping,
+    read_text,
+)
+from rolamento.io.writing import write_text
 from rolamento.units import from_si, readable, to_si
 from rolamento.words import said
 

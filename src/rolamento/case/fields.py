@@ -15,7 +15,6 @@ from typing import Any, Final, Literal, get_args, get_origin
 from pydantic import BaseModel, create_model
 from pydantic.fields import FieldInfo
 
-from rolamento._reading import parse_mapping
 from rolamento.case.hints import hint
 from rolamento.case.labels import label_of
 from rolamento.case.quantity import Quantity, Ratio
@@ -28,6 +27,7 @@ from rolamento.case.record import (
     replaced,
 )
 from rolamento.errors import FileError, InputError, UnknownKeyError
+from rolamento.io.text import parse_mapping
 from rolamento.units import SI_UNIT, Dimension, from_si
 from rolamento.words import said, speaking
 

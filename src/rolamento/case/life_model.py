@@ -6,10 +6,10 @@ from typing import Annotated, Final, Literal, Self
 
 from pydantic import AfterValidator, BeforeValidator, Field, model_validator
 
-from rolamento._columns import folded_name
 from rolamento.case.quantity import Line, Quantity, Ratio, Replaces
 from rolamento.case.record import Record, refuse_rivals
 from rolamento.errors import InputError, guess
+from rolamento.io.columns import folded_name
 from rolamento.iso4406 import cleanliness_numbers
 from rolamento.words import said
 

@@ -8,11 +8,11 @@ from typing import Annotated, Any, ClassVar, Final, Literal, NamedTuple, Self
 
 from pydantic import BeforeValidator, Field, model_validator
 
-from rolamento._data import toml_of
 from rolamento.case.named import NamedRecord
 from rolamento.case.quantity import Line, Quantity, Ratio, Replaces
 from rolamento.case.record import Record
 from rolamento.errors import InputError
+from rolamento.io.data import toml_of
 from rolamento.units import readable
 from rolamento.words import marked, said
 

@@ -13,10 +13,10 @@ from pydantic import (
     model_serializer,
 )
 
-from rolamento._data import toml_of
 from rolamento.case.quantity import Line, at_the_border
 from rolamento.case.record import Record
 from rolamento.errors import InputError, nearest
+from rolamento.io.data import toml_of
 from rolamento.words import marked, said
 
 __all__ = ["NamedRecord"]

@@ -9,8 +9,8 @@ from functools import cache
 from math import degrees
 from typing import Final, Literal, cast, get_args
 
-from rolamento._data import toml_of
 from rolamento.errors import InputError, nearest
+from rolamento.io.data import toml_of
 from rolamento.units import to_si
 from rolamento.words import said
 

@@ -10,7 +10,6 @@ from itertools import pairwise
 from math import asin, cos, radians, sin, tan
 from typing import Any, Final, Literal, TypeVar
 
-from rolamento._data import toml_of
 from rolamento.catalogue.designation import Designation, folded
 from rolamento.catalogue.inference import Candidate, inferred_geometry
 from rolamento.catalogue.letters import ClearanceClass, Letters, Part, designation_data
@@ -26,6 +25,7 @@ from rolamento.catalogue.search import (
 )
 from rolamento.errors import InputError
 from rolamento.geometry import apex_half_angle, usual_end_radius
+from rolamento.io.data import toml_of
 from rolamento.ratings import SELF_ALIGNING_CONFORMITY, THRUST_CONFORMITY
 from rolamento.units import MILLIMETRE, readable
 from rolamento.words import Note, said

@@ -17,9 +17,9 @@ from typing import Any, Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento._data import toml_of
 from rolamento.catalogue.records import CatalogueBearing
 from rolamento.errors import InputError
+from rolamento.io.data import toml_of
 from rolamento.numerics import FloatArray
 from rolamento.ratings import (
     MAXIMUM_GAMMA,

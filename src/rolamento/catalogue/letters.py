@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from functools import cache, lru_cache, partial
 from typing import Final, Literal, NamedTuple, cast
 
-from rolamento._data import toml_of
 from rolamento.errors import InputError
+from rolamento.io.data import toml_of
 from rolamento.words import said
 
 designation_data = partial(toml_of, "designations")

@@ -1,24 +1,27 @@
 """What a catalogue holds of one bearing, with the source of each figure; read from CSV or TOML.
 
-A CSV file has one bearing in a line, as `rolamento._tables` reads it; the units are in the names of
-the columns. ``# maker: NSK``, ``# kind:`` and ``# source:`` before the header hold for all lines. A
-TOML file has one ``[[bearing]]`` a bearing, quantities with units.
+A CSV file has one bearing in a line, as `rolamento.io.tables` reads it, under the names here or the
+headings of catalogues (`rolamento.catalogue.headings`). ``# maker: NSK``, ``# kind:``,
+``# source:`` and ``# units: mm, kN`` before the header hold for all lines. A TOML file has one
+``[[bearing]]`` a bearing, quantities with units.
 """
 
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from itertools import pairwise
-from math import degrees, pi, radians
+from math import degrees, radians
 from typing import Any, Final, Literal, cast, get_args
 
 import numpy as np
 
-from rolamento._data import toml_of
-from rolamento._tables import Numerals, parse_table
+from rolamento.catalogue.headings import columns_of, heads_catalogue, kind_of_word
 from rolamento.errors import FileError, InputError, UnknownKeyError, guess
+from rolamento.io.data import toml_of
+from rolamento.io.numerals import Numerals
+from rolamento.io.tables import parse_table
 from rolamento.ratings import RatedType
 from rolamento.units import Dimension, readable, to_si
 from rolamento.words import said
@@ -207,14 +210,6 @@ _FORCES: Final = (
 _FACTORS: Final = ("axial_limit", "axial_factor", "static_axial_factor")
 _COUNTS: Final = ("ball_count", "roller_count")
 _RATIOS: Final = ("f0", "inner_conformity", "outer_conformity", *_FACTORS)
-_COLUMNS: Final[Mapping[str, tuple[str, float]]] = {
-    **{f"{name}_mm": (name, 1e-3) for name in _LENGTHS},
-    **{f"{name}_N": (name, 1.0) for name in _FORCES},
-    **{f"{name}_kN": (name, 1e3) for name in _FORCES},
-    "contact_angle_deg": ("contact_angle", pi / 180.0),
-    "limiting_speed_rpm": ("limiting_speed", pi / 30.0),
-    **{name: (name, 1.0) for name in (*_RATIOS, *_COUNTS)},
-}
 _DIMENSIONS: Final[Mapping[str, Dimension]] = {
     **dict.fromkeys(_LENGTHS, "length"),
     **dict.fromkeys(_FORCES, "force"),
@@ -249,29 +244,53 @@ def records_of_csv(text: str, source: str) -> tuple[CatalogueBearing, ...]:
     InputError
         With the line, if a column is not known, a figure is missing or out of range.
     """
-    table = parse_table(text, source, most_rows=MAX_BEARINGS, example=_EXAMPLE, least_rows=0)
+    table = parse_table(
+        text,
+        source,
+        most_rows=MAX_BEARINGS,
+        example=_EXAMPLE,
+        least_rows=0,
+        is_header=heads_catalogue,
+    )
     defaults: dict[str, str] = {name: table.said[name] for name in _TEXTS[1:] if name in table.said}
     try:
-        _check_header(table.header)
+        columns = columns_of(table.header, table.said.get("unit", ""))
     except InputError as error:
         raise table.placed(error) from None
-    places = {name: place for place, name in enumerate(table.header)}
-    words: list[tuple[str, int]] = [(name, places[name]) for name in _TEXTS if name in places]
-    columns = [(name, place, *_COLUMNS[name]) for name, place in places.items() if name in _COLUMNS]
-    numerals = table.numerals([place for _, place, _, _ in columns], argument=False)
+    words = [(column.figure, place) for place, column in columns.items() if column.is_text]
+    numbers = [(column, place) for place, column in columns.items() if not column.is_text]
+    numerals = table.numerals([place for _, place in numbers], argument=False)
     found: list[CatalogueBearing] = []
     for number, cells in enumerate(table.rows):
         try:
             texts = defaults | {name: cells[place] for name, place in words if cells[place]}
             figures = {
-                figure: _number_of_cell(cells[place], name, numerals) * factor
-                for name, place, figure, factor in columns
+                column.figure: _number_of_cell(cells[place], column.title, numerals) * column.factor
+                for column, place in numbers
                 if cells[place]
             }
-            found.append(_bearing_within_reason(texts, figures, source))
+            found.append(_bearing_within_reason(texts, _sorted_out(figures, texts), source))
         except InputError as error:
             raise table.placed(error, number) from None
     return tuple(found)
+
+
+def _sorted_out(figures: dict[str, float], texts: dict[str, str]) -> dict[str, float]:
+    """Give the figures whose names depend on the kind of bearing their own; and the kind its key.
+
+    B of a row that has T is the width of a cone; Z and D_w are of balls or of rollers.
+    """
+    kind = kind_of_word(texts.get("kind", ""))
+    if kind is not None:
+        texts["kind"] = kind
+    rolling = "roller" if texts.get("kind") in ROLLER_KINDS else "ball"
+    named = {"count": f"{rolling}_count", "element_diameter": f"{rolling}_diameter"}
+    height = figures.pop("height", None)
+    if height is not None:
+        if "width" in figures:
+            figures["inner_width"] = figures["width"]
+        figures["width"] = height
+    return {named.get(name, name): value for name, value in figures.items()}
 
 
 def records_of_toml(text: str, source: str) -> tuple[CatalogueBearing, ...]:
@@ -369,18 +388,6 @@ def _check_raceways(figures: Mapping[str, float]) -> None:
                 field=outer,
                 value=readable(figures[outer], "length"),
             )
-
-
-def _check_header(header: Sequence[str]) -> None:
-    known = (*_TEXTS, *_COLUMNS)
-    for name in header:
-        if name not in known or header.count(name) > 1:
-            rule = (
-                said("occurs twice")
-                if name in known
-                else said("is an unknown column; {guess}", guess=guess(name, known))
-            )
-            raise UnknownKeyError(rule, field=name)
 
 
 def _check_keys(table: Mapping[str, Any], known: tuple[str, ...], source: str) -> None:

@@ -23,9 +23,9 @@ from typing import Any, Final, NamedTuple, cast
 
 import numpy as np
 
-from rolamento._data import toml_of
 from rolamento.catalogue.records import CatalogueBearing
 from rolamento.errors import InputError
+from rolamento.io.data import toml_of
 from rolamento.numerics import FloatArray
 from rolamento.ratings import RollerKind, roller_dynamic_rating, roller_static_rating
 from rolamento.words import said

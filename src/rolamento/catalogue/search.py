@@ -15,9 +15,6 @@ from itertools import chain, islice
 from math import degrees, radians
 from typing import Final, NamedTuple
 
-from rolamento._data import toml_of
-from rolamento._reading import read_text
-from rolamento._tables import table_text
 from rolamento.catalogue.designation import (
     Designation,
     folded,
@@ -34,6 +31,9 @@ from rolamento.catalogue.letters import (
 )
 from rolamento.catalogue.records import CatalogueBearing, records_of_csv, records_of_toml
 from rolamento.errors import FileError, InputError
+from rolamento.io.data import toml_of
+from rolamento.io.tables import table_text
+from rolamento.io.text import read_text
 from rolamento.units import MILLIMETRE
 from rolamento.words import said
 

@@ -51,10 +51,10 @@ from typing import Final, Literal, Protocol
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento._data import toml_of
 from rolamento.case.material import Material
 from rolamento.contact.hertz import ElasticMaterial
 from rolamento.errors import InputError
+from rolamento.io.data import toml_of
 from rolamento.numerics import FloatArray
 from rolamento.units import MILLIMETRE
 from rolamento.words import said

@@ -13,8 +13,8 @@ from collections.abc import Sequence
 from math import isfinite
 from typing import Any, Final, Literal, NamedTuple, NoReturn, get_args
 
-from rolamento._data import toml_of
 from rolamento.errors import InputError
+from rolamento.io.data import toml_of
 from rolamento.units import MICROMETRE, MILLIMETRE, readable
 from rolamento.words import said
 

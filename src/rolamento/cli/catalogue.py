@@ -191,7 +191,7 @@ def _show_list(
     from rolamento.tasks.catalogue import search_mapping
 
     if json is not None:
-        from rolamento._json import dumps
+        from rolamento.io.json import dumps
 
         put(dumps(search_mapping(found)) + "\n", json)
     outputs.show(lambda: search_page(found, is_all=is_all), json)
@@ -202,7 +202,7 @@ def _show_one(geometry: InternalGeometry, json: str | None, outputs: Outputs) ->
     from rolamento.tasks.catalogue import bearing_mapping
 
     if json is not None:
-        from rolamento._json import dumps
+        from rolamento.io.json import dumps
 
         put(dumps(bearing_mapping(geometry)) + "\n", json)
     outputs.show(lambda: bearing_page(geometry), json)

@@ -200,7 +200,7 @@ def _show_curves(
         return friction_figure(shown)
 
     def json_text(shown: Sequence[FrictionCurve]) -> str:
-        from rolamento._json import dumps
+        from rolamento.io.json import dumps
 
         return dumps(curves_mapping(shown), indent=2)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import copy
 import re
 from collections.abc import Mapping, Sequence
-from typing import Any, ClassVar, Final, TypeVar
+from typing import Any, ClassVar, Final, TypeVar, get_args
 
 import typer.core
 from typer.core import TyperCommand, TyperGroup
@@ -68,7 +68,7 @@ class SpokenCommand(TyperCommand):
         """Parse the arguments, and refuse those that are too many."""
         ctx.allow_extra_args = True  # to be refused here
         try:
-            extra = super().parse_args(ctx, args)
+            extra = super().parse_args(ctx, _with_points(args, self.params))
         except UsageError as error:
             error.ctx = error.ctx or ctx
             raise
@@ -92,6 +92,28 @@ class SpokenCommand(TyperCommand):
     def format_options(self, ctx: Any, formatter: Any) -> None:
         """Write the arguments, and the options below their headings."""
         _write_options(self, ctx, formatter, {})
+
+
+def _with_points(arguments: Sequence[str], parameters: Sequence[Any]) -> list[str]:
+    """Return the arguments, those of options that take a number with a decimal point."""
+    from rolamento.units import typed
+
+    takers = {name for one in parameters if _takes_number(one) for name in one.opts}
+    words: list[str] = []
+    for word in arguments:
+        option, equals, value = word.partition("=")
+        if words and words[-1] in takers:
+            word = typed(word)
+        elif equals and option in takers:
+            word = f"{option}={typed(value)}"
+        words.append(word)
+    return words
+
+
+def _takes_number(parameter: Any) -> bool:
+    kind = getattr(parameter, "type_descriptor", None)
+    annotation = getattr(kind, "annotation", None)
+    return float in {annotation, *get_args(annotation)}
 
 
 class GroupedCommands(TyperGroup):

@@ -129,6 +129,8 @@ def life(
         if over is not None:
             curves = _curves(cases[0], over, points, log, variants or [], tables, lang)
             solved = _show_curves(curves, json, plot, outputs, lang)
+        elif spectrum is not None and len(cases) > 1:
+            solved = _shaft_spectrum(case, cases, spectrum, tables, json, outputs, lang)
         elif spectrum is not None:
             solved = _spectrum(cases[0], spectrum, tables, json, outputs, lang)
         elif len(cases) > 1:
@@ -167,11 +169,10 @@ def _check(cases: list[str], over: str | None, spectrum: str | None, variants: l
     """Refuse what does not go together, before any work."""
     if over is not None and spectrum is not None:
         raise InputError(said("cannot be combined with --over"), field="--spectrum", value=spectrum)
-    for name, given in (("--over", over), ("--spectrum", spectrum)):
-        if given is not None and len(cases) > 1:
-            raise InputError(
-                said("is for a single case; several are given"), field=name, value=given
-            )
+    if over is not None and len(cases) > 1:
+        raise InputError(
+            said("is for a single case; several are given"), field="--over", value=over
+        )
     if variants and over is None:
         raise InputError(
             said("needs --over"),
@@ -247,14 +248,45 @@ def _shaft(
 
     with told_in_options(), waiting(lang):
         found = life_of_shaft(cases, **tables)
-    titles = [own.title for own in cases]
-    names = titles if all(titles) and len(set(titles)) == len(titles) else paths
+    names = _names(paths, cases)
     if json is not None:
         put(found.to_json(names) + "\n", json)
     outputs.show(lambda: shaft_page(found, names), json)
     if STANDARD_STREAM in (json, outputs.csv) and not found.converged:
         failed = next(solved for solved in found.bearings if not solved.converged[0])
         complain(f"{failed.title}: {reason(str(failed.status.code[0]))}")
+    return found.converged
+
+
+def _names(paths: list[str], cases: list[rolamento.Case]) -> list[str]:
+    """What to call the bearings of a shaft: by their titles if they differ, else by their files."""
+    titles = [own.title for own in cases]
+    return titles if all(titles) and len(set(titles)) == len(titles) else paths
+
+
+def _shaft_spectrum(
+    paths: list[str],
+    cases: list[rolamento.Case],
+    spectrum: str,
+    tables: dict[str, str | None],
+    json: str | None,
+    outputs: Outputs,
+    lang: Language | None,
+) -> bool:
+    """Show the lives of several bearings under one duty of several steps."""
+    from rolamento.pages.life_spectrum import shaft_spectrum_page
+    from rolamento.tasks.life_spectrum import lives_under
+
+    with told_in_options(), waiting(lang):
+        found = lives_under(cases, spectrum, **tables)
+    names = _names(paths, cases)
+    if json is not None:
+        put(found.to_json(names) + "\n", json)
+    outputs.show(lambda: shaft_spectrum_page(found, names), json)
+    if STANDARD_STREAM in (json, outputs.csv) and not found.converged:
+        failed = next(own for own in found.bearings if not own.converged)
+        points = failed.status[(failed.status != "converged") & failed.taking_part]
+        complain_of_points(points, len(failed.steps), lang)
     return found.converged
 
 

@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 
-from rolamento._writing import write_bytes
 from rolamento.cli.common import same_file
 from rolamento.cli.option_records import with_record
 from rolamento.cli.streams import STANDARD_STREAM, put, show
 from rolamento.document.writing import REPORTS, check_ending
 from rolamento.errors import FileError, InputError
+from rolamento.io.writing import write_bytes
 from rolamento.words import marked, said
 from rolamento.words.naming import listed
 

@@ -198,7 +198,7 @@ def _cost(text: str | None, option: str) -> float:
     InputError
         If it is missing, no number, or may be two.
     """
-    from rolamento._tables import Numerals
+    from rolamento.io.numerals import Numerals
     from rolamento.units import refuse_thousands
     from rolamento.words import manner
 
@@ -361,7 +361,11 @@ def fleet_command(
                 usage=usage,
                 renewed=renewed,
                 confidence=confidence,
-                fleet_columns={"usage": usage_column, "decimal_mark": columns.decimal_mark},
+                fleet_columns={
+                    "usage": usage_column,
+                    "decimal_mark": columns.decimal_mark,
+                    "ignored": tuple(columns.ignore_column or ()),
+                },
                 **lives,
             )
 

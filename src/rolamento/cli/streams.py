@@ -9,9 +9,9 @@ from collections.abc import Callable, Mapping
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any, Final, TextIO
 
-from rolamento._writing import write_text
 from rolamento.cli.waiting import silenced
 from rolamento.errors import FileError, cause, printable
+from rolamento.io.writing import write_text
 from rolamento.words import said
 
 if TYPE_CHECKING:
@@ -74,7 +74,7 @@ def put(text: str, path: str) -> None:
 
 def put_json(mapping: Mapping[str, Any], path: str) -> None:
     """Write a result for a program as one JSON object, as `put`."""
-    from rolamento._json import dumps
+    from rolamento.io.json import dumps
 
     put(dumps(mapping, indent=2) + "\n", path)
 

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import Annotated, Final
+from typing import Annotated, Any, Final
 
 import typer
 
@@ -42,6 +42,7 @@ _OPTIONS: Final = {
     "use_per_day": "--use-per-day",
     "as_of": "--as-of",
     "values": "--value-column",
+    "ignored": "--ignore-column",
 }
 _ARGUMENT: Final = re.compile(rf'\b({"|".join(_OPTIONS)})=\[?"([^"]*)"\]?')
 
@@ -102,6 +103,14 @@ class LifeColumns:
         str | None,
         typer.Option("--mode-column", metavar="COLUMN", help=_ASKED["mode"].meaning),
     ] = None
+    ignore_column: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--ignore-column",
+            metavar="COLUMN",
+            help="Column that could say what failed, and does not. Repeatable.",
+        ),
+    ] = None
     start_column: Annotated[
         str | None,
         typer.Option("--start-column", metavar="COLUMN", help=_ASKED["start"].meaning),
@@ -119,9 +128,10 @@ class LifeColumns:
     date_order: DateOrderOption = None
     decimal_mark: DecimalMarkOption = None
 
-    def arguments(self) -> dict[str, str | None]:
+    def arguments(self) -> dict[str, Any]:
         """Return them as `rolamento.weibull.read_life_test` calls them."""
-        return {name.removesuffix("_column"): getattr(self, name) for name in LifeColumns.__slots__}
+        own = {name.removesuffix("_column"): getattr(self, name) for name in LifeColumns.__slots__}
+        return {**own, "ignored": tuple(own.pop("ignore") or ())}
 
 
 ALL_COLUMNS: Final = LifeColumns()

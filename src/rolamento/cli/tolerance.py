@@ -96,7 +96,7 @@ def _percentiles(text: str | None) -> tuple[float, ...]:
 def _show(found: ToleranceStudy, json: str | None, plot: str | None, outputs: Outputs) -> None:
     """Write what was asked for; standard output takes data or the page, not both."""
     if json is not None:
-        from rolamento._json import dumps
+        from rolamento.io.json import dumps
 
         put(dumps(found.to_mapping()) + "\n", json)
     if plot is not None:

@@ -296,7 +296,7 @@ def _published_name(example: str) -> str:
 
 def _write_example(data: str | None, example: str | None, path: str) -> str:
     """Write an example's CSV under a new name, and return what to say about it."""
-    from rolamento._writing import write_text
+    from rolamento.io.writing import write_text
     from rolamento.weibull import published_text
 
     if example is None or data is not None:

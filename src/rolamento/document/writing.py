@@ -9,10 +9,10 @@ from itertools import count
 from pathlib import Path
 from typing import Final
 
-from rolamento._writing import write_bytes
 from rolamento.document.medium import WIDEST, Medium
 from rolamento.document.model import Document, Figure
 from rolamento.errors import InputError
+from rolamento.io.writing import write_bytes
 from rolamento.words import said
 
 __all__ = ["REPORTS", "check_ending", "write"]

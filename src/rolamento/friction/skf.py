@@ -51,7 +51,6 @@ from typing import TYPE_CHECKING, Any, Final, Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento._data import toml_of
 from rolamento.case.film_model import Supply
 from rolamento.errors import InputError, guess
 from rolamento.friction.coefficient import (
@@ -74,6 +73,7 @@ from rolamento.friction.model import (
     relative_speed,
     torque_of_parts,
 )
+from rolamento.io.data import toml_of
 from rolamento.lubrication.film_thickness import (
     BEARING_TYPE,
     REPLENISHMENT,

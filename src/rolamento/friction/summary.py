@@ -9,7 +9,6 @@ from typing import Any, Final, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rolamento._json import plain
 from rolamento.case import Case
 from rolamento.errors import InputError
 from rolamento.friction.bounds import upper_bounds
@@ -47,6 +46,7 @@ from rolamento.friction.rollers import (
 )
 from rolamento.friction.rolling_resistance import rolling_resistance_loss
 from rolamento.friction.traction import EllipseMesh
+from rolamento.io.json import plain
 from rolamento.lubrication.films import film, has_film, oil_of
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.blocks import in_blocks

@@ -151,7 +151,7 @@ def read_factor_table(
     FileError
         If it is not such a file; with line and column.
     """
-    from rolamento._tables import read_table
+    from rolamento.io.tables import read_table
 
     table = read_table(path, most_rows=_MAXIMUM_ROWS, example=_EXAMPLE).plain(decimal_mark)
     loads = [_cell(text, table.source, table.header_line, text) for text in table.header[1:]]

@@ -19,10 +19,10 @@ from typing import Final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento._data import toml_of
 from rolamento._reach import in_reach
 from rolamento.case.film_model import Supply
 from rolamento.errors import InputError
+from rolamento.io.data import toml_of
 from rolamento.numerics import FloatArray
 from rolamento.words import said
 

@@ -8,12 +8,12 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento._json import plain
 from rolamento.case import Case
 from rolamento.case.film_model import FilmModel
 from rolamento.case.lubricant import Lubricant
 from rolamento.errors import InputError
 from rolamento.geometry import Race
+from rolamento.io.json import plain
 from rolamento.lubrication.film_thickness import (
     BEARING_TYPE,
     FilmGroups,

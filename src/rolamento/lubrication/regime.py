@@ -13,9 +13,9 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rolamento._data import toml_of
 from rolamento._reach import in_reach
 from rolamento.errors import InputError
+from rolamento.io.data import toml_of
 from rolamento.words import said
 
 Origin = Literal["surface", "subsurface", "undecided"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from textwrap import wrap
 from typing import TYPE_CHECKING, Final
 
@@ -9,7 +10,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.case import Case
-from rolamento.document import Block, Column, Document, Section, Statement, Table, Title, Tone
+from rolamento.document import (
+    Beside,
+    Block,
+    Column,
+    Document,
+    Section,
+    Statement,
+    Table,
+    Title,
+    Tone,
+)
 from rolamento.life import Life
 from rolamento.life.iso16281 import THEORY as REFERENCE
 from rolamento.life.record import BOUNDS, OUTSIDE, note_of
@@ -26,15 +37,16 @@ from rolamento.pages.life import (
     verdict,
 )
 from rolamento.pages.notes import cautions
+from rolamento.pages.shaft import together_statement
 from rolamento.units import HOUR
 from rolamento.words import Note, said
 from rolamento.words.reasons import reason
 from rolamento.words.theories import theory_life, theory_name
 
 if TYPE_CHECKING:
-    from rolamento.tasks.life_spectrum import SpectrumLife
+    from rolamento.tasks.life_spectrum import ShaftSpectrum, SpectrumLife
 
-__all__ = ["life_spectrum_page"]
+__all__ = ["life_spectrum_page", "shaft_spectrum_page"]
 
 _MOST_SHOWN: Final = 40
 _MOST_CHARACTERS: Final = 44
@@ -60,6 +72,26 @@ def life_spectrum_page(found: SpectrumLife) -> Document:
         _steps(found),
     ]
     return Document(title, tuple(sections), kind="life_spectrum", main="all_steps")
+
+
+def shaft_spectrum_page(found: ShaftSpectrum, names: Sequence[str]) -> Document:
+    """Return the page of several bearings of a shaft under one spectrum.
+
+    Parameters
+    ----------
+    found
+        Of `rolamento.tasks.life_spectrum.lives_under`.
+    names
+        Of the bearings: their titles, or files.
+    """
+    heading = said("Life of {count} bearings on one shaft", count=len(found.bearings))
+    sections: list[Section | Beside] = [
+        Section(heading, together_statement(found.together, found.bearings[0].reliability))
+    ]
+    for name, own in zip(names, found.bearings, strict=True):
+        page = life_spectrum_page(own)
+        sections += [Section("", (Title(name),)), *page.sections[1:]]
+    return Document(heading, tuple(sections), kind="shaft_life_spectrum")
 
 
 def _statement(found: SpectrumLife) -> tuple[Block, ...]:

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from datetime import date, timedelta
 from math import expm1, isfinite
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from rolamento.document import Column, Number, Section, Statement, Table, Tone
+from rolamento.io.dates import moment_after
 from rolamento.words import ABSENT, ENDLESS, manner, said, said_in
 
 if TYPE_CHECKING:
     from rolamento.numerics.growth import Crossing, Forecast, Growth
 
 __all__ = ["limit_section", "limit_statement"]
+_FEW_DAYS: Final = 3.0
+"""Of a record, below which growth is shown by the day."""
 
 
 def limit_statement(
@@ -119,6 +121,7 @@ def limit_section(
         for place, (growth, crossing) in enumerate(zip(one.growths, one.crossings, strict=True)):
             rows.append((name, growth, crossing, place == one.chosen))
     named = any(name for name, *_ in rows)
+    span = _span(time_unit, max((growth.last_time for _, growth, *_ in rows), default=0.0))
     laws = {"linear": said("linear"), "exponential": said("exponential")}
     columns = [
         *([Column(head="", values=[name for name, *_ in rows], key="name", once=True)] * named),
@@ -128,8 +131,8 @@ def limit_section(
             key="law",
         ),
         Column(
-            head=said("growth per {time} {unit}", time=_span(time_unit), unit=time_unit),
-            values=[_growth(growth, unit, _span(time_unit)) for _, growth, *_ in rows],
+            head=said("growth per {time} {unit}", time=span, unit=time_unit),
+            values=[_growth(growth, unit, span) for _, growth, *_ in rows],
             key="growth",
             align="right",
         ),
@@ -174,9 +177,14 @@ def limit_section(
     return Section(said("Time to the limit"), (*statements, table), key="limit")
 
 
-def _span(time_unit: str) -> int:
-    """Time over which growth is told: a month of days, a thousand of hours and of all else."""
-    return 30 if time_unit.casefold() in ("d", "day", "days", "dia", "dias") else 1000
+def _span(time_unit: str, longest: float) -> int:
+    """Time over which growth is shown: a month of days, a thousand of hours and of all else.
+
+    longest: time of the last measurement; of a few days one day is enough.
+    """
+    if time_unit.casefold() not in ("d", "day", "days", "dia", "dias"):
+        return 1000
+    return 30 if longest > _FEW_DAYS else 1
 
 
 def _growth(growth: Growth, unit: str, span: int) -> str:
@@ -196,6 +204,6 @@ def _time(value: float, start: str = "") -> str:
     if not start:
         return manner().number(value, ".4")
     try:
-        return (date.fromisoformat(start) + timedelta(days=round(value))).isoformat()
+        return moment_after(start, value, to_the_day=True)
     except OverflowError:
         return ENDLESS

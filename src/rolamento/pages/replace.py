@@ -21,6 +21,7 @@ from rolamento.document import (
     Title,
     Tone,
 )
+from rolamento.io.dates import moment_after, moment_said
 from rolamento.pages.lives import FIGURES, percent
 from rolamento.pages.notes import cautions, notes_section, remarks_of
 from rolamento.words import ABSENT, ENDLESS, counted, manner, said
@@ -272,8 +273,8 @@ def fleet_page(study: FleetStudy) -> Document:
         text = said(
             "Of {bearings} bearings, {expected:.3} failures are expected from {begin} to {end};"
             " with {confidence} % probability between {lower} and {upper}.",
-            begin=study.begin.isoformat(),
-            end=study.end.isoformat(),
+            begin=moment_said(study.begin),
+            end=moment_said(study.end),
             **values,
         )
     else:
@@ -342,9 +343,9 @@ def _steps(study: FleetStudy) -> Section:
     assert found is not None
     ahead, unit = found.fleet.ahead, one_line(found.distribution.unit)
     if study.begin is not None and study.end is not None:
-        days = (study.end - study.begin).days
+        days = (study.end - study.begin) / timedelta(days=1)
         at: list[CellContent] = [
-            (study.begin + timedelta(days=round(step.part * days))).isoformat()
+            moment_after(moment_said(study.begin), step.part * days, to_the_day=True)
             for step in found.steps
         ]
         head = said("until")

@@ -32,9 +32,9 @@ from rolamento.words.reasons import reason
 from rolamento.words.theories import theory_heads, theory_life
 
 if TYPE_CHECKING:
-    from rolamento.tasks.life import ShaftLife
+    from rolamento.tasks.life import ShaftLife, SystemLife
 
-__all__ = ["shaft_page"]
+__all__ = ["shaft_page", "together_statement"]
 
 _LONGEST_NAME: Final = 22
 
@@ -108,12 +108,17 @@ def _failures(found: ShaftLife) -> list[str]:
 
 
 def _reached(found: ShaftLife) -> list[tuple[str, Tone]]:
-    leading = found.headline
+    return _together(found.headline, found.reliability, len(found), _theories(found))
+
+
+def _together(
+    leading: SystemLife, reliability: float, count: int, theory: str
+) -> list[tuple[str, Tone]]:
     values = {
-        "reliability": found.reliability,
-        "count": len(found),
+        "reliability": reliability,
+        "count": count,
         "hours": leading.hours * HOUR,
-        "theory": _theories(found),
+        "theory": theory,
     }
     if leading.below:
         text = said(
@@ -127,7 +132,25 @@ def _reached(found: ShaftLife) -> list[tuple[str, Tone]]:
             "{hours:.3r h} ({theory}).",
             **values,
         )
-    sentences: list[tuple[str, Tone]] = [(text, "strong")]
+    return [(text, "strong"), *_limits(leading)]
+
+
+def together_statement(together: SystemLife, reliability: float) -> tuple[Block, ...]:
+    """Say what bearings reach together under a spectrum, and which of them limits it."""
+    if np.isnan(together.hours):
+        none = said("Without a result of every bearing there is no life of the shaft.")
+        return (Statement(none, "bad-strong", indent=2),)
+    if not (together.valid or together.below):
+        return (Statement(none_valid("element"), "bad-strong", indent=2),)
+    names = dict.fromkeys(name for name in together.theories if name)
+    sentences = _together(
+        together, reliability, len(together.theories), "; ".join(map(theory_life, names))
+    )
+    return tuple(Statement(text, tone, indent=2) for text, tone in sentences)
+
+
+def _limits(leading: SystemLife) -> list[tuple[str, Tone]]:
+    sentences: list[tuple[str, Tone]] = []
     risk = leading.risk
     if np.all(np.isfinite(risk)):
         most = int(np.argmax(risk))

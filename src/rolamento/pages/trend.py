@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from datetime import date, timedelta
 from typing import TYPE_CHECKING, Final
 
 from rolamento.document import (
@@ -19,6 +18,7 @@ from rolamento.document import (
     Table,
     Title,
 )
+from rolamento.io.dates import moment_after
 from rolamento.pages.limit import limit_section
 from rolamento.units import to_si
 from rolamento.words import marked, said
@@ -143,8 +143,7 @@ def _days(trend: Trend, rows: Sequence[int]) -> list[Column]:
     """The dates of measurements, if the record has them."""
     if not trend.start:
         return []
-    first = date.fromisoformat(trend.start)
-    days = [(first + timedelta(days=float(trend.times[row]))).isoformat() for row in rows]
+    days = [moment_after(trend.start, float(trend.times[row])) for row in rows]
     return [Column(head=said("date"), key="date", values=days)]
 
 

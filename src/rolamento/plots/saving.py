@@ -8,9 +8,9 @@ from typing import Final
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from rolamento._writing import write_bytes
 from rolamento.document.picture import picture_bytes
 from rolamento.errors import FileError
+from rolamento.io.writing import write_bytes
 from rolamento.plots.frame import figure_of
 from rolamento.plots.style import in_style
 from rolamento.words import said

@@ -18,9 +18,9 @@ from typing import Final, Literal, get_args
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento._data import toml_of
 from rolamento._reach import numbers
 from rolamento.errors import InputError
+from rolamento.io.data import toml_of
 from rolamento.numerics import FloatArray
 from rolamento.words import said
 

@@ -13,13 +13,13 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
-from rolamento._json import plain
 from rolamento.case import Case
 from rolamento.case.bearing import RowPlace
 from rolamento.case.duty import AXES, LOADS
 from rolamento.contact.hertz import effective_modulus
 from rolamento.errors import ABSENT, FileError, InputError
 from rolamento.geometry import Race
+from rolamento.io.json import plain
 from rolamento.kinematics import RacewayControl
 from rolamento.numerics import FloatArray
 from rolamento.solved.rollers import LINE_COLUMNS, ROLLER_COLUMNS, Line, Rollers

@@ -12,12 +12,12 @@ from typing import TYPE_CHECKING, Any, Final, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento._json import dumps, plain
-from rolamento._reading import format_of_path, format_of_text, parse_mapping, read_text
 from rolamento.case import Case
 from rolamento.case.duty import AXES, LOADS
 from rolamento.errors import FileError, InputError, UnknownKeyError, nearest
 from rolamento.geometry import Race
+from rolamento.io.json import dumps, plain
+from rolamento.io.text import format_of_path, format_of_text, parse_mapping, read_text
 from rolamento.notes import advice_on, notes_on
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.solved.form import EXAMPLE, SCHEMA, ReadAnswer, mapping_of, part_of, pieces_of

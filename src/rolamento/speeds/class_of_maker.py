@@ -12,7 +12,7 @@ from functools import cache
 from math import degrees, pi
 from typing import Any, Final, NamedTuple
 
-from rolamento._data import toml_of
+from rolamento.io.data import toml_of
 from rolamento.words import Note
 
 __all__ = ["SpeedClass", "speed_class"]

@@ -20,7 +20,7 @@ from __future__ import annotations
 from math import degrees, pi
 from typing import Any, NamedTuple
 
-from rolamento._data import toml_of
+from rolamento.io.data import toml_of
 
 __all__ = [
     "MinimumLoadFactors",

@@ -18,8 +18,8 @@ from functools import cache
 from math import isfinite, pi
 from typing import Final, NamedTuple
 
-from rolamento._data import toml_of
 from rolamento.errors import InputError
+from rolamento.io.data import toml_of
 from rolamento.speeds.permissible import speed_ratio
 from rolamento.words import said
 

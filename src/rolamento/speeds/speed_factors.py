@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from typing import Final, Literal, NamedTuple
 
-from rolamento._data import toml_of
+from rolamento.io.data import toml_of
 
 __all__ = ["SpeedFactor", "ceramic_factor", "set_factor"]
 

@@ -12,10 +12,10 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from rolamento._foreign.bounds import check_declared
-from rolamento._foreign.isolated import Isolated
-from rolamento._foreign.readers import NetcdfVariables
 from rolamento.errors import FileError
+from rolamento.io.foreign.bounds import check_declared
+from rolamento.io.foreign.isolated import Isolated
+from rolamento.io.foreign.readers import NetcdfVariables
 from rolamento.studies.plan import Layout, Plan, Variable, slabs
 from rolamento.studies.study import SAMPLE
 from rolamento.words import Note, marked, said

@@ -15,7 +15,7 @@ from typing import Any, Final
 import h5netcdf
 import numpy as np
 
-from rolamento._writing import check_space
+from rolamento.io.writing import check_space
 from rolamento.studies.plan import Layout, Part, Plan, Variable, slabs
 from rolamento.words import Note
 

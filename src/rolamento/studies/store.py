@@ -14,9 +14,9 @@ from typing import Any, Final, TypeVar
 import numpy as np
 
 import rolamento
-from rolamento._json import dumps
-from rolamento._writing import UNFINISHED, write_bytes, written_whole
 from rolamento.errors import FileError, cause, shown
+from rolamento.io.json import dumps
+from rolamento.io.writing import UNFINISHED, write_bytes, written_whole
 from rolamento.studies.plan import REASON, Part, Plan
 from rolamento.words import Note, said
 

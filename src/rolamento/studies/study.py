@@ -20,7 +20,13 @@ from pydantic import (
     model_validator,
 )
 
-from rolamento._reading import (
+from rolamento.case import Case, is_designation, load_case
+from rolamento.case.fields import OVERRIDE_SOURCE, overridden
+from rolamento.case.quantity import Count, Line, at_the_border
+from rolamento.case.record import Record
+from rolamento.case.variant import Variant, with_the_case
+from rolamento.errors import InputError
+from rolamento.io.text import (
     STANDARD_INPUT,
     LineIndex,
     TextFormat,
@@ -31,12 +37,6 @@ from rolamento._reading import (
     parse_mapping,
     read_text,
 )
-from rolamento.case import Case, is_designation, load_case
-from rolamento.case.fields import OVERRIDE_SOURCE, overridden
-from rolamento.case.quantity import Count, Line, at_the_border
-from rolamento.case.record import Record
-from rolamento.case.variant import Variant, with_the_case
-from rolamento.errors import InputError
 from rolamento.studies import fields
 from rolamento.studies.axes import Axis
 from rolamento.studies.outputs import DEFAULT_OUTPUTS, outputs_of, refuse_missing, supplied

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
-from rolamento._json import plain
 from rolamento.case import Case
 from rolamento.clearance import (
     OperatingClearance,
@@ -14,6 +13,7 @@ from rolamento.clearance import (
     sample_clearance,
 )
 from rolamento.errors import InputError
+from rolamento.io.json import plain
 from rolamento.solved import PreloadStage
 from rolamento.words import Note, said
 

@@ -6,8 +6,8 @@ import os
 from importlib import resources
 from typing import Final
 
-from rolamento._writing import write_text
 from rolamento.case import Case, parse_case
+from rolamento.io.writing import write_text
 
 __all__ = ["EXAMPLE", "example_case", "write_example"]
 

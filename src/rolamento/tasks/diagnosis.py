@@ -38,7 +38,7 @@ from rolamento.vibration.frequencies import FaultFrequencies, frequencies_of, no
 from rolamento.vibration.frequency_band import open_counts, roller_counts
 from rolamento.vibration.lookalikes import Lookalikes, lookalikes
 from rolamento.vibration.noise_floor import LOWEST_LINE
-from rolamento.vibration.reading import open_signal
+from rolamento.vibration.reading import SignalFile, open_signal
 from rolamento.vibration.reading.memory import SPEED
 from rolamento.vibration.signal import Signal
 from rolamento.vibration.spectrum import Indicators, indicators
@@ -458,6 +458,7 @@ def diagnose(
             case = at_speeds(case, known.inner, known.outer)
             frequencies, solved = _frequencies_sought(case, nominal=nominal, angle=angle)
         wide = widened(frequencies, search or DiagnosisSettings())
+        _check_rate(frequencies, known, source)
         short = _too_short(frequencies, known, part.stop - part.start, source.rate)
         if short is not None:
             return short
@@ -700,6 +701,33 @@ def _range_over_balls(own: FaultFrequencies, row: FaultFrequencies, orders: Faul
             if isfinite(order) and sought_for > 0.0:
                 widest = max(widest, abs(order / sought_for - 1.0) / orders.tolerance(part, 1.0))
     return widest
+
+
+def _check_rate(frequencies: FaultFrequencies, speed: KnownSpeed, source: SignalFile) -> None:
+    """Refuse a record that cannot hold the fault frequencies: sampled less than twice a period.
+
+    Raises
+    ------
+    InputError
+        With the lowest rate (Shannon, 1949).
+    """
+    orders = [frequencies.of_fault(race).order for race in ("outer_race", "inner_race")]
+    turns = max(abs(speed.shaft.minimum), abs(speed.shaft.maximum)) / (2.0 * pi)
+    least = 2.0 * max(orders) * turns
+    if source.rate > least:
+        return
+    raise InputError(
+        said(
+            "is too low: the races of the bearing are struck up to {race:.4g} times a second, which"
+            " needs more than {least:.4g} Hz",
+            race=max(orders) * turns,
+            least=least,
+        ),
+        field="rate",
+        value=source.rate,
+        example="rate=25600.0",
+        source=str(source.path),
+    )
 
 
 def _too_short(

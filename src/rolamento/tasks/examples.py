@@ -8,8 +8,8 @@ from importlib import resources
 from importlib.resources.abc import Traversable
 from typing import Final
 
-from rolamento._writing import write_text
 from rolamento.errors import FileError, InputError, cause, guess
+from rolamento.io.writing import write_text
 from rolamento.words import marked, said
 
 __all__ = ["EXAMPLES", "Example", "copy_examples"]

@@ -9,9 +9,9 @@ from typing import Any, Final
 
 import numpy as np
 
-from rolamento._json import dumps
 from rolamento.case import Case, load_case
 from rolamento.errors import InputError
+from rolamento.io.json import dumps
 from rolamento.life import (
     Change,
     Headline,
@@ -113,17 +113,35 @@ class SystemLife:
         hours = np.array([np.nan if own is None else own.hours[0] for own in lives])
         valid = all(own is not None and bool(own.valid[0]) for own in lives)
         leads = all(own is not None and bool(own.valid[0] | own.below[0]) for own in lives)
+        return cls.combined(
+            ["" if own is None else str(np.ravel(own.theory)[0]) for own in lives],
+            hours,
+            np.array([SLOPE if own is None else slope_of(own.element) for own in lives]),
+            valid=valid,
+            below=leads and any(own is not None and bool(own.below[0]) for own in lives),
+        )
+
+    @classmethod
+    def combined(
+        cls,
+        theories: Sequence[str],
+        hours: FloatArray,
+        slopes: FloatArray,
+        *,
+        valid: bool,
+        below: bool,
+    ) -> SystemLife:
+        """Put together lives of bearings in hours, each with the slope of its Weibull law."""
         with np.errstate(divide="ignore", invalid="ignore"):
-            slopes = np.array([SLOPE if own is None else slope_of(own.element) for own in lives])
             together = float(shaft_life(hours, slope=slopes))
             risk = ((together if np.isfinite(together) else np.min(hours)) / hours) ** slopes
         return cls(
-            theories=tuple("" if own is None else str(np.ravel(own.theory)[0]) for own in lives),
+            theories=tuple(theories),
             bearing_hours=hours,
             hours=together,
             risk=np.asarray(risk / risk.sum()),
             valid=valid,
-            below=leads and any(own is not None and bool(own.below[0]) for own in lives),
+            below=below,
         )
 
     def to_mapping(self) -> dict[str, Any]:
@@ -254,21 +272,7 @@ def life_of_shaft(
     InputError
         If there are too many, their reliabilities differ, or one has no life for its geometry.
     """
-    if not 2 <= len(cases) <= MOST_BEARINGS:
-        raise InputError(
-            said("must be from 2 to {most} on one shaft", most=MOST_BEARINGS),
-            field="CASE",
-            value=len(cases),
-        )
-    read = [case_of(case) for case in cases]
-    reliabilities = {0.9 if case.life is None else case.life.reliability for case in read}
-    if len(reliabilities) > 1:
-        raise InputError(
-            said("must be the same for all bearings of a shaft"),
-            field="life.reliability",
-            value=", ".join(f"{value:g}" for value in sorted(reliabilities)),
-            example="--reliability 0.9",
-        )
+    read = checked_shaft(cases)
     table = factor_table(nsk_table, read, decimal_mark)
     bearings = tuple(solve(case) for case in read)
     lives = tuple(_life(solved, conditions_with(solved, table)) for solved in bearings)
@@ -287,8 +291,38 @@ def life_of_shaft(
             for name in theories
         },
         headline=_leading(lives),
-        reliability=reliabilities.pop(),
+        reliability=_reliability(read[0]),
     )
+
+
+def checked_shaft(cases: Sequence[CaseSource]) -> list[Case]:
+    """Return the cases of the bearings of a shaft.
+
+    Raises
+    ------
+    InputError
+        If there are too few or too many, or their reliabilities differ.
+    """
+    if not 2 <= len(cases) <= MOST_BEARINGS:
+        raise InputError(
+            said("must be from 2 to {most} on one shaft", most=MOST_BEARINGS),
+            field="CASE",
+            value=len(cases),
+        )
+    read = [case_of(case) for case in cases]
+    reliabilities = {_reliability(case) for case in read}
+    if len(reliabilities) > 1:
+        raise InputError(
+            said("must be the same for all bearings of a shaft"),
+            field="life.reliability",
+            value=", ".join(f"{value:g}" for value in sorted(reliabilities)),
+            example="--reliability 0.9",
+        )
+    return read
+
+
+def _reliability(case: Case) -> float:
+    return 0.9 if case.life is None else case.life.reliability
 
 
 def _leading(lives: Sequence[LifeSummary | None]) -> SystemLife:

@@ -12,7 +12,6 @@ from typing import Any, Final, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rolamento._json import dumps
 from rolamento.case import Case
 from rolamento.case.bearing import ball_bearing
 from rolamento.case.duty import LOADS
@@ -21,6 +20,7 @@ from rolamento.contact.hertz import effective_modulus
 from rolamento.contact.line import EXPONENT as LINE
 from rolamento.contact.line import pair_constant
 from rolamento.errors import InputError
+from rolamento.io.json import dumps
 from rolamento.life import Headline, Life, LifeSummary, life
 from rolamento.life.iso16281 import race_ratings
 from rolamento.life.l_able import FactorTable

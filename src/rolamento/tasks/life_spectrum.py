@@ -8,23 +8,26 @@ steps may load different races and rows.
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from math import isfinite
+from dataclasses import dataclass, replace
+from math import inf, isfinite
 from typing import Any, Final, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento._json import dumps
-from rolamento._tables import Table, read_table
 from rolamento.case import Case
 from rolamento.case.life_model import LifeModel
 from rolamento.errors import FileError, InputError
+from rolamento.io.columns import folded_name, title_parts
+from rolamento.io.json import dumps
+from rolamento.io.tables import Table, read_table
 from rolamento.life import Headline, Life
 from rolamento.life.iso281 import hours
 from rolamento.life.iso16281 import THEORY as REFERENCE
 from rolamento.life.l_able import FactorTable
+from rolamento.life.record import slope_of
 from rolamento.life.reliability import reliability_factor, reliability_of
 from rolamento.life.spectrum import miner_life, races_under_spectrum, revolution_shares
 from rolamento.life.theories import THEORIES
@@ -32,12 +35,28 @@ from rolamento.numerics import BoolArray, FloatArray
 from rolamento.solution import solve
 from rolamento.studies.fields import Field, Value, read_field, refuse_rivals
 from rolamento.studies.solving import CONVERGED, INVALID_INPUT, array_fields, base_case
-from rolamento.tasks.life import SCHEMA, CaseSource, TableSource, case_of, factor_table
+from rolamento.tasks.life import (
+    SCHEMA,
+    CaseSource,
+    SystemLife,
+    TableSource,
+    case_of,
+    checked_shaft,
+    factor_table,
+)
 from rolamento.tasks.life_over import LifeRows, lives_of_rows
 from rolamento.units import HOUR
 from rolamento.words import said
 
-__all__ = ["DutyLife", "DutySteps", "SpectrumLife", "life_under", "read_spectrum"]
+__all__ = [
+    "DutyLife",
+    "DutySteps",
+    "ShaftSpectrum",
+    "SpectrumLife",
+    "life_under",
+    "lives_under",
+    "read_spectrum",
+]
 
 MOST_WITH_STRESS_VOLUME: Final = 1000
 """Steps up to which the theory of Ioannides and Harris, which takes milliseconds, is evaluated."""
@@ -199,35 +218,72 @@ class SpectrumLife:
 
     def to_json(self) -> str:
         """Return all of it as one JSON object: SI units, hours, millions of revolutions."""
+        return dumps(self.to_mapping(), indent=2)
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give it as plain values and arrays: SI units, hours, millions of revolutions."""
         leading = self.headline
+        return {
+            "schema": SCHEMA,
+            "kind": "life_spectrum",
+            "title": self.case.title,
+            "reliability": self.reliability,
+            "mean_speed": self.mean_speed,
+            "headline": {
+                "theory": leading.theory or None,
+                **leading.to_mapping(),
+                "step_hours": leading.steps.hours,
+                "damage": leading.damage,
+            },
+            "theories": {name: _of_theory(own) for name, own in self.theories.items()},
+            "wanted_life": None
+            if self.required_life is None
+            else {
+                "life": self.required_life,
+                "reliability": self.reliability_of_required(),
+                "below": leading.below,
+            },
+            "steps": {
+                "status": self.status,
+                "time_share": self.time_shares,
+                "revolution_share": self.revolution_shares,
+                "values": self.steps.values,
+            },
+            "case": self.case.to_mapping(),
+        }
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ShaftSpectrum:
+    """Lives of several bearings under the steps of one duty, and of all together.
+
+    Attributes
+    ----------
+    bearings
+        each under all steps
+    together
+        of the lives that lead
+    """
+
+    bearings: tuple[SpectrumLife, ...]
+    together: SystemLife
+
+    @property
+    def converged(self) -> bool:
+        """Whether every step of every bearing that takes part has a result."""
+        return all(own.converged for own in self.bearings)
+
+    def to_json(self, names: Sequence[str]) -> str:
+        """Return all of it as one JSON object; names: of the bearings."""
         return dumps(
             {
                 "schema": SCHEMA,
-                "kind": "life_spectrum",
-                "title": self.case.title,
-                "reliability": self.reliability,
-                "mean_speed": self.mean_speed,
-                "headline": {
-                    "theory": leading.theory or None,
-                    **leading.to_mapping(),
-                    "step_hours": leading.steps.hours,
-                    "damage": leading.damage,
-                },
-                "theories": {name: _of_theory(own) for name, own in self.theories.items()},
-                "wanted_life": None
-                if self.required_life is None
-                else {
-                    "life": self.required_life,
-                    "reliability": self.reliability_of_required(),
-                    "below": leading.below,
-                },
-                "steps": {
-                    "status": self.status,
-                    "time_share": self.time_shares,
-                    "revolution_share": self.revolution_shares,
-                    "values": self.steps.values,
-                },
-                "case": self.case.to_mapping(),
+                "kind": "shaft_life_spectrum",
+                "together": self.together.to_mapping(),
+                "bearings": [
+                    {"name": name, **own.to_mapping()}
+                    for name, own in zip(names, self.bearings, strict=True)
+                ],
             },
             indent=2,
         )
@@ -300,6 +356,43 @@ def life_under(
         required_life=wishes.wanted_life,
         stress_volume=len(duty) <= MOST_WITH_STRESS_VOLUME,
     )
+
+
+def lives_under(
+    cases: Sequence[CaseSource],
+    steps: str | os.PathLike[str],
+    *,
+    nsk_table: TableSource = None,
+    decimal_mark: str | None = None,
+) -> ShaftSpectrum:
+    """Find the lives of several bearings of a shaft under the steps of one duty.
+
+    Parameters
+    ----------
+    cases
+        Or their files, one a bearing. What the steps vary holds for all of them: of shares of
+        revolutions and of forces that is so if all bearings take the same.
+    steps, nsk_table, decimal_mark
+        As of `life_under`.
+
+    Raises
+    ------
+    InputError
+        As `life_under`; or if their reliabilities differ.
+    """
+    read = checked_shaft(cases)
+    found = tuple(
+        life_under(case, steps, nsk_table=nsk_table, decimal_mark=decimal_mark) for case in read
+    )
+    leading = [own.headline for own in found]
+    together = SystemLife.combined(
+        [own.theory for own in leading],
+        np.array([own.hours for own in leading]),
+        np.array([slope_of(own.steps.element) for own in leading]),
+        valid=all(own.valid for own in leading),
+        below=any(own.below for own in leading),
+    )
+    return ShaftSpectrum(found, together)
 
 
 def _solved_steps(case: Case, steps: DutySteps, nsk_table: FactorTable | None) -> LifeRows:
@@ -429,9 +522,10 @@ def read_spectrum(path: str | os.PathLike[str], *, decimal_mark: str | None = No
     Parameters
     ----------
     path
-        Comma-separated values: a column ``share`` (of the time) or ``revolutions`` (shares of
-        them), as numbers or per cent, and columns by the dotted names of a case's fields, with
-        units in their cells as in a case file.
+        A table: a column ``share`` (of the time) or ``revolutions`` (shares of them), as numbers
+        or per cent, or of the hours of each step; and columns by the dotted names of a case's
+        fields, or as people call them: Speed (rpm), Fx (kN), Fr, Fa. Units stand in the heading or
+        in the cells, as in a case file.
     decimal_mark
         ``"point"`` or ``"comma"``, where nothing in the table tells whether 12.500 is 12.5.
 
@@ -441,12 +535,15 @@ def read_spectrum(path: str | os.PathLike[str], *, decimal_mark: str | None = No
         If it is not such a file, a cell is refused, or the shares do not sum to 1; with line,
         column and an example.
     """
-    table = read_table(path, most_rows=MOST_STEPS, example=_EXAMPLE).plain(decimal_mark)
+    table = read_table(path, most_rows=MOST_STEPS, example=_EXAMPLE, is_header=_heads_spectrum)
+    table = _with_names(table.plain(decimal_mark))
     _check_header(table)
     kind = _kind(table)
     column = table.header.index(kind)
     shares = np.array([_share(table, row, column) for row in range(len(table.rows))])
     total = float(shares.sum())
+    if _DURATION in table.said and total > 0.0:
+        shares, total = shares / total, 1.0
     if not abs(total - 1.0) <= _ROUNDING:
         raise InputError(
             said("must sum to 1"),
@@ -470,6 +567,79 @@ def read_spectrum(path: str | os.PathLike[str], *, decimal_mark: str | None = No
         cells=cells,
         lines=table.lines,
     )
+
+
+_SHARES: Final = frozenset(
+    (
+        *("share", "time_share", "share_of_time", "fraction", "time_fraction", "portion", "part"),
+        *("percentage", "percent", "duty_share", "proportion", "parcela", "fracao", "proporcao"),
+        *("fracao_do_tempo", "parcela_do_tempo", "porcentagem", "percentual", "anteil"),
+        *("zeitanteil", "cuota", "porcentaje", "proporcion", "fraccion"),
+    )
+)
+_TURNS: Final = frozenset(("revolutions", "revolucoes", "rotacoes_fracao", "umdrehungen"))
+_HOURS: Final = frozenset(
+    ("time", "duration", "hours", "tempo", "duracao", "horas", "dauer", "zeit", "tiempo")
+)
+_FIELD_OF: Final = {
+    word: field
+    for field, words in {
+        "duty.inner_speed": "speed inner_speed shaft_speed rotational_speed n rpm rotacao"
+        " velocidade velocidade_de_rotacao rotacao_do_eixo drehzahl wellendrehzahl velocidad"
+        " velocidad_de_giro",
+        "duty.outer_speed": "outer_speed",
+        "duty.load.fx": "fx f_x fa f_a axial_load axial_force axial carga_axial forca_axial"
+        " axiallast axialkraft fuerza_axial",
+        "duty.load.fy": "fy f_y",
+        "duty.load.fz": "fz f_z fr f_r radial_load radial_force radial carga_radial forca_radial"
+        " radiallast radialkraft fuerza_radial",
+        "duty.load.my": "my m_y moment momento kippmoment",
+        "duty.load.mz": "mz m_z",
+        "temperature.lubricant": "temperature oil_temperature temperatura temperatura_do_oleo"
+        " temperatur oltemperatur oeltemperatur temperatura_del_aceite",
+    }.items()
+    for word in words.split()
+}
+"""Headings of spectra as people write them, and the fields that they give."""
+_DURATION: Final = "duration of steps"
+_DOTTED: Final = re.compile(r"[a-z_]+(?:\.[a-z_]+)+")
+
+
+def _heads_spectrum(cells: Sequence[str]) -> bool:
+    """Whether cells are headings of a spectrum: of shares, or of fields of a case."""
+    words = {folded_name(title_parts(cell)[0]) for cell in cells}
+    return bool(words & (_SHARES | _TURNS | _HOURS)) or any(map(_DOTTED.fullmatch, cells))
+
+
+def _with_names(table: Table) -> Table:
+    """Return the table under the names of fields, with the units of its headings in its cells."""
+    names: list[str] = []
+    units: list[str] = []
+    said_of_table = dict(table.said)
+    for title in table.header:
+        name, unit = title_parts(title)
+        word = folded_name(name)
+        field = _FIELD_OF.get(word, name)
+        if word == "rpm":
+            unit = unit or "rpm"
+        if word in _SHARES:
+            field = "share"
+        elif word in _TURNS:
+            field = "revolutions"
+        elif word in _HOURS:
+            field, said_of_table[_DURATION] = "share", unit or "h"
+            unit = ""
+        names.append(field)
+        units.append(unit)
+    rows = tuple(
+        tuple(
+            f"{cell} {unit}".strip() if unit and _number(cell) is not None else cell
+            for cell, unit in zip(row, units, strict=True)
+        )
+        for row in table.rows
+    )
+    rows = tuple(tuple(cell.replace(" %", "%") for cell in row) for row in rows)
+    return replace(table, header=tuple(names), rows=rows, said=said_of_table)
 
 
 def _check_header(table: Table) -> None:
@@ -506,7 +676,8 @@ def _share(table: Table, row: int, column: int) -> float:
         value = float(text.removesuffix("%")) / (100.0 if text.endswith("%") else 1.0)
     except ValueError:
         value = float("nan")
-    if not (isfinite(value) and 0.0 <= value <= 1.0 + _ROUNDING):
+    most = inf if _DURATION in table.said else 1.0 + _ROUNDING
+    if not (isfinite(value) and 0.0 <= value <= most):
         raise table.placed(
             InputError(
                 said("must be from 0 to 1, or from 0 % to 100 %"),

@@ -9,8 +9,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Final
 
-from rolamento._foreign.bounds import size_of_file
 from rolamento.errors import FileError, InputError, nearest
+from rolamento.io.foreign.bounds import size_of_file
 from rolamento.tasks.diagnosis import SCHEMA, Conclusion, DiagnosisResult, TooShort, diagnose
 from rolamento.units import rpm_of
 from rolamento.vibration.diagnosis import Component, FaultOrders

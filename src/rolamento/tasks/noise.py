@@ -11,8 +11,8 @@ from io import StringIO
 from math import isfinite, nan
 from typing import Any, Final, Literal, Unpack
 
-from rolamento._json import csv_number
 from rolamento.errors import InputError
+from rolamento.io.json import csv_number
 from rolamento.tasks.parameters import Progress, Stages, quietly, speed_of
 from rolamento.tasks.signals import (
     Reading,

@@ -10,6 +10,7 @@ from math import isfinite, nan
 from typing import Any, Final, Literal
 
 from rolamento.errors import InputError, guess
+from rolamento.units import to_si, typed
 from rolamento.words import said
 
 __all__ = ["Kind", "fields_of", "number_given", "number_of", "part_of_one"]
@@ -65,7 +66,7 @@ def part_of_one(text: str, parameter: str, example: str) -> float:
     InputError
         If it is none.
     """
-    number = text.strip()
+    number = typed(text.strip())
     try:
         value = float(number.removesuffix("%"))
     except ValueError:
@@ -100,7 +101,7 @@ def _value_of(text: str, option: str, key: str, kind: Kind, example: str) -> Any
             return int(text)
         if kind in ("angle", "length"):
             return _with_unit(text, kind)
-        number, unit = _split(text)
+        number, unit = _split(typed(text))
         units = {"": 1.0, **_UNITS.get(kind, {})}
         value = float(number) * units[unit]
     except (ValueError, KeyError) as error:
@@ -113,8 +114,6 @@ def _value_of(text: str, option: str, key: str, kind: Kind, example: str) -> Any
 
 
 def _with_unit(text: str, kind: Literal["angle", "length"]) -> float:
-    from rolamento.units import to_si
-
     return to_si(text, kind)
 
 

@@ -5,13 +5,14 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from datetime import date
+from datetime import date, datetime, time
 from typing import Any, Final
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
+from rolamento.io.dates import dates_of, days_between, moment_said
 from rolamento.weibull import LifeTest, read_life_test
 from rolamento.weibull.distribution import LifeDistribution
 from rolamento.weibull.fleet import Fleet, FleetForecast, fleet_forecast
@@ -116,8 +117,8 @@ class FleetStudy(_Study):
 
     found: FleetForecast | None
     names: tuple[str, ...]
-    begin: date | None
-    end: date | None
+    begin: datetime | None
+    end: datetime | None
     of_data: bool
 
     def to_mapping(self) -> dict[str, Any]:
@@ -125,8 +126,8 @@ class FleetStudy(_Study):
         return {
             **self._plain("fleet_forecast", self.found),
             "names": list(self.names),
-            "from": None if self.begin is None else self.begin.isoformat(),
-            "until": None if self.end is None else self.end.isoformat(),
+            "from": None if self.begin is None else moment_said(self.begin),
+            "until": None if self.end is None else moment_said(self.end),
         }
 
 
@@ -218,7 +219,7 @@ def fleet_study(
     usage: float | str | None = None,
     renewed: bool = False,
     confidence: float = 0.9,
-    fleet_columns: Mapping[str, str | None] | None = None,
+    fleet_columns: Mapping[str, Any] | None = None,
     **lives: Any,
 ) -> FleetStudy:
     """Count the failures of a fleet beforehand.
@@ -256,7 +257,9 @@ def fleet_study(
                          example='within="2000 h"')  # fmt: skip
     law, title, test, notes = lives_of(data, **lives)
     table = _fleet_of(fleet, test, fleet_columns or {}, law.unit)
-    first, last = _date(begin, "begin"), _date(until, "until")
+    first, of_begin = _moment(begin, "begin")
+    last, of_until = _moment(until, "until")
+    notes = (*notes, *dict.fromkeys((*of_begin, *of_until)))
     if within is not None:
         if first is not None or usage is not None:
             field = "begin" if first is not None else "usage"
@@ -264,7 +267,7 @@ def fleet_study(
         ahead = np.full(len(table.ages), life_in(within, law.unit, "within"))
     else:
         assert last is not None
-        first = first or date.today()
+        first = first or datetime.combine(datetime.now(last.tzinfo).date(), time(), last.tzinfo)
         ahead = _ahead(table, first, last, usage, law.unit)
     notes = (*notes, *table.notes)
     if fleet is not None and table.left_out:
@@ -290,7 +293,7 @@ def lives_of(
     l10: float | str | None = None,
     only: Sequence[str] = (),
     only_mode: str | None = None,
-    columns: Mapping[str, str | None] | None = None,
+    columns: Mapping[str, Any] | None = None,
     samples: int | None = None,
     seed: int = 0,
 ) -> tuple[LifeDistribution, str, LifeTest | None, tuple[Note, ...]]:
@@ -384,7 +387,7 @@ def _life_with_unit(life: float | str | None, field: str) -> tuple[float, str]:
 def _fleet_of(
     fleet: FleetTable | str | os.PathLike[str] | None,
     test: LifeTest | None,
-    columns: Mapping[str, str | None],
+    columns: Mapping[str, Any],
     unit: str,
 ) -> FleetTable:
     if isinstance(fleet, FleetTable):
@@ -411,29 +414,30 @@ def _fleet_of(
     return FleetTable.of_test(test)
 
 
-def _date(given: str | date | None, field: str) -> date | None:
-    from rolamento._columns import dates_of
-
-    if not isinstance(given, str):
-        return given
+def _moment(given: str | date | None, field: str) -> tuple[datetime | None, tuple[Note, ...]]:
+    """A moment, and how a date was read that may be read in two ways."""
+    if given is None or isinstance(given, datetime):
+        return given, ()
+    if isinstance(given, date):
+        return datetime.combine(given, time()), ()
     dates = dates_of([given.strip()])
-    found = dates.day(given.strip())
+    found = dates.moment(given.strip())
     if found is None or dates.doubt:
         rule = said("must be a date whose day and month cannot be taken for each other")
-        raise InputError(rule, field=field, value=given, example=f'{field}="2026-12-31"')
-    return found
+        raise InputError(rule, field=field, value=given, example="2026-12-31")
+    return found, dates.notes
 
 
 def _ahead(
-    table: FleetTable, first: date, last: date, usage: float | str | None, unit: str
+    table: FleetTable, first: datetime, last: datetime, usage: float | str | None, unit: str
 ) -> np.ndarray[Any, np.dtype[np.float64]]:
-    """Time that each bearing will run between two days."""
-    days = (last - first).days
-    if days < 1:
+    """Time that each bearing will run between two moments."""
+    days = days_between([first, last], "until")[1]
+    if not last > first:
         raise InputError(
-            said("must be after {first}", first=first.isoformat()),
+            said("must be after {first}", first=moment_said(first)),
             field="until",
-            value=last.isoformat(),
+            value=moment_said(last),
         )
     daily = table.usage
     if usage is not None:

@@ -14,8 +14,6 @@ from typing import Any, Final, Literal, NamedTuple
 
 import numpy as np
 
-from rolamento._json import dumps, plain
-from rolamento._reading import format_of_path, format_of_text, parse_mapping, read_text
 from rolamento.analysis import Analysis, analyse
 from rolamento.analysis.needs import has_life, has_oil
 from rolamento.case import Case, is_designation, parse_case
@@ -26,6 +24,8 @@ from rolamento.case.report import ReportHead
 from rolamento.case.variant import Variant, cases_compared, with_the_case
 from rolamento.contact.line import PRESSURE_LIMIT
 from rolamento.errors import InputError
+from rolamento.io.json import dumps, plain
+from rolamento.io.text import format_of_path, format_of_text, parse_mapping, read_text
 from rolamento.life.iso281 import MAXIMUM_LOAD
 from rolamento.lubrication.film_thickness import COMPUTED_RANGE
 from rolamento.notes import SPEED_LIMIT, TILT_LIMIT, pressure_limit

@@ -6,7 +6,6 @@ import csv
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass
-from datetime import date, timedelta
 from functools import cached_property
 from io import StringIO
 from math import isfinite, nan
@@ -14,9 +13,10 @@ from typing import Any, Final, Unpack
 
 import numpy as np
 
-from rolamento._columns import folded_name
-from rolamento._json import csv_number
 from rolamento.errors import InputError
+from rolamento.io.columns import folded_name
+from rolamento.io.dates import dates_of, days_between, moment_after, moment_said
+from rolamento.io.json import csv_number
 from rolamento.numerics.growth import Forecast, Law, forecast
 from rolamento.tasks.parameters import Stages, quietly, speed_of
 from rolamento.tasks.signals import (
@@ -101,7 +101,7 @@ class SeverityResult:
     confidence
         of the interval of the time to the limit
     start
-        date from which the hours count, if the signals have dates; "" otherwise
+        date or moment from which the hours count, if the signals have dates; "" otherwise
     """
 
     measured: tuple[MeasuredSeverity, ...]
@@ -126,7 +126,7 @@ class SeverityResult:
         """Date of a signal, as 2026-01-31; "" without."""
         if not self.start:
             return ""
-        return (date.fromisoformat(self.start) + timedelta(hours=one.hours)).isoformat()
+        return moment_after(self.start, one.hours / _DAY)
 
     @property
     def machine(self) -> MachineClass | None:
@@ -320,12 +320,13 @@ def severity_of(
     )
     usual, goal = _velocity(baseline, "baseline"), _velocity(limit, "limit")
     times, first = _hours(hours, len(files)), ""
+    dated: tuple[Note, ...] = ()
     if dates is not None:
         if hours is not None:
             raise InputError(said("cannot be combined with hours"), field="dates")
-        times, first = _days(dates, len(files))
+        times, first, dated = _days(dates, len(files))
     shaft = speed_of(speed, "speed")
-    measured = []
+    measured: list[MeasuredSeverity] = []
     for path, time in zip(files, times, strict=True):
         with stages("reading") as progress:
             opened = open_signal(path, start=start, duration=duration, **reading)
@@ -349,7 +350,7 @@ def severity_of(
                         time,
                         "" if scale is None else str(scale),
                         source.notes,
-                        source.choices,
+                        (*source.choices, *(() if measured else dated)),
                     )
                 )
     if hours is not None or dates is not None:
@@ -397,17 +398,15 @@ def _hours(hours: Sequence[float] | None, count: int) -> list[float]:
     return times
 
 
-def _days(given: Sequence[str], count: int) -> tuple[list[float], str]:
-    """Hours from the first of some dates, and that date."""
-    from rolamento._columns import dates_of
-
+def _days(given: Sequence[str], count: int) -> tuple[list[float], str, tuple[Note, ...]]:
+    """Hours from the first of some moments, that moment, and how the dates were read."""
     texts = [text.strip() for text in given]
     read = dates_of(texts)
-    read.check("dates")
-    days = [read.day(text) for text in texts]
-    if len(days) != count or not all(days):
+    example = "2026-01-31,2026-02-28"
+    read.check("dates", example)
+    known = [moment for moment in map(read.moment, texts) if moment is not None]
+    if len(texts) != count or len(known) != count:
         rule = said("must be a date for each signal, here {count}", count=count)
-        example = 'dates=["2026-01-31", "2026-02-28"]'
         raise InputError(rule, field="dates", value=", ".join(texts), example=example)
-    known = [day for day in days if day is not None]
-    return [_DAY * (day - min(known)).days for day in known], min(known).isoformat()
+    hours = [_DAY * day for day in days_between(known, "dates")]
+    return hours, moment_said(min(known)), read.notes

@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 from math import degrees, hypot, isfinite, nan, pi, prod
 from typing import Any, Final, Literal
 
-from rolamento._json import plain
 from rolamento.case import Case
 from rolamento.case.bearing import Bearing
 from rolamento.case.preload_classes import level_of_force
@@ -15,6 +14,7 @@ from rolamento.case.roller_bearing import RollerBearing
 from rolamento.catalogue import InternalGeometry, parse_designation
 from rolamento.errors import InputError
 from rolamento.friction.palmgren import friction_load
+from rolamento.io.json import plain
 from rolamento.life.equivalent_load import equivalent_load
 from rolamento.life.equivalent_load import minimum_axial_load as minimum_thrust_load
 from rolamento.lubrication.oil_state import oil_state

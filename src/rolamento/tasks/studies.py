@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
-from rolamento._reading import format_of_path
 from rolamento.case.variant import named
 from rolamento.errors import FileError, InputError
+from rolamento.io.text import format_of_path
 from rolamento.studies.sensitivity import ToleranceStudy, sobol
 from rolamento.studies.study import Study, case_file_of, load_study
 from rolamento.studies.tolerance import (

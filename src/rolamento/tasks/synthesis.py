@@ -12,11 +12,11 @@ from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple
 
 import numpy as np
 
-from rolamento._json import dumps
-from rolamento._writing import write_text
 from rolamento.case.bearing import Bearing
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.errors import InputError
+from rolamento.io.json import dumps
+from rolamento.io.writing import write_text
 from rolamento.tasks.bearing import BearingLike, case_of, has_load, name_of
 from rolamento.tasks.parameters import speed_of
 from rolamento.units import rpm_of

@@ -92,7 +92,7 @@ def life_test_study(
     times: Sequence[float | str] = (),
     calculated: Mapping[str, float | str] | None = None,
     samples: int | None = None,
-    columns: Mapping[str, str | None] | None = None,
+    columns: Mapping[str, Any] | None = None,
     progress: Progress | None = None,
     **wanted: Any,
 ) -> LifeTestSummary:

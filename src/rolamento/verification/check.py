@@ -16,10 +16,10 @@ from decimal import ROUND_DOWN, ROUND_HALF_UP, Decimal
 from math import isfinite, isnan, nan, radians, sqrt
 from typing import Any, Final, Literal
 
-from rolamento._data import toml_of
-from rolamento._json import plain
 from rolamento.case.bearing import Bearing
 from rolamento.case.material import Material
+from rolamento.io.data import toml_of
+from rolamento.io.json import plain
 from rolamento.units import MILLIMETRE
 from rolamento.words import Note
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rolamento._data import toml_of
+from rolamento.io.data import toml_of
 from rolamento.words import Note
 
 

@@ -6,8 +6,8 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any, Final
 
-from rolamento._json import dumps
 from rolamento.errors import InputError, guess
+from rolamento.io.json import dumps
 from rolamento.verification.campanha_2008 import checks as campanha_2008_checks
 from rolamento.verification.check import VERDICTS, Check, CheckVerdict, published
 from rolamento.verification.harris_1991 import checks as harris_1991_checks

@@ -9,8 +9,8 @@ from typing import Any, Final
 
 import numpy as np
 
-from rolamento._data import toml_of
 from rolamento.errors import InputError
+from rolamento.io.data import toml_of
 from rolamento.numerics.growth import growth_rate
 from rolamento.vibration.anderon import BANDS, BandName
 from rolamento.words import said

@@ -26,11 +26,11 @@ from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple
 
 import numpy as np
 
-from rolamento._json import plain
 from rolamento.case.bearing import Bearing
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.errors import InputError
 from rolamento.geometry import apex_half_angle, ring_geometry
+from rolamento.io.json import plain
 from rolamento.kinematics import ball_motion
 from rolamento.numerics import FloatArray
 from rolamento.roller_kinematics import apex_mismatch, roller_motion

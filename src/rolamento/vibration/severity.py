@@ -39,8 +39,8 @@ from typing import Any, Final, Literal, get_args
 
 import numpy as np
 
-from rolamento._data import toml_of
 from rolamento.errors import InputError
+from rolamento.io.data import toml_of
 from rolamento.numerics import FloatArray
 from rolamento.vibration._checks import Band, checked_number
 from rolamento.vibration.signal import Quantity, Signal

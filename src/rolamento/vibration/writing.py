@@ -14,8 +14,8 @@ from typing import BinaryIO, Final
 
 import numpy as np
 
-from rolamento._writing import written_whole
 from rolamento.errors import FileError, InputError
+from rolamento.io.writing import written_whole
 from rolamento.units import rpm_of
 from rolamento.vibration._checks import require_signal
 from rolamento.vibration.signal import Signal

@@ -12,9 +12,9 @@ from typing import Any, Final
 from starlette.requests import Request
 from starlette.responses import Response
 
-from rolamento._json import dumps
-from rolamento._reading import parse_mapping
 from rolamento.errors import ABSENT, FileError, InputError, shown
+from rolamento.io.json import dumps
+from rolamento.io.text import parse_mapping
 from rolamento.words import language_of, languages, said
 
 __all__ = [

@@ -14,9 +14,9 @@ from starlette.responses import Response
 from starlette.routing import Route
 
 import rolamento
-from rolamento._json import dumps
 from rolamento.case.record import Record
 from rolamento.errors import InputError, UnknownKeyError, guess
+from rolamento.io.json import dumps
 from rolamento.tasks.asked import SIGNAL, Asked, Group
 from rolamento.web.answers import answer, read_json, received
 from rolamento.web.drops import LARGEST, SEARCH, ending_of, file_of, label_of, response_of
@@ -262,7 +262,7 @@ def _tables(text: str) -> dict[str, Any] | None:
     """Return the tables of a text of JSON; None of an empty one."""
     if not text:
         return None
-    from rolamento._reading import parse_mapping
+    from rolamento.io.text import parse_mapping
 
     return parse_mapping(text, "json", "case")
 

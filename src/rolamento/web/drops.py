@@ -187,7 +187,7 @@ def described() -> dict[str, Any]:
             ]
             for kind, many in _EXAMPLES.items()
         },
-        "endings": {"signal": list(_ENDINGS), "weibull": [".csv", ".tsv", ".txt"]},
+        "endings": {"signal": list(_ENDINGS), "weibull": [".csv", ".tsv", ".txt", ".xlsx"]},
         "largest": dict(LARGEST),
         "files": list(_TYPES),
         "reports": list(REPORTS),
@@ -248,7 +248,7 @@ def signal_page(path: str, label: str, typed: Typed, form: str = "") -> dict[str
 
 def life_test_page(path: str, label: str, typed: Typed, form: str = "") -> dict[str, Any]:
     """Say what a life test says; parameters as of `signal_page`."""
-    from rolamento._tables import table_text
+    from rolamento.io.tables import table_text
     from rolamento.pages.weibull import weibull_page
     from rolamento.tasks.asked import number_in
     from rolamento.tasks.weibull import (
@@ -266,7 +266,7 @@ def life_test_page(path: str, label: str, typed: Typed, form: str = "") -> dict[
         if bounds is not None and "shape" in told:
             rule = said("cannot be combined with a shape from experience, which has its own bounds")
             raise InputError(rule, field="bounds", value=bounds)
-        columns = {name: told.get(name) for name in _COLUMNS}
+        columns: dict[str, Any] = {name: told.get(name) for name in _COLUMNS}
         found = life_test_study(
             parse_life_test(table_text(path)[0], label, **columns),
             only=told.get("only", ()),
@@ -385,8 +385,8 @@ def _bearing(designation: str, page_case: str) -> Case:
         return _of_designation(designation)
     if not page_case:
         raise InputError(said("is missing"), field="bearing", example="6205")
-    from rolamento._reading import parse_mapping
     from rolamento.case import Case
+    from rolamento.io.text import parse_mapping
 
     return Case.from_mapping(parse_mapping(page_case, "json", ""))
 
@@ -537,7 +537,7 @@ def _file(document: Document, mapping: dict[str, Any], form: str) -> bytes:
 
         return to_xlsx(document)
     if form == "json":
-        from rolamento._json import dumps
+        from rolamento.io.json import dumps
 
         return (dumps(mapping, indent=2) + "\n").encode()
     rule = said("must be one of {known}", known=", ".join(_TYPES))

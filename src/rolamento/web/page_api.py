@@ -11,11 +11,11 @@ from starlette.responses import FileResponse, Response
 from starlette.routing import Route
 
 from rolamento import __version__
-from rolamento._reading import format_of_text, parse_mapping
 from rolamento.case import Case, case_to_json, case_to_toml, parse_case
 from rolamento.catalogue.search import built_in_catalogue
 from rolamento.document.html import STYLE as DOCUMENT_STYLE
 from rolamento.errors import InputError
+from rolamento.io.text import format_of_text, parse_mapping
 from rolamento.pages.catalogue import KINDS
 from rolamento.pages.report import ORIGINS, PARTS
 from rolamento.tasks.examples import EXAMPLES

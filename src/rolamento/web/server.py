@@ -32,8 +32,8 @@ from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from uvicorn.protocols.http.h11_impl import H11Protocol
 
-from rolamento._json import dumps
 from rolamento.errors import InputError
+from rolamento.io.json import dumps
 from rolamento.web import api, drops, page_api
 from rolamento.web.answers import RequestError, answer, language_for, refused
 from rolamento.web.limits import VISITOR, slow

@@ -8,19 +8,21 @@ such as "hours per day" or "uso por dia" holds the use of each: in the unit of t
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
 
-from rolamento._columns import (
+from rolamento.errors import InputError
+from rolamento.io.columns import (
     check_names,
     column_by_name,
     folded_name,
+    heads_table,
     title_parts,
 )
-from rolamento._tables import parse_table, table_text
-from rolamento.errors import InputError
+from rolamento.io.tables import parse_table, table_text
 from rolamento.numerics import FloatArray, IntArray
 from rolamento.weibull.life_test import MAXIMUM_TIME, LifeTest, passed_over_notes
 from rolamento.weibull.reading import (
@@ -96,6 +98,7 @@ def read_fleet(
     count: str | None = None,
     usage: str | None = None,
     decimal_mark: str | None = None,
+    ignored: Sequence[str] = (),
 ) -> FleetTable:
     """Read a table of bearings in service from a CSV file.
 
@@ -109,6 +112,8 @@ def read_fleet(
         Names of the columns, in place of the usual ones.
     decimal_mark
         ``"point"`` or ``"comma"``, where nothing in the file shows whether 12.500 is 12.5.
+    ignored
+        Names of columns that have nothing to say, though they could.
 
     Raises
     ------
@@ -118,7 +123,7 @@ def read_fleet(
     text, source = table_text(path)
     return parse_fleet(
         text, source, unit=unit, time=time, status=status, count=count, usage=usage,
-        decimal_mark=decimal_mark,
+        decimal_mark=decimal_mark, ignored=ignored,
     )  # fmt: skip
 
 
@@ -132,15 +137,19 @@ def parse_fleet(
     count: str | None = None,
     usage: str | None = None,
     decimal_mark: str | None = None,
+    ignored: Sequence[str] = (),
 ) -> FleetTable:
     """Read a table of bearings in service from text; arguments as of `read_fleet`."""
-    table = parse_table(text, source, most_rows=_MAXIMUM_ROWS, example=_EXAMPLE)
     wanted = {"time": time, "status": status, "count": count}
     chosen = {name: title for name, title in wanted.items() if title is not None}
+    is_header = heads_table(*chosen.values(), usage or "")
+    table = parse_table(
+        text, source, most_rows=_MAXIMUM_ROWS, example=_EXAMPLE, is_header=is_header
+    )
     try:
         check_names(table.header, _EXAMPLE)
         header = header_of(table.header, chosen, table.rows)
-        check_status(header, table.rows)
+        check_status(header, table.rows, ignored)
         use = place_of_use(table.header, usage, set(header.places.values()))
     except InputError as error:
         raise table.placed(error) from None

@@ -6,7 +6,7 @@ import re
 from typing import Final
 
 from rolamento.errors import InputError
-from rolamento.units import doubt_of_thousands
+from rolamento.units import doubt_of_thousands, typed
 from rolamento.weibull._checks import positive
 from rolamento.words import said
 
@@ -33,7 +33,7 @@ def life_with_unit(text: object, field: str, example: str = "1000 h") -> tuple[f
     """
     match = None
     if isinstance(text, str) and len(text) <= _LONGEST:
-        match = _WRITTEN.fullmatch(text)
+        match = _WRITTEN.fullmatch(typed(text))
     rule = ""
     if match is None:
         rule = said("must be a number with its unit")

@@ -7,8 +7,9 @@ and case, with or without a unit in brackets:
 column     names                                                           holds
 =========  ==============================================================  =======================
 time       time, life, tempo, vida; hours, horas, Mrev, revolutions, ...   failure or suspension
-status     status, state, estado; failed, falha; censored, suspenso, ...   failed or suspended
-lower      lower, last_inspection, from, inferior, ultima_inspecao, ...    last inspection passed
+status     status, event, delta, E; failed, falha; censored, suspenso, ... failed or suspended
+lower      lower, left, last_inspection, from, inferior, ...               last inspection passed
+upper      upper, right, superior, ... (or a time)                         found failed; blank: none
 count      count, quantity, freq, quantidade, ...                          bearings in this row
 group      group, lot, condition, grupo, lote, condicao, ...               label
 rig        rig, test, bancada, ensaio, ...                                 label: ended together
@@ -17,7 +18,9 @@ size       size, rig_size, bearings_per_rig, tamanho, ...                  beari
 mode       mode, failure_mode, cause, modo_de_falha, causa, ...            how a bearing failed
 =========  ==============================================================  =======================
 
-Only a time is needed; without a status all failed. Status words: failed, f, 1, true, yes, falha,
+Only a time is needed; without a status all failed, unless a column that is not read could be one:
+then the user is asked. Of inspections without an upper end the bearings had not failed at the
+lower one. Status words: failed, f, 1, true, yes, falha,
 sim; suspended, censored, s, c, 0, false, no, suspenso, nao. In a column named failed or falha "s"
 means sim; in one named censored or suspenso 1 means suspended. Of two such columns the one that
 holds status words is read. Machines whose bearings ended at several times are no rigs: a note says
@@ -26,34 +29,37 @@ many bearings that stopped at its first failure (sudden death): the others are s
 
 A failed bearing whose mode is blank, or a word such as unknown, failed by an unknown mode. Without
 a status the modes say what failed: a word of suspension (or 0) in their column is a suspension, and
-a blank cell is asked about. Lives between two dates, and intervals with an open end, are brought
-into this form by `rolamento.weibull.table_forms`.
+a blank cell is asked about. Lives between two dates are brought into this form by
+`rolamento.weibull.table_forms`.
 
-Tables are read as `rolamento._tables` tells: any separator, either decimal mark. Of the comments
+Tables are read by `rolamento.io.tables`: any separator, either decimal mark. Of the comments
 ``# unit: Mrev``, ``# title:`` and ``# source:`` are read. Columns named bearing, id, date, note,
 comment, procedure and their like are passed over, and all others that are not known, which a note
-names.
+names, if they cannot change the result.
 """
 
 from __future__ import annotations
 
 import difflib
 import os
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from importlib import resources
 from typing import Any, Final
 
-from rolamento._columns import (
+from rolamento.errors import InputError, UnknownKeyError
+from rolamento.io.columns import (
     COLUMN_OF,
     check_names,
     column_by_name,
     folded_name,
+    heads_table,
     place_of,
     word_and_unit,
 )
-from rolamento._tables import Numerals, Table, parse_table, table_text
-from rolamento.errors import InputError, UnknownKeyError
+from rolamento.io.numerals import Numerals
+from rolamento.io.tables import Table, parse_table, table_text
 from rolamento.weibull._checks import one_of
 from rolamento.weibull.life_test import (
     LONGEST_LABEL,
@@ -91,8 +97,8 @@ _SUSPENDED: Final = _words(
     " sem_defeito sem_avaria em_uso em_trabalho funcionando bom boa ativo ativa preventiva"
     " preventivo manutencao_preventiva troca_preventiva retirada suspensoes"
 )
-_YES: Final = _words("1 true yes y x sim s v verdadeiro")
-_NO: Final = _words("0 false no n nao f falso") | {""}
+_YES: Final = _words("1 true yes y x sim s v verdadeiro ja j si wahr verdadero")
+_NO: Final = _words("0 false no n nao f falso nein falsch") | {""}
 _SAYINGS: Final = {
     "status": (_FAILED, _SUSPENDED, "failed, suspended"),
     "failed": (_YES | _FAILED - {"f"}, _NO | _SUSPENDED - {"s"}, "yes, no"),
@@ -112,10 +118,12 @@ _NO_MODE: Final = {word for word in _SUSPENDED if len(word) > 1} | _words(
 _CHOICES: Final = ("time", "group", "count", "mode", *_KINDS_OF_STATUS)
 _SILENT: Final = ("bearing", "remark", "date")
 """Columns that a life test has no use for, and everybody knows."""
-_UNREAD: Final = ("value", "tag")
+_UNREAD: Final = ("value", "tag", "clock")
 _READ: Final = [
     word for word, column in COLUMN_OF.items() if column not in (*_SILENT, *_UNREAD, "machine")
 ]
+_NO_END: Final = frozenset(("", "inf", "infinity", "infinite", "oo", "na", "nan", "infinito"))
+"""Upper ends of an interval, folded, in which a bearing has not failed; ∞ and - fold to nothing."""
 _NEAR: Final = 0.8
 """Likeness of a name to a known one from which on it is a slip of the pen, not another column."""
 
@@ -130,6 +138,7 @@ def read_life_test(
     count: str | None = None,
     mode: str | None = None,
     decimal_mark: str | None = None,
+    ignored: Sequence[str] = (),
     **dates: Any,
 ) -> LifeTest:
     """Read a life test from a CSV file.
@@ -145,6 +154,8 @@ def read_life_test(
         Label of the times, in place of what the file says; "h" where it says nothing.
     decimal_mark
         ``"point"`` or ``"comma"``, where nothing in the file shows whether 12.500 is 12.5.
+    ignored
+        Names of columns that have nothing to say, though they could.
     **dates
         start, end, use_per_day, as_of and date_order of lives between two dates, as of
         `rolamento.weibull.table_forms.in_usual_form`.
@@ -152,7 +163,8 @@ def read_life_test(
     Raises
     ------
     FileError, InputError
-        With line, column and an example, if the file cannot be read or is no life test.
+        With line, column and an example, if the file cannot be read, is no life test, or has a
+        column that is not read and could say what failed.
     """
     return parse_life_test(
         *table_text(path),
@@ -163,6 +175,7 @@ def read_life_test(
         count=count,
         mode=mode,
         decimal_mark=decimal_mark,
+        ignored=ignored,
         **dates,
     )
 
@@ -178,6 +191,7 @@ def parse_life_test(
     count: str | None = None,
     mode: str | None = None,
     decimal_mark: str | None = None,
+    ignored: Sequence[str] = (),
     **dates: Any,
 ) -> LifeTest:
     """Read a life test from the text of a CSV file.
@@ -188,7 +202,7 @@ def parse_life_test(
         As described in the module.
     source
         What to call the text in messages.
-    group, unit, time, status, count, mode, decimal_mark, **dates
+    group, unit, time, status, count, mode, decimal_mark, ignored, **dates
         As of `read_life_test`.
 
     Raises
@@ -196,9 +210,10 @@ def parse_life_test(
     FileError, InputError
         If it is no life test.
     """
-    table = parse_table(text, source, most_rows=MAXIMUM_ROWS, example=_EXAMPLE)
     wanted = {"group": group, "time": time, "status": status, "count": count, "mode": mode}
     chosen = {name: title for name, title in wanted.items() if title is not None}
+    is_header = heads_table(*chosen.values())
+    table = parse_table(text, source, most_rows=MAXIMUM_ROWS, example=_EXAMPLE, is_header=is_header)
     try:
         check_names(table.header, _EXAMPLE)
     except InputError as error:
@@ -206,7 +221,7 @@ def parse_life_test(
     table, remarks = in_usual_form(table, chosen, decimal_mark=decimal_mark, **dates)
     try:
         header = header_of(table.header, chosen, table.rows)
-        check_status(header, table.rows)
+        check_status(header, table.rows, ignored)
     except InputError as error:
         raise table.placed(error) from None
     rows = _rows_of(table, header, decimal_mark)
@@ -264,7 +279,7 @@ def _life_test_of(
     return LifeTest(times, failed, machines=header.machines, **columns)
 
 
-def published_life_test(name: str, **columns: str | None) -> LifeTest:
+def published_life_test(name: str, **columns: Any) -> LifeTest:
     """Return a published life test.
 
     Parameters
@@ -361,6 +376,12 @@ def header_of(
                 said("occurs twice, perhaps under another name"), field=title, example=example
             )
         places[column] = place
+    upper = places.pop("upper", None)
+    if upper is not None and "time" in places:
+        unknown.append(upper)
+    elif upper is not None:
+        places["time"] = upper
+        unit = word_and_unit(cells[upper])[1]
     machine = places.pop("machine", None)
     if machine is not None and "rig" in places:
         unknown.append(machine)
@@ -398,47 +419,107 @@ def _holds_status(column: str | None, place: int, rows: Sequence[Sequence[str]])
     return {folded_name(row[place]) for row in rows} <= failed | not_failed
 
 
-def check_status(header: Header, rows: Sequence[Sequence[str]]) -> None:
-    """Refuse a test without a status that has it in a column that was passed over.
+def check_status(
+    header: Header, rows: Sequence[Sequence[str]], ignored: Sequence[str] = ()
+) -> None:
+    """Refuse a test whose status may be read in two ways, or lies in a column that is not read.
 
     All bearings would count as failed.
+
+    ignored: titles of columns that have nothing to say.
     """
-    if any(kind in header.places for kind in _KINDS_OF_STATUS):
+    kinds = [kind for kind in _KINDS_OF_STATUS if kind in header.places]
+    if kinds:
+        _check_letters(kinds[0], header, rows)
         return
-    known = {word for word in _FAILED | _SUSPENDED if len(word) > 1 and not word.isdecimal()}
+    left_out = {folded_name(title) for title in ignored}
     for place, title in enumerate(header.titles):
-        if title not in header.passed_over:
+        kind = column_by_name(word_and_unit(title)[0])
+        if place in header.places.values() or folded_name(title) in left_out or kind == "date":
             continue
         words = {folded_name(row[place]) for row in rows}
-        letters = words <= {"f", "s", "c"} and "f" in words and len(words) > 1
-        if words <= known or letters:
-            raise InputError(
-                said(
-                    "seems to say what failed, but by an unknown name; choose it as the "
-                    "status, or leave it out"
-                ),
-                field=title,
-                example=f'status="{title}"',
+        named = title in header.passed_over and kind in (None, "mode")
+        if not _may_say_what_failed(words, kind, named=named):
+            continue
+        rule = said(
+            "seems to say what failed, but by an unknown name; choose it as the status, or leave"
+            " it out"
+        )
+        if kind == "mode" and "" in words:
+            rule = said(
+                "is blank where nothing failed, it seems; add a column status, or leave it out"
             )
+        elif folded_name(title) in _EITHER:
+            rule = said(
+                "may hold 1 for what failed or for what was censored; call it failed or censored,"
+                " or choose it as the status if 1 is a failure"
+            )
+        raise InputError(rule, field=title, example=f'status="{title}", ignored=["{title}"]')
+
+
+_EITHER: Final = _words("c cens censor censor_flag cens_flag ic zens")
+"""Names of columns in which 1 is a failure in some programs and a suspension in others."""
+
+
+def _may_say_what_failed(words: set[str], kind: str | None, *, named: bool) -> bool:
+    """Whether a column that is not read holds what decides: words of failure, or one of two.
+
+    named: whether it is a column that a note names; others, as of bearings, are known to be none.
+    """
+    filled = words - {""}
+    known = {word for word in _FAILED | _SUSPENDED if len(word) > 1 and not word.isdecimal()}
+    if filled and filled <= known:
+        return True
+    if not named:
+        return False
+    letters = filled <= {"f", "s", "c"} and "f" in words and len(words) > 1
+    numbers = all(re.fullmatch(r"[\d_]+", word) for word in filled)
+    flags = filled <= {"0", "1"} and bool(filled)
+    if len(words) == 2 and numbers:
+        return flags
+    return (
+        letters
+        or flags
+        or (len(words) == 2 and bool(filled))
+        or (kind == "mode" and "" in words and bool(filled))
+    )
+
+
+def _check_letters(kind: str, header: Header, rows: Sequence[Sequence[str]]) -> None:
+    """Refuse a status of S and N: sim and não, or suspended and no."""
+    words = {folded_name(row[header.places[kind]]) for row in rows}
+    if kind == "status" and {"s", "n"} <= words <= {"s", "n", ""}:
+        raise InputError(
+            said("may hold yes and no (sim, não) or suspended; call it failed, or write the words"),
+            field=header.titles[header.places[kind]],
+            value="S",
+        )
 
 
 def row_of(cells: Sequence[str], header: Header, numerals: Numerals) -> Row:
     """Read one row."""
     given = {column: cells[place] for column, place in header.places.items()}
     titles = header.names
-    time = number_in(given["time"], titles["time"], numerals)
+    is_open = "lower" in given and folded_name(given["time"]) in _NO_END
+    end = "lower" if is_open else "time"
+    time = number_in(given[end], titles[end], numerals)
     if not MINIMUM_TIME <= time <= MAXIMUM_TIME:
         raise InputError(
             said("must be positive and at most {most:.6g}", most=MAXIMUM_TIME),
-            field=titles["time"],
-            value=given["time"],
+            field=titles[end],
+            value=given[end],
             example="120.5",
         )
-    failed = says_failed(given, titles)
+    states = any(kind in given for kind in _KINDS_OF_STATUS)
+    failed = says_failed(given, titles) if states or not is_open else False
+    if failed and is_open:
+        rule = said("has no upper end, but the bearing is said to have failed")
+        raise InputError(rule, field=titles["time"], value=given["time"], example="120.5")
+    found = "" if is_open or given.get("lower") == given["time"] else given.get("lower", "")
     return Row(
         time,
         failed,
-        _last_inspection(given, titles, time, failed, numerals),
+        _last_inspection(found, titles, time, failed, numerals),
         whole_number_in(given, titles, "count"),
         _label_in(given, titles, "group"),
         _label_in(given, titles, "rig"),
@@ -526,9 +607,8 @@ def _mode_says_failed(cell: str, title: str) -> bool:
 
 
 def _last_inspection(
-    given: dict[str, str], titles: dict[str, str], time: float, failed: bool, numerals: Numerals
+    cell: str, titles: dict[str, str], time: float, failed: bool, numerals: Numerals
 ) -> float:
-    cell = given.get("lower", "")
     if not cell:
         return float("nan")
     lower = number_in(cell, titles["lower"], numerals)

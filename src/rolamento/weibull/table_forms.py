@@ -1,26 +1,23 @@
-"""Tables of lives in forms other than one time a bearing: dates, and intervals with an open end.
+"""Tables of lives between two dates.
 
-*Dates.* Two columns, of the day a bearing went into service and of the day it failed or was
-removed, become a column of lives: the days between, or with a use per day (stated, or from a column
-such as "hours per day") days times use. A bearing without a second date is still running on the
-day of the data, which has to be stated.
-
-*Intervals.* Where `lower` and `upper` (or start and end, left and right) say between which
-inspections a bearing failed, an upper end that is blank or infinite means that it was not found to
-have failed: it is suspended at the lower end. Equal ends are a time that is known.
+Two columns, of the day a bearing went into service and of the day it failed or was removed, become
+a column of lives: the days between, or with a use per day (stated, or from a column such as "hours
+per day") days times use. A bearing without a second date is still running on the day of the data,
+which has to be stated.
 """
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from datetime import date
+from datetime import date, datetime
 from typing import Final
 
-from rolamento._columns import column_by_name, dates_of, folded_name, place_of, title_parts
-from rolamento._tables import Numerals, Table
 from rolamento.errors import InputError
+from rolamento.io.columns import column_by_name, folded_name, place_of, title_parts
+from rolamento.io.dates import Dates, dates_of, days_between, moment_said
+from rolamento.io.numerals import Numerals
+from rolamento.io.tables import Table
 from rolamento.weibull.life_units import life_with_unit
 from rolamento.words import Note, said
 
@@ -53,12 +50,7 @@ _USE: Final = _words(
     " utilization uso uso_diario uso_por_dia regime horas_por_dia horas_dia h_dia h_por_dia"
     " utilizacao"
 )
-_LOWER: Final = _words("lower lower_bound start from left inferior limite_inferior de esquerda")
-_UPPER: Final = _words("upper upper_bound end to right superior limite_superior ate direita")
-_OPEN: Final = _words("inf infinity infinite infinito") | {""}
 _STATUS: Final = ("status", "failed", "suspended")
-_TIME_OF_DAY: Final = re.compile(r"[T ,]\s*(\d{1,2})[:h](\d{2})(?::(\d{2}))?")
-_INFINITE: Final = ("∞", "+∞")
 DATES: Final = ("start", "end", "use_per_day", "as_of", "date_order")
 """What may be stated of lives between two dates, as of `in_usual_form`."""
 
@@ -109,7 +101,7 @@ def in_usual_form(
         if value is not None:
             rule = said("goes with lives between two dates, of which the table has no columns")
             raise InputError(rule, field=name, value=str(value), source=table.source)
-    return _with_ends(table, chosen), ()
+    return table, ()
 
 
 # --- dates ----------------------------------------------------------------------------------------
@@ -170,24 +162,25 @@ def _between_dates(
     rows, running = [], 0
     for number, cells in enumerate(table.rows):
         try:
-            begun = _moment(cells[first], dates.day(cells[first]), table.header[first])
+            begun = _moment(cells[first], dates, table.header[first])
             blank = not cells[last]
             if blank:
                 running += 1
                 _check_running(table.header[last], until, has_status or says_failure)
                 assert until is not None
-                ended = float(until.toordinal())
+                ended = until
             else:
-                ended = _moment(cells[last], dates.day(cells[last]), table.header[last])
+                ended = _moment(cells[last], dates, table.header[last])
             each = daily if use is None else _use(cells[use], table.header[use], numerals)
-            if not ended > begun:
+            days = days_between((begun, ended), table.header[last])[1]
+            if not days > 0.0:
                 rule = said("must be after the day on which the bearing went into service")
-                shown = cells[last] if not blank else str(until)
+                shown = cells[last] if not blank else moment_said(ended)
                 raise InputError(rule, field=table.header[last], value=shown)
         except InputError as error:
             raise table.placed(error, number) from None
         status = () if has_status else ("suspended" if blank else "failed",)
-        rows.append((*cells, repr((ended - begun) * each), *status))
+        rows.append((*cells, repr(days * each), *status))
     titles = (f"time ({unit})",) if has_status else (f"time ({unit})", "status")
     values = {"first": table.header[first], "last": table.header[last], "unit": unit}
     if use is not None:
@@ -197,8 +190,8 @@ def _between_dates(
     else:
         note = Note("lives_from_dates", values)
     notes: tuple[Note, ...] = (note,)
-    if running:
-        notes += (Note("running_on_day_of_data", {"count": running, "day": str(until)}),)
+    if running and until is not None:
+        notes += (Note("running_on_day_of_data", {"count": running, "day": moment_said(until)}),)
     kept = [place for place in range(len(table.header)) if place not in (first, last, use)]
     header = (*(table.header[place] for place in kept), *titles)
     behind = len(table.header)
@@ -206,30 +199,26 @@ def _between_dates(
     return replace(table, header=header, rows=cut), notes
 
 
-def _moment(cell: str, day: date | None, title: str) -> float:
-    """Days from a fixed one, with the time of day as a fraction."""
-    if day is None:
+def _moment(cell: str, dates: Dates, title: str) -> datetime:
+    found = dates.moment(cell)
+    if found is None:
         raise InputError(said("must be a date"), field=title, value=cell, example="2024-02-29")
-    clock = _TIME_OF_DAY.search(cell)
-    hours = 0.0
-    if clock is not None:
-        hours = int(clock[1]) + int(clock[2]) / 60.0 + int(clock[3] or 0) / 3600.0
-    return day.toordinal() + hours / 24.0
+    return found
 
 
-def _day_of_data(as_of: str | date | None) -> date | None:
+def _day_of_data(as_of: str | date | None) -> datetime | None:
     if not isinstance(as_of, str):
-        return as_of
+        return None if as_of is None else datetime(as_of.year, as_of.month, as_of.day)
     text = as_of.strip()
     dates = dates_of([text])
-    found = dates.day(text)
+    found = dates.moment(text)
     if found is None or dates.doubt:
         rule = said("must be a date whose day and month cannot be taken for each other")
         raise InputError(rule, field="as_of", value=as_of, example='as_of="2026-12-31"')
     return found
 
 
-def _check_running(title: str, until: date | None, says_what_failed: bool) -> None:
+def _check_running(title: str, until: datetime | None, says_what_failed: bool) -> None:
     if not says_what_failed:
         rule = said(
             "is blank for some bearings, and nothing says which of the others failed: a column of"
@@ -257,34 +246,3 @@ def place_of_use(header: Sequence[str], usage: str | None, taken: set[int]) -> i
         if place not in taken and names & _USE:
             return place
     return None
-
-
-# --- intervals ------------------------------------------------------------------------------------
-
-
-def _with_ends(table: Table, chosen: Mapping[str, str]) -> Table:
-    """Return a table of intervals as one of times, lower ends and what failed."""
-    names = [folded_name(title_parts(title)[0]) for title in table.header]
-    if "time" in chosen or not (set(names) & _LOWER and set(names) & _UPPER):
-        return table
-    low = next(place for place, name in enumerate(names) if name in _LOWER)
-    high = next(place for place, name in enumerate(names) if name in _UPPER)
-    if any(column_by_name(name) == "time" for i, name in enumerate(names) if i not in (low, high)):
-        return table  # a column of times beside them is what counts
-    kinds = [column_by_name(name) for name in names]
-    has_status = "status" in chosen or any(kind in _STATUS for kind in kinds)
-    rows = []
-    for cells in table.rows:
-        row = list(cells)
-        is_open = cells[high] in _INFINITE or folded_name(cells[high]) in _OPEN
-        if is_open:
-            row[high], row[low] = cells[low], ""
-        elif cells[low] == cells[high]:
-            row[low] = ""
-        rows.append((*row, *(() if has_status else ("suspended" if is_open else "failed",))))
-    header = list(table.header)
-    unit = title_parts(header[high])[1] or title_parts(header[low])[1]
-    header[high] = f"time ({unit})" if unit else "time"
-    header[low] = "lower"
-    titles = () if has_status else ("status",)
-    return replace(table, header=(*header, *titles), rows=tuple(rows))

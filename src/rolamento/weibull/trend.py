@@ -4,8 +4,9 @@ A record comes from a CSV file: a column of running times or of dates, one that 
 the machine, which a record of a single one can do without, and one for each quantity: with its unit
 in brackets, or under a usual name. A note names the columns that were passed over. ``x`` stands for
 a measurement that was off the scale or rejected, an empty cell for none. Tables are read as
-`rolamento._tables` tells: any separator, either decimal mark; names and dates as
-`rolamento._columns` tells. Of the comments ``# title:``, ``# source:``, ``# dates: day first``.
+`rolamento.io.tables` tells: any separator, either decimal mark; names and dates as
+`rolamento.io.columns` and `rolamento.io.dates` tell. Dates may have a time of day, in the same cell
+or in a column beside. Of the comments ``# title:``, ``# source:``, ``# dates: day first``.
 
     # title: Radial clearance of two bearings
     time (h),bearing,radial clearance (µm)
@@ -17,26 +18,33 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass
-from datetime import date
+from dataclasses import dataclass, field
+from datetime import datetime
 from importlib import resources
 from math import isfinite
 from typing import TYPE_CHECKING, Any, Final, get_args
 
 import numpy as np
 
-from rolamento._columns import (
-    DateOrder,
-    Dates,
+from rolamento.errors import InputError
+from rolamento.io.columns import (
     check_names,
     column_by_name,
-    dates_of,
+    heads_table,
     place_of,
     title_parts,
     word_and_unit,
 )
-from rolamento._tables import Numerals, Table, parse_table, table_text
-from rolamento.errors import InputError
+from rolamento.io.dates import (
+    DateOrder,
+    Dates,
+    dates_of,
+    days_between,
+    is_time_of_day,
+    moment_said,
+)
+from rolamento.io.numerals import DECIMAL_COMMA, Numerals
+from rolamento.io.tables import Table, parse_table, table_text
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.weibull._checks import one_of
 from rolamento.weibull.life_test import LONGEST_LABEL, TextArray, passed_over_notes
@@ -79,7 +87,10 @@ class Trend:
     passed_over
         columns of its file that were not read: they have neither a unit nor a usual name
     start
-        day from which the times count, as 2024-02-29, if the file has dates; empty without
+        moment from which the times count, as 2024-02-29 or 2024-02-29 08:00:00, if the file has
+        dates; empty without
+    dates
+        how its dates were read
     """
 
     times: FloatArray
@@ -93,11 +104,12 @@ class Trend:
     source: str
     passed_over: tuple[str, ...] = ()
     start: str = ""
+    dates: Dates = field(default_factory=Dates)
 
     @property
     def notes(self) -> tuple[Note, ...]:
-        """What of their file was not read."""
-        return passed_over_notes(self.passed_over)
+        """What of their file was not read, and how dates were that could be read in two ways."""
+        return (*self.dates.notes, *passed_over_notes(self.passed_over))
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -216,7 +228,10 @@ def parse_trend(
     FileError, InputError
         If it is no such record.
     """
-    table = parse_table(text, source, most_rows=_MAXIMUM_ROWS, example=_EXAMPLE)
+    is_header = heads_table(*(name for name in (time, bearing, *values) if name))
+    table = parse_table(
+        text, source, most_rows=_MAXIMUM_ROWS, example=_EXAMPLE, is_header=is_header
+    )
     try:
         check_names(table.header, _EXAMPLE)
         columns = _Columns.of(table, time, bearing, values)
@@ -230,14 +245,20 @@ def parse_trend(
             parsed.append(columns.row(cells, numerals, dates))
         except InputError as error:
             raise table.placed(error, number) from None
-    times, bearings, measured, rejected = zip(*parsed, strict=True)
+    stamps, bearings, measured, rejected = zip(*parsed, strict=True)
     if len(set(bearings)) > _MAXIMUM_BEARINGS:
         raise InputError(
             said("has more than {most} bearings", most=_MAXIMUM_BEARINGS), source=source
         )
-    first = min(times) if columns.dated else 0.0
+    start, times = "", stamps
+    if columns.dated:
+        try:
+            times = tuple(days_between(stamps, columns.time_title))
+        except InputError as error:
+            raise error.with_details(source=source) from None
+        start = moment_said(min(stamps))
     return Trend(
-        np.array(times) - first,
+        np.array(times, dtype=np.float64),
         np.array(bearings, dtype=np.str_),
         columns.quantities,
         columns.units,
@@ -247,7 +268,8 @@ def parse_trend(
         table.said.get("title", ""),
         table.said.get("source", source),
         columns.passed_over,
-        date.fromordinal(int(first)).isoformat() if columns.dated else "",
+        start,
+        dates,
     )
 
 
@@ -256,7 +278,13 @@ def _dates_of(table: Table, columns: _Columns, order: str | None) -> Dates:
     if not columns.dated:
         return Dates()
     cells = [row[columns.time] for row in table.rows]
-    found = dates_of(cells, table.said.get(_ORDER) if order is None else order)
+    found = dates_of(
+        cells,
+        table.said.get(_ORDER) if order is None else order,
+        title=table.header[columns.time],
+        decimal_commas=table.separator != ","
+        and any(DECIMAL_COMMA.fullmatch(row[i]) for row in table.rows for i in columns.places),
+    )
     try:
         found.check(table.header[columns.time])
     except InputError as error:
@@ -292,12 +320,14 @@ class _Columns:
     """Which cell holds what; no bearing where all rows are of one."""
 
     time: int
+    clock: int | None
     bearing: int | None
     places: tuple[int, ...]
     quantities: tuple[str, ...]
     units: tuple[str, ...]
     time_unit: str
     dated: bool
+    time_title: str
     passed_over: tuple[str, ...]
 
     @property
@@ -313,7 +343,9 @@ class _Columns:
         header = table.header
         heads = [_name_and_unit(cell) for cell in header]
         kinds = [column_by_name(word_and_unit(title)[0]) for title in header]
-        first = _place_of_time(kinds) if time is None else place_of(header, time)
+        first, clock = _places_of_time(
+            table, kinds, None if time is None else place_of(header, time)
+        )
         name = next((kinds.index(kind) for kind in _BEARINGS if kind in kinds), None)
         name = name if bearing is None else place_of(header, bearing)
         if first is None or first == name:
@@ -324,29 +356,32 @@ class _Columns:
             )
         dated = _holds_dates(table, first)
         time_unit = "d" if dated else heads[first][1] or word_and_unit(header[first])[1]
-        others = [i for i in range(len(header)) if i not in (first, name)]
+        others = [i for i in range(len(header)) if i not in (first, clock, name)]
         places = [place_of(header, value) for value in dict.fromkeys(values)]
         if not values:
             places = [i for i in others if heads[i][1]] or [
                 i for i in others if kinds[i] == "value"
             ]
+        _check_time_of_day(table, first)
         _check_quantities(header, first, time_unit, places, others)
         if name is None:
             _check_names_of_bearings(table, [i for i in others if i not in places], kinds)
         return cls(
             first,
+            clock,
             name,
             tuple(places),
             tuple(heads[i][0] for i in places),
             tuple(heads[i][1] for i in places),
             time_unit,
             dated,
+            header[first],
             tuple(header[i] for i in others if i not in places and header[i]),
         )
 
     def row(
         self, cells: Sequence[str], numerals: Numerals, dates: Dates
-    ) -> tuple[float, str, list[float], list[bool]]:
+    ) -> tuple[Any, str, list[float], list[bool]]:
         """Read one row: time, bearing, values, which of them were rejected."""
         name = "" if self.bearing is None else cells[self.bearing]
         if (
@@ -359,7 +394,10 @@ class _Columns:
                 field="bearing",
                 value=name,
             )
-        time = self._time(cells[self.time], numerals, dates)
+        stamp = cells[self.time]
+        if self.clock is not None and cells[self.clock]:
+            stamp = f"{stamp} {cells[self.clock]}"
+        time = self._time(stamp, numerals, dates)
         rejected = [cells[place].casefold() in _REJECTED for place in self.places]
         values = [
             np.nan if bad or not cells[place] else _measured(cells[place], quantity, numerals)
@@ -367,30 +405,61 @@ class _Columns:
         ]
         return time, name, values, rejected
 
-    def _time(self, cell: str, numerals: Numerals, dates: Dates) -> float:
-        """A time in its unit, or the number of a day."""
+    def _time(self, cell: str, numerals: Numerals, dates: Dates) -> float | datetime:
+        """A time in its unit, or a moment."""
         if self.dated:
-            day = dates.day(cell)
-            if day is None:
+            moment = dates.moment(cell)
+            if moment is None:
                 raise InputError(
-                    said("must be a date"), field="time", value=cell, example="2024-02-29"
+                    said("must be a date, with or without a time of day"),
+                    field=self.time_title,
+                    value=cell,
+                    example="2024-02-29 08:30",
                 )
-            return float(day.toordinal())
-        time = _measured(cell, "time", numerals)
+            return moment
+        time = _measured(cell, self.time_title, numerals)
         if time < 0.0:
-            raise InputError(said("must not be negative"), field="time", value=cell)
+            raise InputError(said("must not be negative"), field=self.time_title, value=cell)
         return time
 
 
-def _place_of_time(kinds: Sequence[str | None]) -> int | None:
-    """The first column of running times; of dates where there is none."""
-    return next((kinds.index(kind) for kind in ("time", "date") if kind in kinds), None)
+def _places_of_time(
+    table: Table, kinds: Sequence[str | None], chosen: int | None
+) -> tuple[int | None, int | None]:
+    """The column of running times or dates, and that of times of day beside dates."""
+    running = [i for i, kind in enumerate(kinds) if kind in ("time", "clock")]
+    clock = next((i for i in running if is_time_of_day(_first_cell(table, i))), None)
+    others = [i for i in running if i != clock and kinds[i] == "time"]
+    dated = [i for i, kind in enumerate(kinds) if kind == "date"]
+    first = chosen
+    if first is None:
+        first = next(iter((*others, *dated)), clock)
+    is_day = first is not None and first != clock and _holds_dates(table, first)
+    bare = is_day and first is not None and ":" not in _first_cell(table, first)
+    return first, clock if bare else None
+
+
+def _first_cell(table: Table, place: int) -> str:
+    """The first cell of a column that has something in it."""
+    return next((row[place] for row in table.rows if row[place]), "")
 
 
 def _holds_dates(table: Table, place: int) -> bool:
     """Whether the first cell of a column that has one is a date."""
-    filled = next((row[place] for row in table.rows if row[place]), "")
-    return any(Dates(order).day(filled) is not None for order in get_args(DateOrder))
+    filled = _first_cell(table, place)
+    return any(Dates(order).moment(filled) is not None for order in get_args(DateOrder))
+
+
+def _check_time_of_day(table: Table, place: int) -> None:
+    """Refuse times of day without a column of dates: nobody knows their day."""
+    cell = _first_cell(table, place)
+    if is_time_of_day(cell):
+        raise InputError(
+            said("holds times of day; a column of dates is needed beside it"),
+            field=table.header[place],
+            value=cell,
+            example="date,time,velocity (mm/s)",
+        )
 
 
 def _check_quantities(
@@ -437,9 +506,9 @@ def _name_and_unit(cell: str) -> tuple[str, str]:
             field="header",
             value=cell,
         )
-    head, _, tail = name.rpartition(" ")
-    if not unit and tail in _UNITS:
-        return head, tail
+    tail = name.replace("_", " ").rpartition(" ")[2]
+    if not unit and tail in _UNITS and tail != name:
+        return name[: -len(tail) - 1], tail
     return name, unit
 
 

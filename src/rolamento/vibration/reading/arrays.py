@@ -11,6 +11,7 @@ from abc import abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
+from importlib.util import find_spec
 from math import pi, prod
 from pathlib import Path
 from typing import Any, BinaryIO, Final, Literal, NamedTuple
@@ -18,10 +19,16 @@ from typing import Any, BinaryIO, Final, Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento._foreign.bounds import check_inflated, check_whole, guarded, size_of_file
-from rolamento._foreign.isolated import Isolated
-from rolamento._foreign.readers import MOST_VARIABLES, Hdf5Arrays, MatlabArrays, Variable
 from rolamento.errors import FileError
+from rolamento.io.foreign.bounds import check_inflated, check_whole, guarded, size_of_file
+from rolamento.io.foreign.isolated import Isolated
+from rolamento.io.foreign.readers import (
+    MOST_VARIABLES,
+    Hdf5Arrays,
+    MatlabArrays,
+    TdmsChannels,
+    Variable,
+)
 from rolamento.numerics import FloatArray
 from rolamento.vibration.reading.channels import Channel, Source, checked_channels
 from rolamento.vibration.reading.metadata import (
@@ -233,23 +240,47 @@ class NumpySource(ArraysSource):
 
 
 class IsolatedSource(ArraysSource):
-    """A MATLAB file of version 5 to 7, or an HDF5 file, MATLAB 7.3 among them."""
+    """A MATLAB file of version 5 to 7, an HDF5 file, MATLAB 7.3 among them, or a TDMS file."""
 
-    def __init__(self, path: Path, kind: Literal["MATLAB", "HDF5"]) -> None:
+    def __init__(self, path: Path, kind: Literal["MATLAB", "HDF5", "TDMS"]) -> None:
         self._source = str(path)
         size = size_of_file(path)
         if kind == "MATLAB":
             check_whole(size, self._source)
-        reader = MatlabArrays if kind == "MATLAB" else Hdf5Arrays
-        named = marked("MATLAB file") if kind == "MATLAB" else marked("HDF5 file")
+        elif kind == "TDMS" and find_spec("nptdms") is None:
+            raise FileError(
+                said(
+                    "is a TDMS file, which is read with npTDMS; install it, or export the channel"
+                    " as CSV"
+                ),
+                source=self._source,
+                example="pip install rolamento[tdms]",
+            )
+        reader, named = _ISOLATED[kind]
         self._process = Isolated(reader, path, named)
         try:
             variables = self._process.ask("variables")
             self._names = [variable.name for variable in variables]
+            if kind == "MATLAB" and all(variable.value is not None for variable in variables):
+                self._refuse_others(named)
             self._take(variables, self._source, named)
         except BaseException:
             self.close()
             raise
+
+    def _refuse_others(self, named: str) -> None:
+        """Refuse a file of other things than arrays of real numbers, and say of which."""
+        others: list[str] = self._process.ask("others")
+        if others:
+            raise FileError(
+                said(
+                    "is a {kind} that holds {others}, which is not read, and no channel of real"
+                    " numbers",
+                    kind=said(named),
+                    others=", ".join(others),
+                ),
+                source=self._source,
+            )
 
     def close(self) -> None:
         """End the process that has the file open."""
@@ -265,6 +296,14 @@ class IsolatedSource(ArraysSource):
                 raise FileError(said("ends before its last sample"), source=self._source)
             samples[first : first + number] = piece
         return samples
+
+
+_ISOLATED: Final[Mapping[str, tuple[Callable[[str], Any], str]]] = {
+    "MATLAB": (MatlabArrays, marked("MATLAB file")),
+    "HDF5": (Hdf5Arrays, marked("HDF5 file")),
+    "TDMS": (TdmsChannels, marked("TDMS file")),
+}
+"""The reader of a kind of file, and what the file is called."""
 
 
 class _Header(NamedTuple):

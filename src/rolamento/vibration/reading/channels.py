@@ -15,8 +15,8 @@ from typing import Any, Final, NamedTuple, Self
 
 import numpy as np
 
-from rolamento._tables import Numerals
 from rolamento.errors import FileError, InputError, nearest
+from rolamento.io.numerals import Numerals
 from rolamento.numerics import FloatArray
 from rolamento.vibration._checks import checked_number
 from rolamento.vibration.reading.metadata import SAME_RATE, RateClaim, TwoWays, short_name
@@ -216,6 +216,8 @@ def chosen_channel(channels: tuple[Channel, ...], wanted: Any) -> int:
     if isinstance(wanted, str):
         found = [number for number, name in enumerate(names) if name == wanted]
         found = found or [n for n, name in enumerate(names) if name.lower() == wanted.lower()]
+        ends = tuple(f"{mark}{wanted.lower()}" for mark in "./")  # within structures and groups
+        found = found or [n for n, name in enumerate(names) if name.lower().endswith(ends)]
         if len(found) == 1:
             return found[0]
         if not found and wanted.isdecimal() and len(wanted) < 6:

@@ -1,15 +1,17 @@
-"""Which format a file has: by its first bytes, and for text by its ending."""
+"""Which format a file has: by its first bytes, whatever it is called."""
 
 from __future__ import annotations
 
 import os
 import re
 from pathlib import Path
-from typing import BinaryIO, Final
+from typing import BinaryIO, Final, Literal
 
-from rolamento._foreign.bounds import check_declared, guarded, size_of_file
-from rolamento._tables import DecimalMark
-from rolamento.errors import FileError
+from rolamento.errors import FileError, InputError
+from rolamento.io.foreign.bounds import check_declared, guarded, size_of_file
+from rolamento.io.numerals import DecimalMark
+from rolamento.io.sheets import is_workbook, text_of_workbook
+from rolamento.io.tables import decoded, encoding_of
 from rolamento.vibration.reading.channels import Source
 from rolamento.words import marked, said
 
@@ -23,12 +25,26 @@ ENDINGS: Final = {
     "HDF5": (".h5", ".hdf5", ".hdf", ".he5", ".nc"),
     "Parquet": (".parquet", ".pq"),
     "UFF": (".uff", ".unv", ".uf", ".bunv"),
+    "TDMS": (".tdms",),
+    "XLSX": (".xlsx", ".xlsm"),
 }
 """Endings by format."""
 
 _HDF5: Final = b"\x89HDF\r\n\x1a\n"
 _HDF5_PLACES: Final = (0, 512, 1024, 2048, 4096)
 _DOUBLE: Final = 8
+_TDMS: Final = b"TDSm"
+_HEAD: Final = 64 * 2**10
+_LARGEST_SHEET: Final = 256 * 2**20
+"""Characters of a sheet, which has a million rows at most."""
+_NO_TEXT: Final = re.compile(rb"[\x00-\x08\x0e-\x1a\x1c-\x1f]")
+_OTHERS: Final = {
+    b"<rexs": marked("is a REXS model of a gear unit, not a signal; its bearings are not read yet"),
+    b"\xd0\xcf\x11\xe0": marked(
+        "is a file of Microsoft Office of before 2007; save it as .xlsx or as CSV"
+    ),
+}
+"""Formats that are known and not read, by what stands among the first bytes, and what to do."""
 _UFF: Final = re.compile(rb"\s{0,200}-1[ \r]*\n *\d{1,5}[bB]?[ \d]*\r?\n")
 
 
@@ -44,12 +60,17 @@ def open_source(path: str | os.PathLike[str], mark: DecimalMark | None = None) -
     """
     file = _path(path)
     source = str(file)
+    if is_workbook(source):
+        text = text_of_workbook(source, _LARGEST_SHEET)
+        from rolamento.vibration.reading.csv_file import CsvSource
+
+        return CsvSource(file, mark, text.encode("utf-8"))
     size = size_of_file(file)
     with guarded(source, marked("signal file")), file.open("rb") as stream:
         head = stream.read(512)
         kind = _kind(head, stream, size, file.suffix.lower())
     if not kind:
-        raise _unknown(file.suffix.lower(), source)
+        raise _unknown(head, file.suffix.lower(), source)
     with guarded(source, marked("signal file")):
         opened_source = _source_of(kind, file, mark)
         try:
@@ -89,10 +110,32 @@ def _kind(head: bytes, stream: BinaryIO, size: int, ending: str) -> str:
         return "matlab"
     if _UFF.match(head):
         return "uff"
-    return "csv" if ending in ENDINGS["CSV"] else ""
+    if head.startswith(_TDMS):
+        return "tdms"
+    return "csv" if ending in ENDINGS["CSV"] or _is_table(head, stream) else ""
 
 
-def _unknown(ending: str, source: str) -> FileError:
+def _is_table(head: bytes, stream: BinaryIO) -> bool:
+    """Whether text begins as a table of numbers does, with or without lines above them."""
+    from rolamento.vibration.reading.csv_file import layout_of
+
+    if encoding_of(head) == "utf-8" and _NO_TEXT.search(head):
+        return False
+    stream.seek(0)
+    try:
+        text = decoded(stream.read(_HEAD), "")
+        layout_of(text[: text.rfind("\n") + 1].encode("utf-8"), "")
+    except FileError:
+        return False
+    except InputError:  # a table in which something may be read in two ways
+        return True
+    return True
+
+
+def _unknown(head: bytes, ending: str, source: str) -> FileError:
+    other = next((rule for begin, rule in _OTHERS.items() if begin in head), "")
+    if other:
+        return FileError(said(other), source=source)
     named = next((kind for kind, endings in ENDINGS.items() if ending in endings), "")
     if ending == ".mat":
         rule = said("is not a MATLAB file of version 5 to 7.3; in MATLAB, save it with -v7")
@@ -126,4 +169,5 @@ def _source_of(kind: str, path: Path, mark: DecimalMark | None) -> Source:
 
     if kind == "numpy":
         return NumpySource(path)
-    return IsolatedSource(path, "HDF5" if kind == "hdf5" else "MATLAB")
+    kinds: dict[str, Literal["HDF5", "MATLAB", "TDMS"]] = {"hdf5": "HDF5", "tdms": "TDMS"}
+    return IsolatedSource(path, kinds.get(kind, "MATLAB"))

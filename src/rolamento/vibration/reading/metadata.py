@@ -11,13 +11,14 @@ import unicodedata
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import isfinite, pi
-from typing import Final, NamedTuple
+from typing import Final, Literal, NamedTuple
 
 import numpy as np
 
 from rolamento.errors import FileError
+from rolamento.io.columns import seconds_of_heading
 from rolamento.numerics import FloatArray
-from rolamento.vibration.reading.units import SPEED_UNITS, is_unit, plain_unit, spelled
+from rolamento.vibration.reading.units import SPEED_UNITS, is_unit, plain_unit
 from rolamento.words import marked, said
 
 __all__ = [
@@ -27,6 +28,8 @@ __all__ = [
     "RateClaims",
     "Timeline",
     "TwoWays",
+    "is_rate_or_step",
+    "is_unit_name",
     "label_parts",
     "positive",
     "rate_of",
@@ -35,6 +38,7 @@ __all__ = [
     "speed_among",
     "speeds_perhaps",
     "time_scale",
+    "time_scale_perhaps",
     "unit_among",
 ]
 
@@ -44,13 +48,21 @@ _LONGEST_NAME: Final = 100
 _RATE: Final = (
     *("fs", "sr", "sps", "fsamp", "fsample", "abtastrate", "taxadeamostragem"),
     *("samplingrate", "samplerate", "samplingfrequency", "samplefrequency", "samplingfreq"),
-    *("frequenciadeamostragem", "freqamostragem", "taxaamostragem", "abtastfrequenz"),
+    *("samplefreq", "samplingspeed", "scanrate", "acquisitionrate", "samplespersecond"),
+    *("samplespersec", "samplespers", "sampless", "sampleclockrate", "samplespeed"),
+    *("frequenciadeamostragem", "freqamostragem", "taxaamostragem", "taxadeaquisicao"),
+    *("frequenciadeaquisicao", "abtastfrequenz", "messrate", "abtastratehz", "abtastung"),
+    *("frecuenciademuestreo", "tasademuestreo", "velocidaddemuestreo", "frecuenciadeadquisicion"),
 )
 _LOOSE_RATE: Final = ("rate", "taxa")
 """The sampling rate where nothing else is; the shaft's speed in Hz in other files."""
 _STEP: Final = (
     *("dt", "dx", "deltat", "tdelta", "timestep", "timeincrement", "wfincrement", "xincrement"),
-    *("samplingperiod", "sampleperiod", "samplinginterval", "sampleinterval"),
+    *("samplingperiod", "sampleperiod", "samplinginterval", "sampleinterval", "deltax", "xdelta"),
+    *("timeinterval", "sampletime", "samplingtime", "scaninterval", "timebetweensamples"),
+    *("intervalodeamostragem", "periododeamostragem", "passodetempo", "incrementodetempo"),
+    *("abtastintervall", "abtastperiode", "abtastzeit", "messintervall", "zeitschritt"),
+    *("intervalodemuestreo", "periododemuestreo", "pasodetiempo"),
 )
 _SHAFT: Final = re.compile(
     r"(?:shaft|rotation|rotational|rotating|motor|running|rotor|eixo|rotacao|derotacao|velocidade)*"
@@ -69,32 +81,24 @@ _FASTEST_SHAFT: Final = 1000.0
 """Turns per second: no sampling rate of a vibration is as low, and hardly a shaft is as fast."""
 _CLEARLY_BELOW: Final = 20.0
 """Times that a sampling rate is above the shaft's: a record with less shows no bearing."""
-_UNIT: Final = ("unit", "units", "unitstring", "yunit", "yunits", "engunits")
-_TIME: Final = (
-    *("t", "time", "times", "timestamp", "seconds", "elapsed", "xtime", "zeit", "tempo", "temps"),
+_UNIT: Final = (
+    *("unit", "units", "unitstring", "yunit", "yunits", "engunits", "yunitlabel", "yunitslabel"),
+    *("verticalunits", "verticalunit", "unidade", "unidades", "einheit", "einheiten", "unidad"),
+    *("unidades", "engineeringunits"),
 )
-_TIME_UNITS: Final = {
-    "s": 1.0,
-    "sec": 1.0,
-    "second": 1.0,
-    "seconds": 1.0,
-    "ms": 1e-3,
-    "us": 1e-6,
-    "ns": 1e-9,
-    "min": 60.0,
-}
 _BRACKETED: Final = re.compile(r"([^()\[\]{}]*)(?:\[([^\[\]]*)\]|\(([^()]*)\))\s*")
 
 
 def label_parts(label: str) -> tuple[str, str]:
     """Split a heading such as ``"acc (g)"`` into name and unit.
 
-    In square brackets everything is a unit; in round ones only what is known to be one.
+    In square brackets everything is a unit; in round ones only what is known to be one, of a
+    signal or of time.
     """
     match = _BRACKETED.fullmatch(label[: 2 * _LONGEST_NAME])
     if match:
         unit = plain_unit(match[2] if match[2] is not None else match[3])
-        if match[2] is not None or is_unit(unit) or unit in _TIME_UNITS:
+        if match[2] is not None or is_unit(unit) or seconds_of_heading("", unit)[0] is not None:
             return short_name(match[1]), unit
     return short_name(label), ""
 
@@ -106,11 +110,14 @@ def short_name(name: str) -> str:
 
 
 def time_scale(name: str, unit: str) -> float | None:
-    """Seconds in one unit of a column, if it is one of times; None if it is not."""
-    plain = spelled(unit).lower()
-    if _without_unit(name) in _TIME and (not unit or plain in _TIME_UNITS):
-        return _TIME_UNITS.get(plain, 1.0)
-    return None
+    """Seconds in one unit of a column, if its name is that of times; None if it is not."""
+    scale, sure = seconds_of_heading(name, unit)
+    return scale if sure else None
+
+
+def time_scale_perhaps(name: str, unit: str) -> float | None:
+    """Seconds in one unit of a column that is one of times if its numbers rise evenly."""
+    return seconds_of_heading(name, unit)[0]
 
 
 class RateClaim(NamedTuple):
@@ -274,9 +281,26 @@ def positive(value: float) -> bool:
     return 0.0 < value < 1e12
 
 
+def is_rate_or_step(name: str) -> Literal["rate", "step", ""]:
+    """Return whether a name is that of a sampling rate, or of the time between samples."""
+    plain = _without_unit(name)
+    if plain in _RATE or plain in _LOOSE_RATE:
+        return "rate"
+    return "step" if plain in _STEP else ""
+
+
+def is_unit_name(name: str) -> bool:
+    """Return whether a name is that of the unit of samples."""
+    return _without_unit(name) in _UNIT
+
+
 def _without_unit(name: str) -> str:
     """Letters and digits only, in lower case: Sampling_Rate and "sampling rate" are one."""
-    without = re.sub(r"[\[(]\s*(?:hz|s|rpm|1/min)\s*[\])]", "", name[:_LONGEST_NAME].lower())
+    without = re.sub(
+        r"[\[(]\s*(?:hz|s|rpm|1/min|sa?/s|samples?/s(?:ec)?)\s*[\])]",
+        "",
+        name[:_LONGEST_NAME].lower(),
+    )
     return _letters_and_digits(without)  # of "fs (kHz)" the kHz is left: not a rate in Hz
 
 

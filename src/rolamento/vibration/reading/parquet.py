@@ -10,8 +10,8 @@ import numpy as np
 import pyarrow as pa
 import pyarrow.parquet as pq
 
-from rolamento._foreign.bounds import LARGEST_WHOLE, guarded, size_of_file
 from rolamento.errors import FileError
+from rolamento.io.foreign.bounds import LARGEST_WHOLE, guarded, size_of_file
 from rolamento.numerics import FloatArray
 from rolamento.vibration.reading.channels import (
     MOST_CHANNELS,

@@ -9,9 +9,9 @@ from typing import Self
 
 import numpy as np
 
-from rolamento._foreign.bounds import guarded
-from rolamento._tables import checked_mark
 from rolamento.errors import FileError, InputError
+from rolamento.io.foreign.bounds import guarded
+from rolamento.io.numerals import checked_mark
 from rolamento.numerics import FloatArray
 from rolamento.vibration._checks import checked_count, checked_number
 from rolamento.vibration.reading.channels import (

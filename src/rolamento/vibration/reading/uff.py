@@ -15,8 +15,8 @@ from typing import Final, NamedTuple
 
 import numpy as np
 
-from rolamento._foreign.bounds import check_whole, guarded, size_of_file
 from rolamento.errors import FileError
+from rolamento.io.foreign.bounds import check_whole, guarded, size_of_file
 from rolamento.numerics import FloatArray
 from rolamento.vibration.reading.channels import Channel, Source, checked_channels
 from rolamento.vibration.reading.metadata import Timeline, positive, short_name
@@ -35,6 +35,14 @@ _OVER_TIME: Final = (0, 1)
 """Types of function: general or unknown, time response."""
 _TIME: Final = (0, 17)
 """Types of abscissa: unknown, time."""
+_FREQUENCY: Final = 18
+_FUNCTIONS: Final = {
+    2: marked("auto spectra"), 3: marked("cross spectra"), 4: marked("frequency responses"),
+    5: marked("transmissibilities"), 6: marked("coherences"), 7: marked("autocorrelations"),
+    8: marked("cross correlations"), 9: marked("power spectral densities"),
+    10: marked("energy spectral densities"), 12: marked("spectra"),
+}  # fmt: skip
+"""Types of function of data set 58 that are no records over time."""
 _QUANTITIES: Final[dict[int, Quantity]] = {8: "displacement", 11: "velocity", 12: "acceleration"}
 _SINGLE: Final = 2
 _DOUBLE: Final = 4
@@ -96,7 +104,16 @@ class UffSource(Source):
         check_whole(size_of_file(path), self._source)
         self._held: dict[int, FloatArray] = {}
         with guarded(self._source, marked("universal file")):
-            self._sets = list(_Reader(path.read_bytes(), self._source).records())
+            reader = _Reader(path.read_bytes(), self._source)
+            self._sets = list(reader.records())
+        if not self._sets and reader.passed_over:
+            raise FileError(
+                said(
+                    "is a universal file that holds {kinds}; a record over time is needed",
+                    kinds=", ".join(said(kind) for kind in reader.passed_over),
+                ),
+                source=self._source,
+            )
         channels = [record.channel for record in self._sets]
         self.channels = checked_channels(channels, self._source, marked("universal file"))
 
@@ -120,6 +137,7 @@ class _Reader:
         self._content = content
         self._source = source
         self._metric = False
+        self.passed_over: dict[str, None] = {}
 
     def records(self) -> Iterator[_Set]:
         """Data sets of real numbers over time."""
@@ -183,6 +201,11 @@ class _Reader:
             order = ""
         wanted = _whole(texts[5], 0, 5) in _OVER_TIME and _whole(texts[7], 0, 10) in _TIME
         if kind not in (_SINGLE, _DOUBLE) or not wanted or count < 1:
+            function = _whole(texts[5], 0, 5)
+            over = _whole(texts[7], 0, 10)
+            named = _FUNCTIONS.get(function, marked("spectra"))
+            if function in _FUNCTIONS or over == _FREQUENCY:  # else a header without anything
+                self.passed_over[named] = None
             return place, None
         content = memoryview(self._content)[begin:stop]
         kept = _Form(order, kind == _DOUBLE, even == 1, count)

@@ -10,8 +10,8 @@ from typing import Final
 import numpy as np
 import soundfile
 
-from rolamento._foreign.bounds import guarded, size_of_file
 from rolamento.errors import FileError
+from rolamento.io.foreign.bounds import guarded, size_of_file
 from rolamento.numerics import FloatArray
 from rolamento.vibration.reading.channels import MOST_CHANNELS, Channel, Source, checked_channels
 from rolamento.words import Note, marked, said

@@ -47,6 +47,10 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "group_without_failures": marked(
         "A group has no failures: it has no shape, and is left out where only shapes are compared."
     ),
+    "dates_day_first": marked(
+        "{date} is read as {day}, the day first: the dates may be read in two ways, and the"
+        " language, the heading or the decimal commas of the table are of those who write so."
+    ),
     "passed_over_columns": marked("Columns of the table that were not read: {columns}."),
     "machines_not_rigs": marked(
         "Column {column} is not read: its machines are no test rigs, as their bearings ended at"

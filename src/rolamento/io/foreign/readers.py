@@ -1,36 +1,51 @@
-"""What reads MATLAB, HDF5 and NetCDF: classes for `Isolated`, which never run in the program.
+"""What reads MATLAB, HDF5, NetCDF, TDMS and workbooks, in a process of its own (`Isolated`).
 
-They know nothing but errors and bounds, and import a library when they need it, so that the
-process starts soon.
+These classes know nothing but errors and bounds, and import a library when they need it, so that
+the process starts soon.
 """
 
 from __future__ import annotations
 
 import math
 import os
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+from datetime import date, datetime, time
+from itertools import islice
 from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento._foreign.bounds import (
+from rolamento.errors import FileError
+from rolamento.io.foreign.bounds import (
     LARGEST_CHUNK,
     check_declared,
     check_inflated,
     most_declared,
 )
-from rolamento.errors import FileError
 from rolamento.words import said
 
-__all__ = ["MOST_VARIABLES", "Hdf5Arrays", "MatlabArrays", "NetcdfVariables", "Variable"]
+__all__ = [
+    "MOST_VARIABLES",
+    "Hdf5Arrays",
+    "MatlabArrays",
+    "NetcdfVariables",
+    "TdmsChannels",
+    "Variable",
+    "WorkbookSheets",
+]
 
 MOST_VARIABLES: Final = 10_000
 _DEEPEST: Final = 5
 """Structures within structures of a MATLAB file."""
 _LONGEST_TEXT: Final = 200
 _MOST_ATTRIBUTES: Final = 100
+_NUMBER_AS_TEXT: Final = re.compile(r"[+-]?[\d.,]*[.,][\d.,]*")
+_MOST_NAMED: Final = 6
+_LINES_LOOKED_AT: Final = 1000
+"""Of a sheet, to see whether it holds anything."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,8 +74,9 @@ class Variable:
 class MatlabArrays:
     """The arrays of a MATLAB file of version 5 to 7, by SciPy; it is held whole.
 
-    Of structures of one element the fields are taken; cells, objects, functions, text, sparse and
-    complex arrays are passed over.
+    Of structures of one element the fields are taken; of those of several, each element under what
+    its Name says, or its number: its Data or Value, or else its fields. Cells of structures are
+    read likewise; other cells, objects, functions, text, sparse and complex arrays are passed over.
     """
 
     def __init__(self, path: str) -> None:
@@ -73,6 +89,7 @@ class MatlabArrays:
         found = scipy.io.loadmat(path, simplify_cells=True)
         top = {name: value for name, value in found.items() if not name.startswith("__")}
         self._arrays = dict(_real_arrays(top, "", 0))
+        self._others = [f"{name}: {_kind_of_value(value)}" for name, value in top.items()]
         if len(self._arrays) > MOST_VARIABLES:
             raise FileError(said("has more than {most} arrays", most=MOST_VARIABLES))
         inflated = sum(array.nbytes for array in self._arrays.values())
@@ -84,6 +101,10 @@ class MatlabArrays:
             Variable(name, array.shape, float(array.reshape(-1)[0]) if array.size == 1 else None)
             for name, array in self._arrays.items()
         ]
+
+    def others(self) -> list[str]:
+        """What the file holds at its top, in words."""
+        return self._others[:_MOST_NAMED]
 
     def samples(self, name: str, axis: int, row: int, start: int, count: int) -> NDArray[Any]:
         """Numbers of a row or column of an array, as doubles."""
@@ -182,6 +203,49 @@ class Hdf5Arrays:
         return numbers, texts
 
 
+class TdmsChannels:
+    """The channels of a TDMS file of LabVIEW and DIAdem, by npTDMS, group by group."""
+
+    def __init__(self, path: str) -> None:
+        import nptdms
+
+        size = os.path.getsize(path)
+        declared = 0
+        with nptdms.TdmsFile.read_metadata(path) as about:
+            for group in about.groups():
+                declared += 8 * sum(len(channel) for channel in group.channels())
+        check_declared(declared, size, path)
+        self._file = nptdms.TdmsFile.open(path)
+        self._channels = {
+            f"{group.name}/{channel.name}": channel
+            for group in islice(self._file.groups(), MOST_VARIABLES)
+            for channel in islice(group.channels(), MOST_VARIABLES)
+            if channel.dtype is not None and channel.dtype.kind in "iuf" and len(channel)
+        }
+        if len(self._channels) > MOST_VARIABLES:
+            raise FileError(said("has more than {most} arrays", most=MOST_VARIABLES))
+
+    def variables(self) -> list[Variable]:
+        """All channels of real numbers, with what the file says of them."""
+        found = []
+        for name, channel in self._channels.items():
+            numbers: dict[str, float] = {}
+            texts: dict[str, str] = {}
+            for key, value in islice(channel.properties.items(), _MOST_ATTRIBUTES):
+                if isinstance(value, str):
+                    texts[key[:_LONGEST_TEXT]] = value[:_LONGEST_TEXT]
+                elif isinstance(value, int | float) and math.isfinite(value):
+                    numbers[key[:_LONGEST_TEXT]] = float(value)
+            single = float(channel[0]) if len(channel) == 1 else None
+            found.append(Variable(name, (len(channel),), single, numbers, texts))
+        return found
+
+    def samples(self, name: str, axis: int, row: int, start: int, count: int) -> NDArray[Any]:
+        """Numbers of a channel, scaled as the file says, as doubles."""
+        values = self._channels[name].read_data(start, count)
+        return np.asarray(values, dtype=np.float64)
+
+
 class NetcdfVariables:
     """The variables of a NetCDF file, with their dimensions and attributes, by h5netcdf."""
 
@@ -227,6 +291,65 @@ class NetcdfVariables:
         }
 
 
+class WorkbookSheets:
+    """The sheets of a workbook, by openpyxl: values of cells, not their formulas."""
+
+    def __init__(self, path: str) -> None:
+        import zipfile
+
+        import openpyxl
+
+        with zipfile.ZipFile(path) as archive:
+            inflated = sum(member.file_size for member in archive.infolist())
+        check_inflated(inflated, os.path.getsize(path), path)
+        self._file = open(path, "rb")  # noqa: SIM115 - of a name without its ending it wants a file
+        self._book = openpyxl.load_workbook(self._file, read_only=True, data_only=True)
+
+    def filled(self) -> list[str]:
+        """Names of the sheets that are shown and hold something."""
+        return [
+            sheet.title
+            for sheet in self._book.worksheets
+            if sheet.sheet_state == "visible"
+            and any(
+                cell is not None for row in islice(sheet.values, _LINES_LOOKED_AT) for cell in row
+            )
+        ]
+
+    def text(self, name: str, most: int) -> NDArray[Any]:
+        """One sheet as bytes of text, its cells parted by tabs, with decimal points.
+
+        A number is what the sheet holds, not what it shows; a date is written as ISO 8601 has it.
+        """
+        lines = ["sep=\t", "# decimal mark: point"]
+        written = 0
+        for row in self._book[name].values:
+            line = "\t".join(_cell_text(cell) for cell in row).rstrip("\t")
+            written += len(line) + 1
+            if written > most:
+                raise FileError(said("is larger than {most} MB", most=most // 1_000_000))
+            lines.append(line)
+        return np.frombuffer("\n".join(lines).encode("utf-8"), np.uint8)
+
+
+def _cell_text(cell: Any) -> str:
+    """A cell of a workbook as a cell of a table parted by tabs."""
+    if cell is None:
+        return ""
+    if isinstance(cell, bool):
+        return str(int(cell))
+    if isinstance(cell, datetime):
+        return cell.date().isoformat() if cell.time() == time() else cell.isoformat(" ")
+    if isinstance(cell, date | time):
+        return cell.isoformat()
+    if isinstance(cell, float):
+        return repr(int(cell)) if cell.is_integer() and abs(cell) < 1e15 else repr(cell)
+    text = " ".join(str(cell).split())
+    if _NUMBER_AS_TEXT.fullmatch(text):  # nobody knows which mark it has: it is no number here
+        return f"'{text}"
+    return '"' + text.replace('"', '""') + '"' if text[:1] == '"' or text[:1] == "#" else text
+
+
 def _real_arrays(
     structure: Mapping[str, Any], parent: str, depth: int
 ) -> Iterator[tuple[str, NDArray[Any]]]:
@@ -236,10 +359,56 @@ def _real_arrays(
         if isinstance(value, dict):
             if depth < _DEEPEST:
                 yield from _real_arrays(value, f"{path}.", depth + 1)
+        elif elements := _elements(value):
+            if depth < _DEEPEST:
+                yield from _real_arrays(_by_name(elements), f"{path}.", depth + 1)
         elif isinstance(value, np.ndarray | np.generic | int | float):
             array = np.asarray(value)
             if array.dtype.kind in "iufb" and array.size:
                 yield path, array
+
+
+def _kind_of_value(value: Any) -> str:
+    """What a variable of MATLAB is, in words."""
+    if elements := _elements(value):
+        return said("a structure of {count} elements", count=len(elements))
+    if isinstance(value, dict):
+        return said("a structure")
+    array = np.asarray(value)
+    words = {"U": said("text"), "S": said("text"), "c": said("complex numbers")}
+    if array.dtype.kind in "iufb":
+        return said("a single number") if array.size == 1 else said("real numbers")
+    return words.get(array.dtype.kind, said("cells or objects"))
+
+
+def _elements(value: Any) -> list[dict[str, Any]]:
+    """The elements of a structure of several; none of what is no such structure."""
+    if isinstance(value, np.ndarray) and value.dtype == object:
+        value = value.reshape(-1)[:MOST_VARIABLES].tolist()
+    if isinstance(value, list) and value and all(isinstance(one, dict) for one in value):
+        return value
+    return []
+
+
+def _by_name(elements: list[dict[str, Any]]) -> dict[str, Any]:
+    """Elements of a structure by what each says its name is, or else by number from 1.
+
+    One that has a name and its data under a usual word stands for these data.
+    """
+    found: dict[str, Any] = {}
+    for number, element in enumerate(elements, start=1):
+        words = {key.casefold(): value for key, value in element.items()}
+        name = next((words[key] for key in _NAMING if isinstance(words.get(key), str)), "")
+        data = next((words[key] for key in _HOLDING if words.get(key) is not None), None)
+        label = name.strip() or str(number)
+        if label in found:
+            label = f"{label} {number}"
+        found[label] = element if data is None or not name else data
+    return found
+
+
+_NAMING: Final = ("name", "signalname", "channelname", "label", "title")
+_HOLDING: Final = ("data", "value", "values", "samples", "signal", "y")
 
 
 def _plain_attributes(attrs: Any) -> dict[str, Any]:

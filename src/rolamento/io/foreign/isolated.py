@@ -19,15 +19,15 @@ from typing import Any, Final, Self
 
 import numpy as np
 
-from rolamento._foreign.bounds import MOST_MEMORY, PATIENCE, SLOWEST, guarded
 from rolamento.errors import FileError, InputError
+from rolamento.io.foreign.bounds import MOST_MEMORY, PATIENCE, SLOWEST, guarded
 from rolamento.words import language, said, speaking
 
 __all__ = ["Isolated", "serve"]
 
 _PROGRAM: Final = (
     "import pickle, sys; sys.path[:] = pickle.load(sys.stdin.buffer); "
-    "from rolamento._foreign.isolated import serve; serve()"
+    "from rolamento.io.foreign.isolated import serve; serve()"
 )
 _LEFT_ALONE: Final = round(PATIENCE) + 5
 """Seconds of one answer, after which the process ends itself: who asked may have been ended first,

@@ -113,6 +113,7 @@ def parse_mapping(text: str, text_format: TextFormat, source: str) -> dict[str, 
     """
     if not text.strip():
         raise FileError(said("is empty; a case is expected"), source=source)
+    _refuse_rexs(text, source)
     parse = _parsed_json if text_format == "json" else _parsed_toml
     try:
         mapping = parse(text)
@@ -129,6 +130,33 @@ def parse_mapping(text: str, text_format: TextFormat, source: str) -> dict[str, 
             example='{"bearing": {…}, "duty": {…}}',
         )
     return mapping
+
+
+_REXS: Final = re.compile(
+    r"""\s*(?:<\?xml[^>]*>\s*)?(?:<!--.*?-->\s*)*<model\s[^>]*version\s*=|\s*\{\s*"model"\s*:\s*\{""",
+    re.DOTALL,
+)
+"""How a model begins as XML (.rexs) and as JSON (.rexsj): REXS 1.4, FVA."""
+
+
+def _refuse_rexs(text: str, source: str) -> None:
+    """Refuse a model of a gear unit, by name.
+
+    Raises
+    ------
+    FileError
+        If it is one.
+    """
+    if not _REXS.match(text[:2000]) or not re.search(r"\b(?:relations|components)\b", text):
+        return
+    raise FileError(
+        said(
+            "is a REXS model of a gear unit, which is not read; give its bearing by designation or"
+            " in a case file"
+        ),
+        source=source,
+        example="rolamento new 6310 case.toml",
+    )
 
 
 def _attempt(action: Callable[[], Result], source: str) -> Result:
