@@ -182,7 +182,7 @@ def test_ratings_come_from_the_designation() -> None:
     assert found.ratings.dynamic_of_set[0] == 20_600.0
     assert found.ratings.static_of_set[0] == 11_200.0
     assert found.rating_sources["dynamic"].startswith("NSK, Rolling Bearings")
-    assert found.rating_sources["fatigue"] == "contacts"
+    assert found.rating_sources["fatigue"] == "estimate"
 
 
 def test_a_rating_that_is_given_goes_before() -> None:

@@ -131,7 +131,8 @@ class LifeColumns:
     def arguments(self) -> dict[str, Any]:
         """Return them as `rolamento.weibull.read_life_test` calls them."""
         own = {name.removesuffix("_column"): getattr(self, name) for name in LifeColumns.__slots__}
-        return {**own, "ignored": tuple(own.pop("ignore") or ())}
+        ignored = own.pop("ignore")
+        return {**own, "ignored": tuple(ignored or ())}
 
 
 ALL_COLUMNS: Final = LifeColumns()
