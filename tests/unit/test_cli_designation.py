@@ -46,11 +46,26 @@ def numbers(state: dict[str, Any]) -> dict[str, Any]:
     return {key: value for key, value in state.items() if key not in ("title", "case")}
 
 
+def same(one: Any, other: Any) -> None:
+    """Equal, numbers to what plain Python and compiled code may differ by."""
+    if isinstance(one, dict):
+        assert one.keys() == other.keys()
+        for key in one.keys() - {"residual", "iterations"}:
+            same(one[key], other[key])
+    elif isinstance(one, list):
+        for pair in zip(one, other, strict=True):
+            same(*pair)
+    elif isinstance(one, float):
+        assert one == pytest.approx(other, rel=1e-8, abs=1e-9)
+    else:
+        assert one == other
+
+
 @pytest.mark.parametrize("command", ["solve", "life"])
 def test_a_designation_gives_what_its_file_gives(command: str) -> None:
     of_file = json.loads(run(command, "case.toml", "--json"))
     of_name = json.loads(run(command, "6310/C3", *LOAD, "--json"))
-    assert numbers(of_name) == numbers(of_file)
+    same(numbers(of_name), numbers(of_file))
     assert of_name["title"] == "6310/C3"
 
 
@@ -107,7 +122,7 @@ def test_a_study_takes_one(folder: Path) -> None:
         (("solve", "cas"), "cas: is no file; did you mean case.toml?"),
         (("solve", "case"), "case: is no file; did you mean case.toml?"),
         (("solve", "bearing"), "bearing: is neither a file nor the designation of a bearing"),
-        (("solve", "6399"), 'bearing.designation = "6399": is in no catalogue; did you mean'),
+        (("solve", "6299"), 'bearing.designation = "6299": is in no catalogue; did you mean'),
         (("solve", "none.toml"), "none.toml: cannot be opened: no such file"),
         (("life", "6310/C9", *LOAD), "C9"),
     ],
@@ -157,7 +172,7 @@ def test_in_python() -> None:
     with pytest.raises(FileError, match="neither a file nor"):
         load_case("spindle")
     with pytest.raises(InputError, match="is in no catalogue"):
-        load_case("6399")
+        load_case("6299")
 
 
 def test_the_coefficient_counts_before_the_check_that_wants_it(folder: Path) -> None:

@@ -77,7 +77,7 @@ def test_the_help_of_every_command_is_said(names: tuple[str, ...], command: Any)
         (("solv",), "Erro: Comando desconhecido: solv. Você quis dizer solve?"),
         (("xyz",), "Erro: Comando desconhecido: xyz."),
         (("solve",), "Erro: Falta o argumento: CASO."),
-        (("diagnose", "a.wav"), "Erro: Falta a opção: --bearing."),
+        (("synthesise", "6205"), "Erro: Falta a opção: --output."),
         (("solve", "a", "b"), "Erro: Argumentos a mais: b"),
         (("solve", "a", "--jsn"), "Erro: Opção desconhecida: --jsn. Você quis dizer --json"),
         (("turn", "a", "--points", "x"), "inválido para --points: deve ser um número inteiro."),

@@ -210,7 +210,7 @@ def test_a_preload_is_nearly_lost_within_a_tenth(factor: float, told: bool) -> N
     pair = ANGULAR | {"arrangement": "DB", "spacing": "40 mm", "preload": {"force": "2 kN"}}
     solved = solve(case(pair, load={"fx": 1e3}))
     assert solved.preload is not None
-    near = replace(solved, preload=replace(solved.preload, lost_row=1, loss_factor=factor))
+    near = replace(solved, preloading=replace(solved.preload, lost_row=1, loss_factor=factor))
     assert ("preload_nearly_lost" in keys(notes_on(near))) is told
 
 

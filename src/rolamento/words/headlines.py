@@ -36,7 +36,7 @@ REMARKS: Final = frozenset(
         # of the life: what its number contains, what the headline says itself, parts not asked for
         "viscosity_ratio_capped", "below_fatigue_limit", "hours_at_rest", "no_static_rating",
         "open_grooves", "close_grooves", "factors_of_the_user", "theory_of_balls",
-        "no_temperature", "no_coefficient", "l_able_without_viscosity", "edge_factor_left_out",
+        "no_temperature", "l_able_without_viscosity", "edge_factor_left_out",
         "without_friction_models", "without_stress_volume", "without_preload_loss",
         # of speeds: a limit that is not given
         "no_reference_speed_of_thrust", "no_boundary_dimensions", "no_static_rating_for_speed",
