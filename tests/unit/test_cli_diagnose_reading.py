@@ -168,7 +168,7 @@ def test_tracking_a_short_record_is_refused_before_it_is_read(
 
 def test_decimal_marks_are_asked_about(run: Run) -> None:
     Path("a.csv").write_text("load;speed\n" + "7;1.234\n" * 9, "utf-8")
-    known = ("a.csv", "--speed", "1500 rpm", "--rate", "100", "--channel", "2")
+    known = ("a.csv", "--speed", "1500 rpm", "--rate", "1000", "--channel", "2")
     code, _, error = run(*known)
     assert code == 2
     assert "--decimal-mark point for 1.234, --decimal-mark comma for 1234" in error

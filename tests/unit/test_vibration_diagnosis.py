@@ -714,7 +714,7 @@ def test_orders_that_are_refused(wrong: dict[str, Any], field: str) -> None:
         ("speed_tolerance", -0.1),
         ("speed_tolerance", 0.2),
         ("speed_uncertainty", 1.0),
-        ("block_revolutions", 5.0),
+        ("block_revolutions", 1.5),
         ("remove_tones", "yes"),
     ],
 )
