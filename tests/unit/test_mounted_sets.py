@@ -410,9 +410,16 @@ def test_each_case_of_a_batch_is_as_solved_alone(name: str) -> None:
     assert batch.field(name) == pytest.approx(VALUES[name])
 
 
-def test_one_case_that_has_no_free_angle_does_not_poison_the_others() -> None:
-    batch = solve(pair(**HOT), {"mounting.shaft_interference": [3e-6, 60e-6]})
-    assert list(batch.status.code) == ["converged", "invalid_input"]
+def test_a_case_without_a_free_angle_is_solved_in_a_batch_as_alone() -> None:
+    interferences = [3e-6, 60e-6, 1e-3]
+    batch = solve(pair(**HOT), {"mounting.shaft_interference": interferences})
+    assert list(batch.status.code) == ["converged", "converged", "invalid_input"]
+    for index, interference in enumerate(interferences[:2]):
+        alone = solve(pair(**HOT).with_({"mounting.shaft_interference": interference}))
+        largest = alone.inner.load.max()
+        assert batch.inner.load[index] == pytest.approx(alone.inner.load[0], abs=1e-9 * largest)
+    with pytest.raises(InputError, match="closes the bearing"):
+        solve(pair(**HOT).with_({"mounting.shaft_interference": interferences[2]}))
 
 
 def test_a_row_that_its_fits_close_still_has_its_clamped_offset() -> None:
