@@ -349,16 +349,19 @@ class TestOutputs:
         assert "NaN" not in out
         assert json.loads(out)["signals"][0]["bands"][2]["anderons"] is None
 
-    def test_whole_numbers_of_a_recorder_are_noted(self, run: Run) -> None:
+    def test_whole_numbers_of_a_recorder_need_a_scale(self, run: Run) -> None:
+        """A unit alone would take their full scale for 1 of it."""
         from scipy.io import wavfile
 
         noise = np.random.default_rng(2).normal(size=60_000)
         wavfile.write("int.wav", 48_000, (3000.0 * noise).astype(np.int16))
-        code, _, err = run("int.wav")
-        assert code == 2
-        assert "--unit" in err
-        out = squeezed(run("int.wav", "--unit", "m/s^2", "--lang", "en")[1])
-        assert "full scale is taken as 1 m/s^2" in out
+        for given in ((), ("--unit", "m/s^2")):
+            code, _, err = run("int.wav", *given)
+            assert code == 2
+            assert "--scale" in err
+            assert "the file holds whole numbers" in err
+        out = squeezed(run("int.wav", "--scale", "1 m/s^2", "--lang", "en")[1])
+        assert "The samples are scaled by 1 m/s^2, as given." in out
 
 
 REFUSED: list[tuple[tuple[str, ...], str]] = [

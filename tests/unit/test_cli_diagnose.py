@@ -350,7 +350,8 @@ class TestWrongInput:
             (("outer.npy", *KNOWN[2:], "--bearing", "fan.toml", "--angle", "free"), "--nominal"),
             (("outer.npy", *KNOWN, "--set", "duty.load.fz=3"), "--set: duty.load.fz"),
             (("outer.npy", *KNOWN, "--set", "duty.lode=3"), "--set"),
-            (("text.wav", *KNOWN), "is not a WAV file, although its name says so"),
+            (("junk.wav", *KNOWN), "is not a WAV file, although its name says so"),
+            (("text.wav", *KNOWN), "time column: does not increase from the first row to the last"),
             (("two.npz", *KNOWN), "--channel: must be chosen, by name or number: 1 a, 2 b"),
             (("two.npz", *KNOWN, "--channel", "c"), "--channel a"),
             (("outer.npy", *KNOWN, "--speed", "fast"), "--speed"),
@@ -378,6 +379,7 @@ class TestWrongInput:
         ],
     )
     def test_one_line_and_two(self, run: Run, arguments: tuple[str, ...], told: str) -> None:
+        Path("junk.wav").write_bytes(bytes(range(256)))
         Path("text.wav").write_text("time;acc\n0;1\n", encoding="utf-8")
         np.savez("two.npz", a=outer(), b=outer())
         code, out, err = run(*arguments)

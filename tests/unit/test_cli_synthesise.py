@@ -125,7 +125,7 @@ class TestSignal:
         for kind in ("outer_race", "inner_race"):
             out = run(
                 "6205", "--speed", "1797 rpm", "--rate", "12 kHz", "--fault", kind,
-                "--load", "radial", "--snr", "-6", "-o", "a.csv", "--lang", "en",
+                "--load", "radial", "--snr", "0", "-o", "a.csv", "--lang", "en",
             )[1]  # fmt: skip
             command = shlex.split(out.strip().splitlines()[-1])
             assert command[:3] == ["rolamento", "diagnose", "a.csv"]

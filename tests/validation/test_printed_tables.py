@@ -183,7 +183,7 @@ def test_geometry_constants_of_skf() -> None:
 
 @pytest.mark.parametrize(
     ("supply", "printed"),
-    [("low_oil_bath", 3e-8), ("oil_jet", 3e-8), ("grease", 6e-8), ("oil_air", 6e-8)],
+    [("bath", 3e-8), ("jet", 3e-8), ("grease", 6e-8), ("oil_air", 6e-8)],
 )
 def test_replenishment_constant_of_skf(supply: str, printed: float) -> None:
     """φ_rs = exp(-K_rs ν n (d + D) √(K_z/(2 (D - d)))).
