@@ -69,7 +69,6 @@ def test_a_column_of_one_and_nought_says_what_failed(text: str, failed: int) -> 
         ("time,flag\n100,1\n150,1\n200,0\n", "flag"),
         ("time,ended\n100,well\n150,badly\n200,well\n", "ended"),
         ("time,how\n100,pulled\n150,\n200,\n", "how"),
-        ("time,failure mode\n100,spall\n150,cage\n200,\n", "failure mode"),
         ("time,remark\n100,failed\n150,suspended\n", "remark"),
     ],
 )
@@ -83,6 +82,18 @@ def test_what_may_say_what_failed_is_asked_about(run: Run, text: str, column: st
     code, out, _ = run("weibull", "a.csv", "--ignore-column", column)
     assert code in (0, 1)
     assert "bearings, " in out
+
+
+def test_a_blank_failure_mode_is_asked_about(run: Run) -> None:
+    """The column is read as modes by its name: what it lacks is a word, not an option."""
+    Path("a.csv").write_text("time,failure mode\n100,spall\n150,cage\n200,\n", encoding="utf-8")
+    code, out, complaint = run("weibull", "a.csv")
+    assert (code, out) == (2, "")
+    assert "a.csv, line 4: failure mode: is blank, and no column says what failed" in complaint
+    assert "(example: suspended)" in complaint
+    code, out, _ = run("weibull", "a.csv", "--ignore-column", "failure mode")
+    assert code in (0, 1)
+    assert "3 bearings, " in out
 
 
 def test_what_cannot_say_what_failed_is_passed_over() -> None:

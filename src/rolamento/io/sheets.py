@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import stat
 import zipfile
 from pathlib import Path
 from typing import Final
@@ -31,6 +32,8 @@ def is_workbook(path: str | os.PathLike[str]) -> bool:
     """
     file, _ = _file_and_sheet(path)
     try:
+        if not stat.S_ISREG(os.stat(file).st_mode):  # a pipe would be waited for
+            return False
         with open(file, "rb") as stream:
             head = stream.read(120)
     except (OSError, ValueError):

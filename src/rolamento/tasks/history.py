@@ -509,10 +509,16 @@ def _turns(signal: Signal, asked: dict[str, Any]) -> float:
 
 
 def _depth_of(one: DiagnosisResult | None, part: Component) -> float:
-    """Depth of a part where it has peaks, or the deepest that its window holds."""
+    """Depth of a part where it has peaks, or the deepest that its window holds.
+
+    NaN of a part that could not be tested, as of records so short that multiples of the shaft hide
+    its window.
+    """
     if one is None:
         return nan
     own = one.diagnosis.of(part)
+    if own.verdict == "not_tested":
+        return nan
     if isfinite(own.depth):
         return own.depth
     return _depth(one, own.nominal_order, one.diagnosis.tolerance)

@@ -148,7 +148,7 @@ def parse_fleet(
     )
     try:
         check_names(table.header, _EXAMPLE)
-        header = header_of(table.header, chosen, table.rows)
+        header = header_of(table.header, chosen, table.rows, ignored)
         check_status(header, table.rows, ignored)
         use = place_of_use(table.header, usage, set(header.places.values()))
     except InputError as error:

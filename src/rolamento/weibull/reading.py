@@ -220,7 +220,7 @@ def parse_life_test(
         raise table.placed(error) from None
     table, remarks = in_usual_form(table, chosen, decimal_mark=decimal_mark, **dates)
     try:
-        header = header_of(table.header, chosen, table.rows)
+        header = header_of(table.header, chosen, table.rows, ignored)
         check_status(header, table.rows, ignored)
     except InputError as error:
         raise table.placed(error) from None
@@ -347,21 +347,30 @@ class Row:
 
 
 def header_of(
-    cells: Sequence[str], wanted: Mapping[str, str], rows: Sequence[Sequence[str]] = ()
+    cells: Sequence[str],
+    wanted: Mapping[str, str],
+    rows: Sequence[Sequence[str]] = (),
+    ignored: Sequence[str] = (),
 ) -> Header:
     """Find the columns by the cells of the header.
 
     wanted: titles of the columns ``time``, ``status``, ``group``, ``count`` and ``mode``, over the
     usual names. rows: of the table; of two columns that may be the status they tell which one is.
+    ignored: titles of columns that are not read, whatever their names say.
     """
     chosen = _chosen_columns(cells, wanted)
+    left_out = {folded_name(title) for title in ignored}
     places: dict[str, int] = {}
     unit = ""
     unknown: list[int] = []
+    passed_over: list[int] = []
     for place, column in enumerate(_columns_told(cells, wanted, rows)):
         if place in chosen:
             kind = chosen[place]
             column = column if kind == "status" and column in _KINDS_OF_STATUS else kind
+        elif folded_name(cells[place]) in left_out:
+            passed_over.append(place)
+            continue
         elif column in _SILENT:
             continue
         elif column is None or _kind_of(column) in wanted:
@@ -395,7 +404,7 @@ def header_of(
         tuple(cells),
         {column: cells[place] for column, place in places.items()},
         unit,
-        tuple(cells[place] for place in unknown),
+        tuple(cells[place] for place in sorted({*unknown, *passed_over})),
         "" if machine is None else cells[machine],
     )
 

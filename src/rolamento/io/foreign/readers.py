@@ -375,6 +375,8 @@ def _kind_of_value(value: Any) -> str:
     if isinstance(value, dict):
         return said("a structure")
     array = np.asarray(value)
+    if not array.size:
+        return said("nothing")
     words = {"U": said("text"), "S": said("text"), "c": said("complex numbers")}
     if array.dtype.kind in "iufb":
         return said("a single number") if array.size == 1 else said("real numbers")
