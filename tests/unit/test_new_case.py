@@ -224,7 +224,7 @@ def test_its_name(designation: str | None, name: str) -> None:
 
 def test_no_such_bearing() -> None:
     with pytest.raises(InputError, match="is in no catalogue"):
-        case_template("6399")
+        case_template("6299")
 
 
 def test_the_command(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -242,7 +242,7 @@ def test_the_command(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert run("6310/C3", "--force") == told
     assert run("6310/C3", "-o", "-") == case_template("6310/C3")
     assert "must end in .toml" in run("6310", "-o", "case.txt", code=2)
-    assert "is in no catalogue" in run("6399", code=2)
+    assert "is in no catalogue" in run("6299", code=2)
     (tmp_path / "own.csv").write_text(
         "designation,bore_mm,outside_diameter_mm,width_mm,dynamic_rating_kN,static_rating_kN\n"
         "My-1,50,110,27,62,38.5\n",
