@@ -43,10 +43,7 @@ def test_compiled_and_numpy_find_the_same_torque(
     monkeypatch.setattr(minimum_power, "FEW", 0)
     compiled = model(balls, MU)
 
-    def share_out(kernel: Any, run: Any, cases: int, **_: Any) -> None:
-        run(kernel, 0, cases)
-
-    monkeypatch.setattr(minimum_power, "share_out", share_out)
+    monkeypatch.setattr(minimum_power, "share_out", _plainly)
     monkeypatch.setattr(minimum_power, "GRADIENT_TOLERANCE", 1e-13)  # where the parts settle too
     by_numpy = model(balls, MU)
     assert compiled.converged.all()
@@ -54,6 +51,25 @@ def test_compiled_and_numpy_find_the_same_torque(
     np.testing.assert_allclose(compiled.total, by_numpy.total, rtol=1e-12)
     for name, part in compiled.parts.items():
         np.testing.assert_allclose(part, by_numpy.parts[name], rtol=0, atol=1e-10 * part.max())
+
+
+@pytest.mark.parametrize("few", [0, 10**6])
+def test_balls_near_rest_settle_either_way(few: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The power of a slow set's balls is known to fewer digits than its gradient."""
+    monkeypatch.setattr(minimum_power, "FEW", few)
+    monkeypatch.setattr(minimum_power, "share_out", _plainly if few else minimum_power.share_out)
+    pair = Case.from_mapping(
+        {
+            "bearing": {"designation": "7014 C DB", "preload": "200 N"},
+            "duty": {"inner_speed": "11.1 rpm", "load": {"fx": "2.4 kN", "fz": "2.4 kN"}},
+        }
+    )
+    solved = solve(pair, inner_speed=np.array([0.05, 1.162, 1.1624, 2.0, 11.6]))
+    assert jones_full(solved, MU).converged.all()
+
+
+def _plainly(kernel: Any, run: Any, cases: int, **_: Any) -> None:
+    run(kernel, 0, cases)
 
 
 def test_the_kernel_runs_as_plain_python(balls: Solved) -> None:

@@ -1,9 +1,12 @@
 """One ball that friction alone moves: the motion of least power, and what it loses; compiled.
 
-The relative velocity of a contact is linear in V = (drift, roll, twist): with r = σρ(x0) and
-y0 = b v
+The relative velocity of a contact is linear in V = (slip, roll, twist), slip being that in its
+middle: with r = σ(ρ(x0) - ρ(0)) and y0 = b v
 
-    v_y = drift + r roll - x0 twist,   v_t = y0 twist
+    v_y = slip + r roll - x0 twist,   v_t = y0 twist
+
+Drift and ρ(0) roll, of which the slip is made, are a million times as large in a light contact:
+their sum is made once, and what moves is added to it.
 
 and V is linear in the motion of the ball (ball_x, ball_z, orbit). Without tumbling the slip along
 rolling, and r and x0, are the same at all points of a place across the ellipse, so that three sums
@@ -34,7 +37,7 @@ PITCH: Final = 7  # d_m / 2
 HALF: Final = 8  # D / 2
 NUMBERS: Final = 9
 
-VELOCITIES: Final = 3  # drift, roll, twist
+VELOCITIES: Final = 3  # slip in the middle, roll, twist
 # of `sums` of one contact: power, its gradient by V, its Hessian (upper half), and the gradient
 # without cancellation
 POWER: Final = 0
@@ -60,12 +63,13 @@ DAMPING: Final = 1e-12
 
 @vector_loop
 def _place_across(u: FloatArray, side: float, c: FloatArray, ball: int, room: FloatArray) -> None:
-    """Put x0 and r = σρ of all places of a contact into room (2, places)."""
-    a, square, lift = c[SEMI_MAJOR, ball], c[RADIUS, ball] ** 2, c[LIFT, ball]
+    """Put x0 and r = σ(ρ(x0) - ρ(0)) of all places of a contact into room (2, places)."""
+    a, radius = c[SEMI_MAJOR, ball], c[RADIUS, ball]
     for i in range(u.size):
         x = a * u[i]
+        square = x * x
         room[0, i] = x
-        room[1, i] = side * (sqrt(square - x * x) + lift)
+        room[1, i] = -side * square / (radius + sqrt(radius * radius - square))
 
 
 @vector_loop
@@ -78,11 +82,11 @@ def _add_power(
     v2, weight (rows, places): v² and the weight of the points; share of the ball's load; velocity
     (VELOCITIES,); room (7, places), the first two as of `_place_across`; sums (SUMS,).
     """
-    drift, roll, twist = velocity[0], velocity[1], velocity[2]
+    middle, roll, twist = velocity[0], velocity[1], velocity[2]
     square, across, places = v0 * v0, b * b, v2.shape[1]
     tumble = across * twist * twist
     for i in range(places):
-        slip = drift + room[1, i] * roll - room[0, i] * twist
+        slip = middle + room[1, i] * roll - room[0, i] * twist
         room[2, i] = slip
         room[3, i] = slip * slip + square
         room[4, i], room[5, i], room[6, i] = 0.0, 0.0, 0.0
@@ -134,12 +138,12 @@ def _add_sharp(
 
     Arguments as of `_add_power`.
     """
-    drift, roll, twist = velocity[0], velocity[1], velocity[2]
+    middle, roll, twist = velocity[0], velocity[1], velocity[2]
     tumble = b * b * twist * twist
     power, turned = 0.0, 0.0
     for row in range(v2.shape[0]):
         for i in range(v2.shape[1]):
-            slip = drift + room[1, i] * roll - room[0, i] * twist
+            slip = middle + room[1, i] * roll - room[0, i] * twist
             across = tumble * v2[row, i]
             speed = sqrt(slip * slip + across)
             power += weight[row, i] * speed
@@ -150,21 +154,22 @@ def _add_sharp(
 
 @filling
 def _relative_motion(
-    c: FloatArray, ball: int, ring: float, motion: FloatArray, allowed: FloatArray,
+    c: FloatArray, ball: int, side: float, motion: FloatArray, allowed: FloatArray,
     velocity: FloatArray, rate: FloatArray,
 ) -> None:  # fmt: skip
-    """Put V of a contact whose ring turns at a speed, and its derivatives by what is allowed.
+    """Put V of a contact into velocity (VELOCITIES,), its derivatives into rate (VELOCITIES, k).
 
-    motion (3,): ball_x, ball_z, orbit; allowed (3, k): changes of it; velocity (VELOCITIES,), rate
-    (VELOCITIES, k).
+    side: -1 at the inner ring, which turns at 1 rad/s, +1 at the outer, which stands; motion (3,):
+    ball_x, ball_z, orbit; allowed (3, k): changes of it.
     """
     cosine, sine, radius = c[COSINE, ball], c[SINE, ball], c[PITCH, ball]
-    velocity[0] = radius * (motion[2] - ring)
+    ring, middle = 0.5 * (1.0 - side), side * (c[RADIUS, ball] + c[LIFT, ball])
     velocity[1] = cosine * (motion[0] - ring) - sine * motion[1]
     velocity[2] = sine * (motion[0] - ring) + cosine * motion[1]
+    velocity[0] = radius * (motion[2] - ring) + middle * velocity[1]
     for i in range(allowed.shape[1]):
-        rate[0, i] = radius * allowed[2, i]
         rate[1, i] = cosine * allowed[0, i] - sine * allowed[1, i]
+        rate[0, i] = radius * allowed[2, i] + middle * rate[1, i]
         rate[2, i] = sine * allowed[0, i] + cosine * allowed[1, i]
 
 
@@ -341,7 +346,7 @@ def _move_ball(
     for race in range(2):
         c, side = contacts[race], 2.0 * race - 1.0
         _relative_motion(
-            c, ball, 1.0 - race, start[ball], directions[ball], velocities[race], rates[race]
+            c, ball, side, start[ball], directions[ball], velocities[race], rates[race]
         )
         _place_across(coarse[0], side, c, ball, room[race])
         _place_across(fine[0], side, c, ball, wide[race])
