@@ -9,7 +9,7 @@ export PYTHONDONTWRITEBYTECODE :=
 
 .DEFAULT_GOAL := help
 .PHONY: help demo test verify golden bench browser docs plotly runtime dev docs-tools clean
-.PHONY: balls rollers types layers rewritten
+.PHONY: kernels types layers rewritten
 
 help:
 	@echo "make demo    solve the shipped example: a 218 bearing at 10 000 rpm, combined load"
@@ -30,11 +30,11 @@ test: dev
 	$(BIN)/ruff format --check .
 	$(BIN)/python scripts/words.py --check
 	@# what each worker of the tests would do for itself: once, beside the slow checks
-	@$(MAKE) --no-print-directory -j2 balls types rollers layers rewritten
+	@$(MAKE) --no-print-directory -j2 kernels types layers rewritten
 	$(BIN)/pytest -n auto --dist worksteal -m "not sweep"
 
-balls rollers: dev
-	$(BIN)/python -c "from tests.regression.golden import compile_first; compile_first('$@')"
+kernels: dev
+	$(BIN)/rolamento warm
 
 types: dev
 	$(BIN)/mypy

@@ -9,10 +9,13 @@ from __future__ import annotations
 
 import os
 import shlex
+import shutil
+import signal
 import subprocess
 import tempfile
 import time
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
@@ -48,7 +51,7 @@ COMMANDS: Final = (  # of the README and of the getting-started page, and what u
         "life 6310/C3 --fa '1 kN' --speed '1480 rpm' --over duty.load.fz=1..10kN --points 21",
         6.0,
     ),
-    ("sweep 218_speed.toml -o speed.nc", 6.0),
+    ("sweep studies/218_speed.toml -o speed.nc", 6.0),
     ("weibull --example campanha-2008", 3.0),
     ("synthesise 6205 --speed '1797 rpm' --fault outer_race -o s.wav", 3.0),
 )  # fmt: skip
@@ -93,7 +96,7 @@ def first_use(command: Sequence[str], limit: float = 600.0) -> FirstUse:
         place = Path(folder)
         work = place / "work"
         work.mkdir()
-        _studies(work)
+        _examples(work)
         environment = {
             **os.environ,
             "NUMBA_CACHE_DIR": str(place / "kernels"),
@@ -115,17 +118,30 @@ def first_use(command: Sequence[str], limit: float = 600.0) -> FirstUse:
             process.stdout.close()
             errors.seek(0)
             said = errors.read().decode(errors="replace").strip()[-400:]
+        _end_compiler(place / "kernels")
     return FirstUse(
         first if line else end, end, usage.ru_utime + usage.ru_stime, process.returncode, said
     )
 
 
-def _studies(folder: Path) -> None:
-    """Copy the shipped studies to where the commands look for them."""
+def _end_compiler(kernels: Path) -> None:
+    """End the process that compiles in the background: its folder goes."""
+    for _ in range(50):  # until it has begun
+        lock = kernels / "compiling.lock"
+        if lock.is_file() and (written := lock.read_text()):
+            with suppress(ProcessLookupError):
+                os.kill(int(written), signal.SIGKILL)
+            return
+        if not lock.parent.is_dir():  # nothing was compiled
+            return
+        time.sleep(0.1)
+
+
+def _examples(folder: Path) -> None:
+    """Copy what is shipped to where the commands look for it."""
     import rolamento
 
-    for study in (Path(rolamento.__file__).parent / "examples" / "studies").glob("*.toml"):
-        (folder / study.name).write_bytes(study.read_bytes())
+    shutil.copytree(Path(rolamento.__file__).parent / "examples", folder, dirs_exist_ok=True)
 
 
 if __name__ == "__main__":

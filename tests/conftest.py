@@ -25,6 +25,8 @@ for name, examples_of_a_property in (("ci", 40), ("verify", 200)):
 settings.register_profile("search", deadline=None, max_examples=2000)
 settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "ci"))
 
+os.environ.setdefault("ROLAMENTO_COMPILE", "here")  # what is tested does not depend on what is kept
+
 
 def pytest_configure(config: pytest.Config) -> None:
     """Compile the catalogues of words, once, if they have changed since the installation."""

@@ -496,20 +496,6 @@ def test_batch_equals_single_and_threads_change_no_bit() -> None:
     assert rolling_of(state).cage_speed == pytest.approx(first.cage_speed[1], rel=1e-10)
 
 
-def test_the_first_compilation_is_announced(
-    monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
-) -> None:
-    solve_one(CASES["thrust"])  # whatever this machine has to compile is compiled by now
-    caplog.clear()
-    solve_one(CASES["thrust"])
-    assert not caplog.records
-    kernel = traction.system.solve_with_friction
-    new = SimpleNamespace(is_cached=False, compiled=kernel.compiled)
-    monkeypatch.setattr(traction.system, "solve_with_friction", new)
-    solve_one(CASES["thrust"])
-    assert "compiling the friction solver for this machine, once" in caplog.text
-
-
 @pytest.mark.parametrize("speed", [0.0, 3000.0])
 def test_rings_that_turn_alike_are_a_case_for_raceway_control(speed: float) -> None:
     case = case_of(fx=20e3, fz=5e3, inner=speed, outer=speed)

@@ -38,9 +38,9 @@ from rolamento.cli import main
 __all__ = [
     "RUNS",
     "answer",
-    "compile_first",
     "differences",
     "kept",
+    "load_kernels",
     "main_golden",
     "page",
     "spread",
@@ -81,17 +81,13 @@ def spread(every: int) -> list[str]:
 # --- running ------------------------------------------------------------------------------------
 
 
-_COMPILES: Final = {
-    "balls": ("study_axes", "study_set", "study_friction"),
-    "rollers": ("study_rollers",),
-}
+_LOADS: Final = ("study_axes", "study_set", "study_friction", "study_rollers")
 
 
-def compile_first(*elements: str) -> None:
+def load_kernels() -> None:
     """Load the compiled kernels: few cases alone run as plain Python, whose last digits differ."""
-    for element in elements or _COMPILES:
-        for study in _COMPILES[element]:
-            _outputs((f"sweep {study}.toml -o out.nc",))
+    for study in _LOADS:
+        _outputs((f"sweep {study}.toml -o out.nc",))
 
 
 def answer(name: str) -> dict[str, Any]:
@@ -143,7 +139,7 @@ def _run(words: Sequence[str]) -> tuple[int, str]:
     said = io.TextIOWrapper(io.BytesIO(), encoding="utf-8")
     with (
         mock.patch.object(sys, "argv", ["rolamento", *words]),
-        mock.patch.dict("os.environ", {"LC_ALL": "C.UTF-8"}),
+        mock.patch.dict("os.environ", {"LC_ALL": "C.UTF-8", "ROLAMENTO_COMPILE": "here"}),
         contextlib.redirect_stdout(said),
         contextlib.redirect_stderr(said),
     ):
@@ -338,7 +334,7 @@ def main_golden(arguments: Sequence[str] | None = None) -> int:
     if unknown := [name for name in options.names if name not in RUNS]:
         parser.error(f"no such run: {', '.join(unknown)}")
     names = options.names or list(RUNS)
-    compile_first()
+    load_kernels()
     wrong = 0
     for name in names:
         began = time.perf_counter()

@@ -31,7 +31,7 @@ FILES = {path.stem: path for path in golden.GOLDEN.glob("*.json")}
 
 @pytest.fixture(scope="module", autouse=True)
 def _compiled() -> None:
-    golden.compile_first()
+    golden.load_kernels()
 
 
 @pytest.mark.parametrize("name", golden.spread(6))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from tests.regression.golden import compile_first
+from tests.regression.golden import load_kernels
 from tests.regression.pages import PAGES, missing
 
 from rolamento.words import languages
@@ -11,7 +11,7 @@ from rolamento.words import languages
 
 @pytest.fixture(scope="module", autouse=True)
 def compiled() -> None:
-    compile_first()
+    load_kernels()
 
 
 @pytest.mark.parametrize("language", languages())

@@ -22,7 +22,7 @@ from rolamento.cli.options import LanguageOption
 from rolamento.cli.streams import end_of_output, print_text
 
 COMMANDS: Final[Groups] = {
-    "To start with": ("demo", "app", "new", "examples"),
+    "To start with": ("demo", "app", "new", "examples", "warm"),
     "Inside the bearing": ("solve", "turn", "friction", "report"),
     "Life and life tests": ("life", "weibull", "weibull-plan", "replace", "trend"),
     "Vibration": ("frequencies", "diagnose", "severity", "synthesise", "anderon"),
@@ -35,6 +35,9 @@ COMMANDS: Final[Groups] = {
 
 _MODULES: Final = {"app": "browser", "demo": "solve", "examples": "new"}
 """Of commands that have none of their own name."""
+
+_SOLVING: Final = {"demo", "app", "solve", "turn", "friction", "report", "life", "sweep"}
+"""Commands after the first of which the solver is compiled in the background."""
 
 _LITTLE_GARBAGE: Final = 250_000
 """Objects made between two looks for garbage: nearly all that a start makes stay."""
@@ -96,6 +99,8 @@ def main() -> None:
     """Run the command line."""
     gc.set_threshold(_LITTLE_GARBAGE)
     atexit.register(gc.freeze)  # at the end all memory is given back: nobody has to search it
+    if sys.argv[1:2] and sys.argv[1] in _SOLVING and not {"-h", "--help"} & {*sys.argv}:
+        atexit.register(_compile_once)
     try:
         app(prog_name="rolamento")
     except OSError as error:
@@ -103,6 +108,14 @@ def main() -> None:
             raise
         end_of_output(error)  # the help, which Typer writes
         sys.exit(WRONG_INPUT)
+
+
+def _compile_once() -> None:
+    """After the first answers on a machine, compile what later ones will be faster with."""
+    from rolamento.numerics.beside import compile_beside, is_finished
+
+    if not is_finished(rolamento.__version__):
+        compile_beside()
 
 
 def _print_version(wanted: bool) -> None:

@@ -1,8 +1,7 @@
 """What a person sees on standard error when something takes longer than a second.
 
-Every command shows that it is at work (`working`). Some say more in the place of that: that code is
-compiled, the first time on a machine about 20 s; what is counted, tests or parts of a signal, has a
-bar. There is one word at a time, and none while something is written.
+Every command shows that it is at work (`working`). Some say more in the place of that; what is
+counted, tests or parts of a signal, has a bar. There is one word at a time, and none while something is written.
 """
 
 from __future__ import annotations
@@ -76,12 +75,11 @@ def working() -> Iterator[None]:
 def waiting(
     lang: Language | None, text: str | None = None, after: float = PATIENCE
 ) -> Iterator[None]:
-    """Tell whoever waits at a terminal for long why; by default, that kernels may be compiled."""
+    """Tell whoever waits at a terminal for long why; by default, that something is solved."""
     if not _is_terminal():
         yield
         return
-    kernels = said("Solving … (the first time on a machine, compiling takes about 20 s)")
-    with told(kernels if text is None else text, after):
+    with told(said("Solving …") if text is None else text, after):
         yield
 
 

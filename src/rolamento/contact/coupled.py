@@ -51,6 +51,7 @@ from rolamento.numerics import FloatArray
 from rolamento.numerics import FloatArray as Array
 from rolamento.numerics.compiled import kernel, shared, vector_loop
 from rolamento.numerics.elliptic import associate
+from rolamento.numerics.threads import goes_plainly, ready
 
 __all__ = [
     "CoupledPress",
@@ -496,7 +497,8 @@ def coupled_press(
     place, width = slice_places(effective_length, n), effective_length / n
     rho = np.ascontiguousarray(np.broadcast_to(np.asarray(curvature, np.float64), n))
     load, answer = np.zeros(n), np.zeros(6)
-    number = press_one.compiled(
+    press = press_one if goes_plainly(press_one, little=False) else ready(press_one)
+    number = press(
         approach, tilt, place, drops, width, 2.0 / (np.pi * modulus), rho, influence_table(n),
         body_term(n, width, roller_diameter, share), load, scratch(n), answer,
     )  # fmt: skip

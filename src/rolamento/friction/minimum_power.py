@@ -162,7 +162,11 @@ def minimum_power_motion(
 
     def run(function: Callable[..., None], first: int, beyond: int) -> None:
         if function is free_ball.move_free_balls:  # not compiled
-            motion[:], found[:], sharp[:] = _moved(inner, outer, start, directions, mesh, roundings)
+            some = slice(first, beyond)
+            motion[some], found[some], sharp[some] = _moved(
+                _picked(inner, some), _picked(outer, some), start[some], directions[some], mesh,
+                roundings,
+            )  # fmt: skip
             return
         function(
             first, beyond, coarse.rows, fine,
@@ -216,7 +220,7 @@ def _moved(
     return motion, np.stack([rounding, residual], axis=-1), sharp
 
 
-def _picked(patch: Patch, chosen: BoolArray | NDArray[np.intp]) -> Patch:
+def _picked(patch: Patch, chosen: BoolArray | NDArray[np.intp] | slice) -> Patch:
     return patch.mapped(lambda array: array[chosen])
 
 

@@ -18,6 +18,7 @@ from __future__ import annotations
 
 import io
 import logging
+import re
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from functools import cache, cached_property, partial, update_wrapper
@@ -42,6 +43,7 @@ _FAMILIES = (  # where kernels live, each with the formulas that they are compil
     ("numerics", "friction"),
     ("numerics", "."),
 )
+_DECORATED = re.compile(r"^ *@(\w*kernel|shared|filling|inline_\w+|vector_loop)$", re.MULTILINE)
 _CONSTANTS = frozenset({"compiled", "layout", "newton"})  # files without kernels that shape them
 
 
@@ -89,12 +91,21 @@ class Kernel(partial[R], Generic[P, R]):
         """Whether compiled code is on disk or loaded; if not, the first call takes a while."""
         if self.is_loaded:
             return True
-        folder = getattr(getattr(self.compiled, "_cache", None), "cache_path", None)
-        if folder is None:
+        if self._folder is None:
             return False
         source = Path(self.python.__code__.co_filename).stem
         pattern = f"{source}.{self.python.__qualname__}-*.nbi"
-        return any(Path(folder).glob(pattern))
+        return any(self._folder.glob(pattern))
+
+    @property
+    def is_kept(self) -> bool:
+        """Whether there is a place on disk for the compiled code."""
+        return self._folder is not None
+
+    @property
+    def _folder(self) -> Path | None:
+        folder = getattr(getattr(self.compiled, "_cache", None), "cache_path", None)
+        return None if folder is None else Path(folder)
 
 
 def kernel(function: Callable[P, R]) -> Kernel[P, R]:
@@ -299,5 +310,5 @@ def _discard_stale_caches() -> None:
 
 
 def _is_compiled(source: Path) -> bool:
-    """Tell whether a file holds kernels, or constants that they were compiled with."""
-    return source.stem in _CONSTANTS or "numerics.compiled" in source.read_text("utf-8")
+    """Whether a file holds kernels or formulas, or constants that they were compiled with."""
+    return source.stem in _CONSTANTS or bool(_DECORATED.search(source.read_text("utf-8")))

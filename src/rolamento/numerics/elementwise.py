@@ -7,14 +7,13 @@ arithmetic and roots become vector instructions: logarithms and powers are bette
 
 from __future__ import annotations
 
-import logging
-from functools import cache
 from typing import Any, Final
 
 import numpy as np
 
 from rolamento.numerics import FloatArray
 from rolamento.numerics.compiled import Kernel, at_hand
+from rolamento.numerics.threads import goes_plainly, ready
 
 __all__ = ["MANY", "of_each"]
 
@@ -45,17 +44,9 @@ def of_each(
     """
     if not at_hand() or max(array.size for array in arrays) < MANY:
         return formula(*arrays)
-    if not loop.is_loaded and not loop.is_cached:
-        _tell()
+    if goes_plainly(loop, little=False):
+        return formula(*arrays)
     whole = np.broadcast_arrays(*arrays)
     out = np.empty((count, whole[0].size))
-    loop.compiled(*(np.ascontiguousarray(array, np.float64).reshape(-1) for array in whole), out)
+    ready(loop)(*(np.ascontiguousarray(array, np.float64).reshape(-1) for array in whole), out)
     return tuple(out.reshape(count, *whole[0].shape))
-
-
-@cache
-def _tell() -> None:
-    """Say once that compiling takes a while: there are several loops."""
-    logging.getLogger("rolamento").warning(
-        "compiling formulas for this machine, once: this takes some seconds"
-    )

@@ -8,26 +8,32 @@ import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
-from time import perf_counter
-from typing import Any, Final, TypeVar
+from time import perf_counter, sleep
+from typing import Any, Final, ParamSpec, TypeVar
 
 import numpy as np
 
 from rolamento.errors import InputError
+from rolamento.numerics.beside import compile_beside, compiles_here
 from rolamento.numerics.compiled import Kernel
 from rolamento.words import said
 
-__all__ = ["share_out", "side_by_side", "thread_count"]
+__all__ = ["goes_plainly", "ready", "share_out", "side_by_side", "spend", "thread_count"]
 
 _log = logging.getLogger("rolamento")
 
-COMPILING: Final = "compiling the solver for this machine, once: this takes a minute or two"
-LONG: Final = 1.0
+LOADING: Final = 0.5
 """Seconds of plain Python in this process after which the compiler is worth loading."""
+COMPILING: Final = 60.0
+"""The same after which it is worth compiling here, where no other process can."""
+SLICE: Final = 0.1
+"""Seconds of plain Python between two looks for what has been compiled."""
+POLL: Final = 0.1
 _spent: Final = [0.0]
-_ready: Final[set[Kernel[..., None]]] = set()
+_ready: Final[set[Kernel[..., Any]]] = set()
 """What has been compiled or loaded: to ask each time takes as long as a small case."""
 
+P = ParamSpec("P")
 T = TypeVar("T")
 R = TypeVar("R")
 
@@ -63,7 +69,7 @@ def thread_count(threads: int | None) -> int:
 
 
 def share_out(
-    kernel: Kernel[..., None],
+    kernel: Kernel[..., Any],
     run: Callable[[Callable[..., Any], int, int], None],
     cases: int,
     *,
@@ -75,20 +81,60 @@ def share_out(
 
     run: takes the kernel, compiled or plain, the first case and the one after the last. little:
     whether they are less work than loading the compiler: then they run as plain Python while it is
-    not loaded.
+    not loaded. What has never been compiled on this machine runs as plain Python while another
+    process compiles it, from one case to the next.
     """
-    if little and kernel not in _ready and (_spent[0] < LONG or not kernel.is_cached):
+    done, some = 0, 1
+    while done < cases and goes_plainly(kernel, little=little):
+        last = cases if little else min(done + some, cases)
         start = perf_counter()
         with np.errstate(all="ignore"):
-            run(kernel, 0, cases)
-        _spent[0] += perf_counter() - start
+            run(kernel, done, last)
+        took = perf_counter() - start
+        spend(took)
+        done, some = last, 2 * some if took < SLICE else some
+    if done == cases:
         return
-    if kernel not in _ready and cases and not kernel.is_cached:
-        _log.warning(COMPILING)
-    compiled = kernel.compiled
-    _ready.add(kernel)
-    starts = range(0, cases, chunk)
+    compiled = ready(kernel)
+    starts = range(done, cases, chunk)
     side_by_side(lambda first: run(compiled, first, min(first + chunk, cases)), starts, threads)
+
+
+def goes_plainly(kernel: Kernel[..., Any], *, little: bool) -> bool:
+    """Whether a kernel should run as plain Python now.
+
+    While it is nowhere compiled: as long as another process is at it, or what was calculated
+    plainly in this one has not yet taken as long as compiling would.
+    """
+    if kernel in _ready or kernel.is_loaded:
+        return False
+    if little and _spent[0] < LOADING:
+        return True
+    if kernel.is_cached or compiles_here():
+        return False
+    return (kernel.is_kept and compile_beside()) or _spent[0] < COMPILING
+
+
+def spend(seconds: float) -> None:
+    """Count time of plain Python."""
+    _spent[0] += seconds
+
+
+def ready(kernel: Kernel[P, R]) -> Callable[P, R]:
+    """The kernel compiled, loaded or waited for, which is said."""
+    if kernel not in _ready and not kernel.is_cached:
+        _say_that_it_takes_a_while()
+        while kernel.is_kept and compile_beside() and not kernel.is_cached:
+            sleep(POLL)
+    _ready.add(kernel)
+    return kernel.compiled
+
+
+@cache
+def _say_that_it_takes_a_while() -> None:
+    _log.warning(
+        said("compiling the solver for this machine, once: this takes two or three minutes")
+    )
 
 
 def side_by_side(

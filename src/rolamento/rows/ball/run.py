@@ -2,26 +2,23 @@
 
 from __future__ import annotations
 
-import logging
-from collections import Counter
+from collections.abc import Callable
 from dataclasses import dataclass
 from math import prod
-from threading import Event
 from typing import Any, Final, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rolamento import status
-from rolamento.numerics.threads import COMPILING, side_by_side
+from rolamento.numerics.threads import ready, share_out
 from rolamento.rows.ball import accept, layout
 from rolamento.rows.ball.batch import solve_cases
 from rolamento.rows.ball.blocks import Batch
 from rolamento.rows.ball.detail import ball_table, criterion
 from rolamento.rows.ball.mirror import AXES, mirror, planes
 from rolamento.rows.ball.problem import Columns, Floats, directions
-
-_log = logging.getLogger("rolamento")
+from rolamento.rows.ball.types import Output
 
 CHUNK: Final = 2048
 FEW: Final = 1
@@ -30,13 +27,6 @@ MOST_WORK: Final = 1.5e5
 """Evaluations of a ball that a case may cost beside the fast path: some 30 ms."""
 PLAIN_WORK: Final = 1e4
 """The same without the compiler: a second or so, then it is worth loading."""
-LOADING: Final = 400
-"""Steps of balls that plain Python takes in the time that it takes to load the compiler."""
-_taken: Final[Counter[str]] = Counter()
-"""Steps of balls in plain Python so far: after `LOADING` compiled kernels are loaded, if there are
-any on disk, so that few single cases wait neither for them nor long without."""
-_ready: Final = Event()
-"""Set once the compiled kernels have run: to ask for them takes as long as a small case."""
 LEAST_INERTIA: Final = 1e-7
 """Approach under a ball's own centrifugal force, over the groove's offset, that still counts."""
 
@@ -188,37 +178,34 @@ def _run_threads(
     cases, balls, out = len(which), batch.cosines.size, solution.arrays()
     if cases == 0:
         return
-    if not _ready.is_set():
-        plain = _taken["steps"] < LOADING or not solve_cases.is_cached
-        if cases <= FEW and not solve_cases.is_loaded and plain:
-            if _interpret(batch, moving, which, False, PLAIN_WORK, out):
-                _taken["steps"] += balls * int(solution.iterations[which].sum())
-                return
-            solution.put(which, Solution.empty(cases, balls))
-        if not solve_cases.is_cached:
-            _log.warning(COMPILING)
+    left: list[int] = []
 
-    def run(first: int) -> None:
-        chunk = which[first : first + CHUNK]
-        solve_cases.compiled(batch, moving, chunk, fast, most_work, out)
-        _ready.set()
+    def run(kernel: Callable[..., Any], first: int, last: int) -> None:
+        some = which[first:last]
+        if kernel is solve_cases:
+            plain = (case for case in some if not _interpret(batch, moving, case, out))
+            left.extend(plain)
+        else:
+            kernel(batch, moving, some, fast, most_work, out)
 
-    side_by_side(run, range(0, cases, CHUNK), threads)
+    share_out(solve_cases, run, cases, chunk=CHUNK, threads=threads, little=cases <= FEW)
+    if left:
+        hard = np.array(left)
+        solution.put(hard, Solution.empty(len(hard), balls))
+        ready(solve_cases)(batch, moving, hard, fast, most_work, out)
 
 
-def _interpret(*arguments: Any) -> bool:
-    """Solve without the compiler, which takes longer to load than a few cases to solve.
+def _interpret(batch: Batch, moving: bool, case: int, out: Output) -> bool:
+    """Solve a case without the compiler, which takes longer to load than a few cases to solve.
 
     False where plain Python cannot divide by zero and go on, as compiled code can, and where the
     fast path, which is for compiled code only, might still find a solution.
     """
     try:
-        with np.errstate(all="ignore"):
-            solve_cases(*arguments)
+        solve_cases(batch, moving, np.array([case]), False, PLAIN_WORK, out)
     except (ZeroDivisionError, OverflowError, ValueError):
         return False
-    codes = arguments[-1][6]
-    return not (codes == status.NOT_CONVERGED).any()
+    return int(out[6][case]) != status.NOT_CONVERGED
 
 
 def ball_azimuths(p: Columns, balls: int) -> Floats:

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import logging
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from threading import Event
 from typing import Final, cast
 
 import numpy as np
 
 from rolamento import status
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.numerics.threads import COMPILING, side_by_side
+from rolamento.numerics.threads import goes_plainly, ready, side_by_side
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.accept import NEEDS_INERTIA
 from rolamento.rows.ball.problem import Columns, directions, ring_arms
@@ -32,18 +30,12 @@ from rolamento.rows.row import Indices, IntArray, Row
 
 __all__ = ["Proposal", "balls_only", "settle", "standing"]
 
-_log = logging.getLogger("rolamento")
-
 CHUNK: Final = 1000
 """Cases of a call: their numbers lie together, no power of two apart."""
 LITTLE: Final = 1e-6
 """Of the stiffness under load: what a ring that touches nothing is held by on its way."""
 _HEAVIEST: Final = 4.5
 """How much more the heaviest ball of a row carries than the mean."""
-FEW: Final = 1
-"""Cases for which nothing is compiled."""
-_ready: Final = Event()
-"""Set once the compiled kernel has run: to ask for it takes as long as a small case."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,10 +100,8 @@ def settle(
     asked : which unknowns are free, what is asked of them, and where they begin; (n, 6) each,
         scaled.
     """
-    if not _ready.is_set() and not solve_sets.is_cached:
-        if len(which) <= FEW:
-            return None
-        _log.warning(COMPILING)
+    if goes_plainly(solve_sets, little=False):
+        return None
     run = _Run.of(rows, which, control, stand, asked)
     inertia = np.stack([has_inertia(p) for p in run.columns])
     still = sound & ~inertia.any(axis=0)
@@ -203,6 +193,8 @@ class _Run:
         cosines, sines = (np.concatenate(part) for part in zip(*pairs, strict=True))
         longest = max(p.length for p in self.columns)
 
+        kernel = ready(solve_sets)
+
         def run(some: IntArray) -> None:
             p = np.zeros((len(self.rows), longest, len(some)))
             for own, columns in zip(p, self.columns, strict=True):
@@ -213,8 +205,7 @@ class _Run:
             rows = Rows(p, stand, control, cosines, sines, self._ends)
             asked = Asked(*(np.ascontiguousarray(one[some]) for one in self.asked))
             work = Work.of(len(self.rows), len(cosines), longest)
-            solve_sets.compiled(rows, asked, moving, some, work, self.found)
-            _ready.set()
+            kernel(rows, asked, moving, some, work, self.found)
 
         chunks = [chosen[first : first + CHUNK] for first in range(0, len(chosen), CHUNK)]
         side_by_side(run, chunks, self.rows[0].threads)

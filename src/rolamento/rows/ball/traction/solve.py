@@ -6,16 +6,16 @@ motions and its loads; a case that does not settle is left without a result.
 
 from __future__ import annotations
 
-import logging
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Final, Protocol
+from typing import Any, Final, Protocol
 
 import numpy as np
 
 from rolamento import status
 from rolamento.contact.hertz import elliptical_contact
 from rolamento.geometry import Race, race_curvature
-from rolamento.numerics.threads import side_by_side
+from rolamento.numerics.threads import share_out
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.detail import BallTable, ball_table
 from rolamento.rows.ball.problem import Columns, Floats, directions, ring_arms
@@ -39,8 +39,6 @@ from rolamento.rows.ball.traction.ball import (
 )
 from rolamento.rows.ball.traction.contact import ellipse_nodes
 
-_log = logging.getLogger("rolamento")
-
 SMOOTHEST: Final = 1.0
 """Where the friction begins: the smoothing speed over |ω_i - ω_o| D."""
 SMOOTHING: Final = 1e-4
@@ -50,7 +48,6 @@ COARSEST: Final = (40, 3)
 """Until the friction is sharp."""
 MOST_IMBALANCE: Final = 1e-6
 """Of the power: what may be missing between the rings' work and the losses."""
-_PATIENCE: Final = "some half a minute"
 
 
 def solve_rolling(
@@ -81,11 +78,15 @@ def solve_rolling(
     if film is not None:
         rolling.lift[:] = film.lift
     problem = _Problem.of(p, constants, drag, balls, mesh, film)
-    if not system.solve_with_friction.is_cached:
-        _log.warning("compiling the friction solver for this machine, once: %s", _PATIENCE)
     turning = p[layout.INNER_SPEED] != p[layout.OUTER_SPEED]
     wanted = np.flatnonzero((start.code == status.CONVERGED) & turning).tolist()
-    side_by_side(lambda case: _solve_case(problem, case, solution, rolling), wanted, threads)
+
+    def run(kernel: Callable[..., Any], first: int, last: int) -> None:
+        for case in wanted[first:last]:
+            _solve_case(kernel, problem, case, solution, rolling)
+
+    kernel = system.solve_with_friction
+    share_out(kernel, run, len(wanted), chunk=1, threads=threads, little=False)
     _check_power(p, drag, solution, rolling)
     return solution, rolling
 
@@ -149,7 +150,9 @@ class _Problem:
         return Mesh(*nodes, least, np.ascontiguousarray(slow**2), self.film.lift[case].copy())
 
 
-def _solve_case(problem: _Problem, case: int, solution: Solution, rolling: Rolling) -> None:
+def _solve_case(
+    kernel: Callable[..., Any], problem: _Problem, case: int, solution: Solution, rolling: Rolling
+) -> None:
     """Solve one case and put the result into its place, or the code of its failure."""
     rig, balls = problem.rig(case), problem.cosines.size
     u = np.append(solution.displacement[case], 0.0)
@@ -157,7 +160,7 @@ def _solve_case(problem: _Problem, case: int, solution: Solution, rolling: Rolli
     reaction, tangent = np.zeros(layout.DEGREES_OF_FREEDOM), np.zeros((5, 5))
     forces = np.zeros((balls, balance.FORCES))
     coarse, fine = problem.mesh(problem.coarse, case), problem.mesh(problem.fine, case)
-    code, solution.residual[case], steps = system.solve_with_friction.compiled(
+    code, solution.residual[case], steps = kernel(
         rig, place, coarse, fine, SMOOTHEST, SMOOTHING, reaction, forces, tangent
     )
     solution.iterations[case] += steps
