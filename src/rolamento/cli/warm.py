@@ -26,10 +26,10 @@ def warm(
     ] = False,
     lang: LanguageOption = None,
 ) -> None:
-    """Compile the solver for this machine, once, so that later nothing waits for it.
+    """Compile the solver for this machine, once.
 
-    Without it, the first command starts this in the background. ROLAMENTO_COMPILE=here, in the
-    environment, compiles where it is needed instead.
+    Later, nothing waits for the compiler. Without this command the first one starts it in the
+    background. ROLAMENTO_COMPILE=here, in the environment, compiles where it is needed instead.
     """
     from rolamento.tasks.warm import warm as compile_all
 

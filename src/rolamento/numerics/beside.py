@@ -64,8 +64,8 @@ def compile_beside() -> bool:
         return False
     _log.warning(
         said(
-            "compiling the solver for this machine in the background, once: until it is ready, many "
-            "cases take longer"
+            "compiling the solver for this machine in the background, once: until it is ready, "
+            "many cases take longer"
         )
     )
     return True
