@@ -1,8 +1,8 @@
 """What a person sees on standard error when something takes longer than a second.
 
 Every command shows that it is at work (`working`). Some say more in the place of that; what is
-counted, tests or parts of a signal, has a bar. There is one word at a time, and none while something
-is written.
+counted, tests or parts of a signal, has a bar. There is one word at a time, and none while
+something is written.
 """
 
 from __future__ import annotations
