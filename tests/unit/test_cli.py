@@ -534,7 +534,10 @@ def help_of(words: tuple[str, ...]) -> list[str]:
 @pytest.mark.parametrize("words", ALL_COMMANDS, ids=" ".join)
 def test_the_help_of_a_command_begins_with_one_line_of_what_it_does(words: tuple[str, ...]) -> None:
     said = ALL_COMMANDS[words].get_short_help_str(200)
-    verbs = "Compare|Compile|Diagnose|Draw|Fit|List|Make|Open|Plan|Reproduce|Say|Search|Show|Solve|Write"
+    verbs = (
+        "Compare|Compile|Diagnose|Draw|Fit|List|Make|Open|Plan|Reproduce|Say|Search|Show|Solve"
+        "|Write"
+    )
     assert re.fullmatch(rf"({verbs}) [^.]+\.", said)
     listed = [re.split(" {2,}", line.strip()) for line in help_of(words[:-1])]
     assert [words[-1], said] in listed, "is more than one line"

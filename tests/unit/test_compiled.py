@@ -14,8 +14,9 @@ import pytest
 import rolamento
 from rolamento.assembly import spread
 from rolamento.case import Case
+from rolamento.numerics.threads import ready
 from rolamento.rows.ball import layout
-from rolamento.rows.ball.batch import solve_cases
+from rolamento.rows.ball.batch import solve_some
 from rolamento.rows.ball.blocks import Batch
 from rolamento.rows.ball.mirror import mirror
 from rolamento.rows.ball.run import Solution
@@ -32,9 +33,9 @@ def test_both_ways_agree(case_218: Case, speed: float) -> None:
         p.duty, bearing, np.ones((1, 16)), np.cos(azimuth), np.sin(azimuth), mirror(16, 0)
     )
     results = []
-    for run in (solve_cases, solve_cases.compiled):
+    for form in (lambda kernel: kernel, ready):
         solution = Solution.empty(1, 16)
-        run(batch, speed > 0.0, np.arange(1), False, 1e6, solution.arrays())
+        solve_some(batch, speed > 0.0, np.arange(1), False, 1e6, solution.arrays(), form)
         results.append(solution)
     plain, compiled = results
     assert plain.code[0] == compiled.code[0] == 0
@@ -169,3 +170,21 @@ def test_compiled_code_on_a_full_disk(script: Path) -> None:
     assert "cannot be kept" in ran(script, "2000")[1]
     assert ran(script) == ("42.0 0\n", "")
     assert ran(script) == ("42.0 1\n", "")
+
+
+def test_what_an_index_names_is_there(script: Path) -> None:
+    """Another process may read at any moment: else it runs whatever an older source has left."""
+    script.write_text(
+        KERNEL
+        + """
+    import os
+    replace = os.replace
+    os.replace = lambda a, b: (print(os.path.splitext(b)[1]), replace(a, b))
+    print(compiled(1))
+""",
+        "utf-8",
+    )
+    output, said = ran(script)
+    assert output.split() == ["42.0", "0", ".nbc", ".nbi", "2.0"]
+    assert said == ""
+    assert len(list(script.with_name("kept").rglob("*.nbc"))) == 2  # one a signature

@@ -24,10 +24,16 @@ from contextlib import contextmanager, suppress
 from functools import cache, cached_property, partial, update_wrapper
 from hashlib import sha256
 from importlib import import_module
+from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Generic, ParamSpec, Self, TypeVar
 
 import numpy as np
+
+try:
+    import fcntl
+except ImportError:  # Windows
+    fcntl = None  # type: ignore[assignment]
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -225,6 +231,19 @@ def _checked_cache() -> Any:
                 # what reads a pickle stops at its end
                 file.write(content.getvalue() + sha256(content.getvalue()).digest())
 
+        def save(self, key: Any, data: Any) -> None:
+            # Numba's own order names the file before it is there: another process would run what
+            # an older source or another signature has left under that name
+            with _kept_from_others(Path(self._index_path).with_name("kernels.lock")):
+                names = self._load_index()
+                name = names.get(key) or self._free_name(set(names.values()))
+                self._save_data(name, data)
+                if key not in names:
+                    self._save_index({**names, key: name})
+
+        def _free_name(self, taken: set[str]) -> str:
+            return next(name for i in count(1) if (name := self._data_name(i)) not in taken)
+
         def _load_index(self) -> Any:
             _check(self._index_path)
             return super()._load_index()
@@ -273,6 +292,17 @@ def _checked_cache() -> Any:
                     self.disable()
 
     return CheckedCache
+
+
+@contextmanager
+def _kept_from_others(lock: Path) -> Iterator[None]:
+    """Let one process at a time into the body, where the system has locks."""
+    if fcntl is None:
+        yield
+        return
+    with lock.open("ab") as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        yield
 
 
 def _check(path: str) -> None:

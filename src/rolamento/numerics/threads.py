@@ -8,6 +8,7 @@ import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
+from threading import Lock
 from time import perf_counter, sleep
 from typing import Any, Final, ParamSpec, TypeVar
 
@@ -34,6 +35,7 @@ _ready: Final[set[Kernel[..., Any]]] = set()
 """What has been compiled or loaded: to ask each time takes as long as a small case."""
 
 P = ParamSpec("P")
+_one: Final = Lock()
 T = TypeVar("T")
 R = TypeVar("R")
 
@@ -122,12 +124,16 @@ def spend(seconds: float) -> None:
 
 def ready(kernel: Kernel[P, R]) -> Callable[P, R]:
     """The kernel compiled, loaded or waited for, which is said."""
-    if kernel not in _ready and not kernel.is_cached:
-        _say_that_it_takes_a_while()
-        while kernel.is_kept and compile_beside() and not kernel.is_cached:
-            sleep(POLL)
+    if kernel in _ready:
+        return kernel.compiled
+    with _one:  # two threads would compile it twice
+        if not kernel.is_cached:
+            _say_that_it_takes_a_while()
+            while kernel.is_kept and compile_beside() and not kernel.is_cached:
+                sleep(POLL)
+        compiled = kernel.compiled
     _ready.add(kernel)
-    return kernel.compiled
+    return compiled
 
 
 @cache

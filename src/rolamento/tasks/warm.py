@@ -12,7 +12,7 @@ from concurrent.futures import ProcessPoolExecutor, as_completed
 from contextlib import ExitStack, suppress
 from dataclasses import dataclass
 from multiprocessing import get_context
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Any, Final, cast
 
 import numpy as np
 
@@ -21,6 +21,8 @@ from rolamento.numerics import beside
 from rolamento.words import marked
 
 if TYPE_CHECKING:
+    from rolamento.case import Case
+    from rolamento.rows.ball.row import BallRow
     from rolamento.solved import Solved
 
 __all__ = ["CHAINS", "PARTS", "Part", "Warmed", "warm"]
@@ -95,14 +97,18 @@ def _compile(part: Part) -> None:
     part.solve()
 
 
-def _solved(bearing: dict[str, Any], cases: int = 2, **tables: Any) -> Solved:
-    """Solve cases of a bearing at two loads and more, which takes the compiler."""
+def _case(bearing: dict[str, Any], **tables: Any) -> Case:
     from rolamento.case import Case
-    from rolamento.solution import solve
 
     duty = {"inner_speed": "1000 rpm", "load": {"fx": "2 kN", "fz": "1 kN"}}
-    case = Case.from_mapping({"bearing": bearing, "duty": duty, **tables})
-    return solve(case, fz=np.linspace(1e3, 1.5e3, cases))
+    return Case.from_mapping({"bearing": bearing, "duty": duty, **tables})
+
+
+def _solved(bearing: dict[str, Any], cases: int = 2, **tables: Any) -> Solved:
+    """Solve cases of a bearing at two loads and more, which takes the compiler."""
+    from rolamento.solution import solve
+
+    return solve(_case(bearing, **tables), fz=np.linspace(1e3, 1.5e3, cases))
 
 
 _BALLS: Final = {"designation": "7210 C"}
@@ -113,7 +119,11 @@ _OIL: Final[dict[str, Any]] = {
 
 
 def _balls() -> None:
-    _solved(_BALLS)
+    from rolamento.assembly import spread
+    from rolamento.rows.ball.run import compile_all
+
+    row = cast("BallRow", spread(_case(_BALLS), threads=1).rows[0].row)
+    compile_all(row.p, np.ones((1, row.element_count)), row.element_count)
     _solved({**_BALLS, "arrangement": "DB", "spacing": "30 mm", "preload": "300 N"})
 
 

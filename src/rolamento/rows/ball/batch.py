@@ -1,19 +1,26 @@
-"""Many cases through the fast path, the judgement and, where needed, the safe path."""
+"""Many cases through the fast path, the judgement and, where needed, the safe path.
+
+Every case takes the same ways in the same order, whatever stands beside it: in lanes with caution,
+in lanes without, then one by one from where it stands, from a ring pressed in and from one that is
+free, from where caution had led, and step by step. So its result does not depend on its neighbours.
+Each way is a kernel of its own, compiled when a case first needs it.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rolamento import status
-from rolamento.numerics.compiled import filling, inline_exact, kernel, shared
+from rolamento.numerics.compiled import Kernel, inline_exact, kernel, shared
+from rolamento.numerics.threads import ready
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.accept import judge
 from rolamento.rows.ball.blocks import (
     Batch,
-    Room,
     judge_blocks,
     room_for,
     solve_moving,
@@ -26,8 +33,8 @@ from rolamento.rows.ball.robust import escaped, solve_robust
 from rolamento.rows.ball.single import direction, groove, read_ring, ring_around
 from rolamento.rows.ball.types import Array, Order, Output
 
-SEVERAL: Final = 8
-"""Cases from which on the lanes are worth a second attempt: they take as long for one."""
+STEPWISE: Final = 0.8
+"""Part of the work that is left that going step by step may take."""
 SHARE: Final = 0.4
 """Part of the work that is left that one more attempt may take."""
 
@@ -51,36 +58,13 @@ def _start_safely(
         x[j, 0], x[j, 1] = 0.5 * a1, 0.5 * a2
 
 
-@filling
-def _propose(
-    batch: Batch,
-    moving: bool,
-    order: Order,
-    cautious: bool,
-    room: Room,
-    accepted: NDArray[np.bool_],
-    out: Output,
-) -> None:
-    """Take cases along the fast path; what moves is judged there, and accepted or not."""
-    displacement, cage, position, reaction, stiffness, residual, _, _, iterations, _ = out
-    solve_static(batch, order, moving, room, displacement, position, iterations)
-    if not moving:
-        return
-    solve_moving(batch, order, cautious, room, displacement, cage, position, iterations)
-    judge_blocks(
-        batch, order, room, displacement, cage, position, reaction, stiffness, residual, accepted
-    )
-    for k in range(order.size):
-        accepted[k] = accepted[k] and iterations[order[k]] > 0
-
-
-@filling
-def _mark_finite(batch: Batch, order: Order, finite: NDArray[np.bool_], room: Array) -> None:
-    """Mark the cases whose parameters are numbers; room (cases).
+@shared
+def _refuse_unsound(batch: Batch, order: Order, done: NDArray[np.bool_], out: Output) -> None:
+    """Give the cases whose parameters are no numbers their verdict.
 
     Row by row, as they lie in memory: so they are near when the lanes are filled.
     """
-    room[:] = 0.0
+    room = np.zeros(order.size)
     for row in range(layout.DUTY):
         for k in range(order.size):
             room[k] += 0.0 * batch.duty[row, order[k]]
@@ -92,7 +76,9 @@ def _mark_finite(batch: Batch, order: Order, finite: NDArray[np.bool_], room: Ar
             for k in range(order.size):
                 room[k] += 0.0 * batch.bearing[row, order[k]]
     for k in range(order.size):
-        finite[k] = room[k] + bearing == 0.0
+        done[k] = room[k] + bearing != 0.0
+        if done[k]:
+            out[6][order[k]] = status.INVALID_INPUT
 
 
 @inline_exact
@@ -105,112 +91,234 @@ def _put_column(batch: Batch, case: int, p: Array) -> None:
 
 
 @kernel
-def solve_cases(
+def propose_at_rest(batch: Batch, order: Order, done: NDArray[np.bool_], out: Output) -> None:
+    """Balance the rings of cases without inertia in lanes, and judge them one by one.
+
+    order: the cases; done (cases of order): those that have a verdict. What is not finite gets the
+    code INVALID_INPUT and is left alone. out: as `solve_some`.
+    """
+    displacement, cage, position, reaction, stiffness, residual, code, unsupported = out[:8]
+    iterations, safe = out[8], out[9]
+    _refuse_unsound(batch, order, done, out)
+    some = order[~done]
+    balls = batch.cosines.size
+    room = room_for(batch.mirror.seats.shape[0])
+    solve_static(batch, some, False, room, displacement, position, iterations)
+    ring, errors = ring_around(balls), np.zeros((balls, 2))
+    p = np.empty((layout.DUTY + batch.bearing.shape[0], 1))
+    for place in range(order.size):
+        case = order[place]
+        if done[place]:
+            continue
+        code[case], unsupported[case], safe[case] = status.NOT_CONVERGED, -1, False
+        if iterations[case] > 0:
+            _put_column(batch, case, p)
+            control = batch.control[case if batch.control.shape[0] > 1 else 0]
+            code[case], residual[case], unsupported[case] = judge(
+                p, 0, False, control, batch.cosines, batch.sines, displacement[case], cage[case],
+                position[case], ring, errors,
+            )  # fmt: skip
+            read_ring(ring, p[layout.ARM, 0], reaction[case], stiffness[case])
+        done[place] = code[case] != status.NOT_CONVERGED and code[case] != status.OVER_SHOULDER
+
+
+@kernel
+def propose_moving(
+    batch: Batch, order: Order, cautious: bool, done: NDArray[np.bool_], out: Output
+) -> None:
+    """Balance rings and balls of cases with inertia in lanes, and judge them there.
+
+    As `propose_at_rest`; cautious: as `blocks.solve_moving`. What is not accepted is left to be
+    judged one by one, where it settled (iterations > 0).
+    """
+    displacement, cage, position, reaction, stiffness, residual, code, unsupported = out[:8]
+    iterations, safe = out[8], out[9]
+    _refuse_unsound(batch, order, done, out)
+    some = order[~done]
+    room = room_for(batch.mirror.seats.shape[0])
+    accepted = np.zeros(some.size, np.bool_)
+    solve_static(batch, some, True, room, displacement, position, iterations)
+    solve_moving(batch, some, cautious, room, displacement, cage, position, iterations)
+    judge_blocks(
+        batch, some, room, displacement, cage, position, reaction, stiffness, residual, accepted
+    )
+    next_one = 0
+    for place in range(order.size):
+        if done[place]:
+            continue
+        case = order[place]
+        done[place] = accepted[next_one] and iterations[case] > 0
+        code[case] = status.CONVERGED if done[place] else status.NOT_CONVERGED
+        unsupported[case], safe[case] = -1, False
+        next_one += 1
+
+
+@kernel
+def solve_safely(
+    batch: Batch, moving: bool, order: Order, anew: bool, work: Array, out: Output
+) -> None:
+    """Solve cases one by one from where they stand, and where that fails and `anew`, from afresh.
+
+    work (cases of order): how often a ball may still be evaluated, counted down. out: as
+    `solve_some`; iterations: positive where a case settled and has not been judged, zero where it
+    has no start.
+    """
+    displacement, cage, position, reaction, stiffness, residual, code, unsupported = out[:8]
+    iterations, safe = out[8], out[9]
+    cosines, sines = batch.cosines, batch.sines
+    ring, errors = ring_around(cosines.size), np.zeros((cosines.size, 2))
+    p = np.empty((layout.DUTY + batch.bearing.shape[0], 1))
+    for place in range(order.size):
+        case = order[place]
+        _put_column(batch, case, p)
+        control = batch.control[case if batch.control.shape[0] > 1 else 0]
+        u, x = displacement[case], position[case]
+        if iterations[case] > 0 and code[case] == status.NOT_CONVERGED:
+            code[case], residual[case], unsupported[case] = judge(
+                p, 0, moving, control, cosines, sines, u, cage[case], x, ring, errors
+            )
+        # a proposal that is not quite there is a start; failing that, begin anew
+        escaping, fate, started = -1, status.NO_EQUILIBRIUM, iterations[case] != 0
+        for attempt in range(3 if anew else 1):
+            if code[case] != status.NOT_CONVERGED or (attempt == 0 and not started):
+                continue
+            if attempt > 0:
+                _start_safely(p, 0, cosines, sines, u, x, attempt == 1)
+                cage[case] = p[layout.NOMINAL_ORBIT, 0]
+            ring.work[0] = SHARE * work[place]
+            _, steps, escaping, cage[case] = solve_robust(
+                p, 0, moving, control, cosines, sines, u, cage[case], x, ring
+            )
+            work[place] -= SHARE * work[place] - ring.work[0]
+            fate = escaped(p, 0, cosines.size, ring)
+            safe[case] = True
+            iterations[case] = abs(iterations[case]) + steps
+            code[case], residual[case], unsupported[case] = judge(
+                p, 0, moving, control, cosines, sines, u, cage[case], x, ring, errors
+            )
+        if anew and code[case] == status.NOT_CONVERGED and escaping >= 0:
+            code[case] = fate
+            unsupported[case] = escaping if fate == status.NO_EQUILIBRIUM else -1
+        read_ring(ring, p[layout.ARM, 0], reaction[case], stiffness[case])
+
+
+@kernel
+def solve_stepwise(batch: Batch, moving: bool, order: Order, work: Array, out: Output) -> None:
+    """Solve cases one by one from a heavy load or from rest, step by step; as `solve_safely`."""
+    displacement, cage, position, reaction, stiffness, residual, code, unsupported = out[:8]
+    iterations, safe = out[8], out[9]
+    cosines, sines = batch.cosines, batch.sines
+    ring, errors = ring_around(cosines.size), np.zeros((cosines.size, 2))
+    p = np.empty((layout.DUTY + batch.bearing.shape[0], 1))
+    heavy = np.empty((p.shape[0], 1))
+    for place in range(order.size):
+        case = order[place]
+        _put_column(batch, case, p)
+        control = batch.control[case if batch.control.shape[0] > 1 else 0]
+        u, x = displacement[case], position[case]
+        put_factors(p, 0, heaviest_factor(p, 0, cosines.size), 0.0, heavy)
+        _start_safely(heavy, 0, cosines, sines, u, x, True)
+        ring.work[0] = STEPWISE * work[place]
+        code[case], residual[case], unsupported[case], steps, cage[case] = solve_by_steps(
+            p, 0, moving, control, cosines, sines, u, x, ring, errors
+        )
+        work[place] -= STEPWISE * work[place] - ring.work[0]
+        safe[case] = True
+        iterations[case] = abs(iterations[case]) + steps
+        read_ring(ring, p[layout.ARM, 0], reaction[case], stiffness[case])
+
+
+@kernel
+def solve_past_edge(batch: Batch, moving: bool, order: Order, work: Array, out: Output) -> None:
+    """Balance rings without the balls that have left their groove; as `solve_safely`."""
+    displacement, cage, position, reaction, stiffness, residual, code, unsupported = out[:8]
+    iterations, safe = out[8], out[9]
+    cosines, sines = batch.cosines, batch.sines
+    ring, errors = ring_around(cosines.size), np.zeros((cosines.size, 2))
+    p = np.empty((layout.DUTY + batch.bearing.shape[0], 1))
+    on_groove = np.empty(cosines.size)
+    for place in range(order.size):
+        case = order[place]
+        _put_column(batch, case, p)
+        on_groove[:] = batch.control[case if batch.control.shape[0] > 1 else 0]
+        ring.work[0] = work[place]
+        code[case], residual[case], unsupported[case], steps, cage[case] = solve_off_groove(
+            p, 0, moving, on_groove, cosines, sines, displacement[case], cage[case],
+            position[case], ring, errors,
+        )  # fmt: skip
+        safe[case] = True
+        iterations[case] += steps
+        read_ring(ring, p[layout.ARM, 0], reaction[case], stiffness[case])
+
+
+def solve_some(
     batch: Batch,
     moving: bool,
     order: Order,
     fast: bool,
     most_work: float,
     out: Output,
+    form: Callable[[Kernel[..., None]], Callable[..., None]] = ready,
 ) -> None:
-    """Solve some of the cases, in the order given, and judge every one.
+    """Solve some of the cases, and judge every one; what is not finite is left alone.
 
-    What is not finite gets the code INVALID_INPUT and is left alone.
-
-    moving: whether these cases have inertia; fast: whether to try the fast path; most_work: how
-    often a ball may be evaluated on the others before a case is given up.
+    moving: whether these cases have inertia; fast: whether to try the lanes; most_work: how
+    often a ball may be evaluated beside them before a case is given up; form: of the kernels,
+    compiled or plain.
     out: displacement (cases, 5), the cage's speed (cases), position (cases, balls, 2), reaction
     (cases, 5), stiffness (cases, 5, 5), residual, code, unsupported and iterations (cases), safe
-    (cases): whether the safe path was taken. Tilts in the displacement are scaled as in `layout`.
+    (cases): whether a case was solved one by one. Tilts in the displacement are scaled as in
+    `layout`.
     """
-    cosines, sines = batch.cosines, batch.sines
-    (
-        displacement, cage, position, reaction, stiffness, residual, code, unsupported, iterations,
-        safe,
-    ) = out  # fmt: skip
-    finite = np.zeros(order.size, np.bool_)
-    _mark_finite(batch, order, finite, np.zeros(order.size))
-    for case in order[~finite]:
-        code[case] = status.INVALID_INPUT
-    order = order[finite]
-    errors, on_groove = np.zeros((cosines.size, 2)), np.zeros(cosines.size)
-    ring, room = ring_around(cosines.size), room_for(batch.mirror.seats.shape[0])
-    p = np.empty((layout.DUTY + batch.bearing.shape[0], 1))
-    accepted, few = np.zeros(order.size, np.bool_), False
-    if fast and order.size > 0:
-        _propose(batch, moving, order, True, room, accepted, out)
-        left = np.flatnonzero(~accepted)
-        few = left.size < SEVERAL
-        if not few:
+    code, iterations = out[6], out[8]
+    done = np.zeros(len(order), np.bool_)
+    if not fast:
+        for case in order:
+            own = case if batch.bearing.shape[1] > 1 else 0
+            sound = np.isfinite(batch.duty[:, case].sum() + batch.bearing[:, own].sum())
+            code[case] = status.NOT_CONVERGED if sound else status.INVALID_INPUT
+        iterations[order] = 0
+        out[7][order], out[9][order] = -1, False
+        left, cautious = order[code[order] == status.NOT_CONVERGED], None
+    elif moving:
+        form(propose_moving)(batch, order, True, done, out)
+        left = order[~done]
+        cautious = [array[left].copy() for array in (*out[:3], iterations)]
+        if left.size:
             done = np.zeros(left.size, np.bool_)
-            _propose(batch, moving, order[left], False, room, done, out)
-            accepted[left] = done
-    for place in range(order.size):
-        case = order[place]
-        unsupported[case], safe[case] = -1, False
-        if accepted[place]:
-            code[case] = status.CONVERGED
-            continue
-        _put_column(batch, case, p)
-        balls = batch.control[case if batch.control.shape[0] > 1 else 0]
-        u, x = displacement[case], position[case]
-        code[case] = status.NOT_CONVERGED
-        iterations[case] = iterations[case] if fast else 0
-        proposed = fast and iterations[case] != 0
-        if proposed and iterations[case] > 0:
-            code[case], residual[case], unsupported[case] = judge(
-                p, 0, moving, balls, cosines, sines, u, cage[case], x, ring, errors
-            )
-        # a proposal that is not quite there is a start; failing that, begin anew
-        escaping, fate, work = -1, status.NO_EQUILIBRIUM, most_work
-        for attempt in range(3):
-            if code[case] != status.NOT_CONVERGED or (attempt == 0 and not proposed):
-                continue
-            if attempt > 0:
-                _start_safely(p, 0, cosines, sines, u, x, attempt == 1)
-                cage[case] = p[layout.NOMINAL_ORBIT, 0]
-            ring.work[0] = SHARE * work
-            _, steps, escaping, cage[case] = solve_robust(
-                p, 0, moving, balls, cosines, sines, u, cage[case], x, ring
-            )
-            work -= SHARE * work - ring.work[0]
-            fate = escaped(p, 0, cosines.size, ring)
-            safe[case] = True
-            iterations[case] = abs(iterations[case]) + steps
-            code[case], residual[case], unsupported[case] = judge(
-                p, 0, moving, balls, cosines, sines, u, cage[case], x, ring, errors
-            )
-        if code[case] == status.NOT_CONVERGED and escaping >= 0:
-            code[case] = fate
-            unsupported[case] = escaping if fate == status.NO_EQUILIBRIUM else -1
-        if code[case] == status.NOT_CONVERGED and few and moving:
-            alone, steps = order[place : place + 1], iterations[case]
-            _propose(batch, True, alone, False, room, accepted[place:], out)
-            settled = iterations[case] > 0
-            iterations[case] = steps + abs(iterations[case])
-            if accepted[place]:
-                code[case] = status.CONVERGED
-                continue
-            if settled:
-                code[case], residual[case], unsupported[case] = judge(
-                    p, 0, True, balls, cosines, sines, u, cage[case], x, ring, errors
-                )
-        if code[case] == status.NOT_CONVERGED:
-            heavy = np.empty((p.shape[0], 1))
-            put_factors(p, 0, heaviest_factor(p, 0, cosines.size), 0.0, heavy)
-            _start_safely(heavy, 0, cosines, sines, u, x, True)
-            ring.work[0] = 0.8 * work
-            code[case], residual[case], unsupported[case], steps, cage[case] = solve_by_steps(
-                p, 0, moving, balls, cosines, sines, u, x, ring, errors
-            )
-            work -= 0.8 * work - ring.work[0]
-            iterations[case] += steps
-        if code[case] == status.OVER_SHOULDER:
-            on_groove[:] = balls
-            ring.work[0] = work
-            code[case], residual[case], unsupported[case], steps, cage[case] = solve_off_groove(
-                p, 0, moving, on_groove, cosines, sines, u, cage[case], x, ring, errors
-            )
-            safe[case] = True
-            iterations[case] += steps
-        read_ring(ring, p[layout.ARM, 0], reaction[case], stiffness[case])
+            form(propose_moving)(batch, left, False, done, out)
+            cautious, left = [array[~done] for array in cautious], left[~done]
+    else:
+        form(propose_at_rest)(batch, order, done, out)
+        left, cautious = order[~done], None
+    if not left.size:
+        return
+    work = np.full(left.size, most_work)
+    form(solve_safely)(batch, moving, left, True, work, out)
+    open_still = code[left] == status.NOT_CONVERGED
+    if cautious is not None and open_still.any():
+        again = left[open_still]
+        for whole, part in zip((*out[:3], iterations), cautious, strict=True):
+            whole[again] = part[open_still]
+        _try(form(solve_safely), batch, moving, (left, open_still, work), out, False)
+        open_still = code[left] == status.NOT_CONVERGED
+    if open_still.any():
+        _try(form(solve_stepwise), batch, moving, (left, open_still, work), out)
+    past = code[left] == status.OVER_SHOULDER
+    if past.any():
+        _try(form(solve_past_edge), batch, moving, (left, past, work), out)
+
+
+def _try(
+    kernel: Callable[..., None],
+    batch: Batch,
+    moving: bool,
+    cases: tuple[Order, NDArray[np.bool_], Array],
+    out: Output,
+    *more: bool,
+) -> None:
+    """Send some of the cases through a kernel: (all, which of them, the work that is left)."""
+    order, which, work = cases
+    own = work[which]
+    kernel(batch, moving, order[which], *more, own, out)
+    work[which] = own

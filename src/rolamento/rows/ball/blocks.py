@@ -324,25 +324,24 @@ def solve_static(
                 lanes.step_static_untilted(w, b, batch.mirror)
             for lane in range(count):
                 case = order[block + lane]
-                balanced = w[layout.UNBALANCED * _LANES + lane] <= tolerance
-                if iterations[case] > 0 or not balanced:
+                if iterations[case] == 0:
+                    if not w[layout.UNBALANCED * _LANES + lane] <= tolerance:
+                        continue
+                    iterations[case] = step + 1
+                    if not moving and step + 1 < STATIC_STEPS:
+                        continue
+                elif moving or iterations[case] != step:
                     continue
+                # a place that does not depend on how long its neighbours take; at rest one step on
                 open_lanes -= 1
-                iterations[case] = step + 1
-                if moving:
-                    # a start that does not depend on how long its neighbours take
-                    if _lost(w, lane):
-                        iterations[case] = 0
-                    else:
-                        _read_displacement(w, lane, displacement[case])
+                if _lost(w, lane):
+                    iterations[case] = 0
+                else:
+                    _read_displacement(w, lane, displacement[case])
             if open_lanes == 0:
                 break
         for lane in range(count):
             case = order[block + lane]
-            if not moving and iterations[case] > 0 and not _lost(w, lane):
-                _read_displacement(w, lane, displacement[case])
-            elif not moving:
-                iterations[case] = 0
             put_displacement(w, lane, displacement[case])
         if moving:
             for j in range(b.shape[0]):

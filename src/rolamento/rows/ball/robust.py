@@ -294,6 +294,7 @@ def solve_robust(
     the search ends.
     """
     unbalanced, step = np.zeros(5), np.zeros(5)
+    ring.follow[:] = 0.0  # of another case, where a ball of this one does not settle at once
     damping = 0.0
     settled, greatest, cage, behind = evaluate(
         p, case, moving, control, cosines, sines, u, start, x, ring

@@ -11,9 +11,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento import status
+from rolamento.numerics.compiled import Kernel
 from rolamento.numerics.threads import ready, share_out
 from rolamento.rows.ball import accept, layout
-from rolamento.rows.ball.batch import solve_cases
+from rolamento.rows.ball.batch import (
+    propose_at_rest,
+    propose_moving,
+    solve_past_edge,
+    solve_safely,
+    solve_some,
+    solve_stepwise,
+)
 from rolamento.rows.ball.blocks import Batch
 from rolamento.rows.ball.detail import ball_table, criterion
 from rolamento.rows.ball.mirror import AXES, mirror, planes
@@ -120,14 +128,7 @@ def solve_columns(
     solution = Solution.room(cases, balls)
     if cases == 0:
         return solution
-    moving = has_inertia(p)
-    batch = Batch(
-        np.ascontiguousarray(p.duty),
-        np.ascontiguousarray(p.bearing),
-        np.ascontiguousarray(control, dtype=np.float64),
-        *directions(balls),
-        mirror(balls, 0),
-    )
+    moving, batch = has_inertia(p), _batch(p, control, balls)
     plane = planes(p, control) if fast else np.zeros(cases, np.int8)
 
     def run(which: NDArray[np.bool_], moving: bool) -> None:
@@ -144,6 +145,27 @@ def solve_columns(
     run(moving, True)
     solution.forget(solution.code == status.INVALID_INPUT)
     return solution
+
+
+def _batch(p: Columns, control: Floats, balls: int) -> Batch:
+    return Batch(
+        np.ascontiguousarray(p.duty),
+        np.ascontiguousarray(p.bearing),
+        np.ascontiguousarray(control, dtype=np.float64),
+        *directions(balls),
+        mirror(balls, 0),
+    )
+
+
+def compile_all(p: Columns, control: Floats, balls: int) -> None:
+    """Compile every kernel that some case may need, whether these cases do or not."""
+    batch, out = _batch(p, control, balls), Solution.empty(p.cases, balls).arrays()
+    none, done, work = np.zeros(0, np.int64), np.zeros(0, np.bool_), np.zeros(0)
+    ready(propose_moving)(batch, none, True, done, out)
+    ready(propose_at_rest)(batch, none, done, out)
+    ready(solve_safely)(batch, True, none, True, work, out)
+    for rarely in (solve_stepwise, solve_past_edge):
+        ready(rarely)(batch, True, none, work, out)
 
 
 def turns(p: Columns) -> NDArray[np.bool_]:
@@ -178,21 +200,21 @@ def _run_threads(
     cases, balls, out = len(which), batch.cosines.size, solution.arrays()
     if cases == 0:
         return
+    first_kernel = (propose_moving if moving else propose_at_rest) if fast else solve_safely
     left: list[int] = []
 
     def run(kernel: Callable[..., Any], first: int, last: int) -> None:
         some = which[first:last]
-        if kernel is solve_cases:
-            plain = (case for case in some if not _interpret(batch, moving, case, out))
-            left.extend(plain)
+        if kernel is first_kernel:
+            left.extend(case for case in some if not _interpret(batch, moving, case, out))
         else:
-            kernel(batch, moving, some, fast, most_work, out)
+            solve_some(batch, moving, some, fast, most_work, out)
 
-    share_out(solve_cases, run, cases, chunk=CHUNK, threads=threads, little=cases <= FEW)
+    share_out(first_kernel, run, cases, chunk=CHUNK, threads=threads, little=cases <= FEW)
     if left:
         hard = np.array(left)
         solution.put(hard, Solution.empty(len(hard), balls))
-        ready(solve_cases)(batch, moving, hard, fast, most_work, out)
+        solve_some(batch, moving, hard, fast, most_work, out)
 
 
 def _interpret(batch: Batch, moving: bool, case: int, out: Output) -> bool:
@@ -202,10 +224,14 @@ def _interpret(batch: Batch, moving: bool, case: int, out: Output) -> bool:
     fast path, which is for compiled code only, might still find a solution.
     """
     try:
-        solve_cases(batch, moving, np.array([case]), False, PLAIN_WORK, out)
+        solve_some(batch, moving, np.array([case]), False, PLAIN_WORK, out, _plain)
     except (ZeroDivisionError, OverflowError, ValueError):
         return False
     return int(out[6][case]) != status.NOT_CONVERGED
+
+
+def _plain(kernel: Kernel[..., None]) -> Callable[..., None]:
+    return kernel
 
 
 def ball_azimuths(p: Columns, balls: int) -> Floats:
