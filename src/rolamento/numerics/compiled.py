@@ -242,7 +242,7 @@ def _checked_cache() -> Any:
                     self._save_index({**names, key: name})
 
         def _free_name(self, taken: set[str]) -> str:
-            return next(name for i in count(1) if (name := self._data_name(i)) not in taken)
+            return next(name for i in count(1) if (name := str(self._data_name(i))) not in taken)
 
         def _load_index(self) -> Any:
             _check(self._index_path)
