@@ -51,6 +51,8 @@ def live(changes: dict[str, Any], **more: Any) -> httpx.Response:
     [
         "[" * 100_000,
         '{"a":' * 5_000 + "1" + "}" * 5_000,
+        '{"a":' * 450 + "1" + "}" * 450,
+        '{"case": ' + "[" * 970 + "]" * 970 + "}",
         '{"cases": [NaN], "case": NaN, "text": NaN}',
         '{"cases": 1e999, "case": 1e999, "text": 1e999}',
         '{"cases": ' + "9" * 10_000 + "}",
@@ -58,7 +60,18 @@ def live(changes: dict[str, Any], **more: Any) -> httpx.Response:
         '{"__proto__": {"admin": true}, "constructor": {}}',
         '{"cases": [' + ",".join(["{}"] * 10_000) + "]}",
     ],
-    ids=["open", "deep", "NaN", "infinite", "long number", "half a letter", "names", "list"],
+    ids=[
+        "open",
+        "deep",
+        "half deep",
+        "nearly too deep",
+        "NaN",
+        "infinite",
+        "long number",
+        "half a letter",
+        "names",
+        "list",
+    ],
 )
 def test_a_body_that_is_made_to_break_is_refused(path: str, body: str) -> None:
     response = post(path, body)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import signal
 import socket
@@ -10,7 +11,7 @@ import sys
 import threading
 import time
 from collections.abc import AsyncIterator, Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -134,9 +135,9 @@ def test_a_token_is_asked_for_in_the_header_the_cookie_or_the_first_address() ->
     assert status("/static/app.css") == 401
     assert status(headers={"authorization": "Bearer wrong"}) == 401
     assert status(headers={"authorization": f"Basic {TOKEN}"}) == 401
-    assert status(headers={"cookie": "rolamento_token=wrong"}) == 401
+    assert status(headers={"cookie": "rolamento_token_8000=wrong"}) == 401
     assert status(headers={"authorization": f"Bearer {TOKEN}"}) == 200
-    assert status(headers={"cookie": f"x=1; rolamento_token={TOKEN}"}) == 200
+    assert status(headers={"cookie": f"x=1; rolamento_token_8000={TOKEN}"}) == 200
     first = ask("GET", f"/?token={TOKEN}&lang=pt", settings=guarded, base="http://box:8000")
     assert first.status_code == 303
     assert first.headers["location"] == "/?lang=pt"
@@ -145,6 +146,34 @@ def test_a_token_is_asked_for_in_the_header_the_cookie_or_the_first_address() ->
     assert "httponly" in cookie
     assert "samesite=strict" in cookie
     assert status("/?token=wrong") == 401
+
+
+def test_the_first_address_of_the_browser_lets_in_once() -> None:
+    settings = Settings(token=TOKEN, code="a-code-that-counts-once", warm=False)
+    address = "/?code=a-code-that-counts-once"
+    first = ask("GET", address, settings=settings, base="http://box:8000")
+    assert first.status_code == 303
+    assert first.headers["location"] == "/"
+    assert first.headers["set-cookie"].startswith("rolamento_token_8000=")
+    assert ask("GET", address, settings=settings, base="http://box:8000").status_code == 401
+    wrong = Settings(token=TOKEN, code="", warm=False)
+    assert ask("GET", "/?code=", settings=wrong, base="http://box:8000").status_code == 401
+
+
+def test_a_wrong_token_is_refused_slowly() -> None:
+    guarded = Settings(token=TOKEN, warm=False)
+    began = time.monotonic()
+    assert ask("GET", "/", settings=guarded, base="http://box:8000").status_code == 401
+    assert time.monotonic() - began >= 0.4
+
+
+@pytest.mark.parametrize(
+    ("address", "status"),
+    [("/page/example/signal/outer_race", 403), ("/api/v1/version", 403), ("/", 200)],
+)
+@pytest.mark.parametrize("site", ["cross-site", "same-site"])
+def test_another_sites_image_starts_no_work(address: str, status: int, site: str) -> None:
+    assert ask("GET", address, headers={"sec-fetch-site": site}).status_code == status
 
 
 def test_a_redirect_never_leaves_this_server() -> None:
@@ -377,6 +406,12 @@ def test_what_takes_too_long_is_ended_and_holds_nothing_up() -> None:
         ({"cases": [{"case": {}, "changes": {"model.roller_contact": "coupled"}}]}, 0.0,
          ("slow", limits.SECONDS)),
         ({"designation": "6310"}, 120.0, ("slow", 120.0)),
+        ({"case": {"bearing": {"ball_count": 500, "rows": [{}] * 32}}}, 0.0,
+         ("slow", limits.SECONDS)),
+        ({"designation": "6310", "settings": {"bearing.ball_count": "500"}}, 0.0,
+         ("slow", limits.SECONDS)),
+        ({"case": {"bearing": {"ball_count": 40, "arrangement": "DBDB"}}}, 0.0, ("fast", None)),
+        ({"case": {"bearing": {"ball_count": 1e400, "rows": "many"}}}, 0.0, ("fast", None)),
     ],
 )  # fmt: skip
 def test_a_heavy_case_is_slow_wherever_it_stands(
@@ -419,6 +454,103 @@ def test_too_many_that_wait_are_refused(monkeypatch: pytest.MonkeyPatch) -> None
         assert refused == [503, 503, 503]
 
     anyio.run(run)
+
+
+def killed(path: str, times: int) -> str:
+    """End the process that this runs in, so many times."""
+    with Path(path).open("a+") as file:
+        file.seek(0)
+        if len(file.read()) >= times:
+            return "done"
+        file.write("x")
+    os.kill(os.getpid(), signal.SIGKILL)
+    return "never"
+
+
+@pytest.mark.skipif(os.name != "posix", reason="needs signals of POSIX")
+@pytest.mark.parametrize(("times", "expected"), [(1, "done"), (2, 503)])
+def test_a_killed_worker_is_tried_once_more(times: int, expected: object, tmp_path: Path) -> None:
+    async def run() -> object:
+        try:
+            return await limits.slow(killed, str(tmp_path / "count"), times)
+        except answers.RequestError as error:
+            assert answers.refused(error).headers["retry-after"]
+            return error.status
+
+    assert anyio.run(run) == expected
+
+
+def test_other_requests_go_on_while_a_body_is_parsed() -> None:
+    body = json.dumps({"designation": "6205", "settings": {f"a{i}": 1 for i in range(60_000)}})
+
+    async def run() -> float:
+        app = made(Settings(warm=False))
+        longest = 0.0
+        async with (
+            httpx.AsyncClient(transport=httpx.ASGITransport(app), base_url=HERE) as client,
+            anyio.create_task_group() as group,
+        ):
+            done = anyio.Event()
+
+            async def send() -> None:
+                kind = {"content-type": "application/json"}
+                for _ in range(3):
+                    response = await client.post("/api/v1/solve", content=body, headers=kind)
+                    assert response.status_code == 422
+                done.set()
+
+            group.start_soon(send)
+            while not done.is_set():
+                began = time.monotonic()
+                await anyio.sleep(0.001)
+                longest = max(longest, time.monotonic() - began)
+        return longest
+
+    whole = time.monotonic()
+    json.loads(body)
+    assert anyio.run(run) < 1.0 + 5.0 * (time.monotonic() - whole)
+
+
+def test_files_of_one_sender_do_not_take_all_places() -> None:
+    async def run() -> list[int]:
+        refused: list[int] = []
+
+        async def one(sender: str) -> None:
+            scope = {"type": "http", "client": (sender, 1), "headers": []}
+
+            async def receive() -> dict[str, Any]:
+                await anyio.sleep(0.2)
+                return {"type": "http.request", "body": b"", "more_body": False}
+
+            try:
+                async with answers.received(answers.Request(scope, receive), 100):
+                    await anyio.sleep(0.2)
+            except answers.RequestError as error:
+                refused.append(error.status)
+
+        async with anyio.create_task_group() as group:
+            for sender in (*["203.0.113.1"] * 5, "203.0.113.2"):
+                group.start_soon(one, sender)
+        return refused
+
+    assert anyio.run(run) == [503, 503]
+
+
+def test_a_body_may_not_take_for_ever(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(answers, "_LONGEST", 0.2)
+    monkeypatch.setattr(answers, "_PATIENCE", 60.0)
+
+    async def run() -> int:
+        async def receive() -> dict[str, Any]:
+            await anyio.sleep(0.05)
+            return {"type": "http.request", "body": b"x", "more_body": True}
+
+        request = answers.Request({"type": "http", "headers": []}, receive)
+        with pytest.raises(answers.RequestError) as caught:
+            await answers.read_body(request)
+        return caught.value.status
+
+    assert anyio.run(run) == 408
 
 
 def test_a_visitor_who_leaves_ends_the_work() -> None:
@@ -481,13 +613,29 @@ def test_silent_connections_and_damaged_requests_end(monkeypatch: pytest.MonkeyP
             assert silent.recv(100) == b""
         with socket.create_connection(("127.0.0.1", port), timeout=10.0) as other:
             other.sendall(b"\x16\x03\x01 nonsense\r\n\r\n")
-            assert b"400" in other.recv(1000)
+            said = other.recv(2000)
+            assert b"400" in said
+            assert b"x-content-type-options: nosniff" in said
         with socket.create_connection(("127.0.0.1", port), timeout=10.0) as long_one:
             long_one.sendall(b"GET /?" + b"a" * 100_000)
             assert b"200" not in long_one.recv(1000)[:20]
         assert httpx.get(f"http://127.0.0.1:{port}/api/v1/version").json() == {
             "version": rolamento.__version__
         }
+
+
+def test_connections_of_one_address_are_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(server, "_MOST_OF_ONE", 3)
+    with running(Settings(warm=False)) as port:
+        held = [socket.create_connection(("127.0.0.1", port), timeout=10.0) for _ in range(3)]
+        time.sleep(0.2)
+        one_more = socket.create_connection(("127.0.0.1", port), timeout=10.0)
+        with one_more, suppress(ConnectionResetError):
+            assert one_more.recv(100) == b""
+        for own in held:
+            own.close()
+        time.sleep(0.2)
+        assert httpx.get(f"http://127.0.0.1:{port}/api/v1/version").is_success
 
 
 def test_an_answer_waits_for_no_echo() -> None:

@@ -63,8 +63,11 @@ def browser(
         typer.Option(
             "--token",
             metavar="TEXT",
+            envvar="ROLAMENTO_TOKEN",
+            show_envvar=False,
             help="Token that every visitor has to know, at least 8 characters; made and printed if"
-            " another address than this machine's own is listened at.",
+            " another address than this machine's own is listened at. ROLAMENTO_TOKEN in the"
+            " environment is not shown to other users of the machine.",
         ),
     ] = None,
     show: Annotated[
@@ -84,7 +87,9 @@ def browser(
         with _listening(host, port) as listener:
             from rolamento.web.server import Settings
 
-            settings = Settings(host=host, token=token or "", language=lang or "")
+            # others see the address that a browser is started with: what it has counts once
+            code = secrets.token_urlsafe(16) if token and show else ""
+            settings = Settings(host=host, token=token or "", code=code, language=lang or "")
             _serve(listener, settings, show=show)
     raise typer.Exit(SOLVED)
 
@@ -162,14 +167,14 @@ def _welcome(listener: socket.socket, settings: Settings, *, show: bool) -> None
         there = _address(settings, port, own=False)
         print_text(said("From other machines: {address}", address=there) + "\n")
     if show:
-        webbrowser.open(here)
+        webbrowser.open(_address(settings, port, own=True, code=settings.code))
 
 
-def _address(settings: Settings, port: int, *, own: bool) -> str:
+def _address(settings: Settings, port: int, *, own: bool, code: str = "") -> str:
     """Return the address of the page, as this machine or another one calls it."""
     host = settings.host
     if host != "localhost" and ipaddress.ip_address(host).is_unspecified:
         host = _HOST if own else socket.gethostname()
     name = f"[{host}]" if ":" in host else host
-    query = f"?token={settings.token}" if settings.token else ""
+    query = f"?code={code}" if code else f"?token={settings.token}" if settings.token else ""
     return f"http://{name}:{port}/{query}"

@@ -49,6 +49,8 @@ _LARGEST_FILE: Final = 1_000_000
 # The standard library's TOML reader takes memory with the square of the parts of a
 # dotted key: 400 kB of "a.a.a…" fill a machine.
 _MOST_DOTS: Final = 100
+_DEEPEST: Final = 100
+"""Lists and tables in each other; what reads them may call itself for each."""
 _ENCODING_MARKS: Final = {b"\xff\xfe": "UTF-16", b"\xfe\xff": "UTF-16"}
 
 
@@ -123,6 +125,8 @@ def parse_mapping(text: str, text_format: TextFormat, source: str) -> dict[str, 
         raise FileError(said("is nested too deeply for a case"), source=source) from None
     except ValueError as error:
         raise _syntax_error(error, text, source) from None
+    if _is_deep(mapping):
+        raise FileError(said("is nested too deeply for a case"), source=source)
     if not isinstance(mapping, dict):
         raise FileError(
             said("must contain a table (an object in JSON)"),
@@ -130,6 +134,19 @@ def parse_mapping(text: str, text_format: TextFormat, source: str) -> dict[str, 
             example='{"bearing": {…}, "duty": {…}}',
         )
     return mapping
+
+
+def _is_deep(parsed: object) -> bool:
+    """Whether lists and tables stand in each other more than `_DEEPEST` deep."""
+    level = [parsed]
+    for _ in range(_DEEPEST):
+        inner: list[object] = []
+        for one in level:
+            inner += one.values() if isinstance(one, dict) else one if isinstance(one, list) else ()
+        level = [one for one in inner if isinstance(one, dict | list)]
+        if not level:
+            return False
+    return True
 
 
 _REXS: Final = re.compile(

@@ -5,10 +5,13 @@ from __future__ import annotations
 import asyncio
 from collections.abc import AsyncIterator, Mapping
 from contextlib import asynccontextmanager
+from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any, Final
 
+import anyio
+import anyio.to_thread
 from starlette.requests import Request
 from starlette.responses import Response
 
@@ -18,6 +21,7 @@ from rolamento.io.text import parse_mapping
 from rolamento.words import language_of, languages, said
 
 __all__ = [
+    "MOST_COLUMNS",
     "MOST_JSON",
     "RequestError",
     "answer",
@@ -29,15 +33,21 @@ __all__ = [
     "refused",
 ]
 
-MOST_JSON: Final = 5_000_000
-"""Bytes of a JSON body: a batch of 10 000 cases with a dozen fields."""
+MOST_JSON: Final = 1_000_000
+"""Bytes of a JSON body that holds cases."""
+MOST_COLUMNS: Final = 5_000_000
+"""Bytes of one that holds columns: a batch of 10 000 cases with a dozen fields."""
 _SLOWEST: Final = 50_000.0
 """Bytes a second that a sender has to keep up with, after `_PATIENCE`."""
 _PATIENCE: Final = 10.0
 """Seconds that a body may take, however small."""
+_LONGEST: Final = 600.0
+"""Seconds that a body may take, however large."""
 _MOST_COMING: Final = 8
-_COMING: Final[set[str]] = set()
-"""Folders of files that are being sent or read."""
+_MOST_OF_ONE: Final = 3
+"""Files that may come at once: all, and from one address."""
+_COMING: Final[dict[str, str]] = {}
+"""Folders of files that are being sent or read, and the address that each comes from."""
 _WRONG_INPUT: Final = 422
 _HEADERS: Final = {
     408: {"connection": "close"},
@@ -152,7 +162,7 @@ async def chunks(request: Request, most: int) -> AsyncIterator[bytes]:
     began, came = clock(), 0
     stream = request.stream().__aiter__()
     while True:
-        left = began + _PATIENCE + came / _SLOWEST - clock()
+        left = began + min(_PATIENCE + came / _SLOWEST, _LONGEST) - clock()
         try:
             async with asyncio.timeout(max(left, 0.0)):  # unlike wait_for, without a task
                 chunk = await anext(stream)
@@ -182,10 +192,11 @@ async def received(request: Request, most: int, ending: str = "") -> AsyncIterat
     RequestError
         413 or 408; 503 if too many files come at once.
     """
-    if len(_COMING) >= _MOST_COMING:
+    sender = "" if request.client is None else request.client.host
+    if len(_COMING) >= _MOST_COMING or [*_COMING.values()].count(sender) >= _MOST_OF_ONE:
         raise RequestError(said("too many files are being sent; try again in a moment"), 503)
     with TemporaryDirectory(prefix="rolamento-") as folder:
-        _COMING.add(folder)
+        _COMING[folder] = sender
         try:
             path = Path(folder) / f"upload{ending}"
             with path.open("wb") as file:
@@ -193,7 +204,7 @@ async def received(request: Request, most: int, ending: str = "") -> AsyncIterat
                     file.write(chunk)
             yield path
         finally:
-            _COMING.discard(folder)
+            del _COMING[folder]
 
 
 def _too_large(most: int) -> RequestError:
@@ -218,8 +229,19 @@ async def read_json(request: Request, most: int = MOST_JSON) -> dict[str, Any]:
             example="Content-Type: application/json",
         )  # fmt: skip
     body = await read_body(request, most)
+    # other requests go on meanwhile
+    return await anyio.to_thread.run_sync(_parsed, body, limiter=_parsers())
+
+
+def _parsed(body: bytes) -> dict[str, Any]:
     try:
         text = body.decode()
     except UnicodeDecodeError:
         raise FileError(said("is not UTF-8 text")) from None
     return parse_mapping(text, "json", "")
+
+
+@cache
+def _parsers() -> anyio.CapacityLimiter:
+    """So many bodies are parsed at once."""
+    return anyio.CapacityLimiter(2)

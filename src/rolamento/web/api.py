@@ -18,7 +18,7 @@ from rolamento.case.record import Record
 from rolamento.errors import InputError, UnknownKeyError, guess
 from rolamento.io.json import dumps
 from rolamento.tasks.asked import SIGNAL, Asked, Group
-from rolamento.web.answers import answer, read_json, received
+from rolamento.web.answers import MOST_COLUMNS, MOST_JSON, answer, read_json, received
 from rolamento.web.drops import LARGEST, SEARCH, ending_of, file_of, label_of, response_of
 from rolamento.web.limits import by_weight, slow
 from rolamento.web.requests import (
@@ -80,6 +80,8 @@ class Operation:
         media types, if it answers with a file
     seconds
         that it may take in a process of its own; 0 if it is usually fast
+    most
+        bytes of its body
     """
 
     method: str
@@ -93,6 +95,7 @@ class Operation:
     has: tuple[str, ...] = ()
     files: tuple[str, ...] = ()
     seconds: float = 0.0
+    most: int = MOST_JSON
 
 
 # --- what is done: each takes what was asked for and gives JSON, or a file ----------------------
@@ -334,6 +337,7 @@ OPERATIONS: Final[tuple[Operation, ...]] = (
         },
         has=("schema", "kind", "cases", "fields", "status", "units", "outputs", "case"),
         seconds=60.0,
+        most=MOST_COLUMNS,
     ),
     Operation(
         "POST",
@@ -393,6 +397,7 @@ OPERATIONS: Final[tuple[Operation, ...]] = (
         {"test": {"times": [17.88, 28.92, 33.0, 41.52, 42.12, 45.6], "unit": "Mrev"}},
         has=("schema", "kind"),
         seconds=60.0,
+        most=MOST_COLUMNS,
     ),
     Operation(
         "POST",
@@ -490,7 +495,10 @@ def _done(path: str, given: Mapping[str, Any]) -> str | dict[str, Any]:
 
 def _route(operation: Operation) -> Route:
     async def endpoint(request: Request) -> Response:
-        given = _query(request, operation) if operation.asks is None else await read_json(request)
+        if operation.asks is None:
+            given: Mapping[str, Any] = _query(request, operation)
+        else:
+            given = await read_json(request, operation.most)
         found = await by_weight(
             _done, operation.path, given, asked=given, seconds=operation.seconds
         )

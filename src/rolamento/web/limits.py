@@ -28,7 +28,7 @@ __all__ = ["VISITOR", "Limits", "by_weight", "fast", "slow"]
 R = TypeVar("R")
 
 FAST_AT_ONCE: Final = max(2, os.cpu_count() or 1)
-SLOW_AT_ONCE: Final = max(1, (os.cpu_count() or 2) - 1)
+SLOW_AT_ONCE: Final = max(1, os.cpu_count() or 1)
 _MOST_WAITING: Final = {"fast": 100, "slow": 8}
 """Requests of a kind that may wait for their turn."""
 SECONDS: Final = 60.0
@@ -77,15 +77,40 @@ def _queues(_thread: int) -> dict[str, Limits]:
 _HEAVY: Final = frozenset({"coupled"})
 """Values of a case that take seconds or minutes: the time of coupled slices grows with their third
 power."""
+_MANY: Final = 400
+"""Rolling elements of all rows together above which a case takes longer than a second: some 2 ms
+each, where it takes the safe path."""
+_COUNTS: Final = ("ball_count", "roller_count")
+_ROWS: Final = ("rows", "arrangement")
 
 
 def _is_heavy(asked: Any) -> bool:
-    """Whether a request holds such a value, wherever it stands."""
-    if isinstance(asked, Mapping):
-        return any(map(_is_heavy, asked.values()))
-    if isinstance(asked, list):
-        return any(map(_is_heavy, asked))
-    return isinstance(asked, str) and asked in _HEAVY
+    """Whether a case of a request takes long, wherever it stands; fields may be dotted names."""
+    elements, rows = 1, 1
+    left = [asked]
+    while left:
+        one = left.pop()
+        if isinstance(one, Mapping):
+            for name, value in one.items():
+                own = str(name).rpartition(".")[2]
+                if own in _COUNTS:
+                    elements = max(elements, _whole(value))
+                elif own in _ROWS and isinstance(value, list | str):
+                    rows = max(rows, len(value))
+            left += one.values()
+        elif isinstance(one, list):
+            left += one
+        elif isinstance(one, str) and one in _HEAVY:
+            return True
+    return rows * elements > _MANY
+
+
+def _whole(value: Any) -> int:
+    """A count as it is given, or 1."""
+    try:
+        return int(value)
+    except (TypeError, ValueError, OverflowError):
+        return 1
 
 
 async def by_weight(
@@ -133,7 +158,7 @@ async def slow(function: Callable[..., R], *args: Any, seconds: float = SECONDS)
     Raises
     ------
     RequestError
-        503 if too many wait, 504 if it takes longer.
+        503 if too many wait, or the process was ended twice; 504 if it takes longer.
     """
     queue = _queues(threading.get_ident())["slow"]
     queue.check()
@@ -144,7 +169,13 @@ async def slow(function: Callable[..., R], *args: Any, seconds: float = SECONDS)
         raise _busy() from None
     try:
         with anyio.fail_after(seconds):
-            found = await _while_there(_in_worker, language(), function, args)
+            try:
+                found = await _while_there(_in_worker, language(), function, args)
+            except anyio.BrokenWorkerProcess:  # ended by somebody: once more, in another one
+                found = await _while_there(_in_worker, language(), function, args)
+    except anyio.BrokenWorkerProcess:
+        rule = said("the process that worked on it was ended; try again in a moment")
+        raise RequestError(rule, 503) from None
     except TimeoutError:
         rule = said("took longer than {seconds} s and was ended", seconds=seconds)
         raise RequestError(rule, 504) from None

@@ -11,6 +11,7 @@ import mimetypes
 import os
 import socket
 import threading
+from collections import Counter
 from collections.abc import AsyncIterator, Mapping
 from contextlib import asynccontextmanager, suppress
 from dataclasses import dataclass
@@ -50,6 +51,9 @@ _log: Final = logging.getLogger("rolamento.web")
 _HERE: Final = ("127.0.0.1", "localhost", "[::1]")
 """Names of this machine, as a browser on it says them."""
 _COOKIE: Final = "rolamento_token"
+"""And the port: two servers of a machine share its name."""
+_SLOW_REFUSAL: Final = 0.5
+"""Seconds before a wrong token is told to be wrong."""
 _KINDS: Final = {".js": "text/javascript", ".mjs": "text/javascript", ".css": "text/css",
                  ".html": "text/html", ".svg": "image/svg+xml"}  # fmt: skip
 """Media types that the system's own table may have otherwise."""
@@ -75,7 +79,11 @@ _HEADERS: Final = {
     "cache-control": "no-cache",
 }
 _SAFE: Final = ("GET", "HEAD")
+_WORKS: Final = ("/page/", f"{api.PREFIX}/")
+"""Addresses at which even a GET may start work."""
 _MOST_CONNECTIONS: Final = 256
+_MOST_OF_ONE: Final = 192
+"""Connections at once: all, and of one address."""
 _LARGEST_HEAD: Final = 65_536
 """Bytes of a request's line and headers; a query may hold a case."""
 _FIRST_REQUEST: Final = 10.0
@@ -94,6 +102,8 @@ class Settings:
         address that it listens at
     token
         that every request has to bring; none is asked for where it is empty
+    code
+        that lets in the first browser that brings it, in the place of the token; none if empty
     language
         of what is said, unless a request asks for another; empty to go by what the browser accepts
     warm
@@ -102,6 +112,7 @@ class Settings:
 
     host: str = "127.0.0.1"
     token: str = ""
+    code: str = ""
     language: str = ""
     warm: bool = True
 
@@ -160,8 +171,12 @@ async def _make_all_ready(warmth: Warmth) -> None:
     await slow(make_worker_ready)
 
 
+_CONNECTED: Final[Counter[str]] = Counter()
+"""Connections by the address that they come from."""
+
+
 class PatientProtocol(H11Protocol):
-    """HTTP/1.1 that ends a connection on which no request comes."""
+    """HTTP/1.1 that ends a connection on which no request comes, and one too many of an address."""
 
     def connection_made(self, transport: Any) -> None:
         """Begin to wait for the first request; uvicorn waits only between two."""
@@ -171,11 +186,25 @@ class PatientProtocol(H11Protocol):
             # asyncio does so for its own sockets alone; else each answer waits 40 ms for an echo
             held.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         self._first = self.loop.call_later(_FIRST_REQUEST, self._end_if_silent)
+        self._address = self.client[0] if self.client else ""
+        _CONNECTED[self._address] += 1
+        if _CONNECTED[self._address] > _MOST_OF_ONE:
+            transport.abort()
 
     def connection_lost(self, exc: Exception | None) -> None:
         """Stop waiting."""
         self._first.cancel()
+        _CONNECTED[self._address] -= 1
+        if not _CONNECTED[self._address]:
+            del _CONNECTED[self._address]
         super().connection_lost(exc)
+
+    def send_400_response(self, msg: str) -> None:
+        """Answer what is no HTTP, with the headers of every answer."""
+        head = [b"HTTP/1.1 400 Bad Request", b"content-type: text/plain; charset=utf-8"]
+        head += [b"connection: close", *(b": ".join(pair) for pair in _ENCODED), b"", b""]
+        self.transport.write(b"\r\n".join(head) + msg.encode("ascii", "replace"))
+        self.transport.close()
 
     def _end_if_silent(self) -> None:
         if self.cycle is None:
@@ -293,6 +322,7 @@ class Gate:
     def __init__(self, app: ASGIApp, settings: Settings) -> None:
         self.app = app
         self.settings = settings
+        self._code = settings.code
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Let a request in, or refuse it."""
@@ -322,6 +352,8 @@ class Gate:
         with speaking(language):
             try:
                 response = self._refusal(scope, headers, query)
+                if response is not None and response.status_code == 401:
+                    await asyncio.sleep(_SLOW_REFUSAL)
                 handler = self.app if response is None else response
                 await handler(scope, receive, send_with_headers)
             except ClientDisconnect:
@@ -338,7 +370,7 @@ class Gate:
         """Return the answer to who may not come in."""
         try:
             self._check_host(headers)
-            self._check_origin(scope["method"], headers)
+            self._check_origin(scope, headers)
             return self._check_token(scope, headers, query)
         except InputError as error:
             return refused(error)
@@ -354,14 +386,12 @@ class Gate:
             rule = said("is not a name of this server")
             raise RequestError(rule, 421, field="Host", value=host, example="127.0.0.1:8000")
 
-    def _check_origin(self, method: str, headers: Mapping[str, str]) -> None:
-        """Refuse what another site's page sends."""
-        if method in _SAFE:
-            return
-        origin = headers.get("origin")
-        if origin is not None and urlsplit(origin).netloc != headers.get("host"):
-            raise RequestError(said("is another site"), 403, field="Origin", value=origin)
-        if headers.get("sec-fetch-site", "none") not in ("same-origin", "none"):
+    def _check_origin(self, scope: Scope, headers: Mapping[str, str]) -> None:
+        """Refuse what another site's page sends, or has a browser fetch where that is work."""
+        origin, site = headers.get("origin"), headers.get("sec-fetch-site", "none")
+        works = scope["method"] not in _SAFE or scope["path"].startswith(_WORKS)
+        foreign = origin is not None and urlsplit(origin).netloc != headers.get("host")
+        if works and (foreign or site not in ("same-origin", "none")):
             raise RequestError(said("is another site"), 403, field="Origin", value=origin)
 
     def _check_token(
@@ -371,17 +401,17 @@ class Gate:
         token = self.settings.token
         if not token:
             return None
-        if "token" in query and scope["method"] in _SAFE and _same(query["token"], token):
-            kept = {name: value for name, value in query.items() if name != "token"}
+        if scope["method"] in _SAFE and self._is_let_in(query, token):
+            kept = {name: value for name, value in query.items() if name not in ("token", "code")}
             response = RedirectResponse(
                 "/" + scope["path"].lstrip("/") + (f"?{urlencode(kept)}" if kept else ""), 303
             )
-            response.set_cookie(_COOKIE, token, httponly=True, samesite="strict")
+            response.set_cookie(_cookie_of(scope), token, httponly=True, samesite="strict")
             return response
         scheme, _, given = headers.get("authorization", "").partition(" ")
         if scheme.lower() == "bearer" and _same(given.strip(), token):
             return None
-        if _same(_cookie(headers.get("cookie", "")), token):
+        if _same(_cookie(headers.get("cookie", ""), _cookie_of(scope)), token):
             return None
         raise RequestError(
             said("is missing or wrong; open the address that the server printed"),
@@ -389,6 +419,15 @@ class Gate:
             field="token",
             example="Authorization: Bearer TOKEN",
         )
+
+    def _is_let_in(self, query: Mapping[str, str], token: str) -> bool:
+        """Whether an address has the token, or the code that counts once."""
+        if _same(query.get("token", ""), token):
+            return True
+        is_first = bool(self._code) and _same(query.get("code", ""), self._code)
+        if is_first:
+            self._code = ""
+        return is_first
 
 
 def _query(text: bytes) -> dict[str, str]:
@@ -404,9 +443,14 @@ def _same(given: str, token: str) -> bool:
     return hmac.compare_digest(given.encode(), token.encode())
 
 
-def _cookie(header: str) -> str:
+def _cookie_of(scope: Scope) -> str:
+    """Return the name of the cookie of this server."""
+    return f"{_COOKIE}_{(scope.get('server') or ('', 0))[1] or 0}"
+
+
+def _cookie(header: str, name: str) -> str:
     try:
-        found = SimpleCookie(header).get(_COOKIE)
+        found = SimpleCookie(header).get(name)
     except CookieError:
         return ""
     return "" if found is None else found.value
