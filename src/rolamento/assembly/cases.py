@@ -118,6 +118,9 @@ class Cases:
         which cases nothing can hold along x: a thrust bearing without axial load; (cases,)
     traction
         what friction control takes
+    start
+        where the ring probably rests, by its place in neighbouring cases; (cases, 5), SI, NaN
+        where that is not known
     """
 
     case: Case
@@ -131,6 +134,7 @@ class Cases:
     valid: BoolArray
     unheld: BoolArray
     traction: Traction
+    start: FloatArray | None = None
 
     def __len__(self) -> int:
         """Count the cases."""
