@@ -143,7 +143,7 @@ def row_of(loaded: Loaded, oil: str, speed: float, **film: Any) -> Row:
         float(friction.torque[0]),
         bool(friction.upper_bound[0]),
         {name: _by(friction, name) for name in MODELS if name != friction.model},
-        tuple(note.key for note in friction.headline_notes(analysis.solved)),
+        tuple(note.key for note in friction.qualifications(analysis.solved)),
     )
 
 

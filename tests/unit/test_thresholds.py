@@ -438,7 +438,7 @@ def test_a_torque_is_apart_from_other_models_beyond_half_as_much(
     """docs/torque-models.md: one and a half times what the models of whole bearings give."""
     solved, found = turning
     apart = replace(found, torque=ratio * found.of_whole_bearings[:, side])
-    told = {"torque_above_models", "torque_below_models"} & keys(apart.headline_notes(solved))
+    told = {"torque_above_models", "torque_below_models"} & keys(apart.qualifications(solved))
     assert told == ({key} if key else set())
 
 

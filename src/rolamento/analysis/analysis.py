@@ -81,7 +81,7 @@ class Analysis:
     def to_mapping(self) -> dict[str, Any]:
         """Give the mapping of a single case with "film", "friction", "life", "frequencies"."""
         mapping = self.solved.to_mapping()
-        of_friction = () if self.friction is None else self.friction.headline_notes(self.solved)
+        of_friction = () if self.friction is None else self.friction.qualifications(self.solved)
         own = (note.to_mapping() for note in (*self.notes, *of_friction))
         notes = [*mapping.pop("notes"), *own]
         case = mapping.pop("case")

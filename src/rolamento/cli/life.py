@@ -228,7 +228,9 @@ def _one(
         found = life_of_case(case, **tables)
     if json is not None:
         put(found.to_json() + "\n", json)
-    outputs.show(lambda: life_page(found.solved, found.life, found.changes), json)
+    outputs.show(
+        lambda: life_page(found.solved, found.life, found.changes, friction=found.friction), json
+    )
     if STANDARD_STREAM in (json, outputs.csv) and not found.converged:
         complain_of(found.solved, lang)
     return found.converged
