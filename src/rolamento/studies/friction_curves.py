@@ -14,15 +14,13 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.analysis.needs import has_friction
+from rolamento.analysis.needs import has_friction, machines_known
 from rolamento.case import Case
-from rolamento.friction import Friction, MachineBearing, friction, machines_of
+from rolamento.friction import Friction, friction
 from rolamento.friction.coefficient import SLIDING_BOUNDARY, coefficient_by_regime
-from rolamento.friction.machine import are_designated
 from rolamento.friction.model import relative_speed
 from rolamento.friction.models import TORQUE_MODELS
 from rolamento.friction.summary import no_coefficient
-from rolamento.life.basis import static_of_bearings
 from rolamento.lubrication.films import film, has_film
 from rolamento.numerics.blocks import joined
 from rolamento.solution import solve
@@ -225,7 +223,8 @@ def friction_curve(
     solutions = _solutions(case, over)
     if not all(has_friction(solved) for solved in solutions):
         raise no_coefficient(case)
-    machines = [machines_of_cases(solved) for solved in solutions]
+    films = (film(solved) if has_film(solved) else None for solved in solutions)
+    machines = list(map(machines_known, solutions, films))
     if () in machines:  # the models of all points are the same
         machines = [()] * len(solutions)
     each = [
@@ -259,13 +258,6 @@ def _solutions(case: Case, over: Range) -> list[Solved]:
         return [solve(case, {name: values})]
     refuse_many_singles(len(values))
     return [solve(base_case(case, {name: float(value)})) for value in values]
-
-
-def machines_of_cases(solved: Solved) -> tuple[MachineBearing, ...]:
-    """Return what the models of lubricated machine bearings need; empty where it is not known."""
-    if not has_film(solved) or not are_designated(solved.case.bearing):
-        return ()
-    return machines_of(solved.case, film(solved), *static_of_bearings(solved))
 
 
 def _controlled(solved: Solved) -> Controlled:

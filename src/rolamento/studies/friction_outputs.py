@@ -147,12 +147,13 @@ def _total(model: str, attribute: str) -> Callable[[Evaluation], Floats]:
 
 def _of_whole_bearings(solved: Solved) -> Mapping[str, Torque]:
     """Torque of the models of whole bearings, by name; those whose tables have the bearing."""
+    from rolamento.analysis.needs import machines_known
     from rolamento.friction import CONTACT_MODELS, ROLLER_MODEL, TORQUE_MODELS, friction
-    from rolamento.studies.friction_curves import machines_of_cases
+    from rolamento.lubrication.films import film
 
     fast = (own for own in CONTACT_MODELS if TORQUE_MODELS[own].closed_form)
     model = next(fast) if "ball" in solved.rows.element else ROLLER_MODEL
-    machine = machines_of_cases(solved)
+    machine = machines_known(solved, film(solved))
     found = friction(solved, model=model, machine=machine, compare=False, threads=1)
     return {
         own: torque for own, torque in found.models.items() if not TORQUE_MODELS[own].of_contacts
