@@ -58,13 +58,17 @@ def test_pictures_are_plain_bounded_json_in_both_languages(name: str) -> None:
 
 
 def test_a_bearing_that_nothing_loads_is_asked_for_a_speed_and_a_load() -> None:
-    found = figures([analyse(Case(bearing={"designation": "6310"}))], ("rosette", "pressures"))
+    found = figures(
+        [analyse(Case(bearing={"designation": "6310"}, duty={}))], ("rosette", "pressures")
+    )
     assert {picture["summary"] for picture in found.values()} == {
         "no load is given yet: give a speed and a load"
     }
     assert all(picture["empty"] for picture in found.values())
     loaded = Case(bearing={"designation": "6310"}, duty={"load": {"fz": "2 kN"}})
-    both = figures([analyse(Case(bearing={"designation": "6310"})), analyse(loaded)], ("loads",))
+    both = figures(
+        [analyse(Case(bearing={"designation": "6310"}, duty={})), analyse(loaded)], ("loads",)
+    )
     assert not both["loads"]["empty"]
 
 

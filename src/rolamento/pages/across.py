@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from rolamento.document import Column, Notes, Remark
 from rolamento.plots.axes_units import read_values
-from rolamento.words import UNITS, manner, said
+from rolamento.words import UNITS, Note, manner, said
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -60,12 +60,11 @@ def cautions_over(
     field: Field, values: NDArray[np.float64], found: Iterable[Qualified]
 ) -> tuple[Notes, ...]:
     """Return what qualifies the numbers over a field, and where; nothing without."""
-    remarks = tuple(
-        Remark(
-            said("{note} ({place})", note=note.text, place=place_text(field, values, where)),
-            note.key,
-            "warning",
-        )
-        for note, where in found
-    )
+
+    def text(note: Note, where: NDArray[np.bool_]) -> str:
+        if where.all():
+            return note.text
+        return said("{note} ({place})", note=note.text, place=place_text(field, values, where))
+
+    remarks = tuple(Remark(text(note, where), note.key, "warning") for note, where in found)
     return (Notes(remarks),) if remarks else ()
