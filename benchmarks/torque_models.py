@@ -143,7 +143,7 @@ def row_of(loaded: Loaded, oil: str, speed: float, **film: Any) -> Row:
         float(friction.torque[0]),
         bool(friction.upper_bound[0]),
         {name: _by(friction, name) for name in MODELS if name != friction.model},
-        tuple(note.key for note in friction.headline_notes(analysis.solved)),
+        tuple(note.key for note in friction.qualifications(analysis.solved)),
     )
 
 
@@ -215,6 +215,31 @@ _WHY: Final = """
 
 7014 C DB, preload 240 N, ISO VG 32 at 70 °C: the torque of the pair in N·m.
 """
+_MOUNTED: Final = """
+7014 C/HCP4A DB, preload 240 N before mounting, js4 and JS5, inner ring 48 °C, outer ring 42 °C,
+F_a 400 N, F_r 800 N, ISO VG 32 at 45 °C: torque (N·m) and power loss of the pair.
+"""
+_SUPPLIES: Final[dict[str, dict[str, Any]]] = {
+    "flooded inlets": {},
+    "oil-air, replenishment": {"starvation": "replenishment", "supply": "oil_air"},
+}
+
+
+def mounted_pair(rpm: float, film: dict[str, Any]) -> tuple[float, float, bool, float]:
+    """Torque (N·m) and power loss (W) of a mounted hybrid pair, whether a bound, and Palmgren's."""
+    case = Case(
+        bearing={"designation": "7014 C/HCP4A DB", "preload": "240 N"},
+        duty={"inner_speed": f"{rpm} rpm", "load": {"fx": "400 N", "fz": "800 N"}},
+        mounting={"shaft_tolerance": "js4", "housing_tolerance": "JS5"},
+        temperature={"inner_ring": "48 degC", "outer_ring": "42 degC", "lubricant": "45 degC"},
+        lubricant="ISO VG 32",
+        film=film or None,
+    )
+    friction = analyse(case).friction
+    assert friction is not None
+    torque, power = float(friction.torque[0]), float(friction.power[0])
+    palmgren = float(friction.models["palmgren"].total[0])
+    return torque, power, bool(friction.upper_bound[0]), palmgren
 
 
 def page() -> str:
@@ -223,10 +248,7 @@ def page() -> str:
         tables = {loaded: table(loaded) for loaded in BEARINGS}
         pair = [
             (name, rpm, row_of(_PAIR, "ISO VG 32", rpm * 90.0, **film))
-            for name, film in (
-                ("flooded inlets", {}),
-                ("oil-air, replenishment", {"starvation": "replenishment", "supply": "oil_air"}),
-            )
+            for name, film in _SUPPLIES.items()
             for rpm in (5000.0, 15000.0, 24000.0)
         ]
     rows = [row for found in tables.values() for row in found]
@@ -248,6 +270,15 @@ def page() -> str:
         assert palmgren is not None
         mark = "≤ " * row.bound
         lines.append(f"| {name} | {rpm:.6g} | {mark}{row.torque:.3g} | {palmgren[0]:.3g} |")
+    lines += [_MOUNTED, "| inlets | r/min | in use | W | Palmgren |", "|---|---|---|---|---|"]
+    for name, film in _SUPPLIES.items():
+        for rpm in (15000.0, 24000.0):
+            torque, power, bound, palmgren_torque = mounted_pair(rpm, film)
+            mark = "≤ " * bound
+            lines.append(
+                f"| {name} | {rpm:.6g} | {mark}{torque:.3g} | {mark}{power:.4g} |"
+                f" {palmgren_torque:.3g} |"
+            )
     return "\n".join(lines) + "\n"
 
 

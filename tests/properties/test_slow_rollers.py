@@ -89,3 +89,29 @@ def test_random_tapered_bearings_at_a_crawl(seed: int) -> None:
     )
     assert (solved.status.code != "not_converged").all()
     assert solved.converged.mean() > 0.9
+
+
+def test_straight_rollers_whose_axial_load_is_too_small_have_no_equilibrium() -> None:
+    """The ring leaves them far, and rounding grows with its way.
+
+    Below F_r tan α nothing holds a cone; below Σ F_c tan α the rollers' inertia pushes it out.
+    """
+    straight = {
+        "element": "tapered",
+        "roller_count": 30,
+        "roller_diameter": "38.67276 mm",
+        "effective_length": "57.741508 mm",
+        "roller_length": "60.628583 mm",
+        "pitch_diameter": "417.868305 mm",
+        "contact_angle": "20.327507 deg",
+        "roller_profile": {"kind": "none"},
+    }
+    radial = 22.624e3
+    least = radial * np.tan(np.radians(20.327507))
+    solved = solve(
+        of(straight, duty={"load": {"fz": radial, "fx": least}}),
+        fz=np.array([radial, radial, 1.0]),
+        fx=least * np.array([0.65, 3.0, 1e-3]),
+        inner_speed=np.array([-1.843, -1.843, 300.0]) * RPM,
+    )
+    assert solved.status.code.tolist() == ["no_equilibrium", "converged", "no_equilibrium"]

@@ -149,7 +149,7 @@ def test_the_headline_has_every_note_that_could_change_it() -> None:
     analysis = analyse(case("7014 C DB", 15e3, bearing={
         "designation": "7014 C DB", "spacing": "20 mm", "preload": "240 N"}))  # fmt: skip
     assert analysis.friction is not None
-    notes = analysis.friction.headline_notes(analysis.solved)
+    notes = analysis.friction.qualifications(analysis.solved)
     assert {"inlets_flooded", "coefficient_by_regime"} <= {note.key for note in notes}
     assert {note.key for note in notes} <= {n["key"] for n in analysis.to_mapping()["notes"]}
     page = " ".join(terminal(friction_page(analysis)).split())

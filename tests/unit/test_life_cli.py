@@ -75,8 +75,10 @@ def test_a_case(run: Run) -> None:
         "Ratings and loads",
         "What limits it",
         "What would help",
+        "Friction",
         "Notes",
     ]
+    assert re.search(r"power loss +[\d.]+ +W", out)
     assert "is not published; it is estimated" in out
     assert "rolamento life" not in out
 

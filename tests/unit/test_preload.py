@@ -15,7 +15,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from tests.one_case import solve_one
 
-from rolamento import Bearing, Case, Displacement, Duty, Load
+from rolamento import Bearing, Case, Displacement, Duty, Load, Solved
+from rolamento.assembly import Cases
+from rolamento.assembly import preload as search
 from rolamento.solution import solve
 from rolamento.solved import Preloading
 
@@ -297,6 +299,39 @@ def test_a_ball_lifts_off_before_its_row_does() -> None:
         )
         assert held == [22, 22]
         assert 0 < lifted[found.lift_row] < 22
+
+
+@pytest.mark.parametrize("arrangement", ["DB", "DF"])
+def test_the_search_for_the_loss_of_preload_is_short(
+    arrangement: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Of a tilted pair of tapered bearings: a roller leaves by its end, and goes on from there."""
+    case = Case.model_validate(
+        {
+            "bearing": {"designation": f"30206 {arrangement}", "preload": "300 N"},
+            "duty": {
+                "inner_speed": "1500 rpm",
+                "load": {"fx": "500 N", "fz": "2 kN"},
+                "displacement": {"ry": "0.5 mrad", "rz": "0 mrad"},
+            },
+        }
+    )
+    solved, solutions = solve(case), []
+    plain = search.solve_cases
+
+    def counted(cases: Cases) -> Solved:
+        solutions.append(len(cases))
+        return plain(cases)
+
+    monkeypatch.setattr(search, "solve_cases", counted)
+    found = solved.preload
+    assert found is not None
+    assert len(solutions) <= 10
+    if arrangement == "DF":
+        assert found.lift_factor is not None
+        around = found.lift_factor * np.array([1.0 - 1e-4, 1.0 + 1e-4])
+        held = solve(case, fx=500.0 * around, fz=2e3 * around).inner.load > 0.0
+        assert held.all(axis=1).tolist() == [True, False]
 
 
 def test_under_axial_load_all_balls_of_a_row_lift_off_together() -> None:

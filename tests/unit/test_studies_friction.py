@@ -145,7 +145,7 @@ def test_without_a_result_there_is_no_number(oiled: Case) -> None:
         name
         for name, output in catalogue().items()
         if set(output.needs) - {"friction control"}
-        and not {"life", "bearing.preload", "rollers"} & set(output.needs)
+        and not {"life", "bearing.preload", "bearing.designation", "rollers"} & set(output.needs)
         and "jones_full" not in name
     ]
     axis = Axis(field="duty.load.fx", values=(30e3, -50e3))
@@ -222,3 +222,31 @@ def test_a_study_file_names_them(oiled: Case) -> None:
     text = study_to_json(study)
     assert parse_study(text, format="json").outputs == study.outputs
     assert "min_inner_film_parameter" in json.loads(text)["outputs"]
+
+
+@pytest.mark.parametrize("designation", ["6310", "NU 205", "7014 C/HCP4A DB"])
+def test_torques_of_whole_bearings_are_those_of_a_single_analysis(designation: str) -> None:
+    """Mounted too, where the designation is that of the bearing as it was delivered."""
+    case = Case.model_validate(
+        {
+            "bearing": {"designation": designation},
+            "duty": {"inner_speed": "1500 rpm", "load": {"fx": "400 N", "fz": "2 kN"}},
+            "mounting": {"shaft_tolerance": "js5", "housing_tolerance": "H6"},
+            "lubricant": "ISO VG 68",
+            "temperature": dict.fromkeys(("inner_ring", "outer_ring", "lubricant"), "60 degC"),
+        }
+    )  # fmt: skip
+    if designation == "NU 205":
+        case = case.with_({"duty.load.fx": 0.0})
+    names = ["palmgren", "skf"]
+    outputs = tuple(f"friction_{what}_{name}" for name in names for what in ("torque", "power"))
+    axis = Axis(field="duty.load.fz", values=(1e3, 3e3))
+    found = run(Study(case=case, outputs=outputs, axes=(axis,)))
+    for place, fz in enumerate(axis.values):
+        friction = analyse(case.with_({"duty.load.fz": fz})).friction
+        assert friction is not None
+        for name in names:
+            torque = float(friction.models[name].total[0])
+            assert found[f"friction_torque_{name}"].values[place] == pytest.approx(torque, rel=1e-6)
+            power = 50.0 * np.pi * torque
+            assert found[f"friction_power_{name}"].values[place] == pytest.approx(power, rel=1e-6)

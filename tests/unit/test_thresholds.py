@@ -16,8 +16,17 @@ import pytest
 from tests.one_case import keys
 
 from rolamento import Case, Solved, analyse, solve
+from rolamento.friction import Friction
+from rolamento.friction.bounds import upper_bounds
+from rolamento.friction.model import Setting
 from rolamento.life import LifeSummary, life
+from rolamento.lubrication.film_thickness import aihara, thermal_loading
+from rolamento.lubrication.films import oil_of
 from rolamento.notes import notes_on
+from rolamento.tasks.speed import speed_limits
+from rolamento.weibull import LifeTest, maximum_likelihood
+from rolamento.weibull.drawing import Drawing
+from rolamento.weibull.goodness import DogLeg, GoodnessOfFit
 
 RPM = pi / 30.0
 MINUTE = radians(1.0 / 60.0)
@@ -400,3 +409,98 @@ def test_adhesive_wear_is_told_below_three_tenths() -> None:
     )  # fmt: skip
     found = [float(film.minimum_film_parameter[0]) for film in both]
     assert found == pytest.approx([0.3] * 2, rel=1e-6)
+
+
+# --- friction -------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def turning() -> tuple[Solved, Friction]:
+    """A 6310 in oil, and its friction."""
+    given = case(
+        "6310", inner_speed=1500.0 * RPM, load={"fz": 5e3},
+        lubricant={"base_oil": "ISO VG 68", "friction_coefficient": 0.05},
+        temperature={"lubricant": 343.15}, film={"thermal": "none"},
+    )  # fmt: skip
+    found = analyse(given)
+    assert found.friction is not None
+    return found.solved, found.friction
+
+
+@pytest.mark.parametrize(
+    ("ratio", "side", "key"),
+    [(1.5001, 1, "torque_above_models"), (1.4999, 1, None),
+     (1.0 / 1.5001, 0, "torque_below_models"), (1.0 / 1.4999, 0, None)],
+)  # fmt: skip
+def test_a_torque_is_apart_from_other_models_beyond_half_as_much(
+    turning: tuple[Solved, Friction], ratio: float, side: int, key: str | None
+) -> None:
+    """docs/torque-models.md: one and a half times what the models of whole bearings give."""
+    solved, found = turning
+    apart = replace(found, torque=ratio * found.of_whole_bearings[:, side])
+    told = {"torque_above_models", "torque_below_models"} & keys(apart.qualifications(solved))
+    assert told == ({key} if key else set())
+
+
+@pytest.mark.parametrize(("part", "told"), [(1.0 - 1e-6, True), (1.0 + 1e-6, False)])
+def test_a_bound_is_told_where_it_may_take_a_twentieth(
+    turning: tuple[Solved, Friction], part: float, told: bool
+) -> None:
+    """Of heat in the inlets, which leaves φ of Aihara: 0.05 of the torque is (1 - φ) of theirs."""
+    solved, _ = turning
+    oil = oil_of(solved)
+    fastest = max(np.abs(race.entrainment).max() for race in (solved.inner, solved.outer))
+    left = aihara(
+        thermal_loading(
+            oil.dynamic_viscosity, oil.viscosity_temperature, fastest, oil.thermal_conductivity
+        )
+    )
+    whole = part * (1.0 - np.asarray(left)) / 0.05
+    found = upper_bounds(
+        Setting(solved, *[np.ones((1, 1))] * 4),
+        np.atleast_1d(whole),
+        {"rolling_resistance": np.ones(1)},
+    )
+    assert bool(found["inlets_isothermal"][0]) is told
+
+
+# --- speeds, life tests, clearance ----------------------------------------------------------------
+
+
+@pytest.mark.parametrize(("part", "told"), [(1.0 - 1e-6, False), (1.0 + 1e-6, True)])
+def test_a_speed_is_above_a_limit_from_the_limit_on(part: float, told: bool) -> None:
+    limits = speed_limits("6210").limits
+    lowest = min(one.speed for one in limits if one.speed > 0.0)
+    found = speed_limits("6210", [f"duty.inner_speed={part * lowest / RPM!r} rpm"])
+    assert ("speed_above_limits" in keys(found.notes)) is told
+
+
+@pytest.mark.parametrize(("part", "told"), [(1.0 - 1e-6, True), (1.0 + 1e-6, False)])
+def test_a_load_is_too_small_up_to_the_minimum(part: float, told: bool) -> None:
+    settings = ["duty.inner_speed=1500 rpm", "duty.load.fz=1 N"]
+    least = max(one.load for one in speed_limits("6210", settings).minimum_loads)
+    settings[1] = f"duty.load.fz={part * least!r} N"
+    assert ("load_below_minimum" in keys(speed_limits("6210", settings).notes)) is told
+
+
+@pytest.mark.parametrize(("failures", "told"), [(4, True), (5, False)])
+def test_few_failures_are_fewer_than_five(failures: int, told: bool) -> None:
+    fit = maximum_likelihood(LifeTest([1.0, 2.0, 2.5, 3.1, 4.4][:failures]))
+    assert ("few_failures" in keys(fit.notes)) is told
+
+
+@pytest.mark.parametrize(("p_value", "told"), [(0.0999, True), (0.1, False)])
+def test_data_contradict_a_distribution_below_a_tenth(p_value: float, told: bool) -> None:
+    found = GoodnessOfFit("anderson_darling", "converged", p_value=p_value)
+    assert found.contradicted is told
+    assert ("weibull_contradicted" in keys(found.contradictions("h"))) is told
+    bend = DogLeg(100.0, -1.0, 1.0, 3.0, -50.0, 4.0, p_value)
+    assert bend.significant is told
+
+
+@pytest.mark.parametrize(("dropped", "told"), [(100, False), (101, True)])
+def test_many_samples_without_a_fit_are_more_than_a_tenth(dropped: int, told: bool) -> None:
+    drawn = Drawing.resampled(1000, dropped)
+    assert ("many_without_fit" in keys(drawn.notes)) is told
+    assert Drawing.resampled(1000, 950).code == "converged"
+    assert Drawing.resampled(1000, 951).code == "not_converged"

@@ -57,6 +57,21 @@ def test_pictures_are_plain_bounded_json_in_both_languages(name: str) -> None:
             assert picture["empty"] is (not picture["data"])
 
 
+def test_a_bearing_that_nothing_loads_is_asked_for_a_speed_and_a_load() -> None:
+    found = figures(
+        [analyse(Case(bearing={"designation": "6310"}, duty={}))], ("rosette", "pressures")
+    )
+    assert {picture["summary"] for picture in found.values()} == {
+        "no load is given yet: give a speed and a load"
+    }
+    assert all(picture["empty"] for picture in found.values())
+    loaded = Case(bearing={"designation": "6310"}, duty={"load": {"fz": "2 kN"}})
+    both = figures(
+        [analyse(Case(bearing={"designation": "6310"}, duty={})), analyse(loaded)], ("loads",)
+    )
+    assert not both["loads"]["empty"]
+
+
 def test_loads_are_those_of_the_json() -> None:
     found = figures([analysis("218_combined")], ["loads", "rosette", "pressures", "angles"])
     balls = analysis("218_combined").to_mapping()["balls"]

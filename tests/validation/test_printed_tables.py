@@ -39,7 +39,12 @@ from rolamento.life.equivalent_load import equivalent_load, static_equivalent_lo
 from rolamento.life.iso281_modified import life_modification_factor
 from rolamento.lubrication.regime import regime_of
 from rolamento.ratings.ribs import permissible_axial_load_nsk, permissible_axial_load_skf
-from rolamento.speeds import minimum_load_factors, reference_coefficients, reference_heat_flow
+from rolamento.speeds import (
+    minimum_load_factors,
+    reference_coefficients,
+    reference_heat_flow,
+    speed_class,
+)
 from rolamento.speeds.minimum_load import minimum_share, roller_load_factor
 from rolamento.vibration import severity
 
@@ -553,6 +558,42 @@ def test_axial_play_of_nup_bearings(series: str) -> None:
     for code, found in toml_of("axial_play")["NUP"][series].items():
         printed = next((low, high) for last, low, high in PLAY[series] if code <= last)
         assert tuple(found) == printed, code
+
+
+def test_high_speed_over_the_oil_bath() -> None:
+    """NSK, Rolling Bearings (E1102), page A37: jet, mist or oil-air up to 2.5 and 1.5 times."""
+    deep, angular = speed_class("62", None), speed_class("72", np.radians(30.0))
+    assert deep is not None
+    assert angular is not None
+    assert deep.high_speed == pytest.approx(2.5 * deep.oil_bath)
+    assert angular.high_speed == pytest.approx(1.5 * angular.oil_bath)
+    assert toml_of("speeds")["classes"]["matched"] == 0.82
+
+
+def test_expansion_of_ring_and_ball_materials() -> None:
+    """Bearing steel: NSK, E1102; 440C: SDP/SI, table 18-10, 5.6e-6/°F; Si3N4: Carter."""
+    found = toml_of("expansion", "rolamento.clearance")
+    assert {name: one["expansion"] for name, one in found.items()} == {
+        "100Cr6": 12.5e-6, "440C": pytest.approx(1.8 * 5.6e-6, rel=3e-3), "Si3N4": 2.8e-6,
+    }  # fmt: skip
+
+
+def test_oils_of_the_list() -> None:
+    """Campanha 2008, table 3.1; Bessette, NASA CP-3350 (1997), table 6; ISO 3448."""
+    data = toml_of("lubricants")
+    assert data["grades"]["names"] == [
+        10, 15, 22, 32, 46, 68, 100, 150, 220, 320, 460, 680, 1000, 1500,
+    ]  # fmt: skip
+    assert data["grades"]["viscosity_index"] == 95.0
+    oils = {one["name"]: one for one in data["lubricant"]}
+    names = ("viscosity_40", "viscosity_100", "density", "minimum_temperature")
+    assert [oils["Shell Tonna S 68"][name] for name in names] == [
+        "66.9 mm^2/s", "8.77 mm^2/s", "880.1 kg/m^3", "-15 degC",
+    ]  # fmt: skip
+    assert [oils["Pennzane SHF X-2000"][name] for name in names] == [
+        "107 mm^2/s", "14.3 mm^2/s", "840 kg/m^3", "-55 degC",
+    ]  # fmt: skip
+    assert oils["BP 135, boundary"]["friction_coefficient"] == 0.17
 
 
 def test_materials() -> None:

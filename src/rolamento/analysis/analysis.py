@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
-from rolamento.analysis.needs import has_friction, has_life, has_oil
+from rolamento.analysis.needs import has_friction, has_life, has_oil, machines_known
 from rolamento.case import Case
 from rolamento.errors import InputError
 from rolamento.numerics.blocks import in_blocks
@@ -18,7 +18,7 @@ from rolamento.solved import Solved
 from rolamento.words import Note
 
 if TYPE_CHECKING:
-    from rolamento.friction import Friction, MachineBearing
+    from rolamento.friction import Friction
     from rolamento.life import LifeConditions, LifeSummary
     from rolamento.lubrication import Film
     from rolamento.vibration.frequencies import FaultFrequencies
@@ -81,7 +81,7 @@ class Analysis:
     def to_mapping(self) -> dict[str, Any]:
         """Give the mapping of a single case with "film", "friction", "life", "frequencies"."""
         mapping = self.solved.to_mapping()
-        of_friction = () if self.friction is None else self.friction.headline_notes(self.solved)
+        of_friction = () if self.friction is None else self.friction.qualifications(self.solved)
         own = (note.to_mapping() for note in (*self.notes, *of_friction))
         notes = [*mapping.pop("notes"), *own]
         case = mapping.pop("case")
@@ -172,10 +172,8 @@ def _film_and_friction(
 ) -> tuple[Film | None, Friction | None]:
     if solved.case.lubricant is None:
         return None, None
-    from rolamento.friction import friction, machines_of
-    from rolamento.friction.machine import are_designated
+    from rolamento.friction import friction
     from rolamento.friction.summary import default_model
-    from rolamento.life.basis import static_of_bearings
     from rolamento.lubrication.films import film, has_film
 
     model, hysteresis, compare = choices
@@ -185,9 +183,7 @@ def _film_and_friction(
         found = film(some, threads=1) if has_film(some) else None
         if not has_friction(some):
             return found, None
-        machine: tuple[MachineBearing, ...] = ()
-        if single and found is not None and are_designated(some.case.bearing):
-            machine = machines_of(some.case, found, *static_of_bearings(some))
+        machine = machines_known(some, found) if single else ()
         return found, friction(
             some,
             model=model or default_model(some, quick=not single),

@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from rolamento.case import Case
 from rolamento.solved import Solved
+
+if TYPE_CHECKING:
+    from rolamento.friction import MachineBearing
+    from rolamento.lubrication import Film
 
 
 def has_oil(case: Case) -> bool:
@@ -27,3 +33,18 @@ def has_friction(solved: Solved) -> bool:
     from rolamento.lubrication.films import has_film
 
     return has_film(solved)
+
+
+def machines_known(solved: Solved, found: Film | None) -> tuple[MachineBearing, ...]:
+    """Return what the torque models of whole bearings need; empty where it is not known.
+
+    A bearing with a mounting is designated as it was delivered. found: the film of the cases.
+    """
+    from rolamento.friction import machines_of
+    from rolamento.friction.machine import are_designated
+    from rolamento.life.basis import static_of_bearings
+
+    case = solved.case if solved.before_mounting is None else solved.before_mounting.case
+    if found is None or not are_designated(case.bearing):
+        return ()
+    return machines_of(case, found, *static_of_bearings(solved))

@@ -26,7 +26,7 @@ from rolamento.case.roller_bearing import (
     roller_clearance_fits,
 )
 from rolamento.case.rolling_bearing import RollingBearing, elements_fit
-from rolamento.case.varied import bounded, is_of_mounting, varied_arrays
+from rolamento.case.varied import bounded, is_of_mounting, varied_arrays, varied_materials
 from rolamento.errors import InputError
 from rolamento.geometry import apex_half_angle, sphere_conformity, usual_end_radius
 from rolamento.numerics import BoolArray, FloatArray
@@ -118,6 +118,9 @@ class Cases:
         which cases nothing can hold along x: a thrust bearing without axial load; (cases,)
     traction
         what friction control takes
+    start
+        where the ring probably rests, by its place in neighbouring cases; (cases, 5), SI, NaN
+        where that is not known
     """
 
     case: Case
@@ -131,6 +134,7 @@ class Cases:
     valid: BoolArray
     unheld: BoolArray
     traction: Traction
+    start: FloatArray | None = None
 
     def __len__(self) -> int:
         """Count the cases."""
@@ -374,9 +378,7 @@ def _varied(
     for name in list(given):
         for rival in Case.fields()[f"bearing.{name}"].rivals:
             given.setdefault(rival.removeprefix("bearing."), None)  # type: ignore[arg-type]
-    rings = _material(row.ring_material, "ring_material", arrays)
-    material = rings if row.elements_follow_rings else row.element_material
-    elements = _material(material, row.MATERIAL, {} if row.MATERIAL in own else arrays)
+    rings, elements = varied_materials(row, own, arrays)
     attributes = {name: getattr(row, name) for name in (*numbers, *row.STAYS)}
     made = {**attributes, **given, "ring_material": rings, row.MATERIAL: elements}
     known = given.keys() | own | bearing.model_fields_set
@@ -389,13 +391,6 @@ def _varied(
         ends = (made[name] for name in ("roller_diameter", "roller_length", "roller_half_angle"))
         made["roller_end_radius"] = usual_end_radius(*ends)
     return SimpleNamespace(**made)
-
-
-def _material(material: Any, part: str, arrays: Mapping[str, FloatArray]) -> Any:
-    names = ("youngs_modulus", "poisson_ratio", "density")
-    return SimpleNamespace(
-        **{name: arrays.get(f"bearing.{part}.{name}", getattr(material, name)) for name in names}
-    )
 
 
 def _position(

@@ -85,7 +85,11 @@ class _Unmounted(NamedTuple):
 
 
 def solve_mounted(
-    case: Case, values: Mapping[str, FloatArray], *, threads: int | None = None
+    case: Case,
+    values: Mapping[str, FloatArray],
+    *,
+    threads: int | None = None,
+    start: FloatArray | None = None,
 ) -> Solved:
     """Solve cases of a mounted set, each with the geometry and the preload that it runs with.
 
@@ -95,6 +99,8 @@ def solve_mounted(
         With a mounting.
     values
         As `spread`; those of the mounting and of temperatures too.
+    start
+        As `Cases.start`.
 
     Raises
     ------
@@ -103,6 +109,8 @@ def solve_mounted(
         past all sense or for want of seats, is that case's affair: it is not valid.
     """
     groups = _mounted_groups(case, values, threads)
+    if start is not None:
+        groups = ((index, replace(cases, start=start[index])) for index, cases in groups)
     return joined([(index, solve_cases(cases)) for index, cases in groups])
 
 

@@ -10,7 +10,7 @@ their force.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import isfinite
@@ -40,6 +40,8 @@ FURTHEST: Final = 1e3
 """Times the multiple so far: the most that a round goes outward."""
 _AHEAD: Final = np.array([0.5, 0.8, 1.02, 1.5, 2.5])
 """Of the way to where a straight line loses contact: what a round outward tries."""
+MUCH_HEAVIER: Final = 10.0
+"""Times the force without external load: what is left of the preload under it is little."""
 _BETWEEN: Final = np.arange(1.0, 6.0) / 6.0
 
 _SPEEDS: Final = ("duty.inner_speed", "duty.outer_speed")
@@ -175,8 +177,10 @@ class _Given:
         own = bool(duty.inner_speed or duty.outer_speed)
         return own or any(np.any(self.values.get(name, np.zeros(1)) != 0.0) for name in _SPEEDS)
 
-    def grips(self, factor: FloatArray, some: IntArray, deepest: BoolArray) -> FloatArray:
-        """How far the rows' elements are pressed into the inner ring; a gap is negative.
+    def look(
+        self, factor: FloatArray, some: IntArray, deepest: BoolArray, start: FloatArray
+    ) -> _Look:
+        """Look at some cases at multiples of their external load.
 
         Parameters
         ----------
@@ -186,28 +190,62 @@ class _Given:
             Which cases.
         deepest
             Whether the deepest element of each row counts, else the shallowest; (some,).
-
-        Returns
-        -------
-        (some, rows), m; NaN without an equilibrium.
+        start
+            Where the ring probably rests; (some, 5), NaN where that is not known.
         """
         values = {name: array[some] for name, array in self.values.items()}
         for name, load in self.loads.items():
             values[f"duty.load.{name}"] = factor * load[some]
         press = None if self.press is None else tuple(own[some] for own in self.press)
-        solved = _solved(self.case, values, press)
-        grip = solved.inner.approach
-        if solved.rollers is not None:  # a tilted roller may hold on by its end alone
-            pressed = solved.inner.deflection
-            of_rollers = np.where(pressed > 0.0, pressed, -np.abs(grip))
-            grip = np.where(np.isnan(solved.rollers.tilt), grip, of_rollers)
-        starts = solved.rows.starts
+        solved = _solved(self.case, values, press, start)
+        grip, starts = solved.answer.grip(), solved.rows.starts
+        grip = np.where(solved.converged[:, np.newaxis], grip, np.nan)
         deep, shallow = np.maximum, np.minimum
-        return np.where(
+        grips = np.where(
             deepest[:, np.newaxis],
             deep.reduceat(grip, starts, axis=1),
             shallow.reduceat(grip, starts, axis=1),
         )
+        heaviest = np.linalg.norm(solved.rows.load[:, :, :3], axis=2).max(axis=1)
+        return _Look(factor, grips, solved.displacement.array, heaviest)
+
+
+@dataclass(slots=True)
+class _Look:
+    """Multiples of the external load, in an array of any shape, and the bearing under each.
+
+    grips: how far the rows' elements are pressed into the inner ring, a gap is negative, NaN
+    without an equilibrium; (…, rows), m. place: of the ring; (…, 5), SI. heaviest: the greatest
+    force of a row; N.
+    """
+
+    factor: FloatArray
+    grips: FloatArray
+    place: FloatArray
+    heaviest: FloatArray
+
+    def shaped(self, *shape: int) -> _Look:
+        """Return the same in another shape."""
+        return self._each(lambda own, more: own.reshape(*shape, *more))
+
+    def some(self, index: Any) -> _Look:
+        """Return some of it."""
+        return self._each(lambda own, _: own[index])
+
+    def beside(self, other: _Look) -> _Look:
+        """Return both, one after the other along the second axis."""
+        pairs = ((getattr(self, name), getattr(other, name)) for name in self.__slots__)
+        return _Look(*(np.concatenate(pair, axis=1) for pair in pairs))
+
+    def put(self, some: IntArray, other: _Look) -> None:
+        """Replace some."""
+        for name in self.__slots__:
+            getattr(self, name)[some] = getattr(other, name)
+
+    def _each(self, change: Callable[[FloatArray, tuple[int, ...]], FloatArray]) -> _Look:
+        ends = self.factor.ndim
+        parts = (getattr(self, name) for name in self.__slots__)
+        return _Look(*(change(part, part.shape[ends:]) for part in parts))
 
 
 def _given_by(solved: Solved) -> _Given:
@@ -217,13 +255,18 @@ def _given_by(solved: Solved) -> _Given:
     return _Given(solved.case, values, len(solved))
 
 
-def _solved(case: Case, values: Mapping[str, FloatArray], press: Press | None) -> Solved:
+def _solved(
+    case: Case,
+    values: Mapping[str, FloatArray],
+    press: Press | None,
+    start: FloatArray | None = None,
+) -> Solved:
     """Solve cases; those of a mounted set with the geometry that each of them runs with."""
     if case.mounting is not None:
         from rolamento.assembly.mounted import solve_mounted
 
-        return solve_mounted(case, values, threads=1)
-    cases = spread(case, values, threads=1)
+        return solve_mounted(case, values, threads=1, start=start)
+    cases = replace(spread(case, values, threads=1), start=start)
     if press is not None:
         pairs = zip(cases.rows, press, strict=True)
         rows = [replace(placed, press=np.broadcast_to(e, len(cases))) for placed, e in pairs]
@@ -279,6 +322,8 @@ def _lost(given: _Given, cases: IntArray, deepest: BoolArray) -> Lost:
     """
     found = Lost(np.full(len(cases), np.nan), np.full(len(cases), _NONE))
     which = np.flatnonzero(given.loaded[cases])
+    if not len(which):
+        return found
     search = _Search(given, cases[which], deepest[which])
     search.run()
     lost = which[search.gripped][search.enclosed]
@@ -290,32 +335,55 @@ def _lost(given: _Given, cases: IntArray, deepest: BoolArray) -> Lost:
 class _Search:
     """Two multiples of the load for each search, and one more on either side.
 
-    factors: the four, rising; (searches, 4). grips: the rows' at them, (searches, 4, rows). At the
-    second all rows hold. The third has no equilibrium, has lost contact, or holds while the search
-    is going outward. What is not known yet repeats its neighbour.
+    seen: the four, rising; (searches, 4). At the second all rows hold. The third has no
+    equilibrium, has lost contact, or holds while the search is going outward. What is not known yet
+    repeats its neighbour. unloaded: the greatest force of a row without external load; (searches,).
     """
 
     def __init__(self, given: _Given, cases: IntArray, deepest: BoolArray) -> None:
         self._given = given
         factors = np.tile([0.0, 1.0], (len(cases), 1))
-        grips = self._grips(factors, cases, deepest)
-        self.gripped = grips[:, 0].min(axis=1) > 0.0
+        seen = self._look(factors, cases, deepest, np.full((*factors.shape, 5), np.nan))
+        self.gripped = seen.grips[:, 0].min(axis=1) > 0.0
         self._cases, self._deepest = cases[self.gripped], deepest[self.gripped]
-        self.factors = factors[self.gripped].repeat(2, axis=1)
-        self.grips = grips[self.gripped].repeat(2, axis=1)
+        self.seen = seen.some((np.flatnonzero(self.gripped)[:, np.newaxis], [0, 0, 1, 1]))
+        self.unloaded = self.seen.heaviest[:, 0].copy()
 
-    def _grips(self, factors: FloatArray, cases: IntArray, deepest: BoolArray) -> FloatArray:
-        """Of some multiples for each search; (searches, multiples, rows)."""
-        if not len(cases):
-            return np.zeros((*factors.shape, 1))
+    @property
+    def factors(self) -> FloatArray:
+        """The multiples; (searches, 4)."""
+        return self.seen.factor
+
+    @property
+    def grips(self) -> FloatArray:
+        """The rows' grips at them; (searches, 4, rows)."""
+        return self.seen.grips
+
+    def _look(
+        self, factors: FloatArray, cases: IntArray, deepest: BoolArray, start: FloatArray
+    ) -> _Look:
+        """At some multiples for each search; (searches, multiples)."""
         each = factors.shape[1]
-        grips = self._given.grips(factors.ravel(), cases.repeat(each), deepest.repeat(each))
-        return grips.reshape(*factors.shape, -1)
+        seen = self._given.look(
+            factors.ravel(), cases.repeat(each), deepest.repeat(each), start.reshape(-1, 5)
+        )
+        return seen.shaped(*factors.shape)
 
     @property
     def enclosed(self) -> BoolArray:
         """Whether contact is lost between the two in the middle; (searches,)."""
         return np.asarray(self.grips[:, 2].min(axis=1) <= 0.0)
+
+    def _held_by_the_load(self) -> BoolArray:
+        """Whether the load alone presses all rows in, and ever more; (searches,).
+
+        The preload is then little beside it: what is under the load only grows with it.
+        """
+        unbalanced = np.asarray(np.isnan(self.grips[:, 2]).any(axis=1))
+        every, last = np.arange(len(unbalanced)), np.where(unbalanced, 1, 2)
+        growing = (self.grips[every, last] > self.grips[every, last - 1]).all(axis=1)
+        heavy = self.seen.heaviest[every, last - 1] > MUCH_HEAVIER * self.unloaded
+        return np.asarray(growing & heavy)
 
     def zero(self, one: int, other: int, power: float = 1.0) -> FloatArray:
         """Where the line through the least grips at two of the four falls to zero; else infinite.
@@ -335,12 +403,14 @@ class _Search:
             least = self.grips[:, 2].min(axis=1)
             out, lost = least > 0.0, least <= 0.0
             close = np.where(lost, PRECISION, NO_CLOSER)
-            some = np.flatnonzero((high - low > close * high) & (~out | (step < ROUNDS_OUT)))
+            going = (high - low > close * high) & (~out | (step < ROUNDS_OUT))
+            some = np.flatnonzero(going & (lost | ~self._held_by_the_load()))
             if not len(some):
                 return
-            enclosed = np.where(lost[:, np.newaxis], self._around(), self._evenly())
+            known = (lost & (step > 0))[:, np.newaxis]  # on either side
+            enclosed = np.where(known, self._around(), self._evenly())
             probes = np.where(out[:, np.newaxis], self._outward(), enclosed)
-            self._take(some, probes[some])
+            self._take(some, probes[some], self._between(probes)[some])
 
     def _outward(self) -> FloatArray:
         """Multiples of the load beyond the third; (searches, multiples)."""
@@ -375,15 +445,25 @@ class _Search:
         probes = [middle - aside, middle, middle + aside, by_load, 0.5 * (low + high)]
         return np.asarray(np.clip(probes, low, high).T)
 
-    def _take(self, some: IntArray, probes: FloatArray) -> None:
+    def _between(self, probes: FloatArray) -> FloatArray:
+        """Where the ring rests at multiples if it moves in proportion; (searches, multiples, 5)."""
+        unbalanced = np.isnan(self.seen.place[:, 2]).any(axis=1)
+        every, last = np.arange(len(probes)), np.where(unbalanced, 1, 2)
+        near, far = self.seen.some((every, last - 1)), self.seen.some((every, last))
+        way = (far.factor - near.factor)[:, np.newaxis]
+        moved = (far.place - near.place)[:, np.newaxis]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            part = (probes - near.factor[:, np.newaxis]) / way
+            return np.asarray(near.place[:, np.newaxis] + part[..., np.newaxis] * moved)
+
+    def _take(self, some: IntArray, probes: FloatArray, start: FloatArray) -> None:
         """Look at multiples of the load, (some, multiples), and keep the four around the loss."""
-        found = self._grips(probes, self._cases[some], self._deepest[some])
-        factors = np.concatenate([self.factors[some], probes], axis=1)
-        grips = np.concatenate([self.grips[some], found], axis=1)
-        order = np.argsort(factors, axis=1, kind="stable")
-        rows, last = np.arange(len(some))[:, np.newaxis], factors.shape[1] - 1
-        factors, grips = factors[rows, order], grips[rows, order]
-        gone = ~(grips.min(axis=2) > 0.0)
+        found = self._look(probes, self._cases[some], self._deepest[some], start)
+        seen = self.seen.some(some).beside(found)
+        order = np.argsort(seen.factor, axis=1, kind="stable")
+        rows, last = np.arange(len(some))[:, np.newaxis], order.shape[1] - 1
+        seen = seen.some((rows, order))
+        gone = ~(seen.grips.min(axis=2) > 0.0)
         first = np.where(gone.any(axis=1), gone.argmax(axis=1), last)[:, np.newaxis]
-        kept = np.minimum(first + np.arange(-2, 2), last)
-        self.factors[some], self.grips[some] = factors[rows, kept], grips[rows, kept]
+        kept = np.clip(first + np.arange(-2, 2), 0, last)
+        self.seen.put(some, seen.some((rows, kept)))

@@ -109,12 +109,17 @@ class RowsOnRing:
         asked = _Asked.of(self, chosen)
         solution = _proposed(self, control, asked)
         control = np.broadcast_to(control, (len(chosen), self.shape[1]))
+        near = self.cases.start is not None
         if solution is None:
-            return _Problem.of(self, control, asked).solve()
-        left = np.flatnonzero(solution.number == NOT_CONVERGED)
-        if len(left):
-            part = _Problem.of(self, control[left], _Asked.of(self, chosen[left])).solve()
-            solution.put(left, part)
+            solution = _Problem.of(self, control, asked).solve()
+            if not near:
+                return solution
+        left = solution.number == NOT_CONVERGED
+        if near:  # what is not found from a neighbour's place may be from one's own
+            left |= asked.sound & (solution.number == NO_EQUILIBRIUM)
+        if left.any():
+            again = _Asked.of(self, chosen[left], near=False)
+            solution.put(np.flatnonzero(left), _Problem.of(self, control[left], again).solve())
         return solution
 
     def verdict(
@@ -155,8 +160,8 @@ class _Asked:
     unheld: BoolArray
 
     @classmethod
-    def of(cls, system: RowsOnRing, chosen: Indices) -> _Asked:
-        """Take the chosen cases."""
+    def of(cls, system: RowsOnRing, chosen: Indices, *, near: bool = True) -> _Asked:
+        """Take the chosen cases; near: begin at `Cases.start` where there is one."""
         cases = system.cases
         rows = [placed.row for placed in cases.rows]
         sprung = cases.preload == "spring"
@@ -173,6 +178,10 @@ class _Asked:
         target, held = target / arms, held * arms
         touching = np.max([np.abs(e) for e in press], axis=0) > 0.0
         start = held + _pushed(cases, chosen, free & ~touching[:, np.newaxis], target)
+        if near and cases.start is not None:
+            place = cases.start[chosen] * arms[:, :5]
+            known = free[:, :5] & np.isfinite(place).all(axis=1, keepdims=True)
+            start[:, :5] = np.where(known, place, start[:, :5])
         finite = cases.valid[chosen] & np.isfinite(target).all(axis=1)
         finite &= np.isfinite(start).all(axis=1) & np.isfinite(np.sum(press, axis=0))
         finite &= np.all([row.valid[chosen] for row in rows], axis=0)

@@ -204,6 +204,10 @@ class RowAnswers:
         """Return some of the cases."""
         return RowAnswers(tuple(row.part(index) for row in self.rows))
 
+    def grip(self) -> FloatArray:
+        """How deep each element is pressed into the inner ring, row after row."""
+        return np.concatenate([row.grip() for row in self.rows], axis=1)
+
     def tables(self) -> Tables:
         """Evaluate every element of every case, row after row."""
         parts: list[Tables] = []
@@ -258,6 +262,10 @@ class GroupedAnswers:
             return GroupedAnswers((self.groups[0].part(chosen),), np.zeros(1, np.int64), chosen)
         ends = np.cumsum([len(own) for own in places])
         return GroupedAnswers(tuple(parts), ends, np.argsort(np.concatenate(places)))
+
+    def grip(self) -> FloatArray:
+        """How deep each element is pressed into the inner ring."""
+        return np.concatenate([group.grip() for group in self.groups])[self.order]
 
     def tables(self) -> Tables:
         """Evaluate every element of every case."""

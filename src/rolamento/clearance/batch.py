@@ -16,7 +16,7 @@ from rolamento.case import Case
 from rolamento.case.bearing import Bearing, clearance_fits
 from rolamento.case.mounting import Mounting
 from rolamento.case.roller_bearing import RollerBearing, roller_clearance_fits
-from rolamento.case.varied import is_of_mounting
+from rolamento.case.varied import is_of_mounting, varied_materials
 from rolamento.clearance.chain import (
     Chain,
     PartTemperatures,
@@ -43,7 +43,6 @@ _OF_SETS: Final = (
     *(f"bearing.preload.{name}" for name in ("force", "offset", "spring")),
 )
 """What does not change a row itself."""
-_ELASTIC: Final = ("name", "youngs_modulus", "poisson_ratio", "density")
 
 
 def operating_batch(
@@ -192,17 +191,9 @@ def row_bearing(
         given["contact_angle"] = None
     elif row.element == "ball" and "contact_angle" in common:
         given["diametral_clearance"] = None
-    rings = _material(row.ring_material, "ring_material", arrays)
-    material = rings if row.elements_follow_rings else row.element_material
-    elements = _material(material, row.MATERIAL, {} if row.MATERIAL in own else arrays)
+    rings, elements = varied_materials(row, own, arrays)
     return SimpleNamespace(
         **given, element=row.element, ring_material=rings, element_material=elements
-    )
-
-
-def _material(material: Any, part: str, arrays: Mapping[str, FloatArray]) -> Any:
-    return SimpleNamespace(
-        **{name: arrays.get(f"bearing.{part}.{name}", getattr(material, name)) for name in _ELASTIC}
     )
 
 

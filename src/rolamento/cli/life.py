@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -36,11 +37,13 @@ from rolamento.words import marked, said
 from rolamento.words.reasons import reason
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Callable, Sequence
 
     from matplotlib.figure import Figure
 
+    from rolamento.document import Document
     from rolamento.tasks.life_over import LifeCurve
+    from rolamento.tasks.life_spectrum import SpectrumLife
 
 __all__ = ["app", "life"]
 
@@ -129,10 +132,8 @@ def life(
         if over is not None:
             curves = _curves(cases[0], over, points, log, variants or [], tables, lang)
             solved = _show_curves(curves, json, plot, outputs, lang)
-        elif spectrum is not None and len(cases) > 1:
-            solved = _shaft_spectrum(case, cases, spectrum, tables, json, outputs, lang)
         elif spectrum is not None:
-            solved = _spectrum(cases[0], spectrum, tables, json, outputs, lang)
+            solved = _spectrum(case, cases, spectrum, tables, json, outputs, lang)
         elif len(cases) > 1:
             solved = _shaft(case, cases, tables, json, outputs, lang)
         else:
@@ -228,7 +229,9 @@ def _one(
         found = life_of_case(case, **tables)
     if json is not None:
         put(found.to_json() + "\n", json)
-    outputs.show(lambda: life_page(found.solved, found.life, found.changes), json)
+    outputs.show(
+        lambda: life_page(found.solved, found.life, found.changes, friction=found.friction), json
+    )
     if STANDARD_STREAM in (json, outputs.csv) and not found.converged:
         complain_of(found.solved, lang)
     return found.converged
@@ -264,7 +267,7 @@ def _names(paths: list[str], cases: list[rolamento.Case]) -> list[str]:
     return titles if all(titles) and len(set(titles)) == len(titles) else paths
 
 
-def _shaft_spectrum(
+def _spectrum(
     paths: list[str],
     cases: list[rolamento.Case],
     spectrum: str,
@@ -273,44 +276,29 @@ def _shaft_spectrum(
     outputs: Outputs,
     lang: Language | None,
 ) -> bool:
-    """Show the lives of several bearings under one duty of several steps."""
-    from rolamento.pages.life_spectrum import shaft_spectrum_page
-    from rolamento.tasks.life_spectrum import lives_under
+    """Show the life of a bearing under a duty of several steps, or the lives of a shaft's."""
+    from rolamento.pages.life_spectrum import life_spectrum_page, shaft_spectrum_page
+    from rolamento.tasks.life_spectrum import life_under, lives_under
 
+    text: Callable[[], str]
+    page: Callable[[], Document]
+    bearings: tuple[SpectrumLife, ...]
     with told_in_options(), waiting(lang):
-        found = lives_under(cases, spectrum, **tables)
-    names = _names(paths, cases)
+        if len(cases) > 1:
+            shaft = lives_under(cases, spectrum, **tables)
+            names, bearings = _names(paths, cases), shaft.bearings
+            text, page = partial(shaft.to_json, names), partial(shaft_spectrum_page, shaft, names)
+        else:
+            alone = life_under(cases[0], spectrum, **tables)
+            bearings, text, page = (alone,), alone.to_json, partial(life_spectrum_page, alone)
     if json is not None:
-        put(found.to_json(names) + "\n", json)
-    outputs.show(lambda: shaft_spectrum_page(found, names), json)
-    if STANDARD_STREAM in (json, outputs.csv) and not found.converged:
-        failed = next(own for own in found.bearings if not own.converged)
+        put(text() + "\n", json)
+    outputs.show(page, json)
+    failed = next((own for own in bearings if not own.converged), None)
+    if STANDARD_STREAM in (json, outputs.csv) and failed is not None:
         points = failed.status[(failed.status != "converged") & failed.taking_part]
         complain_of_points(points, len(failed.steps), lang)
-    return found.converged
-
-
-def _spectrum(
-    case: rolamento.Case,
-    path: str,
-    tables: dict[str, str | None],
-    json: str | None,
-    outputs: Outputs,
-    lang: Language | None,
-) -> bool:
-    """Show the life under a duty of several steps."""
-    from rolamento.pages.life_spectrum import life_spectrum_page
-    from rolamento.tasks.life_spectrum import life_under
-
-    with told_in_options(), waiting(lang):
-        found = life_under(case, path, **tables)
-    if json is not None:
-        put(found.to_json() + "\n", json)
-    outputs.show(lambda: life_spectrum_page(found), json)
-    if STANDARD_STREAM in (json, outputs.csv) and not found.converged:
-        failed = found.status[(found.status != "converged") & found.taking_part]
-        complain_of_points(failed, len(found.steps), lang)
-    return found.converged
+    return failed is None
 
 
 def _curves(

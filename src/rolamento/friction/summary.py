@@ -52,6 +52,7 @@ from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.blocks import in_blocks
 from rolamento.solved import Solved, refuse_other
 from rolamento.words import Note, said
+from rolamento.words.headlines import qualifies
 
 T = TypeVar("T")
 
@@ -137,13 +138,17 @@ class Friction:
             return np.full((len(self.torque), 2), np.nan)
         return np.stack([np.fmin.reduce(whole), np.fmax.reduce(whole)], axis=-1)
 
-    def headline_notes(self, solved: Solved, case: int = 0) -> tuple[Note, ...]:
-        """What could change torque and power of a case, to be read with them.
+    def qualifications(self, solved: Solved, case: int = 0) -> tuple[Note, ...]:
+        """Return the notes that qualify torque and power of one case, as `LifeSummary` does.
 
-        Where no model is valid; of what they are an upper bound; the coefficient that was taken for
-        want of a given one; and how far the models of whole bearings lie from them.
+        Where no model is valid, else where the one that leads is strained; of what they are an
+        upper bound; the coefficient that was taken for want of a given one; and how far the models
+        of whole bearings lie from them.
         """
         notes = [*self.without_model(solved, case)]
+        if not notes:
+            leading = [one for one in self.judged if one.model == self.model]
+            notes += [note for one in leading for note in one.notes_of(case) if qualifies(note)]
         notes += (Note(key) for key, where in self.bounds.items() if where[case])
         if self.by_regime and solved.converged[case]:
             notes.append(self._coefficient_note(case))

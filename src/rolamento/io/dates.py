@@ -11,10 +11,11 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta, timezone
-from typing import Any, Final, Literal, get_args
+from typing import Final, Literal, get_args
 
-from rolamento.errors import ABSENT, InputError
+from rolamento.errors import InputError
 from rolamento.io.columns import folded_name
+from rolamento.io.numerals import named_choice
 from rolamento.words import Note, manner, said
 
 __all__ = [
@@ -182,22 +183,14 @@ def checked_order(order: object, source: str = "") -> DateOrder:
     InputError
         If it is none.
     """
-    known: dict[Any, DateOrder] = {
+    known: dict[str, DateOrder] = {
         "day_first": "day_first", "dmy": "day_first", "dd_mm_yyyy": "day_first",
         "dia_primeiro": "day_first", "dma": "day_first", "dd_mm_aaaa": "day_first",
         "month_first": "month_first", "mdy": "month_first", "mm_dd_yyyy": "month_first",
         "mes_primeiro": "month_first", "mda": "month_first", "mm_dd_aaaa": "month_first",
     }  # fmt: skip
     word = folded_name(order) if isinstance(order, str) else None
-    if word not in known:
-        raise InputError(
-            said("must be one of {known}", known=", ".join(get_args(DateOrder))),
-            field="date_order",
-            value=ABSENT if order is None else order,
-            example='date_order="day_first"',
-            source=source,
-        )
-    return known[word]
+    return named_choice(order, word, known, field="date_order", example="day_first", source=source)
 
 
 def is_time_of_day(cell: str) -> bool:

@@ -7,9 +7,9 @@ above the header answers, or an argument.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any, Final, Literal, get_args
+from typing import Final, Literal, TypeVar, get_args
 
 from rolamento.errors import ABSENT, InputError
 from rolamento.words import said
@@ -28,6 +28,7 @@ __all__ = [
     "rewritten",
 ]
 
+T = TypeVar("T", bound=str)
 DecimalMark = Literal["point", "comma"]
 
 LONGEST_NUMBER: Final = 40
@@ -194,6 +195,44 @@ def rewritten(cell: str, numerals: Numerals) -> str:
     return cell if text is None else text + cell[len(lead) :]
 
 
+def named_choice(
+    value: object,
+    word: str | None,
+    known: Mapping[str, T],
+    *,
+    field: str,
+    example: T,
+    source: str = "",
+) -> T:
+    """Return what a word stands for.
+
+    Parameters
+    ----------
+    value
+        As it was given.
+    word
+        As it is looked up; None of what is no text.
+    known
+        Meaning of every word.
+    field, example, source
+        Of the error.
+
+    Raises
+    ------
+    InputError
+        If it stands for nothing.
+    """
+    if word is None or word not in known:
+        raise InputError(
+            said("must be one of {known}", known=", ".join(dict.fromkeys(known.values()))),
+            field=field,
+            value=ABSENT if value is None else value,
+            example=f'{field}="{example}"',
+            source=source,
+        )
+    return known[word]
+
+
 def checked_mark(mark: object, source: str = "") -> DecimalMark:
     """Return a decimal mark by its name, or as the sign itself.
 
@@ -202,15 +241,7 @@ def checked_mark(mark: object, source: str = "") -> DecimalMark:
     InputError
         If it is none.
     """
-    known: dict[Any, DecimalMark] = {"point": "point", "comma": "comma", ".": "point", ",": "comma"}
+    known: dict[str, DecimalMark] = {"point": "point", "comma": "comma", ".": "point", ",": "comma"}
     known |= {"ponto": "point", "vírgula": "comma", "virgula": "comma"}
     word = mark.strip().casefold() if isinstance(mark, str) else None
-    if word not in known:
-        raise InputError(
-            said("must be one of {known}", known=", ".join(get_args(DecimalMark))),
-            field="decimal_mark",
-            value=ABSENT if mark is None else mark,
-            example='decimal_mark="comma"',
-            source=source,
-        )
-    return known[word]
+    return named_choice(mark, word, known, field="decimal_mark", example="comma", source=source)

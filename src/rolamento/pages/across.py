@@ -7,14 +7,17 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.document import Column
+from rolamento.document import Column, Notes, Remark
 from rolamento.plots.axes_units import read_values
-from rolamento.words import UNITS, manner, said
+from rolamento.words import UNITS, Note, manner, said
 
 if TYPE_CHECKING:
-    from rolamento.case.fields import Field
+    from collections.abc import Iterable
 
-__all__ = ["field_column", "place_text", "read_text"]
+    from rolamento.case.fields import Field
+    from rolamento.words.headlines import Qualified
+
+__all__ = ["cautions_over", "field_column", "place_text", "read_text"]
 
 _DECADES: Final = 100.0
 
@@ -51,3 +54,17 @@ def place_text(field: Field, values: NDArray[np.float64], where: NDArray[np.bool
     if least == greatest:
         return said("at {value}", value=least)
     return said("from {least} to {greatest}", least=least, greatest=greatest)
+
+
+def cautions_over(
+    field: Field, values: NDArray[np.float64], found: Iterable[Qualified]
+) -> tuple[Notes, ...]:
+    """Return what qualifies the numbers over a field, and where; nothing without."""
+
+    def text(note: Note, where: NDArray[np.bool_]) -> str:
+        if where.all():
+            return note.text
+        return said("{note} ({place})", note=note.text, place=place_text(field, values, where))
+
+    remarks = tuple(Remark(text(note, where), note.key, "warning") for note, where in found)
+    return (Notes(remarks),) if remarks else ()

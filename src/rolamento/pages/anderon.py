@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
 from math import exp, isfinite, nan
 from typing import TYPE_CHECKING, Final
 
@@ -13,8 +14,6 @@ from rolamento.document import (
     Entry,
     Figure,
     KeyValues,
-    Notes,
-    Remark,
     Section,
     Statement,
     Table,
@@ -22,6 +21,7 @@ from rolamento.document import (
     Tone,
 )
 from rolamento.pages.data import in_files
+from rolamento.pages.notes import about
 from rolamento.units import HOUR
 from rolamento.vibration.anderon import BANDS, velocity_of_anderons
 from rolamento.vibration.anderon_trend import AnderonTrend, BandTrend
@@ -53,14 +53,16 @@ _LONGEST_NAME: Final = 32
 
 def anderon_page(found: NoiseResult) -> Document:
     """Return the page of one signal's noise, or of several."""
-    sections = [_statement(found)]
+    leading, notes = about([(one.title, (*one.notes, *one.choices)) for one in found.measured])
+    head = _statement(found)
+    sections = [replace(head, blocks=(*head.blocks, *leading))]
     if len(found.measured) == 1:
         sections += [_facts(found.measured[0]), _bands(found)]
     else:
         sections.append(_signals(found))
         if found.trend is not None:
             sections += _over_time(found.trend)
-    sections += _notes(found)
+    sections += notes
     sections.append(Section("", tuple(_figures(found)), key="figures"))
     sections.append(in_files("levels", _COLUMNS, _levels(found)))
     return Document(_title(found), tuple(sections), kind="anderon", main="levels")
@@ -341,21 +343,6 @@ def _rejected(band: BandTrend) -> str:
 
 
 # --- notes and pictures ----------------------------------------------------------------------
-
-
-def _notes(found: NoiseResult) -> list[Section]:
-    """Show every note once; of several signals, with those that it is about."""
-    about: dict[tuple[str, str], list[str]] = {}
-    for one in found.measured:
-        for note in (*one.notes, *one.choices):
-            title = one_line(one.title, _LONGEST_NAME)
-            about.setdefault((note.key, note.text), []).append(title)
-    remarks = []
-    for (key, text), titles in about.items():
-        if len(titles) < len(found.measured):
-            text = said("{note} ({signals})", note=text, signals=", ".join(titles[:3]))
-        remarks.append(Remark(text, key))
-    return [Section(said("Notes"), (Notes(tuple(remarks)),), key="notes")] * bool(remarks)
 
 
 def _figures(found: NoiseResult) -> Iterable[Figure]:

@@ -9,23 +9,24 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 
 from rolamento.document import (
+    Block,
     Column,
     Document,
     Entry,
     Figure,
     KeyValues,
-    Notes,
-    Remark,
     Section,
     Statement,
     Table,
     Title,
     Tone,
 )
-from rolamento.pages.frequencies import balls_of, contact_angle, failure
+from rolamento.pages.frequencies import balls_of, contact_angle, failure_notes
+from rolamento.pages.notes import cautions, notes_section
 from rolamento.vibration.diagnosis import DAMAGE, SEVERE, ComponentVerdict, Diagnosis
 from rolamento.vibration.frequencies import ABBREVIATIONS, FAULTS, FaultFrequencies
-from rolamento.words import ABSENT, manner, said, said_in
+from rolamento.words import ABSENT, Note, manner, said, said_in
+from rolamento.words.headlines import qualifies
 from rolamento.words.naming import one_line, part_name
 
 if TYPE_CHECKING:
@@ -52,6 +53,11 @@ _TONES: Final[dict[str, Tone]] = {
     "not_tested": "faint",
 }
 _KILO: Final = 1e-3
+_OF_THE_SCALE: Final = {
+    "full_scale_unknown", "bits_to_full_scale", "samples_not_calibrated", "samples_multiplied",
+    "scaled_by_sensitivity",
+}  # fmt: skip
+"""What does not qualify a diagnosis: it does not depend on the scale of the samples."""
 
 
 def diagnosis_page(found: DiagnosisResult) -> Document:
@@ -77,7 +83,13 @@ def _verdict(found: DiagnosisResult) -> Section:
     tone = _HEADLINES[found.verdict]
     statements = [Statement(note.text, tone) for note in found.statement]
     statements += [Statement(note.text) for note in found.advice]
-    return Section("", tuple(statements), key="verdict")
+    said_before = {note.key for note in found.statement}
+    leading = (note for note in _noted(found) if note.key not in said_before | _OF_THE_SCALE)
+    blocks: tuple[Block, ...] = (*statements, *cautions(leading))
+    keys = {note.key for note in found.notes}
+    if found.solved is not None and "no_loaded_frequencies" in keys:
+        blocks = (*blocks, *failure_notes(found.solved))
+    return Section("", blocks, key="verdict")
 
 
 # --- what was given and measured ---------------------------------------------------------------
@@ -385,15 +397,13 @@ def _why(diagnosis: Diagnosis) -> Section:
     return Section(said("Why"), tuple(blocks), key="why")
 
 
+def _noted(found: DiagnosisResult) -> tuple[Note, ...]:
+    return (*found.notes, *found.choices, *found.frequencies.notes)
+
+
 def _notes(found: DiagnosisResult) -> list[Section]:
-    notes = (*found.notes, *found.choices, *found.frequencies.notes)
-    remarks = []
-    for note in notes:
-        remarks.append(Remark(note.text, note.key))
-        unsolved = found.solved is not None and not found.solved.converged[0]
-        if note.key == "no_loaded_frequencies" and unsolved and found.solved is not None:
-            remarks.append(Remark(failure(found.solved), "no_solution_no_frequencies"))
-    return [Section(said("Notes"), (Notes(tuple(remarks)),), key="notes")] * bool(remarks)
+    rest = [note for note in _noted(found) if not qualifies(note) or note.key in _OF_THE_SCALE]
+    return notes_section(rest)
 
 
 def _spectrum(diagnosis: Diagnosis) -> Table:

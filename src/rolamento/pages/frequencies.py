@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Final
 from rolamento.case.bearing import Bearing
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.document import (
+    Block,
     CellContent,
     Column,
     Document,
@@ -22,6 +23,7 @@ from rolamento.document import (
 )
 from rolamento.pages.data import in_files
 from rolamento.pages.given import reason
+from rolamento.pages.notes import cautions, notes_section, remarks_of
 from rolamento.vibration.frequencies import ABBREVIATIONS, FAULTS, FaultFrequencies, LineName
 from rolamento.vibration.frequency_band import Alternative
 from rolamento.words import marked, said, said_in, worded
@@ -31,7 +33,7 @@ if TYPE_CHECKING:
     from rolamento.solved import Solved
     from rolamento.tasks.frequencies import FrequencyResult
 
-__all__ = ["balls_of", "contact_angle", "failure", "frequencies_page", "line_name"]
+__all__ = ["balls_of", "contact_angle", "failure_notes", "frequencies_page", "line_name"]
 
 _LINES: Final[dict[LineName, str]] = {
     "cage": PARTS["cage"],
@@ -54,7 +56,7 @@ def frequencies_page(found: FrequencyResult) -> Document:
     sections.append(_harmonics(found))
     if found.alternatives:
         sections.append(_alternatives(found.alternatives, found.nominal.element))
-    sections += _notes(found)
+    sections += notes_section(remarks_of(found.notes))
     sections.append(in_files("lines", _COLUMNS, _every_line(found)))
     return Document(found.title, tuple(sections), kind="frequencies", main="lines")
 
@@ -127,7 +129,14 @@ def contact_angle(frequencies: FaultFrequencies) -> str:
     return said("contact angle {angle:.4 °}", angle=frequencies.inner_contact_angle)
 
 
-def failure(solved: Solved) -> str:
+def failure_notes(solved: Solved) -> tuple[Notes, ...]:
+    """Say why there are no frequencies under load; nothing where there are some."""
+    if solved.converged[0]:
+        return ()
+    return (Notes((Remark(_failure(solved), "no_solution_no_frequencies", "warning"),)),)
+
+
+def _failure(solved: Solved) -> str:
     """Say that a case has no solution, why, and what to do."""
     why = (reason(str(solved.status.code[0])), str(solved.advice[0] or ""))
     return said("The case has no solution: {reason}", reason=": ".join(one for one in why if one))
@@ -142,7 +151,13 @@ def _head(found: FrequencyResult) -> Section:
         lines.append(said("no speed given: orders of the inner ring, which turns"))
     if nominal.slip:
         lines.append(said("the cage lags behind the outer ring by {slip:.3 %}", slip=nominal.slip))
-    return Section("", (Title(found.title), Statement("\n".join(lines), indent=2)), key="given")
+    notes = [note for note in found.notes if note.key != "no_solution_no_frequencies"]
+    leading = cautions(notes)
+    if found.solved is not None:
+        leading = (*leading, *failure_notes(found.solved))
+    blocks: tuple[Block, ...] = (Title(found.title), Statement("\n".join(lines), indent=2))
+    blocks += leading
+    return Section("", blocks, key="given")
 
 
 def _speeds(nominal: FaultFrequencies) -> Iterable[str]:
@@ -381,12 +396,3 @@ def _alternatives(alternatives: Sequence[Alternative], element: str) -> Section:
     table = Table(columns=columns, key="alternatives", legends=(legend,))
     heading = said("Other geometries that the ratings allow (orders)")
     return Section(heading, (table,), key="alternatives")
-
-
-def _notes(found: FrequencyResult) -> list[Section]:
-    unsolved = found.solved is not None and not found.solved.converged[0]
-    notes = [note for note in found.notes if note.key != "no_solution_no_frequencies"]
-    remarks = [Remark(note.text, note.key) for note in notes]
-    if unsolved and found.solved is not None:
-        remarks.append(Remark(failure(found.solved), "no_solution_no_frequencies"))
-    return [Section(said("Notes"), (Notes(tuple(remarks)),), key="notes")] * bool(remarks)

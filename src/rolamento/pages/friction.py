@@ -34,6 +34,7 @@ __all__ = [
     "power_name",
     "power_unit",
     "source_name",
+    "torque_and_power",
     "torque_name",
     "torque_unit",
     "validity_text",
@@ -119,10 +120,11 @@ def _reason(key: str) -> str:
 
 def friction_sections(solved: Solved, friction: Friction) -> list[Section]:
     """Return the friction of a single solved case: torque and heat by source, and the models."""
-    return [_torque_and_heat(solved, friction), *_sources(friction), _models(solved, friction)]
+    return [torque_and_power(solved, friction), *_sources(friction), _models(solved, friction)]
 
 
-def _torque_and_heat(solved: Solved, friction: Friction) -> Section:
+def torque_and_power(solved: Solved, friction: Friction) -> Section:
+    """Return torque and power loss of a single solved case, and what qualifies them."""
     lubricant = solved.case.lubricant
     assert lubricant is not None
     coefficient = float(friction.friction_coefficient[0])
@@ -136,9 +138,7 @@ def _torque_and_heat(solved: Solved, friction: Friction) -> Section:
             high=high,
             name=lubricant.name,
         )
-    chosen = [] if friction.without_model(solved) else friction.judged
-    strained = (note for one in chosen if one.model == friction.model for note in one.notes_of())
-    notes = (*friction.headline_notes(solved), *strained)
+    notes = friction.qualifications(solved)
     blocks: tuple[Block, ...] = (Statement(named, indent=2), _totals(friction), *cautions(notes))
     return Section(said("Friction"), blocks, key="friction")
 

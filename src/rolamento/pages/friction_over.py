@@ -21,11 +21,11 @@ from rolamento.document import (
 )
 from rolamento.friction.summary import no_friction_control
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.pages.across import field_column, place_text
+from rolamento.pages.across import cautions_over, field_column, place_text
 from rolamento.pages.friction import torque_unit
 from rolamento.pages.given import untitled
 from rolamento.studies.names import setting_name, torque_model_name
-from rolamento.words import Note, decimals_for, in_unit, marked, said
+from rolamento.words import decimals_for, in_unit, marked, said
 from rolamento.words.reasons import reason
 
 if TYPE_CHECKING:
@@ -135,12 +135,12 @@ def _torques(curve: FrictionCurve, number: int) -> Section:
         )
     table = Table(columns=tuple(columns), key=f"torque_{number}", legends=(legend,))
     heading = said("Friction torque by model over {field}", field=curve.field.label)
-    blocks = (*_variant(curve), table, *_bounds(curve), *_failures(curve))
+    blocks = (*_variant(curve), table, *_cautions(curve), *_failures(curve))
     return Section(heading, blocks, key=f"torque_{number}")
 
 
-def _bounds(curve: FrictionCurve) -> Iterator[Block]:
-    """Say with which coefficient, if none was given, and where the torque is an upper bound."""
+def _cautions(curve: FrictionCurve) -> Iterator[Block]:
+    """Say with which coefficient, if none was given, and what else qualifies the torque."""
     friction = curve.friction
     if friction.by_regime and np.isfinite(friction.coefficient_range).any():
         low, high = np.nanmin(friction.coefficient_range), np.nanmax(friction.coefficient_range)
@@ -151,11 +151,9 @@ def _bounds(curve: FrictionCurve) -> Iterator[Block]:
             high=float(high),
         )
         yield Statement(text, "warning", indent=2)
-    for key, where in friction.bounds.items():
-        if where.any():
-            place = place_text(curve.field, curve.values, where)
-            text = said("{note} ({place})", note=Note(key).text, place=place)
-            yield Statement(text, "warning", indent=2)
+    told = {"coefficient_by_regime", "no_valid_torque_model", *_REASONS}
+    found = (one for one in curve.cautions if one[0].key not in told)
+    yield from cautions_over(curve.field, curve.values, found)
 
 
 def _failures(curve: FrictionCurve) -> Iterator[Block]:

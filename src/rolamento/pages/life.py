@@ -32,6 +32,7 @@ from rolamento.life.iso16281 import THEORY as REFERENCE
 from rolamento.life.iso16281_modified import THEORY as MODIFIED_REFERENCE
 from rolamento.life.record import BOUNDS, OUTSIDE, note_of
 from rolamento.life.theories import THEORIES
+from rolamento.pages.friction import torque_and_power
 from rolamento.pages.given import head, untitled
 from rolamento.pages.notes import cautions, cautions_section, notes_section, remarks_of
 from rolamento.units import HOUR
@@ -41,6 +42,7 @@ from rolamento.words.theories import theory_life, theory_name, theory_scope
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Picture
 
+    from rolamento.friction import Friction
     from rolamento.life import Change, Headline, Life, LifeSummary
     from rolamento.life.rib_load import RibLoad
     from rolamento.life.row_ratings import Ratings
@@ -98,6 +100,7 @@ def life_page(
     summary: LifeSummary | None,
     changes: Sequence[Change] = (),
     figures: Sequence[Figure] = (),
+    friction: Friction | None = None,
 ) -> Document:
     """Return the page of the life of one case.
 
@@ -111,6 +114,8 @@ def life_page(
         What would help, of `rolamento.life.sensitivity`.
     figures
         Pictures of the life that need more than that, such as of life over load.
+    friction
+        Of the same case, of which torque and power loss are shown.
     """
     sections = [head(solved), *cautions_section(solved.notes[0])]
     if summary is not None:
@@ -123,6 +128,8 @@ def life_page(
             limit_section(solved, summary),
             *changes_section(summary, changes),
         ]
+        if friction is not None:
+            sections.append(torque_and_power(solved, friction))
         pictures = (*_charts(summary), *figures)
         sections += [Section("", pictures, key="figures")] * bool(pictures)
     sections += notes_section(remarks_of(solved.notes[0]))

@@ -23,7 +23,7 @@ from rolamento.document import (
 )
 from rolamento.life.record import note_of
 from rolamento.life.theories import THEORIES
-from rolamento.pages.across import field_column, place_text, read_text
+from rolamento.pages.across import cautions_over, field_column, place_text, read_text
 from rolamento.pages.given import untitled
 from rolamento.pages.life import MILLION, remarks
 from rolamento.studies.names import setting_name
@@ -79,7 +79,9 @@ def _curve(curve: LifeCurve, place: int) -> Section:
     if curve.label:
         setting = setting_name(curve.label)
         blocks.append(Statement(said("with {setting}", setting=setting), indent=2))
-    blocks += [_table(curve, place), *_extremes(curve), *_remarks(curve), *_failures(curve)]
+    blocks += [_table(curve, place), *_extremes(curve)]
+    blocks += cautions_over(curve.over.field, curve.values, curve.cautions)
+    blocks += [*_remarks(curve), *_failures(curve)]
     heading = said("Life over {field}", field=curve.over.field.label)
     return Section(heading, tuple(blocks), key=f"life{place or ''}")
 

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from typing import Final
 
 from rolamento.document import Notes, Remark, Section
 from rolamento.words import Note, said
-from rolamento.words.headlines import parted
+from rolamento.words.headlines import parted, qualifies
+from rolamento.words.naming import one_line
 
-__all__ = ["cautions", "cautions_section", "notes_section", "remarks_of"]
+__all__ = ["about", "cautions", "cautions_section", "notes_section", "remarks_of"]
+
+_LONGEST_NAME: Final = 32
+_NAMED: Final = 3
+"""Most signals that a note names."""
 
 
 def cautions(notes: Iterable[Note]) -> tuple[Notes, ...]:
@@ -34,3 +40,29 @@ def notes_section(notes: Iterable[Note], level: int = 2) -> list[Section]:
     remarks = {note.text: Remark(note.text, note.key) for note in notes}
     block = Notes(tuple(remarks.values()))
     return [Section(said("Notes"), (block,), key="notes", level=level)] * bool(remarks)
+
+
+def about(
+    signals: Sequence[tuple[str, Iterable[Note]]], of_all: Iterable[Note] = ()
+) -> tuple[tuple[Notes, ...], list[Section]]:
+    """Return what qualifies the verdict on signals, to stand below it, and the section of remarks.
+
+    Each note once; of several signals with those that it is about.
+
+    signals: title and notes of each; of_all: notes on all of them.
+    """
+    titles: dict[Note, list[str]] = {note: [] for note in of_all}
+    for title, notes in signals:
+        for note in dict.fromkeys(notes):
+            titles.setdefault(note, []).append(one_line(title, _LONGEST_NAME))
+    leading, rest = [], []
+    for note, named in titles.items():
+        text = note.text
+        if 0 < len(named) < len(signals):
+            text = said("{note} ({signals})", note=text, signals=", ".join(named[:_NAMED]))
+        if qualifies(note):
+            leading.append(Remark(text, note.key, "warning"))
+        else:
+            rest.append(Remark(text, note.key))
+    section = Section(said("Notes"), (Notes(tuple(rest)),), key="notes")
+    return (Notes(tuple(leading)),) * bool(leading), [section] * bool(rest)

@@ -269,12 +269,13 @@ def _friction_warnings(case: CaseReport) -> Iterator[_Warning]:
     friction = case.analysis.friction
     if friction is None:
         return
-    for note in friction.headline_notes(case.analysis.solved):
-        yield _Warning(2 if note.key == "coefficient_by_regime" else 1, note.text, note.key)
     refused: dict[Note, list[str]] = {}
     for found in friction.judged:
         for note in found.notes_of(0):
             refused.setdefault(note, []).append(found.model)
+    for note in friction.qualifications(case.analysis.solved):
+        if note not in refused:
+            yield _Warning(2 if note.key == "coefficient_by_regime" else 1, note.text, note.key)
     for note, models in refused.items():
         names = "; ".join(map(torque_model_name, models))
         shown = said("Friction ({models}): {reason}", models=names, reason=note.text)

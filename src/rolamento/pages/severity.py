@@ -14,8 +14,6 @@ from rolamento.document import (
     Entry,
     Figure,
     KeyValues,
-    Notes,
-    Remark,
     Section,
     Statement,
     Table,
@@ -23,6 +21,7 @@ from rolamento.document import (
     Tone,
 )
 from rolamento.pages.limit import limit_section
+from rolamento.pages.notes import about
 from rolamento.units import HOUR
 from rolamento.words import ABSENT, marked, said
 from rolamento.words.naming import listed, one_line
@@ -60,15 +59,16 @@ def severity_page(found: SeverityResult) -> Document:
     title = said("Severity of vibration")
     if len(found.measured) == 1:
         title = said("Severity of vibration: {name}", name=one_line(found.measured[0].title))
+    leading, notes = about([(one.title, one.notes) for one in found.measured], found.notes)
     sections = [
-        Section("", _statements(found), key="verdict"),
+        Section("", (*_statements(found), *leading), key="verdict"),
         Section("", (Title(title), KeyValues(_facts(found))), key="given"),
         _signals(found),
         _classes(found),
     ]
     if found.forecast is not None:
         sections.append(limit_section([("", found.forecast)], "mm/s", found.time_unit, found.start))
-    sections += [_notes(found), Section("", (_figure(found),), key="figures")]
+    sections += [*notes, Section("", (_figure(found),), key="figures")]
     return Document(title, tuple(sections), kind="severity", main="signals")
 
 
@@ -289,19 +289,6 @@ def _classes(found: SeverityResult) -> Section:
 
 def _edge(edges: tuple[float, ...], place: int) -> CellContent:
     return edges[place] if edges else None
-
-
-def _notes(found: SeverityResult) -> Section:
-    about: dict[tuple[str, str], list[str]] = {}
-    for one in found.measured:
-        for note in one.notes:
-            about.setdefault((note.key, note.text), []).append(one_line(one.title, _LONGEST_NAME))
-    remarks = [Remark(note.text, note.key) for note in found.notes]
-    for (key, text), titles in about.items():
-        if len(titles) < len(found.measured):
-            text = said("{note} ({signals})", note=text, signals=", ".join(titles[:3]))
-        remarks.append(Remark(text, key))
-    return Section(said("Notes"), (Notes(tuple(remarks)),), key="notes")
 
 
 def _figure(found: SeverityResult) -> Figure:

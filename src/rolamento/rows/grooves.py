@@ -286,6 +286,10 @@ class GrooveAnswer:
             self.shown[index],
         )  # fmt: skip
 
+    def grip(self) -> FloatArray:
+        """How deep each element is pressed into the inner ring."""
+        return self.tables().inner.approach
+
     def tables(self) -> Tables:
         """Evaluate every contact of every case: flank after flank, each in its own frame."""
         cases, balls = self.shown.shape

@@ -254,6 +254,10 @@ class ReadAnswer:
     read: Tables
     kept: Mapping[Race, Mapping[str, FloatArray]]
 
+    def grip(self) -> FloatArray:
+        """How deep each element is pressed into the inner ring."""
+        return self.tables().inner.approach
+
     def tables(self) -> Tables:
         """As they were read."""
         return self.read

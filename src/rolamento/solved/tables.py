@@ -281,6 +281,13 @@ class Answer(Protocol):
         """Evaluate every element of every case."""
         ...
 
+    def grip(self) -> FloatArray:
+        """How deep each element is pressed into the inner ring where it is deepest; m.
+
+        (cases, elements); a gap is negative.
+        """
+        ...
+
     def part(self, index: Index) -> Self:
         """Return some of the cases."""
         ...

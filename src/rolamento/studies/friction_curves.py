@@ -14,15 +14,13 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.analysis.needs import has_friction
+from rolamento.analysis.needs import has_friction, machines_known
 from rolamento.case import Case
-from rolamento.friction import Friction, MachineBearing, friction, machines_of
+from rolamento.friction import Friction, friction
 from rolamento.friction.coefficient import SLIDING_BOUNDARY, coefficient_by_regime
-from rolamento.friction.machine import are_designated
 from rolamento.friction.model import relative_speed
 from rolamento.friction.models import TORQUE_MODELS
 from rolamento.friction.summary import no_coefficient
-from rolamento.life.basis import static_of_bearings
 from rolamento.lubrication.films import film, has_film
 from rolamento.numerics.blocks import joined
 from rolamento.solution import solve
@@ -30,6 +28,7 @@ from rolamento.solved import Solved
 from rolamento.studies.fields import Field
 from rolamento.studies.ranges import MOST_POINTS, Range, read_range, refuse_many_singles
 from rolamento.studies.solving import array_fields, base_case
+from rolamento.words.headlines import Qualified, over_cases
 
 __all__ = [
     "MOST_POINTS",
@@ -79,6 +78,8 @@ class FrictionCurve:
         arrays over the points
     controlled
         under friction control; None for a set of rows, and for rollers
+    cautions
+        what qualifies torque and power, and at which points
     """
 
     case: Case
@@ -88,6 +89,7 @@ class FrictionCurve:
     status: NDArray[np.str_]
     friction: Friction
     controlled: Controlled | None
+    cautions: tuple[Qualified, ...]
 
     def __len__(self) -> int:
         """Count the points."""
@@ -221,14 +223,19 @@ def friction_curve(
     solutions = _solutions(case, over)
     if not all(has_friction(solved) for solved in solutions):
         raise no_coefficient(case)
-    machines = [_machines(solved) for solved in solutions]
+    films = (film(solved) if has_film(solved) else None for solved in solutions)
+    machines = list(map(machines_known, solutions, films))
     if () in machines:  # the models of all points are the same
         machines = [()] * len(solutions)
-    found = joined(
-        [
-            friction(solved, hysteresis=hysteresis, compare=True, machine=machine)
-            for solved, machine in zip(solutions, machines, strict=True)
-        ]
+    each = [
+        friction(solved, hysteresis=hysteresis, compare=True, machine=machine)
+        for solved, machine in zip(solutions, machines, strict=True)
+    ]
+    found = joined(each)
+    notes = (
+        (*own, *one.qualifications(solved, case))
+        for solved, one in zip(solutions, each, strict=True)
+        for case, own in enumerate(solved.notes)
     )
     return FrictionCurve(
         case=case,
@@ -240,6 +247,7 @@ def friction_curve(
         controlled=joined(list(map(_controlled, solutions)))
         if case.bearing.element == "ball" and not case.bearing.is_set
         else None,
+        cautions=over_cases(notes),
     )
 
 
@@ -250,13 +258,6 @@ def _solutions(case: Case, over: Range) -> list[Solved]:
         return [solve(case, {name: values})]
     refuse_many_singles(len(values))
     return [solve(base_case(case, {name: float(value)})) for value in values]
-
-
-def _machines(solved: Solved) -> tuple[MachineBearing, ...]:
-    """What the models of lubricated machine bearings need; empty where the case lacks it."""
-    if not has_film(solved) or not are_designated(solved.case.bearing):
-        return ()
-    return machines_of(solved.case, film(solved), *static_of_bearings(solved))
 
 
 def _controlled(solved: Solved) -> Controlled:

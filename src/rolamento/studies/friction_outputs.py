@@ -3,12 +3,13 @@
 Torques are running torques of all sources: the contacts by the model, elastic hysteresis and,
 where the case has an oil and its temperature, the oil's rolling resistance; without a coefficient
 of friction that of the regime of lubrication; those of the contacts
-of each ball are taken with the motion as it was solved.
+of each ball are taken with the motion as it was solved. The models of whole bearings, Palmgren's
+and SKF's, have all sources in them.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -19,7 +20,7 @@ from rolamento.studies.bearing_outputs import family
 from rolamento.studies.outputs import Evaluation, Floats, Output
 
 if TYPE_CHECKING:
-    from rolamento.friction import Friction
+    from rolamento.friction import Friction, Torque
     from rolamento.solved import Solved
 
 _COEFFICIENT: Final = ("friction",)
@@ -58,6 +59,15 @@ def friction_outputs() -> tuple[Output, ...]:
 def _of_models() -> Iterator[Output]:
     from rolamento.friction import CONTACT_MODELS, ROLLER_MODEL, TORQUE_MODELS
 
+    for model, known in TORQUE_MODELS.items():
+        if not known.of_contacts:
+            for name, unit in (("torque", "N*m"), ("power", "W")):
+                yield Output(
+                    f"friction_{name}_{model}",
+                    unit,
+                    _of_whole(model, name),
+                    needs=(*_COEFFICIENT, *_OIL, "bearing.designation"),
+                )
     for model in (*CONTACT_MODELS, ROLLER_MODEL):
         known = TORQUE_MODELS[model]
         for name, unit in (("torque", "N*m"), ("power", "W")):
@@ -131,6 +141,34 @@ def _total(model: str, attribute: str) -> Callable[[Evaluation], Floats]:
     def compute(given: Evaluation) -> Floats:
         values: Floats = getattr(given.of(_friction, model=model), attribute)
         return np.where(np.isnan(_coefficient(given.solved)), np.nan, values)
+
+    return compute
+
+
+def _of_whole_bearings(solved: Solved) -> Mapping[str, Torque]:
+    """Torque of the models of whole bearings, by name; those whose tables have the bearing."""
+    from rolamento.analysis.needs import machines_known
+    from rolamento.friction import CONTACT_MODELS, ROLLER_MODEL, TORQUE_MODELS, friction
+    from rolamento.lubrication.films import film
+
+    fast = (own for own in CONTACT_MODELS if TORQUE_MODELS[own].closed_form)
+    model = next(fast) if "ball" in solved.rows.element else ROLLER_MODEL
+    machine = machines_known(solved, film(solved))
+    found = friction(solved, model=model, machine=machine, compare=False, threads=1)
+    return {
+        own: torque for own, torque in found.models.items() if not TORQUE_MODELS[own].of_contacts
+    }
+
+
+def _of_whole(model: str, attribute: str) -> Callable[[Evaluation], Floats]:
+    def compute(given: Evaluation) -> Floats:
+        from rolamento.friction.model import relative_speed
+
+        found = given.of(_of_whole_bearings).get(model)
+        if found is None:
+            return np.full(len(given.solved), np.nan)
+        speed = np.abs(relative_speed(given.solved)) if attribute == "power" else 1.0
+        return np.where(given.solved.converged, found.total * speed, np.nan)
 
     return compute
 

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from rolamento.analysis.needs import has_life
 from rolamento.errors import InputError, UnknownKeyError, nearest
+from rolamento.friction.machine import are_designated
 from rolamento.studies.names import variable_long_name, variable_name
 from rolamento.words import marked, said
 
@@ -183,6 +184,7 @@ _MISSING: Final[Mapping[str, tuple[str, str]]] = {
         marked("friction control of the balls"),
         'model.raceway_control = "friction" in the case',
     ),
+    "bearing.designation": (marked("a designation"), 'designation = "6310" in [bearing]'),
     "balls": (marked("balls"), "friction_torque_roller_sliding"),
     "rollers": (marked("rollers"), 'element = "cylindrical" in [bearing]'),
     "life": (
@@ -230,6 +232,8 @@ def supplied(output: Output, case: Case, varied: Iterable[str]) -> bool:
 def _has(case: Case, need: str, varied: frozenset[str]) -> bool:
     if need in varied or any(name.startswith(f"{need}.") for name in varied):
         return True
+    if need == "bearing.designation":
+        return are_designated(case.bearing)
     if need == "bearing.preload":
         return case.bearing.preload is not None
     if need == "life":

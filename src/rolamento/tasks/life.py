@@ -9,8 +9,10 @@ from typing import Any, Final
 
 import numpy as np
 
+from rolamento.analysis import analyse
 from rolamento.case import Case, load_case
 from rolamento.errors import InputError
+from rolamento.friction import Friction
 from rolamento.io.json import dumps
 from rolamento.life import (
     Change,
@@ -47,11 +49,15 @@ TableSource = FactorTable | str | os.PathLike[str] | None
 
 @dataclass(frozen=True, slots=True, eq=False)
 class CaseLife:
-    """A solved case, its life by every theory and what would help; None without a result."""
+    """A solved case, its life by every theory, what would help, and the friction beside it.
+
+    None without a result; friction also without a lubricant that it could be of.
+    """
 
     solved: Solved
     life: LifeSummary | None
     changes: tuple[Change, ...]
+    friction: Friction | None = None
 
     @property
     def converged(self) -> bool:
@@ -247,7 +253,10 @@ def life_of_case(
     solved = solve(base)
     given = conditions_with(solved, table)
     found = _life(solved, given)
-    return CaseLife(solved, found, () if found is None else sensitivity(solved, given))
+    if found is None:
+        return CaseLife(solved, None, ())
+    friction = analyse(solved, quick=True).friction
+    return CaseLife(solved, found, sensitivity(solved, given), friction)
 
 
 def life_of_shaft(

@@ -48,7 +48,8 @@ from rolamento.tasks.life import (
     conditions_with,
     factor_table,
 )
-from rolamento.words import said
+from rolamento.words import Note, said
+from rolamento.words.headlines import Qualified, over_cases
 
 __all__ = [
     "LifeCurve",
@@ -94,6 +95,8 @@ class LifeRows:
         into how many slices rollers were divided; None without rollers
     refused
         why there is no such case, and in which rows: (rows,)
+    cautions
+        what qualifies the life that leads, and in which rows; empty where it was not asked for
     """
 
     status: NDArray[np.str_]
@@ -105,6 +108,7 @@ class LifeRows:
     contamination_factor: FloatArray
     slices: int | None
     refused: tuple[tuple[NDArray[np.int64], InputError], ...]
+    cautions: tuple[Qualified, ...]
 
     def __getitem__(self, theory: str) -> Life:
         """Return the life by one theory, arrays (rows,)."""
@@ -237,7 +241,8 @@ def life_curve(
     if name not in array_fields():
         refuse_many_singles(count)
     columns = {name: chosen.values.tolist()}
-    rows = lives_of_rows(base, columns, nsk_table=factor_table(nsk_table, [base], decimal_mark))
+    table = factor_table(nsk_table, [base], decimal_mark)
+    rows = lives_of_rows(base, columns, nsk_table=table, cautions=True)
     own = {one.name: getattr(rows, one.name) for one in fields(rows)}
     return LifeCurve(case=base, label=label, over=chosen, **own)
 
@@ -280,6 +285,7 @@ def lives_of_rows(
     *,
     stress_volume: bool = True,
     nsk_table: FactorTable | None = None,
+    cautions: bool = False,
 ) -> LifeRows:
     """Solve a case for every row of a table, and find the lives.
 
@@ -295,6 +301,8 @@ def lives_of_rows(
         Whether to evaluate theories that take milliseconds for a case.
     nsk_table
         a_NSK of L_able.
+    cautions
+        Whether to collect what qualifies the lives; a millisecond for a row.
 
     Raises
     ------
@@ -310,6 +318,7 @@ def lives_of_rows(
     status = np.full(count, INVALID_INPUT, dtype=_LONGEST_STATUS)
     blocks: list[tuple[NDArray[np.int64], LifeSummary]] = []
     refused = []
+    notes: list[Sequence[Note]] = [()] * count
     for own, members in groups.items():
         index = np.array(members, dtype=np.int64)
         varied: dict[str, ArrayLike] = {
@@ -327,6 +336,8 @@ def lives_of_rows(
         else:
             status[index] = solved.status.code
             blocks.append((index, found))
+            for place, row in enumerate(members if cautions else ()):
+                notes[row] = (*solved.notes[place], *found.qualifications(place))
     if not blocks:
         raise refused[0][1]
     slices = one_number_of_slices(own.slices for _, own in blocks)
@@ -351,6 +362,7 @@ def lives_of_rows(
         viscosity_ratio=_spread([(i, own.viscosity_ratio) for i, own in blocks], count),
         contamination_factor=_spread([(i, own.contamination_factor) for i, own in blocks], count),
         refused=tuple(refused),
+        cautions=over_cases(notes),
     )
 
 

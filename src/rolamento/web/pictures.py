@@ -21,7 +21,7 @@ from rolamento.life import LifeSummary
 from rolamento.life.theories import BY_RANK, THEORIES
 from rolamento.lubrication import Film
 from rolamento.lubrication.regime import regimes
-from rolamento.notes import pressure_limit
+from rolamento.notes import nothing_given, pressure_limit
 from rolamento.pages.film import regime_name
 from rolamento.pages.frequencies import line_name
 from rolamento.pages.friction import power_unit, source_name, torque_unit
@@ -134,6 +134,8 @@ class PictureKind:
         of the cases that have a result, at least one
     opened
         whether the page shows it at first
+    unloaded
+        whether it shows something of a bearing that nothing loads
     """
 
     key: str
@@ -141,6 +143,7 @@ class PictureKind:
     of: frozenset[str]
     draw: Callable[[Cases], Picture]
     opened: bool = False
+    unloaded: bool = False
 
 
 def described() -> list[dict[str, Any]]:
@@ -181,8 +184,11 @@ def figures(
     found = {}
     for kind in asked:
         suited = [one for one in shown if kind.of & _kinds_of(one.solved)]
-        if suited:
-            found[kind.key] = kind.draw(suited)
+        loaded = [one for one in suited if kind.unloaded or not nothing_given(one.solved)]
+        if loaded:
+            found[kind.key] = kind.draw(loaded)
+        elif suited:
+            found[kind.key] = empty(said("no load is given yet: give a speed and a load"))
         else:
             found[kind.key] = empty(said("not of such a bearing") if shown else _why_not(there))
     return found
@@ -1016,7 +1022,9 @@ PICTURES: Final[Mapping[str, PictureKind]] = {
         ),
         PictureKind("friction", marked("Friction by source"), _ALL, _friction, opened=True),
         PictureKind("life", marked("Life by theory"), _ALL, _life, opened=True),
-        PictureKind("frequencies", marked("Fault frequencies"), _ALL, _frequencies),
+        PictureKind(
+            "frequencies", marked("Fault frequencies"), _ALL, _frequencies, unloaded=True
+        ),
     )
 }  # fmt: skip
 """All pictures, in the order in which the page shows them."""

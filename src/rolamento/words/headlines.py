@@ -13,9 +13,15 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Final
 
+import numpy as np
+from numpy.typing import NDArray
+
 from rolamento.words.note import Note
 
-__all__ = ["REMARKS", "parted", "qualifies"]
+__all__ = ["REMARKS", "Qualified", "over_cases", "parted", "qualifies"]
+
+Qualified = tuple[Note, NDArray[np.bool_]]
+"""A note, and the cases whose headline it qualifies; (cases,)."""
 
 REMARKS: Final = frozenset(
     {
@@ -47,6 +53,10 @@ REMARKS: Final = frozenset(
         "fleet_failed_left_out", "modes_independent", "modes_at_inspections",
         "modes_of_suspended", "running_on_day_of_data", "inspections_shared",
         "lives_from_dates_and_use", "lives_from_dates_and_column",
+        # of vibration: what is always so, how it was read, what the verdict says itself
+        "not_a_certificate", "unexplained_peaks", "severity_not_bearings", "scaled_by_sensitivity",
+        "velocity_from_acceleration", "velocity_from_displacement",
+        "samples_multiplied", "angle_zero", "angle_free", "orders_at_rest", "cage_by_friction",
     }
 )  # fmt: skip
 """Keys of notes that change no headline."""
@@ -61,3 +71,16 @@ def parted(notes: Iterable[Note]) -> tuple[tuple[Note, ...], tuple[Note, ...]]:
     """Return the notes that qualify a headline, and the remarks; each note once, in its order."""
     own = tuple(dict.fromkeys(notes))
     return tuple(filter(qualifies, own)), tuple(note for note in own if not qualifies(note))
+
+
+def over_cases(notes: Iterable[Iterable[Note]]) -> tuple[Qualified, ...]:
+    """Return what qualifies the headline of any of many cases, by key: its first note, and where.
+
+    notes: of each case.
+    """
+    rows = [parted(own)[0] for own in notes]
+    found: dict[str, Qualified] = {}
+    for case, row in enumerate(rows):
+        for note in row:
+            found.setdefault(note.key, (note, np.zeros(len(rows), np.bool_)))[1][case] = True
+    return tuple(found.values())

@@ -339,6 +339,10 @@ class BallAnswer:
             None if self.motion is None else taken(self.motion, index),
         )
 
+    def grip(self) -> FloatArray:
+        """How deep each element is pressed into the inner ring."""
+        return self.tables().inner.approach
+
     def tables(self) -> Tables:
         """Evaluate every ball of every case."""
         p = self.p

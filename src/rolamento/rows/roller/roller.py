@@ -172,19 +172,20 @@ def added(p: Array, column: int) -> float:
 
 
 @inline_exact
-def rounding(p: Array, column: int, slices: int, h00: float, h11: float) -> float:
+def rounding(p: Array, column: int, ring: Array, slices: int, h00: float, h11: float) -> float:
     """Unbalanced load that rounding leaves of a roller with these stiffnesses (N).
 
-    Approaches are differences of places of the size `PLACED`, known to a few units in their last
-    digit: more than a light roller is pressed in. The stiffness is at least that of one slice
-    that carries the centrifugal force, and of ribs that may touch.
+    Approaches are differences of places of the size `PLACED`, or as far as the ring has gone, known
+    to a few units in their last digit: more than a light roller is pressed in. The stiffness is at
+    least that of one slice that carries the centrifugal force, and of ribs that may touch.
     """
     half = 0.5 * p[layout.LENGTH, column]
     slice_constant = p[layout.OUTER_CONSTANT, column] / slices
     slope = EXPONENT * slice_constant**0.9 * p[layout.CENTRIFUGAL, column] ** 0.1
     couple = (2.0 * p[layout.RIB_LEVER, column] / half) ** 2
     couple *= max(p[layout.RIB_AHEAD, column], p[layout.RIB_BEHIND, column])
-    known = 4.0 * EPSILON * PLACED * p[layout.DIAMETER, column]
+    place = max(PLACED * p[layout.DIAMETER, column], max(abs(ring[0]), abs(ring[1])))
+    known = 4.0 * EPSILON * place
     return float(known * max(max(slope, couple), max(h00, h11 / (half * half))))
 
 
@@ -284,7 +285,7 @@ def relax(
         residual = max(abs(forces[0]), abs(forces[1]) / half) / size
         if residual > ACCEPTED:
             residual = max(
-                residual - rounding(p, column, line[1].size, forces[2], forces[5]) / size, 0.0
+                residual - rounding(p, column, ring, line[1].size, forces[2], forces[5]) / size, 0.0
             )
         if residual <= ACCEPTED or attempt > 0:
             break
@@ -308,7 +309,7 @@ def _by_newton(
         left = max(abs(g0), abs(g1) / half)
         if not left > PRECISION * max(scale, least) or steps >= STEPS:
             break
-        if left <= rounding(p, column, line[1].size, h00, h11) and left > 0.5 * before:
+        if left <= rounding(p, column, ring, line[1].size, h00, h11) and left > 0.5 * before:
             break  # no step betters its rounding
         more = extra + damping * max(h00, h11 / (half * half))
         a, d = h00 + more, h11 / (half * half) + more

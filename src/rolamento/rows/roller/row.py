@@ -262,13 +262,30 @@ class RollerAnswer:
             shown=self.shown[index],
         )
 
+    def grip(self) -> FloatArray:
+        """How deep each roller's deepest slice is pressed into the inner ring; of a gap too."""
+        approach, turn = self._inner()
+        return np.asarray(self._depth(0, approach, turn).max(axis=-1))
+
+    def _inner(self) -> tuple[FloatArray, FloatArray]:
+        """Approach of the rollers' middles to the inner race, and their turn against it."""
+        p, shift, turn = self.numbers.p[:, :, np.newaxis], self.state[..., 0], self.state[..., 1]
+        approach = p[layout.INNER_SHIFT] * shift + p[layout.INNER_TURN] * turn - p[layout.GAP]
+        return approach, turn
+
+    def _depth(self, race: int, approach: FloatArray, slope: FloatArray) -> FloatArray:
+        """How deep each slice of each roller is in a race; (cases, rollers, slices), m."""
+        cut = self.numbers.cut
+        depth = approach[..., np.newaxis] + slope[..., np.newaxis] * cut.place[:, np.newaxis]
+        return np.asarray(depth - cut.drops[:, race][:, np.newaxis])
+
     def tables(self) -> Tables:
         """Evaluate every slice of every roller of every case."""
         n, g, p = self.numbers, self.numbers.geometry, self.numbers.p[:, :, np.newaxis]
         cases, rollers = self.shown.shape
         azimuth, ring = _seen(self.numbers.p, self.place, rollers)
-        shift, turn = self.state[..., 0], self.state[..., 1]
-        inner = p[layout.INNER_SHIFT] * shift + p[layout.INNER_TURN] * turn - p[layout.GAP]
+        shift = self.state[..., 0]
+        inner, turn = self._inner()
         outer = p[layout.OUTER_SINE] * ring[0] + p[layout.OUTER_COSINE] * ring[1]
         outer = outer + p[layout.LEVER] * ring[2] + p[layout.OUTER_SHIFT] * shift
         outer = outer + p[layout.OUTER_TURN] * turn - p[layout.GAP]
@@ -319,8 +336,7 @@ class RollerAnswer:
         """Load of each roller and greatest deflection of its slices, with the line itself."""
         n, cut = self.numbers, self.numbers.cut
         length = n.p[layout.LENGTH][:, np.newaxis, np.newaxis]
-        depth = approach[..., np.newaxis] + slope[..., np.newaxis] * cut.place[:, np.newaxis]
-        depth = np.maximum(depth - cut.drops[:, race][:, np.newaxis], 0.0)
+        depth = np.maximum(self._depth(race, approach, slope), 0.0)
         if cut.coupled:
             load = self.loads[:, :, race]
         else:
