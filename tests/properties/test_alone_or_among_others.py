@@ -98,3 +98,12 @@ def test_random_duties_alone_and_among_others(seed: int) -> None:
         pair = fields(solve(case, threads=1, **taken(duty, np.array([index, (index + 1) % 170]))))
         for one, two in zip(whole, pair, strict=True):
             np.testing.assert_array_equal(one[index], two[0])
+
+
+@pytest.mark.parametrize("count", [2, 40])
+def test_a_batch_of_nothing_but_unusable_cases_is_refused_whole(count: int) -> None:
+    solved = solve(COUNTER_ROTATING, fx=np.full(count, np.nan))
+    assert set(solved.status.code) == {"invalid_input"}
+    mixed = np.array([np.nan, 1.983598831364686] * count)
+    assert set(solve(COUNTER_ROTATING, fx=mixed).status.code[::2]) == {"invalid_input"}
+    assert solve(COUNTER_ROTATING, fx=mixed).converged[1::2].all()

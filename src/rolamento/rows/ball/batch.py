@@ -135,6 +135,8 @@ def propose_moving(
     iterations, safe = out[8], out[9]
     _refuse_unsound(batch, order, done, out)
     some = order[~done]
+    if some.size == 0:
+        return
     room = room_for(batch.mirror.seats.shape[0])
     accepted = np.zeros(some.size, np.bool_)
     solve_static(batch, some, True, room, displacement, position, iterations)
