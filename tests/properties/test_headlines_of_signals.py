@@ -18,6 +18,8 @@ from rolamento.pages.friction_over import friction_over_page
 from rolamento.pages.life_over import life_over_page
 from rolamento.pages.notes import about
 from rolamento.pages.severity import severity_page
+from rolamento.pages.study import study_page
+from rolamento.studies import Axis, Study, run_to_file
 from rolamento.studies.friction_curves import friction_curve
 from rolamento.studies.ranges import read_range
 from rolamento.tasks import DiagnosisResult
@@ -109,6 +111,21 @@ def test_torques_over_a_field_say_what_qualifies_them_and_where() -> None:
     said_otherwise = {"coefficient_by_regime", "no_valid_torque_model", "inertia", "full_film"}
     page = friction_over_page([curve])
     assert set(by_key) - said_otherwise <= keys_below(page, {"torque_0"})
+
+
+def test_a_study_says_what_qualifies_the_ends_of_its_ranges(tmp_path: Path) -> None:
+    study = Study(
+        case=Case.model_validate(OIL),
+        outputs=("inner_load", "life_hours"),
+        axes=(Axis(field="duty.load.fz", values=(1e3, 5e3, 90e3)),),
+    )
+    found = run_to_file(study, tmp_path / "study.nc")
+    by_key = {note.key: count for note, count in found.cautions}
+    assert found.ends == 2
+    assert by_key["contact_pressure_high"] == 1  # of the heaviest load, at both races
+    assert by_key["cleanliness_missing"] >= 1
+    assert "coefficient_by_regime" not in by_key  # no output is of friction
+    assert set(by_key) <= keys_below(study_page(found), {"ranges"})
 
 
 def test_a_note_on_some_of_several_signals_names_them() -> None:

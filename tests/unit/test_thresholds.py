@@ -16,7 +16,7 @@ import pytest
 from tests.one_case import keys
 
 from rolamento import Case, Solved, analyse, solve
-from rolamento.friction import Friction
+from rolamento.friction import Friction, friction
 from rolamento.friction.bounds import upper_bounds
 from rolamento.friction.model import Setting
 from rolamento.life import LifeSummary, life
@@ -504,3 +504,27 @@ def test_many_samples_without_a_fit_are_more_than_a_tenth(dropped: int, told: bo
     assert ("many_without_fit" in keys(drawn.notes)) is told
     assert Drawing.resampled(1000, 950).code == "converged"
     assert Drawing.resampled(1000, 951).code == "not_converged"
+
+
+def spinning(rpm: float) -> tuple[Solved, Friction]:
+    """An angular-contact bearing under thrust, all balls alike, and its friction."""
+    given = case(
+        ANGULAR, inner_speed=rpm * RPM, load={"fx": 2e3},
+        lubricant={"base_oil": "ISO VG 68", "friction_coefficient": 0.07},
+        temperature={"lubricant": 343.15},
+    )  # fmt: skip
+    solved = solve(given)
+    return solved, friction(solved, model="jones_simplified")
+
+
+def test_inertia_counts_from_a_tenth_on() -> None:
+    """docs/theory/friction.md: 2|M_g|/(D Q_o) of μ, or F_c of Q_i."""
+
+    def told(found: tuple[Solved, Friction]) -> bool:
+        return any("inertia" in {n.key for n in own.notes_of()} for own in found[1].judged)
+
+    for solved, _ in ends(spinning, told, 100.0, 6e3):
+        moment = np.abs(solved.elements.gyroscopic_moment[0, 0])
+        demand = 2.0 * moment / (22.23e-3 * solved.outer.load[0, 0]) / 0.07
+        thrown = solved.elements.centrifugal_force[0, 0] / solved.inner.load[0, 0]
+        assert max(demand, thrown) == pytest.approx(0.1, rel=1e-6)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Final
 
 from rolamento.document import (
@@ -11,7 +11,9 @@ from rolamento.document import (
     CellContent,
     Column,
     Document,
+    Notes,
     Number,
+    Remark,
     Section,
     Statement,
     Table,
@@ -59,7 +61,8 @@ def study_page(summary: Summary, title: str = "") -> Document:
     blocks: list[Block] = [Statement(title, "strong")] if title else []
     sections = [Section(blocks=(*blocks, *_counts(summary)), key="head")]
     if summary.converged:
-        sections.append(Section(blocks=(_ranges(summary.ranges),), key="ranges"))
+        blocks = [_ranges(summary.ranges), *_cautions(summary)]
+        sections.append(Section(blocks=tuple(blocks), key="ranges"))
     written = said("Written to {path}.", path=str(summary.path))
     sections.append(Section(blocks=(Statement(written),)))
     if summary.columns:
@@ -156,6 +159,25 @@ def _ranges(ranges: tuple[OutputRange, ...]) -> Table:
     every = max(found.every for found in ranges)
     legend = said("The medians are those of one case in {every}.", every=every)
     return Table(columns=columns, key="ranges", legends=(legend,) if every > 1 else ())
+
+
+def _cautions(summary: Summary) -> Iterator[Notes]:
+    """Show what qualifies the cases at the ends of the ranges."""
+    remarks = tuple(
+        Remark(
+            said(
+                "{note} ({count} of {ends} cases at the ends of the ranges)",
+                note=note.text,
+                count=count,
+                ends=summary.ends,
+            ),
+            note.key,
+            "warning",
+        )
+        for note, count in summary.cautions
+    )
+    if remarks:
+        yield Notes(remarks)
 
 
 def _unit(found: OutputRange) -> str:

@@ -21,6 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import rolamento
+from rolamento.analysis import analyse
 from rolamento.case import Case, case_to_toml
 from rolamento.case.arrangement import ARRANGEMENTS
 from rolamento.catalogue import CatalogueBearing, geometry_of, listed
@@ -42,6 +43,7 @@ from rolamento.studies.study import (
     study_to_toml,
 )
 from rolamento.words import Note, speaking
+from rolamento.words.headlines import parted
 
 if TYPE_CHECKING:
     from rolamento.solved import Solved
@@ -233,6 +235,25 @@ class Plan:
                     arrays[REASON][cases[place]] = reasons.number(note)
             self._put(arrays, cases, Evaluation(found), case)
         return Part(index, arrays, reasons.notes)
+
+    def qualifications(self, case: int) -> tuple[Note, ...]:
+        """Return the notes that qualify the outputs of one case, which is solved once more.
+
+        Those on its state; on life and friction where an output is of these.
+        """
+        inputs = self.inputs(case, case + 1)
+        values = {name: np.repeat(inputs[name], 2) for name in inputs if name in array_fields()}
+        base = self._base_case(case // self._in_a_group)
+        solved = solve(base, values, cases=2, threads=1)[0]
+        needs = {need for output in self.outputs for need in output.needs}
+        notes = [*solved.notes[0]]
+        if needs & {"life", "friction"} and solved.converged[0]:
+            found = analyse(solved, quick=True)
+            if "life" in needs and found.life is not None:
+                notes += found.life.qualifications()
+            if "friction" in needs and found.friction is not None:
+                notes += found.friction.qualifications(solved)
+        return parted(notes)[0]
 
     def task(self, index: int) -> Task:
         """A chunk as a message to another process."""

@@ -33,6 +33,7 @@ from rolamento.studies.plan import REASON, Part, Plan, Reasons
 from rolamento.studies.store import Store
 from rolamento.studies.study import Study
 from rolamento.words import Note, said
+from rolamento.words.headlines import over_cases
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -52,6 +53,8 @@ _LONGEST_UNWRITTEN: Final = 2.0
 """Seconds that a solved chunk waits for others before it is written."""
 _PATIENCE: Final = 2.0
 """Seconds that threads are given to end in when a run stops; they end by themselves later."""
+_MOST_ENDS: Final = 16
+"""Cases at the ends of the ranges that are solved once more for what qualifies them."""
 _MOST_KEPT: Final = 200_000
 """Values of an output that are kept for its median."""
 
@@ -188,7 +191,7 @@ def run_to_file(
                     tally.add(part)
             seconds = time.perf_counter() - began
             opener = openers[result.suffix.lower()]
-            ranges, cases = _assembled(plan, store, tally, result, opener, keep=keep_cases)
+            ranges, ends, cases = _assembled(plan, store, tally, result, opener, keep=keep_cases)
             _move(store.result, result)
         except KeyboardInterrupt:
             raise Interrupted(tally.done, plan.cases, store.folder) from None
@@ -201,8 +204,16 @@ def run_to_file(
         counts=dict(tally.counts),
         first=dict(tally.first),
         ranges=ranges,
+        ends=len(ends),
+        cautions=_qualified(plan, ends),
         columns=cases,
     )
+
+
+def _qualified(plan: Plan, cases: Sequence[int]) -> tuple[tuple[Note, int], ...]:
+    """What qualifies the outputs of some cases: by key the first note, and of how many."""
+    found = over_cases(plan.qualifications(case) for case in cases)
+    return tuple((note, int(where.sum())) for note, where in found)
 
 
 def local_threads(threads: int | None = None) -> Executor:
@@ -314,8 +325,11 @@ class _Shelf:
 
 def _assembled(
     plan: Plan, store: Store, tally: _Tally, result: Path, opener: Opener, *, keep: bool
-) -> tuple[tuple[OutputRange, ...], tuple[CaseColumn, ...]]:
-    """Put the parts together in one file, in order: ranges of the outputs, and the cases kept."""
+) -> tuple[tuple[OutputRange, ...], tuple[int, ...], tuple[CaseColumn, ...]]:
+    """Put the parts together in one file, in order.
+
+    Returns ranges of the outputs, some cases at their ends, and the cases kept.
+    """
     spreads, reasons = Spreads(plan), tally.reasons
     kept_cases: KeptCases | None = None
     if keep:
@@ -340,7 +354,8 @@ def _assembled(
             "{rule}; what was solved is kept in {folder}", rule=error.rule, folder=str(store.folder)
         )
         raise FileError(kept, source=str(result)) from None
-    return spreads.ranges(), () if kept_cases is None else kept_cases.columns
+    kept_columns = () if kept_cases is None else kept_cases.columns
+    return spreads.ranges(), spreads.ends(), kept_columns
 
 
 def _solved(plan: Plan, kept: Iterable[int], executor: Executor) -> Iterator[Part]:
@@ -461,6 +476,10 @@ class Summary:
         of each status but "converged", the first case and its reason
     ranges
         of the outputs
+    ends
+        how many cases at the ends of the ranges were looked at
+    cautions
+        what qualifies their outputs, and in how many of them
     columns
         of the cases, where they were to be kept
     """
@@ -472,6 +491,8 @@ class Summary:
     counts: Mapping[str, int]
     first: Mapping[str, FirstCase]
     ranges: tuple[OutputRange, ...]
+    ends: int = 0
+    cautions: tuple[tuple[Note, int], ...] = ()
     columns: tuple[CaseColumn, ...] = ()
 
     @property
@@ -488,6 +509,7 @@ class Spreads:
         self._every = -(-plan.cases // _MOST_KEPT)
         self._minimum = {output.name: math.inf for output in plan.outputs}
         self._maximum = {output.name: -math.inf for output in plan.outputs}
+        self._ends: dict[tuple[str, str], int] = {}
         self._kept: dict[str, list[NDArray[np.float32]]] = {o.name: [] for o in plan.outputs}
 
     def add(self, part: Part) -> None:
@@ -503,14 +525,25 @@ class Spreads:
                 else values[np.isfinite(values)]
             )
             if there.size:
-                self._minimum[output.name] = min(self._minimum[output.name], float(there.min()))
-                self._maximum[output.name] = max(self._maximum[output.name], float(there.max()))
+                least, greatest = float(there.min()), float(there.max())
+                for end, value, better, known in (
+                    ("minimum", least, least < self._minimum[output.name], self._minimum),
+                    ("maximum", greatest, greatest > self._maximum[output.name], self._maximum),
+                ):
+                    if better:
+                        known[output.name] = value
+                        case = int(np.argwhere(values == value)[0, 0])
+                        self._ends[output.name, end] = first + case
             some = values[chosen][solved[chosen]]
             self._kept[output.name].append(_few(some).astype(np.float32))
 
     def ranges(self) -> tuple[OutputRange, ...]:
         """Return the ranges so far; NaN of an output without a value."""
         return tuple(self._range(output) for output in self._plan.outputs)
+
+    def ends(self) -> tuple[int, ...]:
+        """Return cases at the ends of the ranges, each once, of the first outputs."""
+        return tuple(dict.fromkeys(self._ends.values()))[:_MOST_ENDS]
 
     def _range(self, output: Output) -> OutputRange:
         kept = np.concatenate(self._kept[output.name])
