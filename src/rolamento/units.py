@@ -485,8 +485,8 @@ def _parsed_unit(text: str, dimension: Dimension) -> _Unit:
         if not _is_known(registry, name):
             raise _unknown(name, dimension)
     expression = "".join(f"{operator}{name}**{power}" for operator, name, power in names)
-    zero, one = (registry.Quantity(Fraction(n), expression.lstrip("*")) for n in (0, 1))
-    try:
+    try:  # a scale with an offset has no prefixes either
+        zero, one = (registry.Quantity(Fraction(n), expression.lstrip("*")) for n in (0, 1))
         offset = Fraction(zero.m_as(_pint_name(SI_UNIT[dimension])))
         scale = Fraction(one.m_as(_pint_name(SI_UNIT[dimension]))) - offset
     except pint.PintError:

@@ -205,6 +205,9 @@ def test_a_peak_of_two_bearings_decides_between_neither(tmp_path: Path) -> None:
         ('[[bearings]]\ndesignation = "6205"\n[[gears]]\nteeth = 0', "teeth"),
         ('[[bearings]]\ndesignation = "6205"\n[[shafts]]\nname = "a"\nratio = true', "ratio"),
         ("bearings = 3", "bearings"),
+        ('[[bearings]]\ndesignation = "6205"\nshaft = {a = 1}', "shaft"),
+        ('[[bearings]]\ndesignation = "6205"\nname = 3', "name"),
+        ('[[bearings]]\ndesignation = "6205"\n[[shafts]]\nname = "main"\nratio = 2', "name"),
     ],
 )
 def test_a_wrong_machine_is_refused(text: str, field: str, tmp_path: Path) -> None:
@@ -213,9 +216,12 @@ def test_a_wrong_machine_is_refused(text: str, field: str, tmp_path: Path) -> No
     with pytest.raises(InputError) as raised:
         read_machine(path)
     assert raised.value.field == field
-    path.write_bytes(b"[[bearings\n")
+    for content in (b"[[bearings\n", b"\xff\xfe", b"bearings = " + b"[" * 2000):
+        path.write_bytes(content)
+        with pytest.raises(FileError):
+            read_machine(path)
     with pytest.raises(FileError):
-        read_machine(path)
+        read_machine(tmp_path / "none.toml")
 
 
 def test_an_unknown_bearing_is_ranked() -> None:

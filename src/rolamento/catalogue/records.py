@@ -8,7 +8,6 @@ headings of catalogues (`rolamento.catalogue.headings`). ``# maker: NSK``, ``# k
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 from itertools import pairwise
@@ -22,6 +21,7 @@ from rolamento.errors import FileError, InputError, UnknownKeyError, guess
 from rolamento.io.data import toml_of
 from rolamento.io.numerals import Numerals
 from rolamento.io.tables import parse_table
+from rolamento.io.text import parse_mapping
 from rolamento.ratings import RatedType
 from rolamento.units import Dimension, readable, to_si
 from rolamento.words import said
@@ -308,12 +308,7 @@ def records_of_toml(text: str, source: str) -> tuple[CatalogueBearing, ...]:
     InputError
         If it is not TOML, a key is not known, a figure is missing or out of range.
     """
-    try:
-        data = tomllib.loads(text)
-    except (tomllib.TOMLDecodeError, RecursionError, ValueError) as error:
-        raise FileError(
-            said("is not valid TOML: {reason}", reason=str(error)[:150].lower()), source=source
-        ) from None
+    data = parse_mapping(text, "toml", source)
     tables = data.pop("bearing", None)
     if not isinstance(tables, list) or not all(isinstance(table, dict) for table in tables):
         raise FileError(said("contains no [[bearing]]"), source=source, example="[[bearing]]")
@@ -438,7 +433,10 @@ def _figure_of_toml(value: object, name: str) -> float:
 def _plain_number(value: object, name: str) -> float:
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise InputError(said("must be a number"), field=name, value=value)
-    return float(value)
+    try:
+        return float(value)
+    except OverflowError:
+        raise InputError(said("must be a finite number"), field=name, value=value) from None
 
 
 def _example_quantity(dimension: Dimension) -> str:

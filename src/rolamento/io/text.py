@@ -114,7 +114,7 @@ def parse_mapping(text: str, text_format: TextFormat, source: str) -> dict[str, 
         key, or does not hold a table.
     """
     if not text.strip():
-        raise FileError(said("is empty; a case is expected"), source=source)
+        raise FileError(said("is empty; a table in TOML or JSON is expected"), source=source)
     _refuse_rexs(text, source)
     parse = _parsed_json if text_format == "json" else _parsed_toml
     try:
@@ -122,7 +122,7 @@ def parse_mapping(text: str, text_format: TextFormat, source: str) -> dict[str, 
     except FileError as error:
         raise error.with_details(source=source) from None
     except RecursionError:
-        raise FileError(said("is nested too deeply for a case"), source=source) from None
+        raise FileError(said("is nested too deeply"), source=source) from None
     except ValueError as error:
         raise _syntax_error(error, text, source) from None
     if _is_deep(mapping):
@@ -207,7 +207,7 @@ def _standard_input(most: int) -> bytes:
 
 def _decoded(content: bytes, source: str) -> str:
     if len(content) > _LARGEST_FILE:
-        raise FileError(said("is larger than 1 MB, too large for a case"), source=source)
+        raise FileError(said("is larger than 1 MB, more than is read"), source=source)
     wrong = _ENCODING_MARKS.get(content[:2])
     if wrong:
         raise FileError(said("is {encoding} text; save it as UTF-8", encoding=wrong), source=source)

@@ -14,6 +14,8 @@ from rolamento.words import said
 
 __all__ = ["Field", "Value", "known_fields", "read_field", "refuse_rivals"]
 
+_MOST_NAMED: Final = 12
+"""Of the fields of a table, in a message."""
 _LABELS: Final = ("title", "name", "source")
 """Last parts of the names of fields that change nothing."""
 
@@ -65,7 +67,8 @@ def read_field(name: str, *, at: str = "field") -> Field:
 def _advice(name: str, known: Mapping[str, Field]) -> str:
     inside = [other for other in known if other.startswith(f"{name}.")]
     if inside:
-        return said("it is a table with {fields}", fields=", ".join(inside))
+        more = ("…",) if len(inside) > _MOST_NAMED else ()
+        return said("it is a table with {fields}", fields=", ".join((*inside[:_MOST_NAMED], *more)))
     near = meant(name, known, nearest(name, known))
     if near:
         return said("did you mean {near}?", near=near)
@@ -77,9 +80,13 @@ def refuse_rivals(names: tuple[str, ...], *, at: str) -> None:
 
     Raises
     ------
+    UnknownKeyError
+        As of `read_field`.
     InputError
         Naming both.
     """
+    for name in names:
+        read_field(name, at=at)
     try:
         varied.refuse_rivals(names)
     except InputError as error:

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import os
-import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import Any, Final
 
-from rolamento.errors import FileError, InputError, nearest
-from rolamento.io.foreign.bounds import size_of_file
+from rolamento.errors import InputError, nearest
+from rolamento.io.text import parse_mapping, read_text
 from rolamento.tasks.diagnosis import SCHEMA, Conclusion, DiagnosisResult, TooShort, diagnose
 from rolamento.units import rpm_of
 from rolamento.vibration.diagnosis import Component, FaultOrders
@@ -19,7 +17,6 @@ from rolamento.words import Note, said
 
 __all__ = ["Machine", "MachineDiagnosis", "Mounted", "diagnose_machine", "read_machine"]
 
-_LARGEST: Final = 2**20
 _MOST: Final = 20
 _SAME: Final = 0.004
 """Part of a frequency within which the peaks of two bearings are one."""
@@ -82,19 +79,13 @@ def read_machine(path: str | os.PathLike[str]) -> Machine:
     Raises
     ------
     FileError
-        If it is no such file.
+        If it cannot be read, is larger than 1 MB, or is not TOML.
     InputError
-        If a shaft is not known, or a number is none.
+        If a shaft is not known or named twice, or a number is none.
     """
-    source = os.fspath(path)
-    if size_of_file(Path(source)) > _LARGEST:
-        raise FileError(said("is too large for the file of a machine"), source=source)
+    text, source = read_text(path)
     try:
-        data = tomllib.loads(Path(source).read_text(encoding="utf-8"))
-    except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-        raise FileError(said("is not TOML: {what}", what=error), source=source) from None
-    try:
-        return _machine(data)
+        return _machine(parse_mapping(text, "toml", source))
     except InputError as error:
         raise error.with_details(source=source) from None
 
@@ -112,11 +103,16 @@ def _machine(data: Mapping[str, Any]) -> Machine:
             field="bearings",
             example='[[bearings]]\ndesignation = "6205"',
         )
-    shafts = {_text(row, "name"): _number(row, "ratio") for row in rows["shafts"]}
-    ratios = {**shafts, _MAIN: 1.0}
+    shafts: dict[str, float] = {}
+    ratios = {_MAIN: 1.0}
+    for row in rows["shafts"]:
+        name, ratio = _text(row, "name"), _number(row, "ratio")
+        if name in ratios:
+            raise InputError(said("is already a shaft"), field="name", value=name)
+        shafts[name] = ratios[name] = ratio
     bearings = tuple(
         Mounted(
-            str(row.get("name") or f"{place} {_text(row, 'designation')}"),
+            _text(row, "name") if "name" in row else f"{place} {_text(row, 'designation')}",
             _text(row, "designation"),
             _ratio(row, ratios),
         )
@@ -159,7 +155,7 @@ def _number(row: Mapping[str, Any], key: str) -> float:
 
 def _ratio(row: Mapping[str, Any], ratios: Mapping[str, float]) -> float:
     name = row.get("shaft", _MAIN)
-    if name not in ratios:
+    if not isinstance(name, str) or name not in ratios:
         raise InputError(
             said("is none of the shafts: {known}", known=", ".join(ratios)),
             field="shaft",
