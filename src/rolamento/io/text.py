@@ -126,7 +126,7 @@ def parse_mapping(text: str, text_format: TextFormat, source: str) -> dict[str, 
     except ValueError as error:
         raise _syntax_error(error, text, source) from None
     if _is_deep(mapping):
-        raise FileError(said("is nested too deeply for a case"), source=source)
+        raise FileError(said("is nested too deeply"), source=source)
     if not isinstance(mapping, dict):
         raise FileError(
             said("must contain a table (an object in JSON)"),
