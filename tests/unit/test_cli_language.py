@@ -122,7 +122,7 @@ def test_errors_of_a_case(setting: str, text: str) -> None:
 @pytest.mark.parametrize(
     ("content", "text"),
     [
-        ("", "case.toml: está vazio; espera-se um caso"),
+        ("", "case.toml: está vazio; espera-se uma tabela em TOML ou JSON"),
         ("[bearing]\nball_count = 3\n[duty\n", "case.toml, linha 3: não é TOML válido: "),
         ("[bearing]\nball_count = [3]\n", "case.toml, linha 2: bearing.ball_count = uma lista: "),
         ("title = 3\n", "linha 1: title = 3: deve ser texto (exemplo: "),
