@@ -156,13 +156,13 @@ def test_there_is_one_at_a_time(tmp_path: Path) -> None:
     assert (done.stdout, done.stderr) == ("True True True\n", "")
 
 
-def test_a_version_is_finished_once_it_is(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_version_is_begun_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path))
     beside._folder.cache_clear()
-    assert not beside.is_finished("1.0")
-    beside.finish("1.0")
-    assert beside.is_finished("1.0")
-    assert not beside.is_finished("1.1")
+    assert not beside.has_begun("1.0")
+    beside.begin("1.0")
+    assert beside.has_begun("1.0")
+    assert not beside.has_begun("1.1")
     beside._folder.cache_clear()
 
 

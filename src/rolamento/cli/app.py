@@ -5,7 +5,7 @@ from __future__ import annotations
 import atexit
 import gc
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 from importlib import import_module
 from itertools import chain
@@ -99,10 +99,12 @@ def main() -> None:
     """Run the command line."""
     gc.set_threshold(_LITTLE_GARBAGE)
     atexit.register(gc.freeze)  # at the end all memory is given back: nobody has to search it
-    if sys.argv[1:2] and sys.argv[1] in _SOLVING and not {"-h", "--help"} & {*sys.argv}:
-        atexit.register(_compile_once)
     try:
         app(prog_name="rolamento")
+    except SystemExit as end:
+        if not end.code:  # who mistyped gets one line alone
+            _compile_once(sys.argv[1:])
+        raise
     except OSError as error:
         if error.filename is not None:  # no stream, but a file that somebody should have guarded
             raise
@@ -110,11 +112,13 @@ def main() -> None:
         sys.exit(WRONG_INPUT)
 
 
-def _compile_once() -> None:
-    """After the first answers on a machine, compile what later ones will be faster with."""
-    from rolamento.numerics.beside import compile_beside, is_finished
+def _compile_once(words: Sequence[str]) -> None:
+    """After the first answer on a machine, compile what later ones will be faster with."""
+    if not words or words[0] not in _SOLVING or {"-h", "--help"} & {*words}:
+        return
+    from rolamento.numerics.beside import compile_beside, has_begun
 
-    if not is_finished(rolamento.__version__):
+    if not has_begun(rolamento.__version__):
         compile_beside()
 
 

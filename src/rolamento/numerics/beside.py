@@ -23,14 +23,10 @@ from functools import cache
 from pathlib import Path
 from typing import IO, Final
 
+from rolamento.numerics.locks import lock
 from rolamento.words import said
 
-try:
-    import fcntl
-except ImportError:  # Windows, where processes have to keep apart by themselves
-    fcntl = None  # type: ignore[assignment]
-
-__all__ = ["LOW", "alone", "compile_beside", "compiles_here", "finish", "is_finished"]
+__all__ = ["LOW", "alone", "begin", "compile_beside", "compiles_here", "has_begun"]
 
 _log = logging.getLogger("rolamento")
 
@@ -39,8 +35,8 @@ HERE: Final = "here"
 LOW: Final = 15
 """How much the process gives way to others."""
 _LOCK: Final = "compiling.lock"
-_FINISHED: Final = "compiled.txt"
-"""Names the version of the program of which everything has been compiled."""
+_BEGUN: Final = "compiled.txt"
+"""Names the version of the program that has been compiled, or begun to be."""
 _process: Final[list[subprocess.Popen[bytes]]] = []
 
 
@@ -135,14 +131,11 @@ def alone() -> Iterator[bool]:
 
 
 def _is_locked(folder: Path) -> bool:
-    """Whether a process is compiling."""
-    if fcntl is None:
-        return False
+    """Whether a process is compiling, as far as the system has locks."""
     file = _locked(folder)
-    if file is None:
-        return True
-    file.close()
-    return False
+    if file is not None:
+        file.close()
+    return file is None
 
 
 def _locked(folder: Path) -> IO[bytes] | None:
@@ -151,26 +144,27 @@ def _locked(folder: Path) -> IO[bytes] | None:
         file = (folder / _LOCK).open("ab")
     except OSError:
         return None
-    if fcntl is not None:
-        try:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError:
-            file.close()
-            return None
+    if not lock(file):
+        file.close()
+        return None
     return file
 
 
-def is_finished(version: str) -> bool:
-    """Whether everything has been compiled on this machine for a version, or nothing is kept."""
+def has_begun(version: str) -> bool:
+    """Whether compiling has been begun on this machine for a version, or nothing can be kept.
+
+    What has been begun is begun by itself no more: it may have failed for good. Whoever needs a
+    kernel begins it anew.
+    """
     for folder in _folders():
         with suppress(OSError, UnicodeDecodeError):
-            return (folder / _FINISHED).read_text("utf-8") == version
+            return (folder / _BEGUN).read_text("utf-8") == version
     return _folder() is None
 
 
-def finish(version: str) -> None:
-    """Keep that everything has been compiled for a version."""
+def begin(version: str) -> None:
+    """Keep that compiling has been begun for a version."""
     folder = _folder()
     if folder is not None:
         with suppress(OSError):
-            (folder / _FINISHED).write_text(version, "utf-8")
+            (folder / _BEGUN).write_text(version, "utf-8")

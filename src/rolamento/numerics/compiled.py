@@ -30,10 +30,7 @@ from typing import TYPE_CHECKING, Any, Generic, ParamSpec, Self, TypeVar
 
 import numpy as np
 
-try:
-    import fcntl
-except ImportError:  # Windows
-    fcntl = None  # type: ignore[assignment]
+from rolamento.numerics.locks import lock
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -234,7 +231,8 @@ def _checked_cache() -> Any:
         def save(self, key: Any, data: Any) -> None:
             # Numba's own order names the file before it is there: another process would run what
             # an older source or another signature has left under that name
-            with _kept_from_others(Path(self._index_path).with_name("kernels.lock")):
+            with Path(self._index_path).with_name("kernels.lock").open("ab") as file:
+                lock(file, wait=True)
                 names = self._load_index()
                 name = names.get(key) or self._free_name(set(names.values()))
                 self._save_data(name, data)
@@ -292,17 +290,6 @@ def _checked_cache() -> Any:
                     self.disable()
 
     return CheckedCache
-
-
-@contextmanager
-def _kept_from_others(lock: Path) -> Iterator[None]:
-    """Let one process at a time into the body, where the system has locks."""
-    if fcntl is None:
-        yield
-        return
-    with lock.open("ab") as file:
-        fcntl.flock(file, fcntl.LOCK_EX)
-        yield
 
 
 def _check(path: str) -> None:

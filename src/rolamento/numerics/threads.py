@@ -19,7 +19,7 @@ from rolamento.numerics.beside import compile_beside, compiles_here
 from rolamento.numerics.compiled import Kernel
 from rolamento.words import said
 
-__all__ = ["goes_plainly", "ready", "share_out", "side_by_side", "spend", "thread_count"]
+__all__ = ["goes_plainly", "ready", "share_out", "side_by_side", "thread_count"]
 
 _log = logging.getLogger("rolamento")
 
@@ -93,7 +93,7 @@ def share_out(
         with np.errstate(all="ignore"):
             run(kernel, done, last)
         took = perf_counter() - start
-        spend(took)
+        _spent[0] += took
         done, some = last, 2 * some if took < SLICE else some
     if done == cases:
         return
@@ -115,11 +115,6 @@ def goes_plainly(kernel: Kernel[..., Any], *, little: bool) -> bool:
     if kernel.is_cached or compiles_here():
         return False
     return (kernel.is_kept and compile_beside()) or _spent[0] < COMPILING
-
-
-def spend(seconds: float) -> None:
-    """Count time of plain Python."""
-    _spent[0] += seconds
 
 
 def ready(kernel: Kernel[P, R]) -> Callable[P, R]:

@@ -525,12 +525,12 @@ class Spreads:
                 else values[np.isfinite(values)]
             )
             if there.size:
-                least, greatest = float(there.min()), float(there.max())
-                for end, value, better, known in (
-                    ("minimum", least, least < self._minimum[output.name], self._minimum),
-                    ("maximum", greatest, greatest > self._maximum[output.name], self._maximum),
+                low, high = float(there.min()), float(there.max())
+                for end, value, is_beyond, known in (
+                    ("minimum", low, low < self._minimum[output.name], self._minimum),
+                    ("maximum", high, high > self._maximum[output.name], self._maximum),
                 ):
-                    if better:
+                    if is_beyond:
                         known[output.name] = value
                         case = int(np.argwhere(values == value)[0, 0])
                         self._ends[output.name, end] = first + case

@@ -17,13 +17,9 @@ import rolamento
 from rolamento.errors import FileError, cause, shown
 from rolamento.io.json import dumps
 from rolamento.io.writing import UNFINISHED, write_bytes, written_whole
+from rolamento.numerics.locks import lock
 from rolamento.studies.plan import REASON, Part, Plan
 from rolamento.words import Note, said
-
-try:
-    import fcntl
-except ImportError:  # not on Windows
-    fcntl = None  # type: ignore[assignment]
 
 __all__ = ["Store"]
 
@@ -79,14 +75,9 @@ class Store:
                 source=str(self.folder),
             )
         self._attempt(lambda: self.folder.mkdir(exist_ok=True))
-        if fcntl is None:  # no such locks on this system: runs have to keep apart by themselves
-            yield
-            return
         with self._attempt((self.folder / _LOCK).open, "wb") as file:
-            try:
-                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            except OSError:
-                raise FileError(said("is in use by another run"), source=str(self.folder)) from None
+            if not lock(file):
+                raise FileError(said("is in use by another run"), source=str(self.folder))
             yield
 
     def open(self, *, restart: bool = False) -> dict[int, Part]:

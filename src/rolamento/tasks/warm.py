@@ -65,10 +65,10 @@ def warm(
         if background:
             with suppress(AttributeError, OSError):  # Windows has no such thing
                 os.nice(beside.LOW)
+        beside.begin(__version__)
         progress(0, len(PARTS))
         for done, _ in enumerate(_compiled(background), start=1):
             progress(done, len(PARTS))
-        beside.finish(__version__)
     return Warmed(tuple(part.title for part in PARTS))
 
 
@@ -128,7 +128,7 @@ def _balls() -> None:
 
 
 def _formulas() -> None:
-    """Of so many contacts that a compiled loop pays."""
+    """Enough contacts for a compiled loop to pay."""
     from rolamento.analysis import analyse
     from rolamento.contact.subsurface import maximum_shear
     from rolamento.numerics.elementwise import MANY

@@ -5,12 +5,10 @@ from __future__ import annotations
 import asyncio
 from collections.abc import AsyncIterator, Mapping
 from contextlib import asynccontextmanager
-from functools import cache
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any, Final
 
-import anyio
 import anyio.to_thread
 from starlette.requests import Request
 from starlette.responses import Response
@@ -230,7 +228,7 @@ async def read_json(request: Request, most: int = MOST_JSON) -> dict[str, Any]:
         )  # fmt: skip
     body = await read_body(request, most)
     # other requests go on meanwhile
-    return await anyio.to_thread.run_sync(_parsed, body, limiter=_parsers())
+    return await anyio.to_thread.run_sync(_parsed, body)
 
 
 def _parsed(body: bytes) -> dict[str, Any]:
@@ -239,9 +237,3 @@ def _parsed(body: bytes) -> dict[str, Any]:
     except UnicodeDecodeError:
         raise FileError(said("is not UTF-8 text")) from None
     return parse_mapping(text, "json", "")
-
-
-@cache
-def _parsers() -> anyio.CapacityLimiter:
-    """So many bodies are parsed at once."""
-    return anyio.CapacityLimiter(2)

@@ -53,7 +53,7 @@ _HERE: Final = ("127.0.0.1", "localhost", "[::1]")
 _COOKIE: Final = "rolamento_token"
 """And the port: two servers of a machine share its name."""
 _SLOW_REFUSAL: Final = 0.5
-"""Seconds before a wrong token is told to be wrong."""
+"""Seconds before a wrong token is refused."""
 _KINDS: Final = {".js": "text/javascript", ".mjs": "text/javascript", ".css": "text/css",
                  ".html": "text/html", ".svg": "image/svg+xml"}  # fmt: skip
 """Media types that the system's own table may have otherwise."""

@@ -82,12 +82,17 @@ def _refuse_unsound(batch: Batch, order: Order, done: NDArray[np.bool_], out: Ou
 
 
 @inline_exact
-def _put_column(batch: Batch, case: int, p: Array) -> None:
-    """Put a case's parameters together in a column of their own; (layout.COLUMN or more, 1)."""
+def _put_column(batch: Batch, case: int, p: Array) -> Array:
+    """Put a case's parameters in a column of their own, (layout.COLUMN or more, 1).
+
+    Returns the control of its balls.
+    """
     bearing = case if batch.bearing.shape[1] > 1 else 0
     for row in range(p.shape[0]):
         later = row - layout.DUTY
         p[row, 0] = batch.duty[row, case] if later < 0 else batch.bearing[later, bearing]
+    control: Array = batch.control[case if batch.control.shape[0] > 1 else 0]
+    return control
 
 
 @kernel
@@ -112,8 +117,7 @@ def propose_at_rest(batch: Batch, order: Order, done: NDArray[np.bool_], out: Ou
             continue
         code[case], unsupported[case], safe[case] = status.NOT_CONVERGED, -1, False
         if iterations[case] > 0:
-            _put_column(batch, case, p)
-            control = batch.control[case if batch.control.shape[0] > 1 else 0]
+            control = _put_column(batch, case, p)
             code[case], residual[case], unsupported[case] = judge(
                 p, 0, False, control, batch.cosines, batch.sines, displacement[case], cage[case],
                 position[case], ring, errors,
@@ -172,8 +176,7 @@ def solve_safely(
     p = np.empty((layout.DUTY + batch.bearing.shape[0], 1))
     for place in range(order.size):
         case = order[place]
-        _put_column(batch, case, p)
-        control = batch.control[case if batch.control.shape[0] > 1 else 0]
+        control = _put_column(batch, case, p)
         u, x = displacement[case], position[case]
         if iterations[case] > 0 and code[case] == status.NOT_CONVERGED:
             code[case], residual[case], unsupported[case] = judge(
@@ -215,8 +218,7 @@ def solve_stepwise(batch: Batch, moving: bool, order: Order, work: Array, out: O
     heavy = np.empty((p.shape[0], 1))
     for place in range(order.size):
         case = order[place]
-        _put_column(batch, case, p)
-        control = batch.control[case if batch.control.shape[0] > 1 else 0]
+        control = _put_column(batch, case, p)
         u, x = displacement[case], position[case]
         put_factors(p, 0, heaviest_factor(p, 0, cosines.size), 0.0, heavy)
         _start_safely(heavy, 0, cosines, sines, u, x, True)
@@ -241,8 +243,7 @@ def solve_past_edge(batch: Batch, moving: bool, order: Order, work: Array, out: 
     on_groove = np.empty(cosines.size)
     for place in range(order.size):
         case = order[place]
-        _put_column(batch, case, p)
-        on_groove[:] = batch.control[case if batch.control.shape[0] > 1 else 0]
+        on_groove[:] = _put_column(batch, case, p)
         ring.work[0] = work[place]
         code[case], residual[case], unsupported[case], steps, cage[case] = solve_off_groove(
             p, 0, moving, on_groove, cosines, sines, displacement[case], cage[case],
@@ -275,13 +276,11 @@ def solve_some(
     code, iterations = out[6], out[8]
     done = np.zeros(len(order), np.bool_)
     if not fast:
-        for case in order:
-            own = case if batch.bearing.shape[1] > 1 else 0
-            sound = np.isfinite(batch.duty[:, case].sum() + batch.bearing[:, own].sum())
-            code[case] = status.NOT_CONVERGED if sound else status.INVALID_INPUT
-        iterations[order] = 0
-        out[7][order], out[9][order] = -1, False
-        left, cautious = order[code[order] == status.NOT_CONVERGED], None
+        with np.errstate(invalid="ignore"):
+            _refuse_unsound(batch, order, done, out)
+        left, cautious = order[~done], None
+        code[left], iterations[left] = status.NOT_CONVERGED, 0
+        out[7][left], out[9][left] = -1, False
     elif moving:
         form(propose_moving)(batch, order, True, done, out)
         left = order[~done]
