@@ -16,6 +16,7 @@ from rolamento.friction import (
     todd,
 )
 from rolamento.friction.model import TorqueModel
+from rolamento.words import said
 
 TORQUE_MODELS: Final[Mapping[str, TorqueModel]] = {
     module.MODEL.name: module.MODEL
@@ -32,3 +33,13 @@ CONTACT_MODELS: Final = tuple(
 
 ROLLER_MODEL: Final = rollers.MODEL.name
 """Name of the model of the friction in the contacts of rollers."""
+
+
+def torque_model_name(model: str, *, short: bool = False) -> str:
+    """Say what a torque model, or friction control, is called; short: over a narrow column."""
+    if model == "friction_control":
+        return said("fr. control") if short else said("friction control")
+    known = TORQUE_MODELS.get(model)
+    if known is None:
+        return model
+    return said(known.short_title if short else known.title)

@@ -18,9 +18,9 @@ from rolamento.document import (
     Table,
     Tone,
 )
+from rolamento.friction.models import torque_model_name
 from rolamento.pages.given import head, untitled
 from rolamento.pages.notes import cautions, cautions_section
-from rolamento.studies.names import torque_model_name
 from rolamento.words import in_unit, marked, said
 
 if TYPE_CHECKING:

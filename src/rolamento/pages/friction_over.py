@@ -19,12 +19,13 @@ from rolamento.document import (
     Table,
     Title,
 )
+from rolamento.friction.models import torque_model_name
 from rolamento.friction.summary import no_friction_control
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.pages.across import cautions_over, field_column, place_text
 from rolamento.pages.friction import torque_unit
 from rolamento.pages.given import untitled
-from rolamento.studies.names import setting_name, torque_model_name
+from rolamento.studies.names import setting_name
 from rolamento.words import decimals_for, in_unit, marked, said
 from rolamento.words.reasons import reason
 

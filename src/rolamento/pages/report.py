@@ -32,6 +32,7 @@ from rolamento.document import (
     Tone,
 )
 from rolamento.friction.model import REMARKS
+from rolamento.friction.models import torque_model_name
 from rolamento.life.record import BOUNDS, OUTSIDE, note_of
 from rolamento.life.theories import THEORIES
 from rolamento.notes import nothing_given
@@ -42,7 +43,6 @@ from rolamento.pages.given import no_load_text, untitled
 from rolamento.pages.life import rating_source
 from rolamento.pages.preload import STAGE_NAMES
 from rolamento.pages.state import rosette_section, stiffness_section
-from rolamento.studies.names import torque_model_name
 from rolamento.vibration.frequencies import ABBREVIATIONS, LineName
 from rolamento.words import Note, in_unit, manner, marked, said, worded
 from rolamento.words.headlines import qualifies

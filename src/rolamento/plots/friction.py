@@ -9,6 +9,7 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from rolamento.friction.models import torque_model_name
 from rolamento.plots.axes_units import NONE, read_values, readable_unit
 from rolamento.plots.frame import add_title, empty_frame, label_y, legend_above, log_scale
 from rolamento.plots.over_field import (
@@ -25,7 +26,7 @@ from rolamento.plots.style import (
     styled,
 )
 from rolamento.plots.texts import no_result
-from rolamento.studies.names import setting_name, torque_model_name
+from rolamento.studies.names import setting_name
 from rolamento.words import said
 
 if TYPE_CHECKING:

@@ -8,10 +8,11 @@ from typing import Final
 
 from rolamento.case import Case
 from rolamento.case.variant import AS_GIVEN, settings_in
+from rolamento.friction.models import torque_model_name
 from rolamento.words import manner, marked, said, speaking
 from rolamento.words.theories import theory_name
 
-__all__ = ["setting_name", "torque_model_name", "variable_long_name", "variable_name"]
+__all__ = ["setting_name", "variable_long_name", "variable_name"]
 
 _WHOLE: Final = {
     "residual": marked("residual of the equilibrium, over the scale of its loads"),
@@ -150,18 +151,6 @@ def _one_setting(setting: str) -> str:
     if not equals or field is None:
         return setting
     return f"{field.label} = {manner().localised(value.strip())}"
-
-
-def torque_model_name(model: str, *, short: bool = False) -> str:
-    """Say what a torque model, or friction control, is called; short: over a narrow column."""
-    from rolamento.friction.models import TORQUE_MODELS
-
-    if model == "friction_control":
-        return said("fr. control") if short else said("friction control")
-    known = TORQUE_MODELS.get(model)
-    if known is None:
-        return model
-    return said(known.short_title if short else known.title)
 
 
 def _of_balls(reduction: str | None, race: str | None, quantity: str) -> str:

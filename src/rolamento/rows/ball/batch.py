@@ -30,20 +30,32 @@ from rolamento.rows.ball.blocks import (
 from rolamento.rows.ball.continuation import heaviest_factor, put_factors, solve_by_steps
 from rolamento.rows.ball.edges import solve_off_groove
 from rolamento.rows.ball.robust import escaped, solve_robust
-from rolamento.rows.ball.single import direction, groove, read_ring, ring_around
+from rolamento.rows.ball.settle import held_up
+from rolamento.rows.ball.single import OFF_GROOVE, direction, groove, read_ring, ring_around
 from rolamento.rows.ball.types import Array, Order, Output
 
 STEPWISE: Final = 0.8
 """Part of the work that is left that going step by step may take."""
+NEIGHBOURS: Final = (1.001, 0.999, 1.01, 0.99, 1.05, 0.95, 1.2, 0.8)
+"""Times the loads: where the balance of a moving case is looked for when its own is not found."""
 SHARE: Final = 0.4
 """Part of the work that is left that one more attempt may take."""
 
 
 @shared
 def _start_safely(
-    p: Array, column: int, cosines: Array, sines: Array, u: Array, x: Array, pressed: bool
+    p: Array,
+    column: int,
+    moving: bool,
+    control: Array,
+    cosines: Array,
+    sines: Array,
+    cage: float,
+    u: Array,
+    x: Array,
+    pressed: bool,
 ) -> None:
-    """A start for the safe path, every ball half way between the grooves.
+    """A start for the safe path, every ball half way between the grooves or held up by its force.
 
     Pressed in too far at first; if that leads nowhere, from where the ring stands without load.
     """
@@ -56,6 +68,10 @@ def _start_safely(
         c, s = direction(p, column, cosines[j], sines[j])
         a1, a2 = groove(p, column, u, c, s)
         x[j, 0], x[j, 1] = 0.5 * a1, 0.5 * a2
+        if moving and abs(control[j]) < OFF_GROOVE:
+            side = 1.0 if a1 >= 0.0 else -1.0
+            x1, x[j, 1] = held_up(p, column, cage, control[j], side * a1, a2)
+            x[j, 0] = side * x1
 
 
 @shared
@@ -188,8 +204,8 @@ def solve_safely(
             if code[case] != status.NOT_CONVERGED or (attempt == 0 and not started):
                 continue
             if attempt > 0:
-                _start_safely(p, 0, cosines, sines, u, x, attempt == 1)
                 cage[case] = p[layout.NOMINAL_ORBIT, 0]
+                _start_safely(p, 0, moving, control, cosines, sines, cage[case], u, x, attempt == 1)
             ring.work[0] = SHARE * work[place]
             _, steps, escaping, cage[case] = solve_robust(
                 p, 0, moving, control, cosines, sines, u, cage[case], x, ring
@@ -221,7 +237,7 @@ def solve_stepwise(batch: Batch, moving: bool, order: Order, work: Array, out: O
         control = _put_column(batch, case, p)
         u, x = displacement[case], position[case]
         put_factors(p, 0, heaviest_factor(p, 0, cosines.size), 0.0, heavy)
-        _start_safely(heavy, 0, cosines, sines, u, x, True)
+        _start_safely(heavy, 0, False, control, cosines, sines, 0.0, u, x, True)
         ring.work[0] = STEPWISE * work[place]
         code[case], residual[case], unsupported[case], steps, cage[case] = solve_by_steps(
             p, 0, moving, control, cosines, sines, u, x, ring, errors
@@ -303,11 +319,55 @@ def solve_some(
             whole[again] = part[open_still]
         _try(form(solve_safely), batch, moving, (left, open_still, work), out, False)
         open_still = code[left] == status.NOT_CONVERGED
+    for factor in NEIGHBOURS:
+        if moving and open_still.any():
+            _from_neighbour(batch, factor, (left, open_still, work), out, fast, form)
+            open_still = code[left] == status.NOT_CONVERGED
     if open_still.any():
         _try(form(solve_stepwise), batch, moving, (left, open_still, work), out)
     past = code[left] == status.OVER_SHOULDER
     if past.any():
         _try(form(solve_past_edge), batch, moving, (left, past, work), out)
+
+
+def _from_neighbour(
+    batch: Batch,
+    factor: float,
+    cases: tuple[Order, NDArray[np.bool_], Array],
+    out: Output,
+    fast: bool,
+    form: Callable[[Kernel[..., None]], Callable[..., None]],
+) -> None:
+    """Balance some of the moving cases under their loads times a factor, and go on from there."""
+    order, which, work = cases
+    some, every = order[which], np.arange(np.count_nonzero(which))
+    near, found = _part(batch, some), tuple(array[some] for array in out)
+    near.duty[layout.APPLIED : layout.IMPOSED] *= factor
+    done = np.zeros(some.size, np.bool_)
+    if fast:
+        form(propose_moving)(near, every, True, done, found)
+    else:
+        own = SHARE * work[which]
+        work[which] -= own
+        found[8][:] = 0
+        form(solve_safely)(near, True, every, True, own, found)
+        done = found[6] == status.CONVERGED
+    for whole, part in zip(out, found, strict=True):
+        whole[some[done]] = part[done]
+    out[6][some] = status.NOT_CONVERGED
+    from_there = which.copy()
+    from_there[which] = done
+    _try(form(solve_safely), batch, True, (order, from_there, work), out, False)
+
+
+def _part(batch: Batch, some: Order) -> Batch:
+    """Return some of the cases, copied."""
+    bearing, control = batch.bearing, batch.control
+    return batch._replace(
+        duty=batch.duty[:, some],
+        bearing=bearing if bearing.shape[1] == 1 else bearing[:, some],
+        control=control if control.shape[0] == 1 else control[some],
+    )
 
 
 def _try(

@@ -38,6 +38,9 @@ PRECISION: Final = 1e-11
 CAGE_STEPS: Final = 40
 LEAST_DAMPING: Final = 1e-10
 MOST_DAMPING: Final = 1e4
+NEAR_BALANCE: Final = 1e-3
+"""Of the loads: what is unbalanced where the ring's step need not be downhill. Where the rings turn
+against each other, or the balls push the ring off, an equilibrium need not be a minimum."""
 NEAR_CAGE: Final = 1e-4
 """Residual of the cage that is left to its step along with the ring's."""
 BALANCED_CAGE: Final = 1e-6
@@ -295,7 +298,7 @@ def solve_robust(
     """
     unbalanced, step = np.zeros(5), np.zeros(5)
     ring.follow[:] = 0.0  # of another case, where a ball of this one does not settle at once
-    damping = 0.0
+    damping, nearest = 0.0, np.inf
     settled, greatest, cage, behind = evaluate(
         p, case, moving, control, cosines, sines, u, start, x, ring
     )
@@ -316,6 +319,8 @@ def solve_robust(
                 return False, iteration, i, cage
         solvable = _newton_step(p, case, unbalanced, ring.matrix, damping, step)
         slope = _dot(step, unbalanced)
+        if solvable and slope < 0.0 and error <= min(NEAR_BALANCE * scale, 0.5 * nearest):
+            nearest, slope = error, np.inf  # Newton's step as it is
         if not (solvable and slope > 0.0):
             damping = max(100.0 * damping, LEAST_DAMPING)
             continue

@@ -31,8 +31,8 @@ from rolamento.rows.ball.types import Output
 CHUNK: Final = 2048
 FEW: Final = 1
 """Cases that are solved without the compiler, if it has not been loaded yet."""
-MOST_WORK: Final = 1.5e5
-"""Evaluations of a ball that a case may cost beside the fast path: some 30 ms."""
+MOST_WORK: Final = 4.0e5
+"""Evaluations of a ball that a case may cost beside the fast path: some 60 ms."""
 PLAIN_WORK: Final = 1e4
 """The same without the compiler: a second or so, then it is worth loading."""
 LEAST_INERTIA: Final = 1e-7

@@ -9,13 +9,19 @@ reverse the gyroscopic moment.
 
 from __future__ import annotations
 
-from math import atan2, cos, pi, sin, sqrt
+from math import acos, atan2, cos, pi, sin, sqrt
 from typing import Final
 
 from rolamento.numerics.compiled import filling, inline_exact
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.ball import stored_polynomial
-from rolamento.rows.ball.single import OFF_GROOVE, balance_along, linearised, rounding
+from rolamento.rows.ball.single import (
+    OFF_GROOVE,
+    balance_along,
+    inner_length,
+    linearised,
+    rounding,
+)
 from rolamento.rows.ball.types import Array, Found, Settled, Two
 
 NEAR: Final = 1e-7
@@ -24,6 +30,8 @@ PLACE_SLACK: Final = 1e-6
 """rad: a ball that hardly anything holds does not stand more exactly than this."""
 NEWTON_STEPS: Final = 20
 BRACKET_STEPS: Final = 80
+IN_LINE: Final = 1e-3
+"""sin(a_i - a_o) of a ball that the grooves press harder than its centrifugal force."""
 
 
 @filling
@@ -123,7 +131,7 @@ def _reach_at(
     f_low, _ = _along_and_across(p, case, cage, control, a1, a2, alpha, low)
     if not f_low > 0.0:
         return low
-    step = 1e-4 * low
+    f_first, step = f_low, 1e-4 * low
     high = low + step
     f_high, _ = _along_and_across(p, case, cage, control, a1, a2, alpha, high)
     while f_high > 0.0 and step < low:
@@ -131,21 +139,24 @@ def _reach_at(
         step *= 4.0
         high += step
         f_high, _ = _along_and_across(p, case, cage, control, a1, a2, alpha, high)
+    kept, middle = 0.0, high  # the Illinois method: an end that is kept twice counts half
     for _ in range(BRACKET_STEPS):
         middle = high - f_high * (high - low) / (f_high - f_low)
-        if not low < middle < high:
-            middle = 0.5 * (low + high)
+        if not low < middle < high:  # nothing lies between
+            break
         f_middle, _ = _along_and_across(p, case, cage, control, a1, a2, alpha, middle)
         work[0] -= 0.5
+        if abs(f_middle) <= rounding(p, case, f_first):
+            break
         if f_middle > 0.0:
             low, f_low = middle, f_middle
-            f_high *= 0.5
+            f_high *= 0.5 if kept > 0.0 else 1.0
+            kept = 1.0
         else:
             high, f_high = middle, f_middle
-            f_low *= 0.5
-        if f_middle == 0.0 or high - low <= 2e-16 * high:
-            break
-    return high
+            f_low *= 0.5 if kept < 0.0 else 1.0
+            kept = -1.0
+    return middle
 
 
 @filling
@@ -177,6 +188,34 @@ def _bracketed(
 
 
 @filling
+def held_up(p: Array, case: int, cage: float, control: float, a1: float, a2: float) -> Two:
+    """Where a ball that its centrifugal force holds up touches both grooves, nearly: X1, X2.
+
+    A1 >= 0. It stands at the apex of a triangle over |A|, whose sides grow with what the ball
+    presses on the grooves: Q_i = F_c sin a_o / sin(a_i - a_o), Q_o = F_c sin a_i / sin(a_i - a_o).
+    One that the grooves hold on the line of their centres is put half way.
+    """
+    length_o, length_i = p[layout.OUTER_LENGTH, case], inner_length(p, case, control)
+    outer, _ = stored_polynomial(1.0, (p, layout.OUTER_STIFFNESS, case))
+    inner, _ = stored_polynomial(1.0, (p, layout.INNER_STIFFNESS, case))
+    f_c = balance_along(p, case, cage, control, a1, a2, 0.0, length_o)[2]
+    apart = sqrt(a1 * a1 + a2 * a2)
+    side_o, side_i = length_o + (f_c / outer) ** (2.0 / 3.0), length_i
+    x1, x2 = 0.0, side_o
+    for _ in range(3):
+        cosine = 0.5 * (side_o + (apart - side_i) * (apart + side_i) / side_o) / apart
+        alpha = max(atan2(a1, a2) - acos(min(max(cosine, -1.0), 1.0)), 0.0)
+        x1, x2 = side_o * sin(alpha), side_o * cos(alpha)
+        across = (x2 * a1 - x1 * a2) / (side_o * side_i)  # sin(a_i - a_o)
+        if not across > IN_LINE:
+            return 0.5 * a1, 0.5 * a2
+        q_i, q_o = f_c * sin(alpha) / across, f_c * (a1 - x1) / (side_i * across)
+        side_o = length_o + (max(q_o, 0.0) / outer) ** (2.0 / 3.0)
+        side_i = length_i + (q_i / inner) ** (2.0 / 3.0)
+    return x1, x2
+
+
+@filling
 def settle(
     p: Array,
     case: int,
@@ -199,6 +238,9 @@ def settle(
     found, y1, y2 = free_ball(p, case, cage, control, a1, a2)
     if not found:
         side = 1.0 if a1 >= 0.0 else -1.0
-        found, y1, y2 = _bracketed(p, case, cage, control, side * a1, a2, work)
+        y1, y2 = held_up(p, case, cage, control, side * a1, a2)
+        found, y1, y2, _ = _newton(p, case, cage, control, side * a1, a2, y1, y2, work)
+        if not found:
+            found, y1, y2 = _bracketed(p, case, cage, control, side * a1, a2, work)
         y1 *= side
     return found, y1, y2, linearised(p, case, cage, control, a1, a2, y1, y2)
