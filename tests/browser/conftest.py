@@ -7,7 +7,6 @@ import re
 import shutil
 import signal
 import subprocess
-import sys
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -15,6 +14,7 @@ from typing import Any
 from urllib.request import urlopen
 
 import pytest
+from tests.children import python
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 ARGUMENTS = (  # it runs as root in a container, and asks nobody for anything
@@ -37,8 +37,8 @@ def pytest_configure(config: pytest.Config) -> None:
 @pytest.fixture(scope="session")
 def address() -> Iterator[str]:
     """Where the app is served, its kernels warm."""
-    command = [sys.executable, "-m", "rolamento", "app", "--no-browser"]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as served:
+    command = ("-m", "rolamento", "app", "--no-browser")
+    with python(*command, stdout=subprocess.PIPE, text=True) as served:
         assert served.stdout is not None
         try:
             found = re.search(r"http://127\.0\.0\.1:\d+/", served.stdout.readline())

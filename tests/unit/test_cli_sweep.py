@@ -6,16 +6,16 @@ import io
 import os
 import signal
 import subprocess
-import sys
 import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 import typer
+from tests.children import python
 from typer.testing import CliRunner, Result
 
-import rolamento
 from rolamento.cli import sweep_progress
 from rolamento.cli.sweep import sweep
 from rolamento.document.medium import Medium
@@ -167,70 +167,60 @@ def test_parts_of_another_study(run: Run) -> None:
     assert run("study.toml", "--set", "duty.load.fz=1 kN", "--restart").exit_code == 0
 
 
-@pytest.mark.skipif(os.name != "posix", reason="needs POSIX signals")
-@pytest.mark.sweep
-def test_ctrl_c_of_a_process(run: Run, examples: Path) -> None:
-    """A real interrupt in the middle: exit code 130, and the rest is done by a second run."""
-    scatter = (
-        'case = "case.toml"\noutputs = ["x"]\n[scatter]\ncount = 3000000\n'
-        '[scatter.fields."duty.load.fx"]\ndistribution = "uniform"\nleast = "20 kN"\n'
-        'greatest = "40 kN"\n'
-    )
-    Path("long.toml").write_text(scatter, "utf-8")
-    program = "import typer; from rolamento.cli.sweep import sweep; typer.run(sweep)"
-    process = subprocess.Popen(
-        [sys.executable, "-c", program, "long.toml"],
-        stderr=subprocess.PIPE,
-        text=True,
-        env={**os.environ, "PYTHONPATH": str(Path(rolamento.__file__).parents[1])},
-    )
-    deadline = time.monotonic() + 120.0
-    parts = Path("long.nc.parts")
-    while not list(parts.glob("*.npz")) and time.monotonic() < deadline:
-        if process.poll() is not None:
-            break
-        time.sleep(0.05)
-    process.send_signal(signal.SIGINT)
-    _, errors = process.communicate(timeout=60)
-    assert process.returncode == 130, errors
-    assert "of 3 000 000 cases are kept in long.nc.parts" in errors
+SLOW = (
+    'case = "case.toml"\noutputs = ["x"]\n[scatter]\ncount = {count}\n'
+    '[scatter.fields."duty.load.fx"]\ndistribution = "uniform"\nleast = "20 kN"\n'
+    'greatest = "40 kN"\n'
+)
+SWEEP = "import typer; from rolamento.cli.sweep import sweep; typer.run(sweep)"
+
+
+def ended(how: signal.Signals, *arguments: str, **options: Any) -> str:
+    """What a sweep says that is sent a signal as soon as it has kept something."""
+    parts = Path(arguments[0]).with_suffix(".nc.parts")
+    with python("-c", SWEEP, *arguments, stderr=subprocess.PIPE, text=True, **options) as process:
+        deadline = time.monotonic() + 240.0  # kernels may have to be compiled
+        while not list(parts.glob("*.npz")):
+            assert process.poll() is None
+            assert time.monotonic() < deadline
+            time.sleep(0.05)
+        process.send_signal(how)
+        _, errors = process.communicate(timeout=60)
+        assert process.returncode == 130, errors
     assert "Traceback" not in errors
     assert list(parts.glob("*.npz"))
+    return str(errors)
+
+
+@pytest.mark.skipif(os.name != "posix", reason="needs POSIX signals")
+@pytest.mark.sweep
+@pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGTERM])
+def test_a_process_is_interrupted(run: Run, how: signal.Signals) -> None:
+    """In the middle: exit code 130, and the rest is done by a second run."""
+    Path("long.toml").write_text(SLOW.format(count=3_000_000), "utf-8")
+    assert "of 3 000 000 cases are kept in long.nc.parts" in ended(how, "long.toml")
 
 
 @pytest.mark.skipif(os.name != "posix", reason="needs POSIX signals")
 @pytest.mark.slow
-def test_ctrl_c_among_slow_cases(run: Run) -> None:
+@pytest.mark.parametrize(
+    ("how", "ignored"), [(signal.SIGINT, ()), (signal.SIGTERM, (signal.SIGINT,))]
+)
+def test_ctrl_c_among_slow_cases(
+    run: Run, how: signal.Signals, ignored: tuple[signal.Signals, ...]
+) -> None:
     """A friction sweep on one thread, stopped in the middle: at once, and with parts to go on from.
 
     A third of a million cases of some 4 ms, which the first chunk of 16 384 took over a minute of.
+    Where Ctrl-C is ignored, the sweep says how it is ended.
     """
-    scatter = (
-        'case = "case.toml"\noutputs = ["x"]\n[scatter]\ncount = 300000\n'
-        '[scatter.fields."duty.load.fx"]\ndistribution = "uniform"\nleast = "20 kN"\n'
-        'greatest = "40 kN"\n'
-    )
-    Path("slow.toml").write_text(scatter, "utf-8")
+    Path("slow.toml").write_text(SLOW.format(count=300_000), "utf-8")
     settings = ["model.raceway_control=friction", "lubricant=ISO VG 68",
                 "lubricant.friction_coefficient=0.07"]  # fmt: skip
-    program = "import typer; from rolamento.cli.sweep import sweep; typer.run(sweep)"
-    process = subprocess.Popen(
-        [sys.executable, "-c", program, "slow.toml", "--threads", "1",
-         *(word for setting in settings for word in ("--set", setting))],
-        stderr=subprocess.PIPE,
-        text=True,
-        env={**os.environ, "PYTHONPATH": str(Path(rolamento.__file__).parents[1])},
-    )  # fmt: skip
-    parts = Path("slow.nc.parts")
-    deadline = time.monotonic() + 240.0  # kernels may have to be compiled
-    while not list(parts.glob("*.npz")) and time.monotonic() < deadline:
-        assert process.poll() is None
-        time.sleep(0.05)
-    process.send_signal(signal.SIGINT)
-    _, errors = process.communicate(timeout=30)
-    assert process.returncode == 130, errors
+    words = [word for setting in settings for word in ("--set", setting)]
+    errors = ended(how, "slow.toml", "--threads", "1", *words, ignored=ignored)
     assert "of 300 000 cases are kept in slow.nc.parts" in errors
-    assert "Traceback" not in errors
+    assert ("`kill " in errors) == bool(ignored)
 
 
 class TestProgress:

@@ -11,14 +11,15 @@ import sys
 import threading
 import time
 from collections.abc import Iterator
+from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any, ClassVar
 
 import numpy as np
 import pytest
+from tests.children import python
 
-import rolamento
 from rolamento import studies
 from rolamento.cli.app import app
 from rolamento.studies.cluster import ClusterError, _result, dask_cluster
@@ -225,21 +226,17 @@ LONGEST = 15.0
 """Seconds until a message; each takes half of it where nothing else runs."""
 
 
-def swept(folder: Path, address: str) -> subprocess.Popen[str]:
+@contextmanager
+def swept(folder: Path, address: str) -> Iterator[subprocess.Popen[str]]:
     """The command in a process of its own: its exit code and all that it says matter."""
     (folder / "study.toml").write_text(STUDY.replace("count = 3000", "count = 400000"), "utf-8")
     code = (
         "from rolamento.cli.app import app;"
         f"app(['sweep', 'study.toml', '-o', 'r.nc', '--scheduler', {address!r}])"
     )
-    return subprocess.Popen(
-        [sys.executable, "-c", code],
-        cwd=folder,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-        env={**os.environ, "PYTHONPATH": str(Path(rolamento.__file__).parents[1])},
-    )
+    pipes: dict[str, Any] = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
+    with python("-c", code, cwd=folder, **pipes) as process:
+        yield process
 
 
 def check_end(process: subprocess.Popen[str], says: str, since: float | None = None) -> None:
@@ -282,14 +279,16 @@ def test_something_else_at_the_address(tmp_path: Path, handler: type[Stranger]) 
         server.daemon_threads = True
         threading.Thread(target=server.serve_forever, daemon=True).start()
         port = server.server_address[1]
-        check_end(swept(tmp_path, f"tcp://127.0.0.1:{port}"), "cannot be reached")
+        with swept(tmp_path, f"tcp://127.0.0.1:{port}") as process:
+            check_end(process, "cannot be reached")
         server.shutdown()
 
 
 @pytest.mark.parametrize("address", ["abc", "ftp://127.0.0.1:1", "tcp://"])
 @pytest.mark.sweep
 def test_an_address_that_is_none(tmp_path: Path, address: str) -> None:
-    check_end(swept(tmp_path, address), "cannot be reached")
+    with swept(tmp_path, address) as process:
+        check_end(process, "cannot be reached")
 
 
 @pytest.fixture
@@ -299,23 +298,19 @@ def dask_processes() -> Iterator[tuple[str, subprocess.Popen[bytes]]]:
         free.bind(("127.0.0.1", 0))
         address = f"tcp://127.0.0.1:{free.getsockname()[1]}"
     quiet: dict[str, Any] = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
-    environment = {**os.environ, "PYTHONPATH": str(Path(rolamento.__file__).parents[1])}
 
-    def started(command: str, *arguments: str) -> subprocess.Popen[bytes]:
+    def started(command: str, *arguments: str) -> AbstractContextManager[subprocess.Popen[bytes]]:
         code = f"from distributed.cli.dask_{command} import main; main()"
-        return subprocess.Popen([sys.executable, "-c", code, *arguments], env=environment, **quiet)
+        return python("-c", code, *arguments, **quiet)
 
     host, port = address.removeprefix("tcp://").split(":")
-    scheduler = started("scheduler", "--host", host, "--port", port, "--no-dashboard")
-    worker = started("worker", address, "--nthreads", "1", "--no-dashboard", "--no-nanny")
-    try:
+    with (
+        started("scheduler", "--host", host, "--port", port, "--no-dashboard") as scheduler,
+        started("worker", address, "--nthreads", "1", "--no-dashboard", "--no-nanny"),
+    ):
         with distributed.Client(address, timeout="60 s", set_as_default=False) as client:
             client.wait_for_workers(1, timeout=60)
         yield address, scheduler
-    finally:
-        for process in (worker, scheduler):
-            process.kill()
-            process.wait()
 
 
 @pytest.mark.slow
@@ -330,14 +325,14 @@ def test_a_scheduler_that_is_lost(
 ) -> None:
     """Killed, or there and silent: said, with all that was solved kept."""
     address, scheduler = dask_processes
-    process = swept(tmp_path, address)
-    parts, deadline = tmp_path / "r.nc.parts", time.monotonic() + 120.0
-    while not list(parts.glob("*.npz")) and time.monotonic() < deadline:
-        assert process.poll() is None
-        time.sleep(0.05)
-    scheduler.send_signal(how)
-    try:
-        check_end(process, "what was solved is kept", time.monotonic())
-    finally:
-        scheduler.send_signal(signal.SIGCONT)
+    with swept(tmp_path, address) as process:
+        parts, deadline = tmp_path / "r.nc.parts", time.monotonic() + 120.0
+        while not list(parts.glob("*.npz")) and time.monotonic() < deadline:
+            assert process.poll() is None
+            time.sleep(0.05)
+        scheduler.send_signal(how)
+        try:
+            check_end(process, "what was solved is kept", time.monotonic())
+        finally:
+            scheduler.send_signal(signal.SIGCONT)
     assert list(parts.glob("*.npz"))

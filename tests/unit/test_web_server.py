@@ -21,6 +21,7 @@ import anyio.to_thread
 import httpx
 import pytest
 import uvicorn
+from tests.children import python
 from typer.testing import CliRunner
 
 import rolamento
@@ -651,21 +652,14 @@ def test_an_answer_waits_for_no_echo() -> None:
 
 
 def test_ctrl_c_ends_the_program_without_a_word_too_many() -> None:
-    environment = {**os.environ, "LANG": "C"}
     program = (
-        "import signal; signal.signal(signal.SIGINT, signal.default_int_handler);"
         "from rolamento.cli import main; import sys;"
         "from rolamento.web import server; server.make_ready = lambda warmth: None;"
         "server.make_worker_ready = print;"
         "sys.argv = ['rolamento', 'app', '--no-browser']; main()"
     )
-    with subprocess.Popen(
-        [sys.executable, "-c", program],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-        env=environment,
-    ) as process:
+    pipes: dict[str, Any] = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
+    with python("-c", program, env={"LANG": "C"}, **pipes) as process:
         assert process.stdout is not None
         assert process.stderr is not None
         assert "http://127.0.0.1:8" in process.stdout.readline()

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+import signal
+import threading
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from enum import StrEnum
@@ -46,6 +48,30 @@ def plain_endings(lang: Language | None) -> Iterator[None]:
         except KeyboardInterrupt:
             complain(said("interrupted"))
             raise typer.Exit(INTERRUPTED) from None
+
+
+@contextmanager
+def ended_softly() -> Iterator[None]:
+    """Let a request to terminate end a long command as Ctrl-C does: what is done is kept.
+
+    Where Ctrl-C is ignored, as in what a shell starts in the background, say how it is ended.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+        complain(
+            said(
+                "Ctrl-C is ignored here, in the background: `kill {process}` ends the command, and"
+                " what is done is kept",
+                process=os.getpid(),
+            )
+        )
+    before = signal.signal(signal.SIGTERM, signal.default_int_handler)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before)
 
 
 def complain_of(solved: Solved, lang: Language | None, case: int = 0) -> None:

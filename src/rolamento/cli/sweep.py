@@ -12,6 +12,7 @@ from rolamento.cli.common import (
     INTERRUPTED,
     NO_RESULT,
     SOLVED,
+    ended_softly,
     plain_endings,
 )
 from rolamento.cli.optional_value import JsonCommand
@@ -105,7 +106,7 @@ def sweep(
         from rolamento.tasks import studies
 
         try:
-            with told() as progress:
+            with ended_softly(), told() as progress:
                 swept = studies.sweep(
                     study,
                     output,
@@ -125,7 +126,7 @@ def sweep(
 
 
 def _tell_what_is_kept(stop: KeyboardInterrupt) -> NoReturn:
-    """End after Ctrl-C; before the first case there is nothing to tell."""
+    """End an interrupted study; before the first case there is nothing to tell."""
     from rolamento.studies import Interrupted
 
     if not isinstance(stop, Interrupted):

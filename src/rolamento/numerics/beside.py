@@ -24,6 +24,7 @@ from pathlib import Path
 from typing import IO, Final
 
 from rolamento.numerics.locks import lock
+from rolamento.numerics.trust import is_trusted
 from rolamento.words import said
 
 __all__ = ["LOW", "alone", "begin", "compile_beside", "compiles_here", "has_begun"]
@@ -77,7 +78,8 @@ def _folder() -> Path | None:
         with suppress(OSError):
             folder.mkdir(parents=True, exist_ok=True)
             tempfile.TemporaryFile(dir=folder).close()
-            return folder
+            if is_trusted(folder):
+                return folder
     return None
 
 

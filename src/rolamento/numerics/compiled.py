@@ -31,6 +31,7 @@ from typing import TYPE_CHECKING, Any, Generic, ParamSpec, Self, TypeVar
 import numpy as np
 
 from rolamento.numerics.locks import lock
+from rolamento.numerics.trust import is_trusted
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -81,7 +82,9 @@ class Kernel(partial[R], Generic[P, R]):
         compiled = numba.njit(**options)(self.python)
         # no folder for the cache: compile anew in each process
         with suppress(RuntimeError):
-            compiled._cache = _checked_cache()(self.python, options.get("_nrt", True))
+            cache = _checked_cache()(self.python, options.get("_nrt", True))
+            cache.ensure_trusted()
+            compiled._cache = cache
         return compiled  # type: ignore[no-any-return]
 
     @property
@@ -258,6 +261,17 @@ def _checked_cache() -> Any:
                 self._cache_path, self._impl.filename_base, self._impl.locator.get_source_stamp()
             )
 
+        def ensure_trusted(self) -> None:
+            # what is kept is run as soon as it is read
+            folder = Path(self.cache_path)
+            self._impl.locator.ensure_cache_path()
+            if not is_trusted(folder):
+                _tell_once(
+                    f"others may write to {folder} or to a folder above it: the compiled solver is "
+                    "neither read from there nor kept there, and each process compiles it anew"
+                )
+                raise RuntimeError(folder)
+
         def load_overload(self, sig: Any, target_context: Any) -> Any:
             # what is compiled needs Numba's memory, not all that Numba knows how to compile
             if self._makes_arrays:
@@ -293,12 +307,12 @@ def _checked_cache() -> Any:
 
 
 def _check(path: str) -> None:
-    """Raise ValueError for a file whose end is not the checksum of what stands before it."""
+    """Raise ValueError for a file of others, or whose end is not the checksum of all before it."""
     try:
         content = Path(path).read_bytes()
     except FileNotFoundError:  # nothing is kept yet
         return
-    if sha256(content[:-_DIGEST]).digest() != content[-_DIGEST:]:
+    if sha256(content[:-_DIGEST]).digest() != content[-_DIGEST:] or not is_trusted(Path(path)):
         raise ValueError(path)
 
 
