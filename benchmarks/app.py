@@ -2,19 +2,23 @@
 
 The server is `rolamento app` itself, in a process of its own. Users go in a closed loop, as the
 page does: the next move is sent when the answer to the last has come. Every answer is compared with
-what the engine says of the same load in one batch. `python -m benchmarks.app` measures it alone.
+what the engine says of the same load in one batch. `python -m benchmarks.app` measures it alone;
+`--minutes 10` lets others send reports, uploads and whatever is hostile beside them.
 """
 
 from __future__ import annotations
 
+import argparse
 import asyncio
 import json
 import os
+import random
 import re
 import signal
 import subprocess
 import sys
 import time
+from collections import Counter
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -25,6 +29,7 @@ import numpy as np
 
 from benchmarks.figures import Figure, Findings, below
 from benchmarks.start import command_line
+from benchmarks.structures import documented, mutated_tree
 from rolamento import Case, solve
 
 USERS: Final = 20
@@ -169,6 +174,105 @@ async def _beside_slow(address: str, moves: int) -> tuple[list[float], int, int]
     return times, wrong, count
 
 
+def besiege(minutes: float) -> Findings:
+    """Let users drag beside reports, uploads and whatever a stranger may send, for some minutes."""
+    findings = Findings.none()
+    with _served() as (address, process):
+        asyncio.run(_besieged(address, 0.2))
+        before = _memory(process.pid)
+        times, wrong, counts = asyncio.run(_besieged(address, minutes))
+        name = f"{minutes:g} min of 20 users, reports, uploads and hostile requests"
+        findings.add(_told(name, times, wrong, True))
+        grown = _memory(process.pid) - before
+        findings.figures.append(Figure("app", f"{name}: memory grown", grown, "MB", below(GROWTH)))
+        findings.remarks.append(
+            "app: beside them " + ", ".join(f"{n} {what}" for what, n in sorted(counts.items()))
+        )
+        findings.failures += [what for what in counts if what.startswith("bad")]
+    return findings
+
+
+async def _besieged(address: str, minutes: float) -> tuple[list[float], int, Counter[str]]:
+    """Times of the users' answers, how many are wrong, and what came of what was sent beside."""
+    counts: Counter[str] = Counter()
+    beside = [
+        asyncio.create_task(_reports(address, counts)),
+        asyncio.create_task(_uploads(address, counts)),
+        *(asyncio.create_task(_hostile(address, seed, counts)) for seed in range(3)),
+    ]
+    times, wrong = await _drag(address, max(1, round(minutes * 60.0 / PACE)), PACE)
+    for task in beside:
+        if task.done() and (error := task.exception()):
+            counts[f"bad end beside: {error!r}"] += 1
+        task.cancel()
+    await asyncio.gather(*beside, return_exceptions=True)
+    return times, wrong, counts
+
+
+async def _reports(address: str, counts: Counter[str]) -> None:
+    case = _asked("6310", 4000.0)["cases"][0]["case"]
+    async with _client(address) as client:
+        while True:
+            answer = await client.post("/page/report", json={"cases": [case], "format": "pdf"})
+            good = answer.content.startswith(b"%PDF") or answer.status_code == 503
+            counts["reports" if good else f"bad report: {answer.status_code}"] += 1
+
+
+async def _uploads(address: str, counts: Counter[str]) -> None:
+    rng = np.random.default_rng(7)
+    rows = "".join(f"{value:.6g}\n" for value in rng.normal(size=24_000))
+    text = f"acc (m/s^2)\n{rows}".encode()
+    async with _client(address) as client:
+        while True:
+            whole = rng.random() < 0.5
+            body = text if whole else text[: rng.integers(len(text))] + rng.bytes(200)
+            answer = await client.post(
+                "/api/v1/diagnose",
+                params={"bearing": "6205", "speed": "1797 rpm", "rate": "12 kHz"},
+                content=body,
+            )
+            known = answer.status_code == 200 if whole else answer.status_code in (200, 413, 422)
+            what = f"bad upload: {answer.status_code} {answer.text[:80]}"
+            counts["uploads" if known or answer.status_code == 503 else what] += 1
+            await asyncio.sleep(0.5)
+
+
+_DOORS: Final = ("solve", "analyse", "life", "friction", "frequencies", "batch", "weibull")
+
+
+async def _hostile(address: str, seed: int, counts: Counter[str]) -> None:
+    """Cases of another shape, nests, heaps of keys, and visitors who leave before the answer."""
+    rng = random.Random(seed)
+    samples = [{"case": own} for own in documented()]
+    async with _client(address) as client:
+        while True:
+            kind, patience = rng.random(), 60.0
+            if kind < 0.7:
+                body = mutated_tree(samples, rng)
+            elif kind < 0.8:
+                body = "[" * rng.choice((90, 500, 5000))
+            elif kind < 0.9:
+                body = "{" + ",".join(f'"k{n}":1' for n in range(rng.choice((100, 60_000)))) + "}"
+            else:
+                bearing = {"ball_count": 400, "ball_diameter": "5 mm", "pitch_diameter": "1 m"}
+                body = json.dumps({"case": {"bearing": bearing}, "settings": {}})
+                patience = 0.2
+            try:
+                answer = await client.post(
+                    f"/api/v1/{rng.choice(_DOORS)}", content=body.encode("utf-8", "replace"),
+                    headers={"Content-Type": "application/json"}, timeout=patience,
+                )  # fmt: skip
+            except httpx.TimeoutException:
+                counts[
+                    "left before the answer" if patience < 1.0 else f"bad: late: {body[:80]}"
+                ] += 1
+                continue
+            code = answer.status_code
+            known = code in (200, 400, 413, 422, 429, 503) and "Traceback" not in answer.text
+            counts["hostile requests" if known else f"bad answer {code} to {body[:80]}"] += 1
+            await asyncio.sleep(0.05)
+
+
 async def _many(address: str, total: int) -> None:
     """Ask for much, of many kinds, without looking at it."""
     async with _client(address) as client:
@@ -210,7 +314,10 @@ def _processor(pid: int) -> float:
 
 
 if __name__ == "__main__":
-    found = measure(50, 10_000)
+    parser = argparse.ArgumentParser(description="The app under load.")
+    parser.add_argument("--minutes", type=float, help="let it be besieged so long instead")
+    minutes = parser.parse_args().minutes
+    found = measure(50, 10_000) if minutes is None else besiege(minutes)
     for one in found.figures:
         print(f"{one.name:60} {one.value:10.4g} {one.unit}")
     print(*found.remarks, *found.failures, sep="\n")

@@ -41,6 +41,7 @@ from rolamento.vibration.diagnosis import (
     FaultOrders,
     diagnose,
 )
+from rolamento.vibration.diagnosis.size import SMOOTH_BAND, SMOOTH_RECORD
 from rolamento.vibration.frequencies import nominal_frequencies
 from rolamento.vibration.reading import read_signal
 from rolamento.vibration.signal import Signal
@@ -291,9 +292,8 @@ def left_out(results: Sequence[Result]) -> list[dict[str, Any]]:
 # --- tables ----------------------------------------------------------------------------------
 
 
-def markdown(by_length: dict[float, list[Result]]) -> str:
-    """All tables."""
-    whole = by_length[inf]
+def tables(whole: list[Result]) -> str:
+    """Of recordings that are used whole: rates, grades, and limits with each rig left out."""
     groups = [COUNT_ALL, *sorted({r[0].rig for r in whole})]
     heads = [groups[0], "95 %", *groups[1:], "plain"]
     lines = [f"{len(whole)} recordings.", "", "| | " + " | ".join(heads) + " |"]
@@ -323,13 +323,6 @@ def markdown(by_length: dict[float, list[Result]]) -> str:
         if some:
             counts = [sum(_grade(r[1]) == grade for r in some) for grade in grades]
             lines.append(f"| {kind} | " + " | ".join(map(str, counts)) + " |")
-    lines += ["", "| length | " + " | ".join(columns[0]) + " | median time |"]
-    lines.append("|---|" + "---|" * (len(columns[0]) + 1))
-    for length, results in by_length.items():
-        cells = [_share(value) for value in rates(results).values()]
-        seconds = median(r[1].seconds for r in results)
-        title = "whole" if length == inf else f"{length:g} s"
-        lines.append(f"| {title} | " + " | ".join(cells) + f" | {seconds:.2f} s |")
     lines += ["", f"Limit of damage: {DAMAGE:.0%}; of all rigs together {limit_of(whole):.0%}.", ""]
     lines += ["| rig left out | limit | healthy above | races above |", "|---|---|---|---|"]
     for row in left_out(whole):
@@ -337,7 +330,27 @@ def markdown(by_length: dict[float, list[Result]]) -> str:
             f"| {row['rig']} | {row['limit']:.0%} | {_share(row['healthy'])} | "
             f"{_share(row['race'])} |"
         )
-    lines += ["", *smooth_left_out(whole)]
+    lines += [
+        "",
+        "Smooth modulation: limits of kurtosis and depth that the other rigs give, one step below",
+        "those at which none of their right statements is lost, and what they hold back on the rig",
+        f"left out; {SMOOTH_RECORD:g}, {SMOOTH_BAND:g} and {SMOOTH:.0%} are taken.",
+        "",
+        *smooth_left_out(whole),
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def by_lengths(results: dict[float, list[Result]]) -> str:
+    """The rates over how much of the recordings is used."""
+    names = list(rates(results[inf]))
+    lines = ["| length | " + " | ".join(names) + " | median time |"]
+    lines.append("|---|" + "---|" * (len(names) + 1))
+    for length, some in results.items():
+        cells = [_share(value) for value in rates(some).values()]
+        seconds = median(r[1].seconds for r in some)
+        title = "whole" if length == inf else f"{length:g} s"
+        lines.append(f"| {title} | " + " | ".join(cells) + f" | {seconds:.2f} s |")
     return "\n".join(lines) + "\n"
 
 
@@ -367,37 +380,52 @@ def _limits(counts: tuple[int, int]) -> str:
 
 _RECORD_LIMITS: Final = (3.0, 3.2, 3.4, 3.6, 3.8, 4.0)
 _BAND_LIMITS: Final = (4.0, 4.5, 5.0, 5.5, 6.0)
+_DEPTH_LIMITS: Final = (0.35, 0.45, 0.55, 0.65, 0.75, 0.85, 0.95)
 
 
-def smooth_limits(results: Sequence[Result]) -> tuple[float, float]:
-    """Highest limits of kurtosis, one step back, at which no damage that is stated right is lost.
+def smooth_limits(results: Sequence[Result]) -> tuple[float, float, float]:
+    """Highest limits of smoothness, one step back, at which no damage that is stated right is lost.
 
-    Of the record first, with any band; then of the band, with the highest of the record's.
+    Kurtosis of the record first, with any band; then of the band, with the highest of the record's;
+    then the depth, with both: (record, band, depth).
     """
-    right = [r[1] for r in results if _alone(r) and r[1].depth < SMOOTH]
-    records = [
-        limit for limit in _RECORD_LIMITS if all(one.kurtosis >= limit for one in right)
-    ] or [_RECORD_LIMITS[0]]
-    record = records[-2] if len(records) > 1 else records[-1]
-    bands = [
-        limit
-        for limit in _BAND_LIMITS
-        if all(one.kurtosis >= records[-1] or one.band_kurtosis >= limit for one in right)
-    ]
-    return record, bands[-2] if len(bands) > 1 else _BAND_LIMITS[0]
+    right = [r[1] for r in results if _alone(r)]
+    small = [one for one in right if one.depth < SMOOTH]
+    record, highest = _one_step_back(
+        _RECORD_LIMITS, lambda limit: all(one.kurtosis >= limit for one in small)
+    )
+    band, _ = _one_step_back(
+        _BAND_LIMITS,
+        lambda limit: all(one.kurtosis >= highest or one.band_kurtosis >= limit for one in small),
+    )
+    depth, _ = _one_step_back(
+        _DEPTH_LIMITS,
+        lambda limit: all(
+            one.depth >= limit or one.kurtosis >= record or one.band_kurtosis >= band
+            for one in right
+        ),
+    )
+    return record, band, depth
+
+
+def _one_step_back(limits: Sequence[float], holds: Callable[[float], bool]) -> tuple[float, float]:
+    """The last limit but one that holds, and the last."""
+    good = [limit for limit in limits if holds(limit)] or [limits[0]]
+    return good[-2] if len(good) > 1 else limits[0], good[-1]
 
 
 def smooth_left_out(results: Sequence[Result]) -> list[str]:
     """For each rig the limits of smooth modulation that the others give, and what they cost it."""
-    lines = ["| rig left out | record | band | right and held back | not damaged and held back |"]
-    lines.append("|---|---|---|---|---|")
+    heads = ("rig left out", "record", "band", "depth", "right and held back",
+             "not damaged and held back")  # fmt: skip
+    lines = ["| " + " | ".join(heads) + " |", "|---|" + "---|" * (len(heads) - 1)]
     for group in sorted({r[0].group for r in results}):
-        record, band = smooth_limits([r for r in results if r[0].group != group])
+        record, band, depth = smooth_limits([r for r in results if r[0].group != group])
         deep = [
             r
             for r in results
             if r[0].group == group
-            and DAMAGE <= r[1].depth < SMOOTH
+            and DAMAGE <= r[1].depth < depth
             and r[1].kurtosis < record
             and r[1].band_kurtosis < band
         ]
@@ -406,7 +434,7 @@ def smooth_left_out(results: Sequence[Result]) -> list[str]:
         held = len(deep) - lost
         sound = sum(r[0].group == group for r in results) - races
         lines.append(
-            f"| {group} | {record:g} | {band:g} | {_share((lost, races))} | "
+            f"| {group} | {record:g} | {band:g} | {depth:.0%} | {_share((lost, races))} | "
             f"{_share((held, sound))} |"
         )
     return lines
@@ -420,11 +448,8 @@ def main(arguments: Sequence[str] | None = None) -> None:
     for name in ("json", "markdown"):
         parser.add_argument(f"--{name}", type=Path, metavar="FILE")
     options = parser.parse_args(arguments)
-    rows = recordings(options.folder)
-    by_length = {
-        length: [(row, tried(options.folder, row, length)) for row in rows]
-        for length in (LENGTHS[:1] if options.quick else LENGTHS)
-    }
+    lengths = LENGTHS[:1] if options.quick else LENGTHS
+    by_length = {length: measured(options.folder, length) for length in lengths}
     if options.json is not None:
         kept = [
             {"length": None if length == inf else length, **asdict(row), **asdict(said)}
@@ -432,10 +457,15 @@ def main(arguments: Sequence[str] | None = None) -> None:
             for row, said in results
         ]
         options.json.write_text(json.dumps(kept), encoding="utf-8")
-    page = markdown(by_length)
+    page = f"{tables(by_length[inf])}\n{by_lengths(by_length)}"
     if options.markdown is not None:
         options.markdown.write_text(page, encoding="utf-8")
     print(page)
+
+
+def measured(folder: Path, length: float = inf) -> list[Result]:
+    """What is said of each recording of a folder, or of its beginning; length in s."""
+    return [(row, tried(folder, row, length)) for row in recordings(folder)]
 
 
 if __name__ == "__main__":

@@ -504,8 +504,8 @@ def _four_point_load(solved: Solved) -> Iterator[Note]:
 def nothing_given(solved: Solved) -> bool:
     """Return whether neither load, displacement nor preload loads the first case at all."""
     given = [f"duty.load.{name}" for name in LOADS] + [f"duty.displacement.{name}" for name in AXES]
-    known = [float(np.nan_to_num(solved.field(name)[0])) for name in given]
-    return not (any(known) or solved.loaded[0].any())
+    known = (solved.field(name)[0] for name in given)
+    return not (any(value and isfinite(value) for value in known) or solved.loaded[0].any())
 
 
 def _given_forces(solved: Solved) -> tuple[float, float]:

@@ -12,7 +12,7 @@ import re
 import stat
 import sys
 import tomllib
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sized
 from typing import Any, Final, Literal, NoReturn, TypeVar
 
 from rolamento.errors import FileError, cause, shown
@@ -49,6 +49,8 @@ _LARGEST_FILE: Final = 1_000_000
 # The standard library's TOML reader takes memory with the square of the parts of a
 # dotted key: 400 kB of "a.a.a…" fill a machine.
 _MOST_DOTS: Final = 100
+_MOST_KEYS: Final = 1000
+"""Of one table; a case has some two hundred fields."""
 _DEEPEST: Final = 100
 """Lists and tables in each other; what reads them may call itself for each."""
 _ENCODING_MARKS: Final = {b"\xff\xfe": "UTF-16", b"\xfe\xff": "UTF-16"}
@@ -125,8 +127,7 @@ def parse_mapping(text: str, text_format: TextFormat, source: str) -> dict[str, 
         raise FileError(said("is nested too deeply"), source=source) from None
     except ValueError as error:
         raise _syntax_error(error, text, source) from None
-    if _is_deep(mapping):
-        raise FileError(said("is nested too deeply"), source=source)
+    _refuse_shape(mapping, source)
     if not isinstance(mapping, dict):
         raise FileError(
             said("must contain a table (an object in JSON)"),
@@ -136,17 +137,25 @@ def parse_mapping(text: str, text_format: TextFormat, source: str) -> dict[str, 
     return mapping
 
 
-def _is_deep(parsed: object) -> bool:
-    """Whether lists and tables stand in each other more than `_DEEPEST` deep."""
+def _refuse_shape(parsed: object, source: str) -> None:
+    """Refuse lists and tables that stand in each other too deep, and tables of too many keys."""
     level = [parsed]
     for _ in range(_DEEPEST):
         inner: list[object] = []
         for one in level:
+            if isinstance(one, dict):
+                _check_keys(one, source)
             inner += one.values() if isinstance(one, dict) else one if isinstance(one, list) else ()
         level = [one for one in inner if isinstance(one, dict | list)]
         if not level:
-            return False
-    return True
+            return
+    raise FileError(said("is nested too deeply"), source=source)
+
+
+def _check_keys(table: Sized, source: str = "") -> None:
+    if len(table) > _MOST_KEYS:
+        rule = said("has a table of more than {most} keys", most=_MOST_KEYS)
+        raise FileError(rule, source=source)
 
 
 _REXS: Final = re.compile(
@@ -234,6 +243,7 @@ def _parsed_json(text: str) -> object:
 
 
 def _without_repetition(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    _check_keys(pairs)
     mapping = dict(pairs)
     if len(mapping) < len(pairs):
         seen: set[str] = set()

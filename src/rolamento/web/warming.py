@@ -6,6 +6,7 @@ the server is.
 
 from __future__ import annotations
 
+import gc
 import logging
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -61,6 +62,7 @@ def make_ready(warmth: Warmth) -> None:
         except Exception:
             _log.exception("a step of making ready failed")
         warmth.done += 1
+    _settle_memory()
     warmth.ready = True
 
 
@@ -70,6 +72,13 @@ def make_worker_ready() -> None:
     from rolamento.tasks.report import report_on  # noqa: F401  # what it imports is the point
 
     batch(_case(_BALLS), {"duty.load.fz": ["1 kN", "2 kN"]})
+    _settle_memory()
+
+
+def _settle_memory() -> None:
+    """Look for no more garbage in what is loaded: it stays, and a look takes as long as answers."""
+    gc.collect()
+    gc.freeze()
 
 
 def _start(code: str) -> None:

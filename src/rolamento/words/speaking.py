@@ -14,7 +14,7 @@ import sys
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
-from functools import cache
+from functools import cache, lru_cache
 from itertools import pairwise
 from pathlib import Path
 from typing import Any, Final
@@ -46,7 +46,9 @@ _MARK: Final = "decimal mark"
 """The context of the entry by which a catalogue gives its decimal mark."""
 
 _spoken: ContextVar[str] = ContextVar("language", default=ENGLISH)
-_called: ContextVar[Mapping[str, str] | None] = ContextVar("names", default=None)
+_called: ContextVar[tuple[re.Pattern[str], Mapping[str, str]] | None] = ContextVar(
+    "names", default=None
+)
 
 
 @cache
@@ -117,7 +119,7 @@ def calling(names: Mapping[str, str]) -> Iterator[None]:
     names
         What stands on the page in place of ``"--shape"``.
     """
-    token = _called.set(names)
+    token = _called.set((_finder(tuple(names)), names) if names else None)
     try:
         yield
     finally:
@@ -159,10 +161,17 @@ def manner() -> Manner:
 
 
 def _filled(text: str, values: Mapping[str, Any]) -> str:
-    if names := _called.get():
-        known = "|".join(sorted(map(re.escape, names), key=len, reverse=True))
-        text = re.sub(rf"(?:{known})(?![\w-])", lambda found: names[found[0]], text)
+    if called := _called.get():
+        finder, names = called
+        text = finder.sub(lambda found: names[found[0]], text)
     return manner().vformat(text, (), values) if values else text
+
+
+@lru_cache(maxsize=64)
+def _finder(names: tuple[str, ...]) -> re.Pattern[str]:
+    """Find names as whole words, the longest first."""
+    known = "|".join(sorted(map(re.escape, names), key=len, reverse=True))
+    return re.compile(rf"(?:{known})(?![\w-])")
 
 
 @cache

@@ -43,7 +43,7 @@ from rolamento.vibration.diagnosis.settings import (
     DiagnosisSettings,
     FaultOrders,
 )
-from rolamento.vibration.diagnosis.size import DAMAGE, depth_error, depth_of
+from rolamento.vibration.diagnosis.size import DAMAGE, depth_error, depth_of, is_smooth
 from rolamento.vibration.noise_floor import mean_over_median, running_medians
 
 SEEN: Final = 0.8
@@ -387,6 +387,7 @@ def _unexplained_line(
         probability=probability,
         shaft_frequencies=() if of_mains else _shaft_frequencies(order, shaft, field.orders),
         of_mains=of_mains,
+        smooth=depth >= DAMAGE and is_smooth(depth, *field.kurtosis(band)),
     )
 
 

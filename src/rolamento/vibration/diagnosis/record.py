@@ -82,6 +82,8 @@ class UnexplainedLine:
         at which it would be the lowest line of a part, for parts and speeds that are near; Hz
     of_mains
         whether it is discrete, and at a multiple of 50 or 60 Hz
+    smooth
+        whether it is as deep as damage, but comes without impacts: see `size.is_smooth`
     """
 
     order: float
@@ -92,6 +94,7 @@ class UnexplainedLine:
     probability: float
     shaft_frequencies: tuple[tuple[Component, float], ...]
     of_mains: bool = False
+    smooth: bool = False
 
     def to_mapping(self) -> dict[str, Any]:
         """Return what a note says of it: frequencies in Hz, speeds in rad/s."""
@@ -102,6 +105,7 @@ class UnexplainedLine:
             "depth": self.depth,
             "band": list(self.band),
             "of_mains": self.of_mains,
+            "smooth": self.smooth,
             "speeds": [[part, 2.0 * pi * shaft] for part, shaft in self.shaft_frequencies],
         }
 

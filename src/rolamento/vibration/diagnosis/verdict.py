@@ -251,7 +251,8 @@ def judge(
                 )
             )
     undecided = _other_speeds(verdict, unexplained, whole, shaft)
-    impacts = None if undecided else _impacts(verdict, unexplained)
+    searched = settings.tolerance
+    impacts = None if undecided else _impacts(verdict, unexplained, orders, searched)
     notes = [*_notes(spectra), *_of_unexplained(unexplained)]
     element = orders.element
     return Diagnosis(
@@ -265,7 +266,7 @@ def judge(
         speed_confirmed=shaft.confirmed,
         undecided=undecided,
         impacts=impacts,
-        slips=() if impacts is None else _slips(impacts, orders, settings.tolerance),
+        slips=() if impacts is None else _slips(impacts, orders, searched),
         kurtosis=spectra.kurtosis,
         revolutions=spectra.turns * spectra.blocks,
         blocks=spectra.blocks,
@@ -539,9 +540,20 @@ def _slips(
     return tuple((part, slip) for part, slip in near if abs(slip) > searched)
 
 
-def _impacts(verdict: Verdict, unexplained: Sequence[UnexplainedLine]) -> UnexplainedLine | None:
-    """Return the deepest peak that nothing explains, over which "nothing found" is not said."""
-    deep = [one for one in unexplained if one.depth >= DAMAGE and not one.of_mains]
+def _impacts(
+    verdict: Verdict, unexplained: Sequence[UnexplainedLine], orders: FaultOrders, searched: float
+) -> UnexplainedLine | None:
+    """Return the deepest impacts that nothing explains, over which "nothing found" is not said.
+
+    A smooth modulation is that of a load, unless it is near the line of a part.
+    """
+    deep = [
+        one
+        for one in unexplained
+        if one.depth >= DAMAGE
+        and not one.of_mains
+        and (not one.smooth or _slips(one, orders, searched))
+    ]
     if verdict in ("fault", "undecided") or not deep:
         return None
     return max(deep, key=lambda line: line.depth)

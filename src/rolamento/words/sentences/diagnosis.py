@@ -394,14 +394,25 @@ def _origin(peak: Values, count: int) -> str:
             "The first is a multiple of 50 or 60 Hz and shows no slip: possibly the mains.",
             count,
         )
-    if not peak["speeds"]:
-        return ""
-    return counted(
-        "It would be the lowest peak of: {parts}.",
-        "The first would be the lowest peak of: {parts}.",
-        count,
-        parts=listed(_at_speeds(peak["speeds"])),
-    )
+    told = []
+    if peak["smooth"]:
+        told.append(
+            counted(
+                "It is a modulation without impacts, as a load that varies makes it.",
+                "The first is a modulation without impacts, as a load that varies makes it.",
+                count,
+            )
+        )
+    if peak["speeds"]:
+        told.append(
+            counted(
+                "It would be the lowest peak of: {parts}.",
+                "The first would be the lowest peak of: {parts}.",
+                count,
+                parts=listed(_at_speeds(peak["speeds"])),
+            )
+        )
+    return " ".join(told)
 
 
 def _at_speeds(speeds: Iterable[tuple[str, float]]) -> Iterable[str]:
