@@ -176,3 +176,18 @@ def test_decimal_marks_are_asked_about(run: Run) -> None:
     assert run(*known)[0] == 2
     assert run(*known, "--decimal-mark", "comma")[0] in (0, 1)
     assert "must be one of point, comma" in run(*known, "--decimal-mark", "x")[2]
+
+
+def test_a_column_of_decimal_commas_is_not_two_channels(run: Run) -> None:
+    """Without a heading nothing shows which; once said, one channel is one channel."""
+    samples = np.random.default_rng(5).normal(size=12_000)
+    text = "".join(f"{value:.5f}\n" for value in samples).replace(".", ",")
+    Path("commas.csv").write_text(text, "utf-8")
+    given = ("commas.csv", "--bearing", "6205", "--speed", "1797 rpm", "--rate", "12 kHz")
+    code, out, err = run(*given, "--unit", "g")
+    assert (code, out) == (2, "")
+    assert "may be one channel with decimal commas, or two channels" in err
+    assert "--decimal-mark comma" in err
+    code, out, _ = run(*given, "--unit", "g", "--decimal-mark", "comma", "--json")
+    assert code == 0
+    assert json.loads(out)["signal"]["duration"] == pytest.approx(1.0)

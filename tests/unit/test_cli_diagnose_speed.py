@@ -240,6 +240,25 @@ class TestFindingTheSpeed:
         assert data["speed"]["tracking"]["lost"] == [0.0, 12.0]
         assert err.startswith("rolamento: No verdict: the speed was not found")
 
+    def test_a_path_that_is_not_the_shaft_s(self, run: Run) -> None:
+        """A shaft that swings faster than is followed: said, and nothing made of the wrong path."""
+        recipe = Recipe(
+            frequencies=nominal_frequencies(Bearing.named("6205"), MEAN),
+            faults=(Fault(kind="outer_race"),), noise=Noise(ratio=0.0), duration=12.0, rate=RATE,
+            speed=SwingingSpeed(MEAN, depth=0.1, frequency=4.0), shaft_harmonics=(2.0, 1.0, 1.0),
+        )  # fmt: skip
+        np.save("wild.npy", synthesise(recipe).signal.samples)
+        given = ("wild.npy", "--rate", "12 kHz", "--bearing", "6205", "--lang", "en")
+        code, out, _ = run(*given, "--track", "--speed", "1780 rpm")
+        assert code == 1
+        assert out.startswith("No verdict: ")
+        assert "does not follow the shaft" in " ".join(out.split())
+        code, out, _ = run(*given, "--track", "--speed", "1780 rpm", "--json")
+        data = json.loads(out)
+        assert (code, data["speed"]["tracking"]["found"]) == (1, False)
+        assert data["speed"]["minimum"] == data["speed"]["maximum"] == data["speed"]["mean"]
+        assert "path_lost" in [note["key"] for note in data["notes"]]
+
     def test_a_fault_is_one_without_it(self, run: Run) -> None:
         recipe = Recipe(
             frequencies=nominal_frequencies(Bearing.named("6205"), MEAN),

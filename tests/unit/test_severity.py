@@ -224,3 +224,34 @@ def test_the_worse_zone_leads(tmp_path: Path) -> None:
     found = tasks.severity_of(path, speed="150 rpm", power="45 kW", support="rigid", unit="m/s")
     assert found.zone == "C"
     assert "zone A by velocity" in severity_statement(found)
+
+
+def test_whole_numbers_have_no_zone_without_a_scale(tmp_path: Path) -> None:
+    """Full scale of a recorder is nobody's g: what it is worth has to be said."""
+    from scipy.io import wavfile
+
+    samples = np.random.default_rng(2).normal(scale=4000.0, size=24_000).astype(np.int16)
+    path = tmp_path / "recorder.wav"
+    wavfile.write(path, 12_000, samples)
+    given = (str(path), "--speed", "1797 rpm", "--power", "2 hp", "--support", "rigid")
+    code, text = run(*given, "--unit", "g")
+    assert code == 2
+    assert "--scale" in text
+    assert "Zone" not in text
+    code, text = run(*given, "--scale", "10 g")
+    assert code == 0
+    assert text.startswith("Zone ")
+
+
+@pytest.mark.usefixtures("machine")
+def test_a_growth_that_reaches_the_limit_stands_with_the_zone() -> None:
+    """The last reading is in zone B, and the trend leaves it within days."""
+    files = [f"m{place}.npz" for place in range(5)]
+    options = ("--unit", "mm/s", "--power", "60 cv", "--support", "rigid",
+               "--hours", "0,700,1400,2100,2800", "--limit", "4.5 mm/s")  # fmt: skip
+    code, text = run(*files, *options)
+    assert code == 0
+    head, _, rest = " ".join(text.split()).partition("Severity of vibration")
+    assert head.startswith("Zone ")
+    assert "The limit of 4.5 mm/s is reached in" in head
+    assert "The limit of 4.5 mm/s" not in rest

@@ -518,7 +518,9 @@ def test_a_deep_modulation_without_impacts_is_watched(orders: FaultOrders) -> No
     assert found.advice[0].key == "compare_with_healthy"
 
 
-def blows(per_turn: float, jitter: float, *, adding_up: bool, seed: int = 3) -> Signal:
+def blows(
+    per_turn: float, jitter: float, *, adding_up: bool, seed: int = 3, height: float = 10.0
+) -> Signal:
     """A resonance struck so many times a turn, beside a shaft, in noise."""
     random, period = np.random.default_rng(seed), 2 * pi / (SPEED * per_turn)
     scatter = jitter * random.normal(size=int(9.5 / period))
@@ -527,7 +529,7 @@ def blows(per_turn: float, jitter: float, *, adding_up: bool, seed: int = 3) -> 
     times = period * (1 + np.arange(len(scatter)) + scatter)
     time = np.arange(int(10 * RATE)) / RATE
     samples = random.normal(size=len(time))
-    np.add.at(samples, (times * RATE).astype(int), 10.0)
+    np.add.at(samples, (times * RATE).astype(int), height)
     decay = np.arange(400) / RATE
     ringing = np.exp(-900.0 * decay) * np.sin(2 * pi * 3000.0 * decay)
     struck = np.convolve(samples - random.normal(size=len(time)), ringing)[: len(time)]
@@ -557,9 +559,20 @@ def test_a_peak_that_slip_would_explain_leads(orders: FaultOrders) -> None:
     assert [part for part, _ in found.slips] == ["outer_race"]
     assert found.slips[0][1] == pytest.approx(-0.04, abs=2e-3)
     assert found.statement()[0].key == "undecided_slip"
-    far = diagnose(blows(0.88 * (orders.outer_race or nan), 0.01, adding_up=True), orders)
-    assert far.slips == ()
-    assert far.statement()[0].key == "undecided_impacts"
+
+
+def test_what_no_part_explains_leads(orders: FaultOrders) -> None:
+    """Impacts leave it undecided; a modulation as deep, but without impacts, is watched."""
+    off = 0.88 * (orders.outer_race or nan)
+    far = diagnose(blows(off, 0.01, adding_up=True), orders)
+    assert (far.slips, far.impacts) == ((), None)
+    assert far.statement()[0].key == "unexplained_modulation"
+    assert far.modulation is not None
+    assert far.modulation.order == pytest.approx(off, rel=0.01)
+    assert [note.key for note in far.advice] == ["explain_impacts"]
+    loud = diagnose(blows(off, 0.01, adding_up=True, height=30.0), orders)
+    assert (loud.slips, loud.modulation) == ((), None)
+    assert loud.statement()[0].key == "undecided_impacts"
 
 
 @pytest.mark.parametrize(("hertz", "part"), [(100.0, "outer_race"), (120.0, "inner_race")])

@@ -105,7 +105,12 @@ def limit_statement(
 
 
 def limit_section(
-    found: Sequence[tuple[str, Forecast]], unit: str, time_unit: str, start: str = ""
+    found: Sequence[tuple[str, Forecast]],
+    unit: str,
+    time_unit: str,
+    start: str = "",
+    *,
+    leading: Sequence[Statement] = (),
 ) -> Section:
     """Return the section on the time to a limit: a sentence and two laws of each.
 
@@ -115,6 +120,8 @@ def limit_section(
         Names, and what `rolamento.numerics.growth.forecast` found.
     unit, time_unit, start
         Of values and times, as of `limit_statement`.
+    leading
+        Sentences that stand at the head of the page already.
     """
     rows: list[tuple[str, Growth, Crossing, bool]] = []
     for name, one in found:
@@ -173,7 +180,8 @@ def limit_section(
         " was measured; damage may grow faster."
     )
     table = Table(columns=tuple(columns), key="limit", legends=(legend,))
-    statements = tuple(limit_statement(one, name, unit, time_unit, start) for name, one in found)
+    said_of = [limit_statement(one, name, unit, time_unit, start) for name, one in found]
+    statements = [one for one in said_of if one not in leading]
     return Section(said("Time to the limit"), (*statements, table), key="limit")
 
 

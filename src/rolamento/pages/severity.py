@@ -20,7 +20,7 @@ from rolamento.document import (
     Title,
     Tone,
 )
-from rolamento.pages.limit import limit_section
+from rolamento.pages.limit import limit_section, limit_statement
 from rolamento.pages.notes import about
 from rolamento.units import HOUR
 from rolamento.words import ABSENT, marked, said
@@ -61,13 +61,15 @@ def severity_page(found: SeverityResult) -> Document:
         title = said("Severity of vibration: {name}", name=one_line(found.measured[0].title))
     leading, notes = about([(one.title, one.notes) for one in found.measured], found.notes)
     sections = [
-        Section("", (*_statements(found), *leading), key="verdict"),
+        Section("", (*_statements(found), *_growth(found), *leading), key="verdict"),
         Section("", (Title(title), KeyValues(_facts(found))), key="given"),
         _signals(found),
         _classes(found),
     ]
     if found.forecast is not None:
-        sections.append(limit_section([("", found.forecast)], "mm/s", found.time_unit, found.start))
+        time = (found.time_unit, found.start)
+        growth = _growth(found)
+        sections.append(limit_section([("", found.forecast)], "mm/s", *time, leading=growth))
     sections += [*notes, Section("", (_figure(found),), key="figures")]
     return Document(title, tuple(sections), kind="severity", main="signals")
 
@@ -130,6 +132,13 @@ def _statements(found: SeverityResult) -> tuple[Block, ...]:
             )
             blocks.append(Statement(text, "faint"))
     return tuple(blocks)
+
+
+def _growth(found: SeverityResult) -> tuple[Statement, ...]:
+    """What qualifies the zone of the last reading: that the limit is reached, and when."""
+    if found.forecast is None or found.forecast.crossing.code not in ("reached", "exceeded"):
+        return ()
+    return (limit_statement(found.forecast, "", "mm/s", found.time_unit, found.start),)
 
 
 def _facts(found: SeverityResult) -> tuple[Entry, ...]:

@@ -143,7 +143,7 @@ class DiagnosisResult:
             return "no_verdict"
         if "undecided" in verdicts or self.diagnosis.undecided or self.diagnosis.impacts:
             return "undecided"
-        if "watch" in verdicts:
+        if "watch" in verdicts or self.diagnosis.modulation:
             return "watch"
         nothing = "nothing_found" in verdicts and self.races_tested and not self.speed_lost
         return "nothing_found" if nothing else "no_verdict"

@@ -321,6 +321,16 @@ class Diagnosis:
         return tuple(part for part in self._with("watch") if self.of(part).depth >= DAMAGE)
 
     @property
+    def modulation(self) -> UnexplainedLine | None:
+        """The deepest smooth modulation that nothing explains, where no part is as deep."""
+        if self.undecided or self.impacts is not None:
+            return None
+        least = max((part.depth for part in self.stated), default=DAMAGE)
+        smooth = [line for line in self.unexplained if line.smooth and not line.of_mains]
+        deep = [line for line in smooth if line.depth >= max(least, DAMAGE)]
+        return max(deep, key=lambda line: line.depth, default=None)
+
+    @property
     def causes(self) -> tuple[Cause, ...]:
         """What is damaged, the deepest modulation first: lines of the cage may be a ball's."""
         return tuple(self.cause(part) for part in self.faults)
@@ -364,10 +374,14 @@ class Diagnosis:
             notes.append(Note("undecided_speed", {"speeds": speeds}))
         elif self.impacts is not None:
             notes.insert(0, self._undecided_impacts(self.impacts))
+        elif (smooth := self.modulation) is not None:
+            values = {"frequency": smooth.frequency, "depth": smooth.depth}
+            notes.insert(0, Note("unexplained_modulation", values))
         elif not self.stated:
             clear = any(part.probability <= self.false_alarm for part in parts)
             notes.append(Note("nothing_own" if clear else "nothing_found", {"parts": tested}))
-        if self.unexplained and not (self.stated or self.undecided or self.impacts):
+        leading = self.stated or self.undecided or self.impacts or self.modulation
+        if self.unexplained and not leading:
             deepest = max(self.unexplained, key=lambda line: line.depth)
             values = {"frequency": deepest.frequency, "depth": deepest.depth}
             notes.append(Note("other_peaks", values))
@@ -404,6 +418,8 @@ class Diagnosis:
             return (Note("find_speed"),)
         if self.impacts is not None:
             return (Note("find_cage_speed" if self.slips else "explain_impacts"),)
+        if self.modulation is not None:
+            return (Note("explain_impacts"),)
         if not self.stated:
             return ()
         doubts = dict.fromkeys(doubt for part in self.stated for doubt in part.doubts)

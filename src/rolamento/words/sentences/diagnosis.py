@@ -123,6 +123,15 @@ def _undecided_impacts(values: Values) -> str:
     )  # fmt: skip
 
 
+def _unexplained_modulation(values: Values) -> str:
+    return said(
+        "No damage stated. Watch: a peak at {frequency} Hz, modulation depth {depth:.0f %}, a"
+        " smooth modulation without impacts, is explained by no part of this bearing and by no"
+        " multiple of the shaft speed.",
+        frequency=hertz(values["frequency"]), depth=values["depth"],
+    )  # fmt: skip
+
+
 def _other_peaks(values: Values) -> str:
     return said(
         "Other peaks are there, the deepest at {frequency} Hz, modulation depth {depth:.0f %}: see"
@@ -452,6 +461,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "part_smooth": _smooth,
     "undecided_slip": _undecided_slip,
     "undecided_impacts": _undecided_impacts,
+    "unexplained_modulation": _unexplained_modulation,
     "part_undecided": _undecided,
     "undecided_speed": _undecided_speed,
     "nothing_found": _nothing_found,
