@@ -11,9 +11,11 @@ from __future__ import annotations
 
 import argparse
 import http.server
+import io
 import json
 import os
 import random
+import re
 import resource
 import shutil
 import signal
@@ -23,6 +25,8 @@ import sys
 import tempfile
 import threading
 import time
+import traceback
+import zipfile
 from collections import Counter
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -32,9 +36,12 @@ from typing import Final
 
 import h5py
 import numpy as np
+import openpyxl
 import scipy.io
+from typer.testing import CliRunner
 
 import rolamento
+from rolamento.cli.app import app
 
 STUDY: Final = """
 title = "Faults"
@@ -275,9 +282,7 @@ def files(folder: Path, count: int, seed: int) -> Iterator[Tried]:
     command(folder, "sweep", "study.toml", "-o", "seed.nc")
     command(folder, "solve", "case.toml", "--json", "seed.json")
     signal_of = np.random.default_rng(seed).normal(size=4000)
-    with h5py.File(folder / "seed.h5", "w") as file:
-        data = file.create_dataset("acc", data=signal_of, chunks=(500,), compression="gzip")
-        data.attrs["rate"], data.attrs["unit"] = 12000.0, "m/s^2"
+    _write_record(folder / "seed.h5", signal_of)
     scipy.io.savemat(folder / "seed.mat", {"acc": signal_of, "fs": 12e3}, do_compression=True)
     np.savez_compressed(folder / "seed.npz", acc=signal_of, fs=np.array(12e3))
     rows = "".join(f"{n / 12e3:.9f},{value:.6g}\n" for n, value in enumerate(signal_of))
@@ -302,6 +307,91 @@ def files(folder: Path, count: int, seed: int) -> Iterator[Tried]:
             tried.take(f"exit code {ended.code}", ended, LONGEST["files"], f"{ending} {place}")
         yield tried
     yield _bombs(folder, heard)
+
+
+def readers(folder: Path, count: int, seed: int) -> Iterator[Tried]:
+    """Damaged spreadsheets, results and records, one after the other in one process."""
+    rng = random.Random(seed)
+    _write_study(folder, 300)
+    command(folder, "sweep", "study.toml", "-o", "seed.nc")
+    _write_workbook(folder / "seed.xlsx")
+    _write_record(folder / "seed.h5", np.random.default_rng(seed).normal(size=4000))
+    for ending, arguments in _READ.items():
+        tried = Tried(f"damaged {ending}, read in one process")
+        whole = (folder / f"seed.{ending}").read_bytes()
+        for place in range(_IN_ONE * count):
+            spoil = damaged_member if ending == "xlsx" and rng.random() < 0.8 else damaged
+            (folder / f"damaged.{ending}").write_bytes(spoil(whole, rng))
+            ended = _in_this_process(folder, *arguments)
+            tried.take(f"exit code {ended.code}", ended, LONGEST["files"], f"{ending} {place}")
+        yield tried
+
+
+_IN_ONE: Final = 25
+"""Files that are read in one process, to one that is read by its own."""
+_READ: Final[dict[str, tuple[str, ...]]] = {
+    "xlsx": ("weibull", "damaged.xlsx"),
+    "nc": ("tolerance", "damaged.nc"),
+    "h5": (
+        "diagnose", "damaged.h5", "--bearing", "6205", "--speed", "1797 rpm", "--unit", "m/s^2",
+        "--rate", "12 kHz",
+    ),
+}  # fmt: skip
+
+
+def _in_this_process(folder: Path, *arguments: str) -> Ended:
+    """Run the command line here; what it raises but an exit is a traceback."""
+    began = time.monotonic()
+    before = Path.cwd()
+    os.chdir(folder)
+    try:
+        found = CliRunner().invoke(app, arguments)
+    finally:
+        os.chdir(before)
+    said = found.stderr
+    if found.exception is not None and not isinstance(found.exception, SystemExit):
+        said += "".join(traceback.format_exception(found.exception))
+    memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024.0
+    return Ended(found.exit_code, said, time.monotonic() - began, memory)
+
+
+def _write_workbook(path: Path) -> None:
+    """A life test of twenty bearings."""
+    book = openpyxl.Workbook()
+    book.active.append(["time (h)", "failed"])
+    for place in range(20):
+        book.active.append([100.0 + 37.5 * place, place % 3 != 0])
+    book.save(path)
+
+
+def damaged_member(whole: bytes, rng: random.Random) -> bytes:
+    """A workbook of which one part is damaged, and packed again: its checksum is right."""
+    packed = io.BytesIO()
+    with zipfile.ZipFile(io.BytesIO(whole)) as old, zipfile.ZipFile(packed, "w") as new:
+        names = old.namelist()
+        chosen = rng.choice(names)
+        for name in names:
+            content = old.read(name)
+            if name == chosen:
+                content = rng.choice((damaged, _other_number))(content, rng)
+            new.writestr(name, content)
+    return packed.getvalue()
+
+
+def _other_number(content: bytes, rng: random.Random) -> bytes:
+    """A number of a text in place of another, which may be large, negative or none."""
+    found = list(re.finditer(rb"\d+", content))
+    if not found:
+        return content
+    chosen = rng.choice(found)
+    number = rng.choice((b"0", b"-1", b"1e999", b"99999999", b"2147483648", b"nan", b"", b"1.5"))
+    return content[: chosen.start()] + number + content[chosen.end() :]
+
+
+def _write_record(path: Path, samples: np.ndarray) -> None:
+    with h5py.File(path, "w") as file:
+        data = file.create_dataset("acc", data=samples, chunks=(500,), compression="gzip")
+        data.attrs["rate"], data.attrs["unit"] = 12000.0, "m/s^2"
 
 
 def damaged(whole: bytes, rng: random.Random) -> bytes:
@@ -340,7 +430,7 @@ def _bombs(folder: Path, heard: tuple[str, ...]) -> Tried:
 # --- all together ---------------------------------------------------------------------------
 
 KINDS: Final[dict[str, Callable[[Path, int, int], Iterator[Tried]]]] = {
-    "kills": kills, "faults": faults, "cluster": cluster, "files": files,
+    "kills": kills, "faults": faults, "cluster": cluster, "files": files, "readers": readers,
 }  # fmt: skip
 
 
@@ -399,8 +489,19 @@ after having been stopped is that of an undisturbed run, byte for byte.
 ## Compiled code
 
 A kernel that is kept on disk has a checksum behind it. One that is damaged is discarded and
-compiled anew, which a line on standard error tells; one that cannot be kept is compiled by each
+recompiled, which a line on standard error says; one that cannot be kept is compiled by each
 process.
+
+It is run as soon as it is read. So a folder is used only if nobody but the user, the owner of the
+program and the administrator may write to it or to one above it; else each process compiles its
+own, which a line says once ([decision 36](adr/0036-whose-cache-is-read.md)). `chmod go-w FOLDER`
+mends it.
+
+## How a long command is ended
+
+Ctrl-C and `kill PID` end a sweep alike: exit code 130, and what is solved is kept. Where Ctrl-C is
+ignored, as in what a shell starts in the background, a line on standard error says with which
+number.
 """
 
 
@@ -416,7 +517,7 @@ def main() -> int:
     options = parser.parse_args()
     found = []
     for name in options.only:
-        count = options.count if name == "files" else options.kills
+        count = options.count if name in ("files", "readers") else options.kills
         with tempfile.TemporaryDirectory() as folder:
             for tried in KINDS[name](Path(folder), count, options.seed):
                 found.append(tried)
