@@ -53,8 +53,8 @@ count = {count}
 
 [scatter.fields."duty.load.fx"]
 distribution = "uniform"
-least = "10 kN"
-greatest = "40 kN"
+minimum = "10 kN"
+maximum = "40 kN"
 """
 EXAMPLE: Final = Path(rolamento.__file__).parent / "examples" / "218_combined.toml"
 MAIN: Final = "from rolamento.cli import main; main()"

@@ -58,8 +58,8 @@ def measure(cases: int = CASES, ending: str = ".nc") -> Findings:
 def study(cases: int) -> Study:
     """The study that is measured."""
     laws = {
-        name: Distribution(distribution="uniform", least=least, greatest=greatest)
-        for name, (least, greatest) in RANGES.items()
+        name: Distribution(distribution="uniform", minimum=low, maximum=high)
+        for name, (low, high) in RANGES.items()
     }
     scatter = Scatter(count=cases, fields=laws)
     return Study(case=duty_sets.example(), seed=duty_sets.SEED, scatter=scatter)

@@ -39,7 +39,7 @@ from rolamento.status import (
     OVER_SHOULDER,
     OVERLOADED,
     TOLERANCE,
-    UNHELD_BALL,
+    UNCONSTRAINED_BALL,
 )
 from rolamento.words import Note
 
@@ -554,8 +554,8 @@ def advice_on(solved: Solved, case: int = 0) -> Note | None:
     if rolls:
         return Note("not_converged", {**_residual(residual), "tolerance": TOLERANCE})
     alone = given.model.raceway_control == "inner" and given.model.cage == "none"
-    if code == UNHELD_BALL or alone:
-        return Note("unheld_ball")
+    if code == UNCONSTRAINED_BALL or alone:
+        return Note("unconstrained_ball")
     if given.model.raceway_control == "friction":
         return _friction_alone(residual)
     inner, outer = (float(solved.field(f"duty.{race}_speed")[case]) for race in ("inner", "outer"))

@@ -9,7 +9,7 @@ NO_EQUILIBRIUM: Final = 1
 NOT_CONVERGED: Final = 2
 OVERLOADED: Final = 3
 INVALID_INPUT: Final = 4
-UNHELD_BALL: Final = 5
+UNCONSTRAINED_BALL: Final = 5
 OVER_SHOULDER: Final = 6
 
 TOLERANCE: Final = 5e-9
@@ -21,7 +21,7 @@ STATUS_NAMES: Final = {
     NOT_CONVERGED: "not_converged",
     OVERLOADED: "overloaded",
     INVALID_INPUT: "invalid_input",
-    UNHELD_BALL: "unheld_ball",
+    UNCONSTRAINED_BALL: "unconstrained_ball",
     OVER_SHOULDER: "over_shoulder",
 }
 STATUS_NUMBERS: Final = {name: number for number, name in STATUS_NAMES.items()}

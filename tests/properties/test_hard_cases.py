@@ -26,7 +26,8 @@ Floats = NDArray[np.float64]
 RPM = math.pi / 30.0
 BEARINGS = 36
 STATUSES = {
-    "converged", "no_equilibrium", "not_converged", "over_shoulder", "overloaded", "unheld_ball",
+    "converged", "no_equilibrium", "not_converged", "over_shoulder", "overloaded",
+    "unconstrained_ball",
 }  # fmt: skip
 PROMISED = 1e-8
 ORDINARY_WITHOUT_RESULT = 0.003

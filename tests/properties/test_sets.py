@@ -500,7 +500,7 @@ def test_jones_names_the_race_in_each_row_as_in_a_single_bearing() -> None:
 
 # --- whatever the set and the load ------------------------------------------------------------
 
-STATUSES = {"converged", "no_equilibrium", "not_converged", "overloaded", "unheld_ball"}
+STATUSES = {"converged", "no_equilibrium", "not_converged", "overloaded", "unconstrained_ball"}
 PROMISED = 1e-8
 SETS, EACH = 36, 24
 WITHOUT_RESULT = 0.02

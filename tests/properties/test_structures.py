@@ -20,12 +20,12 @@ case = "218_combined.toml"
 count = 10
 [scatter.fields."duty.load.fx"]
 distribution = "uniform"
-least = "1 kN"
-greatest = "2 kN"
+minimum = "1 kN"
+maximum = "2 kN"
 [scatter.fields."duty.load.fw"]
 distribution = "uniform"
-least = "1 kN"
-greatest = "2 kN"
+minimum = "1 kN"
+maximum = "2 kN"
 """
 
 

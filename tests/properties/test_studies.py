@@ -73,9 +73,9 @@ def studies(draw: st.DrawFn) -> Study:
     scatter = None
     if draw(st.booleans()):
         mean, deviation = draw(st.floats(0.1, 1.0)), draw(st.floats(1e-6, 0.1))
-        least = draw(st.none() | st.just(max(mean - deviation, 0.0)))
+        minimum = draw(st.none() | st.just(max(mean - deviation, 0.0)))
         law = Distribution(
-            distribution="normal", mean=mean, standard_deviation=deviation, least=least
+            distribution="normal", mean=mean, standard_deviation=deviation, minimum=minimum
         )
         scatter = Scatter(count=draw(st.integers(1, 20)), fields={"bearing.contact_angle": law})
     return Study(case=CASE, axes=axes, scatter=scatter, seed=draw(st.integers(0, 2**63 - 1)))
@@ -103,11 +103,11 @@ def test_a_study_survives_its_file(study: Study) -> None:
 def test_a_factor_gives_its_matrix_back_or_there_is_none(coefficients: list[float]) -> None:
     a, b, c = coefficients
     matrix = np.array([[1.0, a, b], [a, 1.0, c], [b, c, 1.0]])
-    least = np.linalg.eigvalsh(matrix).min()
+    minimum = np.linalg.eigvalsh(matrix).min()
     try:
         factor = factor_of(matrix)
     except InputError:
-        assert least < 1e-9
+        assert minimum < 1e-9
     else:
-        assert least > -1e-5
+        assert minimum > -1e-5
         assert factor @ factor.T == pytest.approx(matrix, abs=1e-5)

@@ -135,7 +135,7 @@ def test_json_has_heat_of_every_contact(oiled: Case) -> None:
     assert set(found["models"]) == {
         "jones_full", "jones_control", "jones_simplified", "harris_1971", "todd"
     }  # fmt: skip
-    assert found["models"]["todd"]["holds"] is False
+    assert found["models"]["todd"]["valid"] is False
     assert "inertia" in {note["key"] for note in found["models"]["todd"]["reasons"]}
 
 

@@ -120,7 +120,7 @@ def test_json_goes_to_standard_output_alone(run: Run, arguments: tuple[str, ...]
     outcome = run("solve", *arguments)
     assert (outcome.code, outcome.err) == (0, "")
     state = strict(outcome.out)
-    assert state["schema"] == 2
+    assert state["schema"] == 3
     assert state["status"]["converged"] is True
     assert os.listdir() == ["case.toml"]
 

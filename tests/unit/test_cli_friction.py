@@ -142,7 +142,7 @@ def test_json_of_a_case(run: Run) -> None:
     data = strict(out)
     assert data["kind"] == "friction"
     assert data["friction"]["friction_coefficient"] == 0.17
-    assert data["friction"]["models"]["todd"]["holds"] is True
+    assert data["friction"]["models"]["todd"]["valid"] is True
 
 
 def test_without_a_result_the_reason_is_told(run: Run) -> None:
@@ -177,7 +177,7 @@ def test_the_models_keep_their_order_over_load(run: Run) -> None:
     assert (simplified < 1.6 * full).all()
     assert (full > torque["harris_1971"]).all()
     assert (np.diff(full) > 0.0).all()
-    assert all(all(model["holds"]) for model in curve["models"].values())
+    assert all(all(model["valid"]) for model in curve["models"].values())
 
 
 def test_figure_9_inner_and_outer_ratios_over_speed(run: Run) -> None:
@@ -200,8 +200,8 @@ def test_figure_9_inner_and_outer_ratios_over_speed(run: Run) -> None:
     assert abs(wide["inner_spin_to_roll"][0]) < inner[0]
     assert abs(wide["outer_spin_to_roll"][0]) > outer[0]
     assert wide["torque"][0] < found["torque"][0]
-    assert own["models"]["todd"]["holds"][0] is True
-    assert own["models"]["todd"]["holds"][-1] is False
+    assert own["models"]["todd"]["valid"][0] is True
+    assert own["models"]["todd"]["valid"][-1] is False
     assert own["models"]["todd"]["reasons"]["inertia"][-1] is True
 
 

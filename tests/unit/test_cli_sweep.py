@@ -169,8 +169,8 @@ def test_parts_of_another_study(run: Run) -> None:
 
 SLOW = (
     'case = "case.toml"\noutputs = ["x"]\n[scatter]\ncount = {count}\n'
-    '[scatter.fields."duty.load.fx"]\ndistribution = "uniform"\nleast = "20 kN"\n'
-    'greatest = "40 kN"\n'
+    '[scatter.fields."duty.load.fx"]\ndistribution = "uniform"\nminimum = "20 kN"\n'
+    'maximum = "40 kN"\n'
 )
 SWEEP = "import typer; from rolamento.cli.sweep import sweep; typer.run(sweep)"
 

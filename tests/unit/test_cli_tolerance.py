@@ -36,8 +36,8 @@ mean = "15 kN"
 standard_deviation = "1 kN"
 [scatter.fields."bearing.contact_angle"]
 distribution = "uniform"
-least = "38 deg"
-greatest = "42 deg"
+minimum = "38 deg"
+maximum = "42 deg"
 """
 
 

@@ -56,8 +56,8 @@ standard_deviation = "2 kN"
 
 [scatter.fields."bearing.contact_angle"]
 distribution = "uniform"
-least = "38 deg"
-greatest = "42 deg"
+minimum = "38 deg"
+maximum = "42 deg"
 """
 CHUNK = 100
 ROUNDING = 1e-11  # each process may have compiled the kernels for itself

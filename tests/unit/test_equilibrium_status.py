@@ -95,7 +95,7 @@ def test_converged() -> None:
     assert state.status.residual < 1e-8
     assert state.status.iterations > 0
     mapping = state.to_mapping()
-    assert mapping["schema"] == 2
+    assert mapping["schema"] == 3
     assert list(mapping["displacement"]) == ["x", "y", "z", "ry", "rz"]
     assert list(mapping["load"]) == ["fx", "fy", "fz", "my", "mz"]
     assert np.array(mapping["stiffness"]).shape == (5, 5)
@@ -196,7 +196,7 @@ def test_every_code_has_a_name() -> None:
         "not_converged",
         "overloaded",
         "invalid_input",
-        "unheld_ball",
+        "unconstrained_ball",
         "over_shoulder",
     }
 
@@ -211,7 +211,7 @@ def test_friction_alone_carries_nothing() -> None:
     """Inner control at speed under a light thrust: in balance only by friction without load."""
     model = {"raceway_control": "inner", "cage": "none"}
     state = solved(ANGULAR, {"fx": "1 kN"}, model=model, inner_speed="10000 rpm")
-    assert state.status.code in {"unheld_ball", "not_converged"}
+    assert state.status.code in {"unconstrained_ball", "not_converged"}
     assert "raceway control cannot hold" in said(state.status.advice)
     assert_no_numbers(state)
 

@@ -55,7 +55,7 @@ def test_mapping_is_plain_json(slow: Solved, case_218: Case) -> None:
     assert heat == pytest.approx(read["power"])
     assert len(read["heat"]["spin"]["inner"]) == 16
     assert read["friction_coefficient"] == 0.1
-    assert read["models"]["skf"]["holds"] is False
+    assert read["models"]["skf"]["valid"] is False
     assert read["models"]["skf"]["reasons"][0]["key"] == "no_film"
     unsolved = solve(ro.override(case_218, ["duty.load.fx=-20 kN"]))
     none = friction(unsolved, friction_coefficient=0.1).to_mapping()

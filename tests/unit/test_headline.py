@@ -291,8 +291,8 @@ def test_a_shaft_has_the_same_rule() -> None:
 
 def test_a_bound_of_the_life_bounds_the_reliability() -> None:
     found = of(set_to("life.viscosity_ratio=0.05"))
-    wanted = found.to_mapping()["wanted_life"]
-    assert wanted["below"]
+    wanted = found.to_mapping()["required_life"]
+    assert wanted["upper_bound"]
     assert wanted["reliability"] == pytest.approx(0.239, abs=5e-4)
     assert found.to_mapping()["headline"]["reason"]["key"] in BOUNDS
 

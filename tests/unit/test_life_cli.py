@@ -101,7 +101,7 @@ def test_json_is_what_the_engine_says(run: Run) -> None:
     assert [entry["change"] for entry in data["sensitivity"]] == [
         change.name for change in sensitivity(state)
     ]
-    assert data["life"]["wanted_life"]["reliability"] == pytest.approx(
+    assert data["life"]["required_life"]["reliability"] == pytest.approx(
         float(found.reliability_after(5000.0 * 3600.0)[0])
     )
     assert data["notes"] == [note.to_mapping() for note in state.notes[0]]
@@ -154,7 +154,11 @@ def test_without_load_there_is_no_life(run: Run) -> None:
     assert code == 0
     for record in (found["headline"], *found["theories"].values()):
         assert (record["life"], record["hours"]) == (None, None)
-        assert (record["endless"], record["holds"], record["below"]) == (False, False, False)
+        assert (record["unlimited"], record["valid"], record["upper_bound"]) == (
+            False,
+            False,
+            False,
+        )
     assert found["headline"]["reason"]["key"] == "unloaded"
     assert found["limit"]["race"] is None
 
@@ -296,7 +300,7 @@ def test_over_a_field(run: Run) -> None:
         own = rows[4 * number : 4 * number + 4]
         for name, theory in curve["theories"].items():
             assert [float(row[f"{name}_h"]) for row in own] == pytest.approx(theory["hours"])
-            assert [row[f"{name}_valid"] == "yes" for row in own] == theory["holds"]
+            assert [row[f"{name}_valid"] == "yes" for row in own] == theory["valid"]
     assert Path("c.svg").read_text("utf-8").lstrip().startswith("<?xml")
 
 
@@ -329,7 +333,7 @@ def test_over_a_field_where_some_points_have_no_result(run: Run) -> None:
         (("life.clealiness=x",), "did you mean cleanliness?"),
         (("life.dynamic_rating=20",), "needs a unit"),
         (("life.dynamic_rating=-5 kN",), "must be greater than 0 N"),
-        (("life.wanted_life=20000",), "needs a unit"),
+        (("life.required_life=20000",), "needs a unit"),
         (("life.edition=1991",), "must be one of 2007, 1990"),
         (("life.nsk_cleanliness=0.01",), "at least 0.05"),
         (("bearing.designation=6305/C7",), "names no clearance class"),

@@ -172,8 +172,8 @@ def test_mapping_is_json() -> None:
     held = Displacement(x=0.0, y=0.0, z=0.0)
     empty = life(solve(Case(bearing=DEEP, duty=Duty(displacement=held)))).to_mapping()
     assert empty["theories"]["iso16281"]["life"] is None
-    assert not empty["theories"]["iso16281"]["endless"]
-    assert not empty["theories"]["iso16281"]["holds"]
+    assert not empty["theories"]["iso16281"]["unlimited"]
+    assert not empty["theories"]["iso16281"]["valid"]
     assert empty["theories"]["iso16281"]["notes"][0]["key"] == "unloaded"
 
 

@@ -52,7 +52,7 @@ VARIED: dict[str, tuple[str, ...]] = {
     "unloaded": ("duty.load.fz=0 N", "duty.load.fx=0 N", "duty.inner_speed=0 rpm"),
     "ceramic": ("bearing.ball_material=Si3N4",),
     "all theories": ("life.material_factor=1", "life.operation_factor=2", "life.nsk_cleanliness=1"),
-    "sure": ("life.reliability=0.9999", "life.wanted_life=1 h"),
+    "sure": ("life.reliability=0.9999", "life.required_life=1 h"),
     "dirty": ("life.contamination=0",),
     "tilted": ("duty.load.my=5 N m", "duty.inner_speed=15000 rpm"),
     "clean": ("life.contamination=1", "life.viscosity_ratio=5", "duty.load.fz=500 N"),

@@ -62,7 +62,7 @@ def case() -> Case:
         duty=Duty(inner_speed=209.44, load=Load(fz=4000.0)),
         lubricant="ISO VG 68",
         temperature={"lubricant": 343.15},
-        life={**DIRT, "wanted_life": 2000.0 * 3600.0},
+        life={**DIRT, "required_life": 2000.0 * 3600.0},
     )
 
 

@@ -277,8 +277,8 @@ mean = "20 kN"
 standard_deviation = "1 kN"
 [scatter.fields."duty.load.fz"]
 distribution = "uniform"
-least = "2 kN"
-greatest = "3 kN"
+minimum = "2 kN"
+maximum = "3 kN"
 [scatter.fields."bearing.ball_diameter"]
 distribution = "normal"
 mean = "22.23 mm"

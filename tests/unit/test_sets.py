@@ -136,7 +136,7 @@ def test_absurd_loads_have_a_name(size: float, name: str, preload: Any) -> None:
     case = Case(bearing=set_of("DB", preload), duty=Duty())
     loads = {"my": 0.0, "mz": 0.0, name: [size, -size]}
     batch = solve(case, loads, inner_speed=300.0)
-    named = {"converged", "no_equilibrium", "overloaded", "not_converged", "unheld_ball"}
+    named = {"converged", "no_equilibrium", "overloaded", "not_converged", "unconstrained_ball"}
     assert set(batch.status.code.tolist()) <= named
     assert np.isfinite(batch.displacement.array[batch.converged]).all()
     assert np.isnan(batch.displacement.array[~batch.converged]).all()

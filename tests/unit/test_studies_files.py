@@ -39,7 +39,7 @@ from rolamento.studies.runner import _WRITERS, open_result
 @pytest.fixture(scope="module")
 def study(case_218: Case) -> Study:
     """Axes of numbers, names, switches and pairs; scatter; an output per ball; failures."""
-    law = Distribution(distribution="uniform", least=0.52, greatest=0.53)
+    law = Distribution(distribution="uniform", minimum=0.52, maximum=0.53)
     return Study(
         title='Files, "quoted"',
         case=case_218,
@@ -233,7 +233,7 @@ def test_a_disk_that_fills_up(study: Study, tmp_path: Path, ending: str) -> None
 
     The HDF5 library used to bring the process down.
     """
-    law = Distribution(distribution="uniform", least="20 kN", greatest="40 kN")
+    law = Distribution(distribution="uniform", minimum="20 kN", maximum="40 kN")
     scatter = Scatter(count=5000, fields={"duty.load.fx": law})
     small = Study(case=study.case, outputs=("x", "z"), scatter=scatter)
     (tmp_path / "study.toml").write_text(study_to_toml(small), "utf-8")

@@ -159,10 +159,10 @@ def test_without_a_result_there_is_no_number(oiled: Case) -> None:
 def test_coefficient_and_temperature_are_scattered(oiled: Case) -> None:
     laws = {
         "lubricant.friction_coefficient": Distribution(
-            distribution="uniform", least=0.05, greatest=0.1
+            distribution="uniform", minimum=0.05, maximum=0.1
         ),
         "temperature.lubricant": Distribution(
-            distribution="uniform", least="60 degC", greatest="90 degC"
+            distribution="uniform", minimum="60 degC", maximum="90 degC"
         ),
     }
     outputs = (

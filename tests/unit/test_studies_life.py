@@ -25,7 +25,7 @@ OIL = {"lubricant": "ISO VG 68", "temperature": {"lubricant": 343.15}}
 TABLE = {
     "cleanliness": "-/17/14",
     "oil_supply": "circulating",
-    "wanted_life": 1000.0 * HOUR,
+    "required_life": 1000.0 * HOUR,
     "operation_factor": 0.9,
     "nsk_cleanliness": 0.8,
     "tallian_subsurface": {"defect_density": 0.8},
@@ -34,7 +34,7 @@ FZ = (1000.0, 3000.0, 12_000.0)
 LIVES = tuple(name for name, output in catalogue().items() if "life" in output.needs)
 SINGLE = {
     "reliability": (0.9, 0.95, 0.999),
-    "wanted_life": (500.0 * HOUR, 5000.0 * HOUR),
+    "required_life": (500.0 * HOUR, 5000.0 * HOUR),
     "dynamic_rating": (15e3, 20.6e3),
     "static_rating": (9e3, 12e3),
     "fatigue_load_limit": (400.0, 600.0),
@@ -70,7 +70,7 @@ SURFACE = {
 """Factors that go together, and not without each other."""
 MOVES = {
     "fatigue_load_limit": "life_hours",
-    "wanted_life": "wanted_reliability",
+    "required_life": "required_life_reliability",
     "static_rating": "static_safety",
     "fatigue_limit": "life_hours_ioannides_harris",
     "depth": "life_hours_ioannides_harris",
@@ -126,15 +126,17 @@ def numbers(summary: LifeSummary) -> dict[str, float]:
     for name, record in (("", best), *((f"_{n}", one) for n, one in summary.theories.items())):
         found[f"life_hours{name}"] = record.hours
         found[f"life_revolutions{name}"] = record.life
-        found[f"life_holds{name}"] = record.valid
-    found["life_below"] = best.below
+        found[f"life_valid{name}"] = record.valid
+    found["life_upper_bound"] = best.below
     if summary.contamination_factor is not None:
         found["contamination_factor"] = summary.contamination_factor
         for standard in ("iso281", "iso16281"):
             factor = summary[f"{standard}_modified"].factors["a_iso"]
             found[f"modification_factor_{standard}"] = factor
-    if summary.conditions.wanted_life is not None:
-        found["wanted_reliability"] = summary.reliability_after(summary.conditions.wanted_life)
+    if summary.conditions.required_life is not None:
+        found["required_life_reliability"] = summary.reliability_after(
+            summary.conditions.required_life
+        )
     return {name: float(np.ravel(value)[0]) for name, value in found.items()}
 
 
@@ -152,7 +154,7 @@ def test_outputs_are_those_of_the_cases(case: Case) -> None:
         check(found, place, expected)
     assert found["life_hours"].attrs["units"] == "h"
     assert found["life_revolutions_iso281"].attrs["units"] == "Mrev"
-    assert found["life_holds_iso281"].values.tolist() == [1, 1, 0]
+    assert found["life_valid_iso281"].values.tolist() == [1, 1, 0]
     assert np.isnan(found["life_hours_l_able"][2])
     revolutions = found["life_hours"] * 60.0 * 200.0 * 30.0 / np.pi * 1e-6
     np.testing.assert_allclose(found["life_revolutions"], revolutions, rtol=1e-12)
@@ -260,9 +262,9 @@ def test_without_a_result_there_is_no_number(case: Case) -> None:
 
 
 def test_a_study_of_failures_alone_ends_well(case: Case) -> None:
-    found = run(over(case, "bearing.diametral_clearance", (0.1, 0.2), "life_hours", "life_holds"))
+    found = run(over(case, "bearing.diametral_clearance", (0.1, 0.2), "life_hours", "life_valid"))
     assert np.isnan(found["life_hours"]).all()
-    assert (found["life_holds"] == 0).all()
+    assert (found["life_valid"] == 0).all()
 
 
 def test_a_thrust_bearing_among_others_has_no_life(case: Case) -> None:
@@ -331,9 +333,9 @@ def test_the_ambiguity_of_an_inside_is_a_band_of_life() -> None:
         ("life_hours_iso281_modified", {"lubricant": None}, "needs a viscosity ratio"),
         ("contamination_factor", {"temperature": None}, "needs a viscosity ratio"),
         ("modification_factor_iso281", {"life": None}, "needs the cleanliness"),
-        ("life_holds_iso281_1990", {"life": None}, "material factor or an operation factor"),
+        ("life_valid_iso281_1990", {"life": None}, "material factor or an operation factor"),
         ("life_revolutions_l_able", {"life": None}, "the maker's cleanliness factor"),
-        ("wanted_reliability", {"life": {"reliability": 0.95}}, "the required life"),
+        ("required_life_reliability", {"life": {"reliability": 0.95}}, "the required life"),
     ],
 )
 def test_what_an_output_needs_is_asked_for(
@@ -372,13 +374,15 @@ def test_what_varies_counts_as_given() -> None:
     axes = (
         Axis(field="life.viscosity_ratio", values=(0.5, 2.0)),
         Axis(field="life.contamination", values=(0.2, 0.9)),
-        Axis(field="life.wanted_life", values=("100 h", "1000 h")),
+        Axis(field="life.required_life", values=("100 h", "1000 h")),
     )
-    outputs = ("life_hours_iso281_modified", "wanted_reliability")
+    outputs = ("life_hours_iso281_modified", "required_life_reliability")
     found = run(Study(case=bare, outputs=outputs, axes=axes))
     assert np.isfinite(found["life_hours_iso281_modified"]).all()
-    assert (found["wanted_reliability"].diff("wanted_life") <= 0.0).all()
-    assert ((found["wanted_reliability"] > 0.0) & (found["wanted_reliability"] <= 1.0)).all()
+    assert (found["required_life_reliability"].diff("required_life") <= 0.0).all()
+    assert (
+        (found["required_life_reliability"] > 0.0) & (found["required_life_reliability"] <= 1.0)
+    ).all()
 
 
 def test_a_study_file_names_them(case: Case) -> None:
@@ -403,7 +407,7 @@ def test_a_mounted_bearing_lives_with_its_clearance_in_operation(case: Case) -> 
 
 
 def test_an_endless_life_is_no_failure_and_in_no_percentile(case: Case) -> None:
-    law = Distribution(distribution="uniform", least=20.0, greatest=2000.0)
+    law = Distribution(distribution="uniform", minimum=20.0, maximum=2000.0)
     scatter = Scatter(count=60, fields={"duty.load.fz": law})
     light = case.replace(duty=Duty(inner_speed=200.0, load=Load(fz=100.0)))
     name = "life_hours_ioannides_harris"

@@ -57,12 +57,12 @@ count = 5
 distribution = "normal"
 mean = "40 deg"
 standard_deviation = "0.5 deg"
-least = "39 deg"
+minimum = "39 deg"
 
 [scatter.fields."bearing.inner_conformity"]
 distribution = "uniform"
-least = 0.52
-greatest = 0.53
+minimum = 0.52
+maximum = 0.53
 
 [[scatter.correlations]]
 fields = ["bearing.inner_conformity", "bearing.contact_angle"]
@@ -144,7 +144,7 @@ class TestReading:
         assert (again.axes[0].columns()["duty.inner_speed"] == speeds).all()
 
     def test_in_python_scatter_may_be_si(self, case_218: Case) -> None:
-        law = Distribution(distribution="normal", mean=0.7, standard_deviation=0.01, least=0.65)
+        law = Distribution(distribution="normal", mean=0.7, standard_deviation=0.01, minimum=0.65)
         angle = "bearing.contact_angle"
         study = Study(case=case_218, scatter=Scatter(count=3, fields={angle: law}))
         again = parse_study(study_to_json(study))
@@ -207,13 +207,13 @@ class TestNames:
          "scatter.fields.duty.load.fx.standard_deviation", 7, "must be positive"),
         (CASE + SCATTER + '"normal"\nmean = "1 N"\nstandard_deviation = 1.0\n',
          "scatter.fields.duty.load.fx.standard_deviation", 7, "needs a unit"),
-        (CASE + SCATTER + '"normal"\nmean = "1 N"\nstandard_deviation = "1 N"\nleast = "1 kN"\n',
-         "scatter.fields.duty.load.fx.least", 8, "lies more than"),
-        (CASE + SCATTER + '"uniform"\nmean = "1 N"\nleast = "1 N"\ngreatest = "2 N"\n',
+        (CASE + SCATTER + '"normal"\nmean = "1 N"\nstandard_deviation = "1 N"\nminimum = "1 kN"\n',
+         "scatter.fields.duty.load.fx.minimum", 8, "lies more than"),
+        (CASE + SCATTER + '"uniform"\nmean = "1 N"\nminimum = "1 N"\nmaximum = "2 N"\n',
          "scatter.fields.duty.load.fx.mean", 6, "does not apply to a uniform distribution"),
-        (CASE + SCATTER + '"uniform"\nleast = "2 N"\ngreatest = "1 N"\n',
-         "scatter.fields.duty.load.fx.greatest", 7, "greater than least"),
-        (CASE + SCATTER + '"triangular"\nlow = "1 N"\nmode = "2 N"\ngreatest = "3 N"\n',
+        (CASE + SCATTER + '"uniform"\nminimum = "2 N"\nmaximum = "1 N"\n',
+         "scatter.fields.duty.load.fx.maximum", 7, "greater than minimum"),
+        (CASE + SCATTER + '"triangular"\nlow = "1 N"\nmode = "2 N"\nmaximum = "3 N"\n',
          "scatter.fields.duty.load.fx.low", 6, "known: distribution, mean"),
     ],
 )  # fmt: skip
@@ -271,20 +271,20 @@ def test_an_inline_case_names_its_fields(examples: Path) -> None:
 
 def test_too_many_cases(examples: Path) -> None:
     text = ranged("duty.load.fz", '"1 N"', '"2 N"', 1_000_000) + SCATTER.replace("10", "10000")
-    error = refused(text + '"uniform"\nleast = "1 N"\ngreatest = "2 N"\n', examples)
+    error = refused(text + '"uniform"\nminimum = "1 N"\nmaximum = "2 N"\n', examples)
     assert "1e+09" in str(error)
 
 
 def test_what_needs_a_case_of_its_own_cannot_be_scattered(examples: Path) -> None:
     for name in ("bearing.ball_count", "bearing.inner_shoulder_height"):
         text = CASE + SCATTER.replace("duty.load.fx", name)
-        error = refused(text + '"uniform"\nleast = "3 mm"\ngreatest = "4 mm"\n', examples)
+        error = refused(text + '"uniform"\nminimum = "3 mm"\nmaximum = "4 mm"\n', examples)
         assert "use an axis" in str(error)
 
 
 class TestCorrelations:
     def scatter(self, *pairs: tuple[str, str, float]) -> Scatter:
-        law = Distribution(distribution="uniform", least=0.51, greatest=0.52)
+        law = Distribution(distribution="uniform", minimum=0.51, maximum=0.52)
         names = ("bearing.inner_conformity", "bearing.outer_conformity")
         more = "bearing.ring_material.poisson_ratio"
         poisson = Distribution(distribution="normal", mean=0.3, standard_deviation=0.01)

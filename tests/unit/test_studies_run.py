@@ -421,7 +421,7 @@ def test_memory_does_not_grow_with_the_number_of_cases(
     """The solver stands aside: parts of 1000 cases come, are kept, assembled, summarised."""
 
     def peak(cases: int) -> int:
-        law = Distribution(distribution="uniform", least="20 kN", greatest="40 kN")
+        law = Distribution(distribution="uniform", minimum="20 kN", maximum="40 kN")
         scatter = Scatter(count=cases, fields={"duty.load.fx": law})
         study = Study(case=case_218, outputs=("x", "inner_load"), scatter=scatter)
 

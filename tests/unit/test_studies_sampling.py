@@ -19,7 +19,7 @@ COUNT = 40_000
 INNER, OUTER = "bearing.inner_conformity", "bearing.outer_conformity"
 ANGLE = "bearing.contact_angle"
 NORMAL = Distribution(distribution="normal", mean="40 deg", standard_deviation="0.5 deg")
-FLAT = Distribution(distribution="uniform", least=0.51, greatest=0.53)
+FLAT = Distribution(distribution="uniform", minimum=0.51, maximum=0.53)
 
 
 def draws(scatter: Scatter, seed: int = 1) -> dict[str, np.ndarray]:
@@ -54,22 +54,22 @@ def test_uniform() -> None:
 
 
 @pytest.mark.parametrize(
-    ("least", "greatest"),
+    ("minimum", "maximum"),
     [(39.8, None), (None, 40.2), (39.5, 40.4), (41.0, 42.0), (37.0, 38.0), (44.0, None)],
 )
-def test_truncated_normal(least: float | None, greatest: float | None) -> None:
+def test_truncated_normal(minimum: float | None, maximum: float | None) -> None:
     bounds = {
         name: f"{value} deg"
-        for name, value in (("least", least), ("greatest", greatest))
+        for name, value in (("minimum", minimum), ("maximum", maximum))
         if value is not None
     }
     scatter = Scatter(count=COUNT, fields={ANGLE: NORMAL.replace(**bounds)})
     drawn = np.degrees(draws(scatter)[ANGLE])
-    low = (least - 40.0) / 0.5 if least is not None else -np.inf
-    high = (greatest - 40.0) / 0.5 if greatest is not None else np.inf
+    low = (minimum - 40.0) / 0.5 if minimum is not None else -np.inf
+    high = (maximum - 40.0) / 0.5 if maximum is not None else np.inf
     assert agrees(drawn, stats.truncnorm(low, high, 40.0, 0.5).cdf)
-    assert drawn.min() >= (least or 0.0) - 1e-9
-    assert drawn.max() <= (greatest or 90.0) + 1e-9
+    assert drawn.min() >= (minimum or 0.0) - 1e-9
+    assert drawn.max() <= (maximum or 90.0) + 1e-9
 
 
 @pytest.mark.parametrize(("low", "high"), [(-1.0, 2.0), (3.0, 4.0), (-25.0, -24.0), (20.0, 29.0)])
@@ -103,7 +103,7 @@ def law_of(field: str = LOAD, **given: object) -> object:
             stats.lognorm(math.log(1.5), scale=2000.0),
         ),
         (
-            {"distribution": "lognormal", "median": "2 kN", "factor": 3, "minimum": "500 N"},
+            {"distribution": "lognormal", "median": "2 kN", "factor": 3, "threshold": "500 N"},
             stats.lognorm(math.log(3.0), loc=500.0, scale=1500.0),
         ),
         (
@@ -111,19 +111,19 @@ def law_of(field: str = LOAD, **given: object) -> object:
             stats.weibull_min(1.5, scale=2000.0),
         ),
         (
-            {"distribution": "weibull", "shape": 0.8, "scale": "2 kN", "minimum": "1 kN"},
+            {"distribution": "weibull", "shape": 0.8, "scale": "2 kN", "threshold": "1 kN"},
             stats.weibull_min(0.8, loc=1000.0, scale=2000.0),
         ),
         (
-            {"distribution": "triangular", "least": "1 kN", "mode": "2 kN", "greatest": "5 kN"},
+            {"distribution": "triangular", "minimum": "1 kN", "mode": "2 kN", "maximum": "5 kN"},
             stats.triang(0.25, loc=1000.0, scale=4000.0),
         ),
         (
-            {"distribution": "triangular", "least": "1 kN", "mode": "1 kN", "greatest": "5 kN"},
+            {"distribution": "triangular", "minimum": "1 kN", "mode": "1 kN", "maximum": "5 kN"},
             stats.triang(0.0, loc=1000.0, scale=4000.0),
         ),
         (
-            {"distribution": "triangular", "least": "1 kN", "mode": "5 kN", "greatest": "5 kN"},
+            {"distribution": "triangular", "minimum": "1 kN", "mode": "5 kN", "maximum": "5 kN"},
             stats.triang(1.0, loc=1000.0, scale=4000.0),
         ),
     ],
@@ -140,10 +140,10 @@ def test_median_and_factor_enclose_two_thirds() -> None:
     np.testing.assert_allclose(law.quantile(one), [2000.0 / 1.5, 3000.0])  # type: ignore[attr-defined]
 
 
-@pytest.mark.parametrize("minimum", [None, "1 kN", "-3 kN"])
-def test_lognormal_by_mean_and_standard_deviation(minimum: str | None) -> None:
+@pytest.mark.parametrize("threshold", [None, "1 kN", "-3 kN"])
+def test_lognormal_by_mean_and_standard_deviation(threshold: str | None) -> None:
     given = {"distribution": "lognormal", "mean": "2 kN", "standard_deviation": "400 N"}
-    law = law_of(**given, **({} if minimum is None else {"minimum": minimum}))
+    law = law_of(**given, **({} if threshold is None else {"threshold": threshold}))
     assert isinstance(law, Lognormal)
     known = stats.lognorm(law.deviation, loc=law.minimum, scale=law.median)
     assert known.mean() == pytest.approx(2000.0)
@@ -151,9 +151,9 @@ def test_lognormal_by_mean_and_standard_deviation(minimum: str | None) -> None:
 
 
 def test_characteristic_value_of_weibull() -> None:
-    """A share of 1 − 1/e lies below minimum + scale, whatever the shape (IEC 61649)."""
+    """A share of 1 − 1/e lies below threshold + scale, whatever the shape (IEC 61649)."""
     for shape in (0.5, 1.1, 4.0):
-        law = law_of(distribution="weibull", shape=shape, scale="2 kN", minimum="1 kN")
+        law = law_of(distribution="weibull", shape=shape, scale="2 kN", threshold="1 kN")
         found = law.quantile(np.array([1.0 - math.exp(-1.0)]))  # type: ignore[attr-defined]
         assert found[0] == pytest.approx(3000.0)
 
@@ -190,7 +190,7 @@ def test_weibull_is_exact_far_out() -> None:
 
 
 def test_draws_of_each_law_and_their_correlation() -> None:
-    weibull = Distribution(distribution="weibull", shape=2, scale=0.004, minimum=0.515)
+    weibull = Distribution(distribution="weibull", shape=2, scale=0.004, threshold=0.515)
     lognormal = Distribution(distribution="lognormal", median=0.52, factor=1.002)
     pair = Correlation(fields=(INNER, OUTER), coefficient=0.7)
     scatter = Scatter(count=COUNT, fields={INNER: weibull, OUTER: lognormal}, correlations=[pair])
@@ -208,32 +208,33 @@ def test_draws_of_each_law_and_their_correlation() -> None:
         (LOAD, {"distribution": "lognormal", "median": "2 kN", "factor": 1}, "factor", "than 1"),
         (LOAD, {"distribution": "lognormal", "median": "2 kN", "factor": 2, "mean": "1 N"},
          "mean", "median, factor"),
-        (LOAD, {"distribution": "lognormal", "median": "2 kN", "factor": 2, "minimum": "3 kN"},
-         "median", "minimum"),
-        (LOAD, {"distribution": "lognormal", "median": "-2 kN", "factor": 2}, "median", "minimum"),
-        (LOAD, {"distribution": "lognormal", "median": "2 kN", "factor": 2, "greatest": "-1 N"},
-         "greatest", "minimum"),
+        (LOAD, {"distribution": "lognormal", "median": "2 kN", "factor": 2, "threshold": "3 kN"},
+         "median", "threshold"),
+        (LOAD, {"distribution": "lognormal", "median": "-2 kN", "factor": 2},
+         "median", "threshold"),
+        (LOAD, {"distribution": "lognormal", "median": "2 kN", "factor": 2, "maximum": "-1 N"},
+         "maximum", "threshold"),
         (LOAD, {"distribution": "lognormal", "median": "2 kN", "factor": 1.01,
-                "least": "20 kN"}, "least", "nothing"),
+                "threshold": "0 N", "minimum": "20 kN"}, "minimum", "nothing"),
         (LOAD, {"distribution": "weibull", "shape": 0, "scale": "1 kN"}, "shape", "than 0"),
         (LOAD, {"distribution": "weibull", "shape": 2}, "scale", "missing"),
         (LOAD, {"distribution": "weibull", "shape": 2, "scale": 5}, "scale", "unit"),
         (LOAD, {"distribution": "weibull", "shape": 2, "scale": "-1 N"}, "scale", "positive"),
-        (LOAD, {"distribution": "weibull", "shape": 9, "scale": "1 N", "least": "3 N"},
-         "least", "nothing"),
+        (LOAD, {"distribution": "weibull", "shape": 9, "scale": "1 N", "threshold": "0 N",
+                "minimum": "3 N"}, "minimum", "nothing"),
         (LOAD, {"distribution": "weibull", "shape": 2, "scale": "1 N", "mode": "1 N"},
          "mode", "shape, scale"),
-        (LOAD, {"distribution": "triangular", "least": "1 N", "mode": "3 N", "greatest": "2 N"},
-         "mode", "least to greatest"),
-        (LOAD, {"distribution": "triangular", "least": "1 N", "greatest": "2 N"},
+        (LOAD, {"distribution": "triangular", "minimum": "1 N", "mode": "3 N", "maximum": "2 N"},
+         "mode", "minimum to maximum"),
+        (LOAD, {"distribution": "triangular", "minimum": "1 N", "maximum": "2 N"},
          "mode", "missing"),
         (INNER, {"distribution": "weibull", "shape": 2, "scale": 0.1}, "scale", "median of"),
-        (INNER, {"distribution": "triangular", "least": -0.4, "mode": 0.52, "greatest": 0.53},
-         "least", "at least 0.501"),
+        (INNER, {"distribution": "triangular", "minimum": -0.4, "mode": 0.52, "maximum": 0.53},
+         "minimum", "at least 0.501"),
         ("temperature.lubricant", {"distribution": "weibull", "shape": 2, "scale": "30 K"},
-         "minimum", "natural zero"),
+         "threshold", "natural zero"),
         ("temperature.lubricant", {"distribution": "weibull", "shape": 2, "scale": "30 degC",
-                                   "minimum": "20 degC"}, "scale", "in K"),
+                                   "threshold": "20 degC"}, "scale", "in K"),
     ],
 )  # fmt: skip
 def test_what_no_law_is(field: str, given: dict[str, object], place: str, rule: str) -> None:
@@ -244,11 +245,11 @@ def test_what_no_law_is(field: str, given: dict[str, object], place: str, rule: 
 
 def test_laws_are_written_as_they_are_read() -> None:
     warm = Distribution(
-        distribution="weibull", shape=2.5, scale=30.0, minimum=293.15, greatest=400.0
+        distribution="weibull", shape=2.5, scale=30.0, threshold=293.15, maximum=400.0
     )
     field = read_field("temperature.lubricant")
     written = warm.written(field)
-    assert (written.scale, written.minimum) == ("30.0 K", "20 degC")
+    assert (written.scale, written.threshold) == ("30.0 K", "20 degC")
     assert written.law(field, in_file=True) == warm.law(field, in_file=False)
 
 

@@ -37,7 +37,7 @@ from rolamento.status import (
     OVER_SHOULDER,
     OVERLOADED,
     TOLERANCE,
-    UNHELD_BALL,
+    UNCONSTRAINED_BALL,
 )
 
 UNKNOWNS: Final = 6
@@ -46,7 +46,7 @@ PRECISION: Final = 1e-10
 _SHIFTS: Final = np.array([True, True, True, False, False])
 ANSWERED: Final = np.zeros(16, np.bool_)
 """By verdict on a row, whether it comes with its forces; no_equilibrium while it touches."""
-ANSWERED[[CONVERGED, OVERLOADED, UNHELD_BALL, OVER_SHOULDER, NO_EQUILIBRIUM]] = True
+ANSWERED[[CONVERGED, OVERLOADED, UNCONSTRAINED_BALL, OVER_SHOULDER, NO_EQUILIBRIUM]] = True
 
 
 @dataclass(slots=True)
@@ -438,7 +438,7 @@ def _judged(found: Balance, view: _View) -> tuple[IntArray, IntArray]:
 def _gravest(rows: Sequence[Held], cases: int) -> tuple[IntArray, IntArray]:
     """The gravest verdict on the rows of each case, and the unknown that nothing holds, or -1."""
     number, unsupported = np.full(cases, CONVERGED), np.full(cases, -1)
-    for verdict in (OVERLOADED, UNHELD_BALL, OVER_SHOULDER, NO_EQUILIBRIUM, NOT_CONVERGED):
+    for verdict in (OVERLOADED, UNCONSTRAINED_BALL, OVER_SHOULDER, NO_EQUILIBRIUM, NOT_CONVERGED):
         hit = np.any([held.number == verdict for held in rows], axis=0)
         number[hit] = verdict
         unsupported[hit & (verdict == NO_EQUILIBRIUM)] = 0

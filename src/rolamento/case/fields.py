@@ -15,6 +15,7 @@ from typing import Any, Final, Literal, get_args, get_origin
 from pydantic import BaseModel, create_model
 from pydantic.fields import FieldInfo
 
+from rolamento.case.former import current
 from rolamento.case.hints import hint
 from rolamento.case.labels import label_of
 from rolamento.case.quantity import Quantity, Ratio
@@ -333,7 +334,7 @@ def values_of(settings: Iterable[str], record: type[Record]) -> dict[str, object
         key, equals, text = setting.partition("=")
         if not equals or not key.strip() or len(setting) > _LONGEST_SETTING:
             raise InputError(said("must be KEY=VALUE"), value=setting, example=_EXAMPLE)
-        name = ".".join(part.strip() for part in key.split("."))
+        name = current(".".join(part.strip() for part in key.split(".")))
         values.pop(name, None)  # the last one counts
         values[name] = _given(name, text.strip(), record)
     return values
@@ -369,6 +370,7 @@ def changed(
         If there is no such field, or it takes no such number.
     """
     result = dict(mapping)
+    values = {current(name): value for name, value in values.items()}
     for name, value in values.items():
         _put(result, name, value if in_file else in_file_form(name, value, record), record)
         for rival in _rivals(name, value, record):

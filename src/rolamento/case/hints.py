@@ -63,7 +63,7 @@ ALIASES: Final = {
     "life.dynamic_rating": ("c", "c_r", "cr", "dynamic_load_rating", "capacidade_dinamica"),
     "life.static_rating": ("c_0", "c0", "c0r", "static_load_rating", "capacidade_estatica"),
     "life.fatigue_load_limit": ("c_u", "cu", "p_u", "pu"),
-    "life.wanted_life": ("required_life", "vida", "hours", "life_hours", "horas"),
+    "life.required_life": ("vida", "hours", "life_hours", "horas"),
     "life.contamination": ("e_c", "ec", "eta_c"),
     "life.cleanliness": ("iso_4406", "iso4406", "limpeza"),
     "life.viscosity_ratio": ("kappa",),

@@ -168,7 +168,7 @@ LABELS: Final = {
     "film.outside_diameter": marked("outside diameter (replenishment)"),
     "film.line": marked("film formulas of line contacts"),
     "life.reliability": marked("reliability"),
-    "life.wanted_life": marked("required life"),
+    "life.required_life": marked("required life"),
     "life.dynamic_rating": marked("basic dynamic load rating C"),
     "life.static_rating": marked("basic static load rating C_0"),
     "life.fatigue_load_limit": marked("fatigue load limit C_u"),

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Final, Literal, Self
+from typing import Annotated, Any, Final, Literal, Self
 
 from pydantic import AfterValidator, BeforeValidator, Field, model_validator
 
+from rolamento.case.former import with_current_names
 from rolamento.case.quantity import Line, Quantity, Ratio, Replaces
 from rolamento.case.record import Record, refuse_rivals
 from rolamento.errors import InputError, guess
@@ -117,7 +118,7 @@ class LifeModel(Record):
     ----------
     reliability
         S that the life is for, 0.01 to 0.999999.
-    wanted_life
+    required_life
         How long the bearing is to run, in s; in files in h. The result then tells with which
         reliability it does.
     dynamic_rating, static_rating
@@ -167,10 +168,15 @@ class LifeModel(Record):
         If a value is out of range, or the values contradict each other.
     """
 
+    @model_validator(mode="before")
+    @classmethod
+    def _current_names(cls, given: Any) -> Any:
+        return with_current_names(given, {"wanted_life": "required_life"})
+
     reliability: Annotated[float, Ratio(at_least=0.01, at_most=0.999999)] = Field(
         0.9, examples=[0.95]
     )
-    wanted_life: Annotated[float, Quantity("time", above="0 h", at_most="1e9 h")] | None = Field(
+    required_life: Annotated[float, Quantity("time", above="0 h", at_most="1e9 h")] | None = Field(
         None, examples=["20000 h"]
     )
     dynamic_rating: _Rating | None = Field(None, examples=["20.6 kN"])

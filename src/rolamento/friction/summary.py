@@ -236,7 +236,7 @@ class Friction:
                         "torque": self.models[found.model].total[case],
                         **_started(self.models[found.model].starting, case),
                         "parts": {k: p[case] for k, p in self.models[found.model].parts.items()},
-                        "holds": found.valid[case],
+                        "valid": found.valid[case],
                         "reasons": [note.to_mapping() for note in found.notes_of(case)],
                     }
                     for found in self.validity

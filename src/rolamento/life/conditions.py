@@ -42,7 +42,7 @@ _POSITIVE: Final = (
     "material_factor",
     "operation_factor",
     "nsk_cleanliness",
-    "wanted_life",
+    "required_life",
 )
 
 
@@ -87,7 +87,7 @@ class LifeConditions:
     inner_turning, outer_turning
         whether a ring turns against the load; by default those with a speed, and the inner where
         none has
-    wanted_life
+    required_life
         required life, s: the summary gives the reliability with which it is reached
     sources
         where ratings come from that are not the user's own, by name
@@ -119,7 +119,7 @@ class LifeConditions:
     tallian_surface: TallianFactors | None = None
     inner_turning: bool | None = None
     outer_turning: bool | None = None
-    wanted_life: float | None = None
+    required_life: float | None = None
     sources: Mapping[str, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -182,7 +182,7 @@ def conditions_of(source: Case | Solved) -> LifeConditions:
         **{**{name: number(name) for name in _NUMBERS}, **taken},
         sources=sources,
         reliability=model.reliability,
-        wanted_life=model.wanted_life,
+        required_life=model.required_life,
         edition=model.edition,
         contamination=_class_of(model) if dirt is None else dirt,
         additives=model.additives,

@@ -83,16 +83,16 @@ class Headline:
         return note_of(str(self.reason[case]), self.element) if self.reason[case] else None
 
     def to_mapping(self, case: int = 0) -> dict[str, Any]:
-        """Give one case as plain values; NaN as None, infinite life as None beside "endless"."""
+        """Give one case as plain values; NaN as None, infinite life as None beside "unlimited"."""
         reason = self.reason_of(case)
         return {
             "theory": str(self.theory[case]) or None,
             "reliability": self.reliability,
             "life": finite(self.life[case]),
             "hours": finite(self.hours[case]),
-            "endless": bool(np.isposinf(self.life[case])),
-            "holds": bool(self.valid[case]),
-            "below": bool(self.below[case]),
+            "unlimited": bool(np.isposinf(self.life[case])),
+            "valid": bool(self.valid[case]),
+            "upper_bound": bool(self.below[case]),
             "reason": None if reason is None else reason.to_mapping(),
         }
 

@@ -151,10 +151,10 @@ class Life:
             "basic": finite(self.basic[case]),
             "life": finite(self.life[case]),
             "hours": finite(self.hours[case]),
-            "endless": bool(np.isposinf(self.life[case])),
+            "unlimited": bool(np.isposinf(self.life[case])),
             "factors": {name: finite(array[case]) for name, array in self.factors.items()},
-            "holds": bool(self.valid[case]),
-            "below": bool(self.below[case]),
+            "valid": bool(self.valid[case]),
+            "upper_bound": bool(self.below[case]),
             "notes": [note.to_mapping() for note in self.notes_of(case)],
         }
 

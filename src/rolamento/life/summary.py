@@ -180,7 +180,7 @@ class LifeSummary:
             for name, unit in (("life", _MILLION), ("hours", HOUR))
         )
         below = bool(self.independent.below[case])
-        values = {"revolutions": life, "life": hours, "below": below}
+        values = {"revolutions": life, "life": hours, "upper_bound": below}
         return (Note("life_of_coupled_slices", values),)
 
     def to_mapping(self, case: int = 0) -> dict[str, Any]:
@@ -219,7 +219,7 @@ class LifeSummary:
             },
             "viscosity_ratio": _at(self.viscosity_ratio, case),
             "contamination_factor": _at(self.contamination_factor, case),
-            "wanted_life": self._required(case),
+            "required_life": self._required(case),
             "limit": {
                 "row": int(self.limit.row[case]),
                 "race": str(self.limit.race[case]) or None,
@@ -245,13 +245,13 @@ class LifeSummary:
 
     def _required(self, case: int) -> dict[str, float | bool | None] | None:
         """The required life (s), and its reliability; None if there is none."""
-        wanted = self.conditions.wanted_life
+        wanted = self.conditions.required_life
         if wanted is None:
             return None
         return {
             "life": wanted,
             "reliability": _at(self.reliability_after(wanted), case),
-            "below": bool(self.headline.below[case]),
+            "upper_bound": bool(self.headline.below[case]),
         }
 
 

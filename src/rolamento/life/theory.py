@@ -84,10 +84,10 @@ CLEANLINESS: Final = Need(
     DIRT,
 )
 REQUIRED_LIFE: Final = Need(
-    "life.wanted_life",
+    "life.required_life",
     marked("the required life"),
-    '[life] with wanted_life = "20000 h" in the case',
-    ("wanted_life",),
+    '[life] with required_life = "20000 h" in the case',
+    ("required_life",),
 )
 """No theory needs it, but the reliability with which it is reached."""
 

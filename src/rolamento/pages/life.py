@@ -474,7 +474,7 @@ def _cost(summary: LifeSummary) -> str:
 
 def _required(summary: LifeSummary) -> list[_Sentence]:
     """Say how reliable the required life is, if there is one and the theory for it is valid."""
-    required = summary.conditions.wanted_life
+    required = summary.conditions.required_life
     if required is None:
         return []
     reliability = float(summary.reliability_after(required)[0])

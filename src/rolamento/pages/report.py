@@ -475,7 +475,7 @@ def _summary_rows(report: Report) -> list[_Row]:
     return [
         *_life_rows(report),
         _Row(said("theory used"), texts=leading),
-        _Row(said("reliability at the required life"), "analysis.life.wanted_life.reliability",
+        _Row(said("reliability at the required life"), "analysis.life.required_life.reliability",
              ".4 %"),
         _Row(said("static safety factor S_0"), "analysis.life.loads.static_safety", ".3"),
         _Row(said("load ratio C/P"), "extremes.load_ratio", ".3"),
@@ -1019,7 +1019,7 @@ def _chosen(case: CaseReport) -> str:
 
 def _endless(case: CaseReport, theory: str) -> CellContent:
     own = case.numbers["analysis"]["life"]["theories"][theory]
-    return said("no fatigue limit reached") if own["endless"] else Number(nan)
+    return said("no fatigue limit reached") if own["unlimited"] else Number(nan)
 
 
 def _verdict(case: CaseReport, theory: str) -> str:

@@ -120,8 +120,8 @@ def lives_by_theory(curves: Sequence[LifeCurve], axes: Axes | None = None) -> Ax
             beyond = not np.any(life < limits[1])
             shown = said("{name}, above", name=name) if beyond else name
             faint |= judged_line(axes, x, life, valid, shown, look)
-        if turns and own.case.life is not None and own.case.life.wanted_life is not None:
-            wanted = own.case.life.wanted_life / HOUR
+        if turns and own.case.life is not None and own.case.life.required_life is not None:
+            wanted = own.case.life.required_life / HOUR
             axes.axhline(wanted, color=GREY, linewidth=0.9, label=said("required life"))
             limits = min(limits[0], wanted / _ROOM), max(limits[1], wanted * _ROOM)
         _mark_missing(axes, x, own)

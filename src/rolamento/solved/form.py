@@ -16,6 +16,7 @@ import numpy as np
 from rolamento.case import Case
 from rolamento.case.bearing import RowPlace
 from rolamento.case.duty import AXES, LOADS
+from rolamento.case.former import STATUSES, current
 from rolamento.contact.hertz import effective_modulus
 from rolamento.errors import ABSENT, FileError, InputError
 from rolamento.geometry import Race
@@ -51,8 +52,8 @@ from rolamento.words import Note, said
 if TYPE_CHECKING:
     from rolamento.solved.result import Solved
 
-SCHEMA: Final = 2
-_FIRST_SCHEMA: Final = 1
+SCHEMA: Final = 3
+_FORMER_SCHEMAS: Final = (1, 2)
 """Where notes and advice were texts."""
 EXAMPLE: Final = "rolamento solve case.toml --json state.json"
 _LARGEST: Final = 1e20
@@ -296,9 +297,11 @@ def pieces_of(mapping: Mapping[str, Any]) -> tuple[Case, dict[str, FloatArray], 
     schema = mapping.get("schema")
     if schema is None or not ("balls" in mapping or "states" in mapping):
         raise FileError(said("is not the JSON of a solved state"), example=EXAMPLE)
-    if schema is True or schema not in (_FIRST_SCHEMA, SCHEMA):
+    if schema is True or schema not in (*_FORMER_SCHEMAS, SCHEMA):
         raise FileError(
-            said("is of another release; 1 and 2 are known"), field="schema", value=schema
+            said("is of another release; 1 to {last} are known", last=SCHEMA),
+            field="schema",
+            value=schema,
         )
     case = _case(_value(mapping, "case"))
     one = "balls" in mapping
@@ -345,7 +348,7 @@ def _state(item: Any, case: Case, at: str) -> Pieces:
     }
     rollers = _rollers_of(item, balls, where, at) if "rollers" in item else None
     tables = Tables(elements, pressed["inner"], pressed["outer"], rolling, rollers)
-    code = _text(status, f"{at}status.code")
+    code = current(_text(status, f"{at}status.code"), STATUSES)
     if code not in STATUS_NUMBERS:
         raise InputError(
             said("must be one of {known}", known=", ".join(STATUS_NUMBERS)),

@@ -18,6 +18,7 @@ from pydantic import (
     model_validator,
 )
 
+from rolamento.case.former import current
 from rolamento.case.quantity import Count, Line, at_the_border
 from rolamento.case.record import Record
 from rolamento.errors import ABSENT, InputError
@@ -51,7 +52,9 @@ def _checked_name(name: str) -> str:
     return name
 
 
-FieldName = Annotated[str, Field(strict=True, max_length=200)]
+FieldName = Annotated[
+    str, Field(strict=True, max_length=200), AfterValidator(lambda name: current(name))
+]
 DimensionName = Annotated[Line, AfterValidator(_checked_name), Field(max_length=60)]
 _Values = Annotated[tuple[Any, ...], BeforeValidator(_as_list), Field(max_length=MOST_VALUES)]
 

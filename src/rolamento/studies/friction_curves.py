@@ -42,7 +42,7 @@ __all__ = [
 
 Floats = NDArray[np.float64]
 
-SCHEMA: Final = 1
+SCHEMA: Final = 2
 _COEFFICIENT: Final = "lubricant.friction_coefficient"
 
 
@@ -169,7 +169,7 @@ class FrictionCurve:
                 own.model: {
                     "contact_torque": friction.models[own.model].total,
                     "torque": self.torque(own.model),
-                    "holds": own.valid.tolist(),
+                    "valid": own.valid.tolist(),
                     "reasons": {name: where.tolist() for name, where in own.notes.items()},
                 }
                 for own in friction.validity

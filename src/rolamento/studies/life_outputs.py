@@ -125,7 +125,7 @@ def _of_theories() -> Iterator[Output]:
             compute = _number(_life(theory, attribute), slow)
             yield Output(f"{name}{end}", unit, compute, needs=needs, slow=slow)
         yield Output(
-            f"life_holds{end}",
+            f"life_valid{end}",
             "1",
             _validity(theory, slow),
             kind="whole",
@@ -141,7 +141,7 @@ def _bound() -> Output:
             return np.zeros(len(found.solved), np.int32)
         return np.asarray(summary.headline.below & found.solved.converged, np.int32)
 
-    return Output("life_below", "1", compute, kind="whole", needs=_LIFE)
+    return Output("life_upper_bound", "1", compute, kind="whole", needs=_LIFE)
 
 
 def _of_loads() -> Iterator[Output]:
@@ -168,7 +168,7 @@ def _of_factors() -> Iterator[Output]:
         ("contamination_factor", _contamination, _MODIFIED),
         *((name, _factor(theory), _MODIFIED) for name, theory in factors),
         (
-            "wanted_reliability",
+            "required_life_reliability",
             _reliability_of_required,
             (*_LIFE, REQUIRED_LIFE.name),
         ),
@@ -247,7 +247,7 @@ def _contamination(summary: LifeSummary) -> Floats | None:
 
 
 def _reliability_of_required(summary: LifeSummary) -> Floats | None:
-    required = summary.conditions.wanted_life
+    required = summary.conditions.required_life
     return None if required is None else summary.reliability_after(required)
 
 

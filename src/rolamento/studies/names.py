@@ -45,8 +45,8 @@ _WHOLE: Final = {
     # life
     "life_hours": marked("life"),
     "life_revolutions": marked("life in revolutions"),
-    "life_holds": marked("life valid (1) or not (0)"),
-    "life_below": marked("life an upper bound (1) or not (0)"),
+    "life_valid": marked("life valid (1) or not (0)"),
+    "life_upper_bound": marked("life an upper bound (1) or not (0)"),
     "dynamic_rating": marked("basic dynamic load rating C"),
     "static_rating": marked("basic static load rating C_0"),
     "fatigue_load_limit": marked("fatigue load limit C_u"),
@@ -58,7 +58,7 @@ _WHOLE: Final = {
     "contamination_factor": marked("contamination factor e_C"),
     "modification_factor_iso281": marked("life modification factor a_ISO (ISO 281)"),
     "modification_factor_iso16281": marked("life modification factor a_ISO (ISO/TS 16281)"),
-    "wanted_reliability": marked("reliability at the required life"),
+    "required_life_reliability": marked("reliability at the required life"),
     "inner_risk_share": marked("share of the inner races in the failure probability"),
     "weakest_race_share": marked("share of the weakest race in the failure probability"),
     "weakest_row": marked("row of the weakest race, counted from 0"),
@@ -185,7 +185,7 @@ def _of_theory(what: str, theory: str) -> str:
     return {
         "hours": said("life, {theory}", theory=name),
         "revolutions": said("life in revolutions, {theory}", theory=name),
-        "holds": said("life valid (1) or not (0), {theory}", theory=name),
+        "valid": said("life valid (1) or not (0), {theory}", theory=name),
     }[what]
 
 

@@ -24,6 +24,7 @@ from pydantic import (
     model_validator,
 )
 
+from rolamento.case.former import with_current_names
 from rolamento.case.quantity import Count, Ratio, at_the_border
 from rolamento.case.record import Record
 from rolamento.errors import InputError
@@ -134,19 +135,21 @@ def uniform(seed: int, name: str, first: int, last: int) -> Floats:
 _LEAST_FACTOR: Final = 1.0
 _MOST_SHAPE: Final = 1000.0
 
-_VALUES: Final = ("mean", "median", "mode", "least", "greatest")
+_VALUES: Final = ("mean", "median", "mode", "minimum", "maximum")
 """Parameters that are values of the field, within its limits."""
+_BEGIN_SOMEWHERE: Final = ("lognormal", "weibull")
+"""Distributions of what exceeds a threshold."""
 _DIFFERENCES: Final = ("standard_deviation", "scale")
 """Parameters that are differences of two values."""
 _KINDS: Final[Mapping[str, tuple[tuple[tuple[str, ...], ...], tuple[str, ...]]]] = {
-    "normal": ((("mean", "standard_deviation"),), ("least", "greatest")),
-    "uniform": ((("least", "greatest"),), ()),
-    "triangular": ((("least", "mode", "greatest"),), ()),
+    "normal": ((("mean", "standard_deviation"),), ("minimum", "maximum")),
+    "uniform": ((("minimum", "maximum"),), ()),
+    "triangular": ((("minimum", "mode", "maximum"),), ()),
     "lognormal": (
         (("median", "factor"), ("mean", "standard_deviation")),
-        ("minimum", "least", "greatest"),
+        ("threshold", "minimum", "maximum"),
     ),
-    "weibull": ((("shape", "scale"),), ("minimum", "least", "greatest")),
+    "weibull": ((("shape", "scale"),), ("threshold", "minimum", "maximum")),
 }
 """Of each distribution the parameters that it needs, in one of these sets, and what it may have."""
 
@@ -159,10 +162,10 @@ class Distribution(Record):
     distribution
         ``"normal"`` with `mean` and `standard_deviation`; ``"lognormal"`` with `median` and
         `factor`, or `mean` and `standard_deviation`; ``"weibull"`` with `shape` and `scale`; these
-        are cut off at `least` and `greatest` where given. ``"uniform"`` from `least` to
-        `greatest`; ``"triangular"`` from `least` by its `mode`, the most likely value, to
-        `greatest`.
-    mean, median, mode, least, greatest
+        are cut off at `minimum` and `maximum` where given. ``"uniform"`` from `minimum` to
+        `maximum`; ``"triangular"`` from `minimum` by its `mode`, the most likely value, to
+        `maximum`.
+    mean, median, mode, minimum, maximum
         As the field takes them: a quantity with its unit, in Python also an SI float. Mean and
         median are those before it is cut off.
     standard_deviation
@@ -171,12 +174,12 @@ class Distribution(Record):
         Of a lognormal distribution: 68.3 % of the draws lie between median / factor and median ×
         factor. Greater than 1.
     shape
-        β of a Weibull distribution, F = 1 − exp(−((x − minimum) / scale)^β).
+        β of a Weibull distribution, F = 1 − exp(−((x − threshold) / scale)^β).
     scale
-        η of a Weibull distribution, a difference: 63.2 % of the draws lie below minimum + scale.
-    minimum
-        Of a lognormal or Weibull distribution: what it exceeds; zero if not given. With one, median
-        / factor and median × factor are those of what exceeds it.
+        η of a Weibull distribution, a difference: 63.2 % of the draws lie below threshold + scale.
+    threshold
+        Of a lognormal or Weibull distribution: what it exceeds, x_0; zero if not given. With one,
+        median / factor and median × factor are those of what exceeds it.
 
     Raises
     ------
@@ -194,9 +197,29 @@ class Distribution(Record):
     mode: Any = Field(None, examples=["40 deg"])
     shape: Any = Field(None, examples=[1.5])
     scale: Any = Field(None, examples=["2 deg"])
+    threshold: Any = Field(None, examples=["38 deg"])
     minimum: Any = Field(None, examples=["38 deg"])
-    least: Any = Field(None, examples=["38 deg"])
-    greatest: Any = Field(None, examples=["42 deg"])
+    maximum: Any = Field(None, examples=["42 deg"])
+
+    @model_validator(mode="before")
+    @classmethod
+    def _current_names(cls, given: Any) -> Any:
+        """Read tables of release 0.1, where a cut-off had other names, and minimum was x_0."""
+        former = {"least": "minimum", "greatest": "maximum"}
+        if isinstance(given, Mapping) and given.get("distribution") in _BEGIN_SOMEWHERE:
+            if any(name in given for name in former):
+                former["minimum"] = "threshold"
+            elif "minimum" in given and "threshold" not in given:
+                raise InputError(
+                    said(
+                        "is where the draws are cut off; what they exceed, which was minimum until"
+                        " release 0.1, is threshold: give both"
+                    ),
+                    field="minimum",
+                    value=given["minimum"],
+                    example='threshold = "…"',
+                )
+        return with_current_names(given, former)
 
     @model_validator(mode="after")
     def _complete(self) -> Self:
@@ -235,13 +258,13 @@ class Distribution(Record):
         """
         low, high = (
             self._bound(field, name, in_file, default)
-            for name, default in (("least", -math.inf), ("greatest", math.inf))
+            for name, default in (("minimum", -math.inf), ("maximum", math.inf))
         )
         if not low < high:
             raise InputError(
-                said("must be greater than least"),
-                field="greatest",
-                value=self.greatest,
+                said("must be greater than minimum"),
+                field="maximum",
+                value=self.maximum,
             )
         match self.distribution:
             case "uniform":
@@ -262,7 +285,7 @@ class Distribution(Record):
     ) -> Triangular:
         mode = self._bound(field, "mode", in_file, low)
         if not low <= mode <= high:
-            raise InputError(said("must be from least to greatest"), field="mode", value=self.mode)
+            raise InputError(said("must be from minimum to maximum"), field="mode", value=self.mode)
         return Triangular(low, mode, high)
 
     def _normal(self, field: fields.Field, in_file: bool, low: float, high: float) -> Normal:
@@ -272,12 +295,12 @@ class Distribution(Record):
         return Normal(mean, spread, low, high)
 
     def _lognormal(self, field: fields.Field, in_file: bool, low: float, high: float) -> Lognormal:
-        minimum = self._minimum(field, in_file)
+        threshold = self._begins_at(field, in_file)
         name = "mean" if self.median is None else "median"
-        middle = self._bound(field, name, in_file, 0.0) - minimum
+        middle = self._bound(field, name, in_file, 0.0) - threshold
         if not middle > 0.0:
             raise InputError(
-                said("must be greater than minimum, which is zero if it is not given"),
+                said("must be greater than threshold, which is zero if it is not given"),
                 field=name,
                 value=getattr(self, name),
             )
@@ -294,46 +317,46 @@ class Distribution(Record):
             # Johnson, Kotz and Balakrishnan (1994), eqs. 14.8a and b: of mean and variance
             variance = math.log1p((spread / middle) ** 2)
             median, deviation = middle * math.exp(-0.5 * variance), math.sqrt(variance)
-        law = Lognormal(minimum, median, deviation, low, high)
-        self._check_above_minimum(high, minimum)
+        law = Lognormal(threshold, median, deviation, low, high)
+        self._check_above_threshold(high, threshold)
         ends = (
-            (math.log((bound - minimum) / median) if bound > minimum else -math.inf) / deviation
+            (math.log((bound - threshold) / median) if bound > threshold else -math.inf) / deviation
             for bound in (low, high)
         )
         self._check_reach(*ends)
         return law
 
     def _weibull(self, field: fields.Field, in_file: bool, low: float, high: float) -> Weibull:
-        minimum = self._minimum(field, in_file)
+        threshold = self._begins_at(field, in_file)
         shape = _number("shape", self.shape)
         if not 0.0 < shape <= _MOST_SHAPE:
             raise InputError(
                 said("must be greater than 0 and at most {most:.6g}", most=_MOST_SHAPE),
                 field="shape", value=self.shape, example="shape = 1.5",
             )  # fmt: skip
-        law = Weibull(minimum, _difference(field, "scale", self.scale, in_file), shape, low, high)
-        self._check_above_minimum(high, minimum)
+        law = Weibull(threshold, _difference(field, "scale", self.scale, in_file), shape, low, high)
+        self._check_above_threshold(high, threshold)
         if law.hazard(low) > _GREATEST_HAZARD:
             raise InputError(
                 said("lies so far above the scale that nothing would be left"),
-                field="least",
-                value=self.least,
+                field="minimum",
+                value=self.minimum,
             )
         return law
 
-    def _check_above_minimum(self, high: float, minimum: float) -> None:
-        if not high > minimum:
+    def _check_above_threshold(self, high: float, threshold: float) -> None:
+        if not high > threshold:
             raise InputError(
-                said("must be greater than minimum, which is zero if it is not given"),
-                field="greatest",
-                value=self.greatest,
+                said("must be greater than threshold, which is zero if it is not given"),
+                field="maximum",
+                value=self.maximum,
             )
 
     def _check_reach(self, low: float, high: float) -> None:
         """Refuse bounds, in standard deviations from the mean, that leave nothing between them."""
         if low < FARTHEST and high > -FARTHEST:
             return
-        name = "least" if low >= FARTHEST else "greatest"
+        name = "minimum" if low >= FARTHEST else "maximum"
         raise InputError(
             said(
                 "lies more than {most:.6g} standard deviations from the mean: nothing "
@@ -355,8 +378,8 @@ class Distribution(Record):
                 median=str(field.written(float(middle[0]))),
                 limits=field.limits,
             ),
-            field="scale" if self.distribution == "weibull" else "minimum",
-            example='minimum = "…", least = "…", greatest = "…"',
+            field="scale" if self.distribution == "weibull" else "threshold",
+            example='threshold = "…", minimum = "…", maximum = "…"',
         )
 
     def written(self, field: fields.Field) -> Distribution:
@@ -367,7 +390,7 @@ class Distribution(Record):
             if value is None:
                 continue
             if not isinstance(value, str):
-                if name in (*_VALUES, "minimum"):
+                if name in (*_VALUES, "threshold"):
                     value = field.written(float(value))
                 elif name in _DIFFERENCES and field.dimension is not None:
                     value = _written_difference(float(value), field.dimension)
@@ -383,31 +406,31 @@ class Distribution(Record):
         except InputError as error:
             raise error.with_details(field=name) from None
 
-    def _minimum(self, field: fields.Field, in_file: bool) -> float:
+    def _begins_at(self, field: fields.Field, in_file: bool) -> float:
         """Return what the draws exceed: the field need not take it, but all that lies above."""
-        if self.minimum is None:
+        if self.threshold is None:
             if field.dimension == "temperature":
                 raise InputError(
                     said(
                         "is missing: temperatures have no natural zero that a distribution of this"
                         " kind could begin at"
                     ),
-                    field="minimum",
-                    example='minimum = "20 degC"',
+                    field="threshold",
+                    example='threshold = "20 degC"',
                 )
             return 0.0
-        in_units = field.dimension is not None and (in_file or isinstance(self.minimum, str))
-        if in_units and not isinstance(self.minimum, str):
+        in_units = field.dimension is not None and (in_file or isinstance(self.threshold, str))
+        if in_units and not isinstance(self.threshold, str):
             raise InputError(
-                said("needs a unit"), field="minimum", value=self.minimum, example=field.example
+                said("needs a unit"), field="threshold", value=self.threshold, example=field.example
             )
         if not in_units:
-            return _number("minimum", self.minimum)
+            return _number("threshold", self.threshold)
         assert field.dimension is not None
         try:
-            return to_si(self.minimum, field.dimension)
+            return to_si(self.threshold, field.dimension)
         except InputError as error:
-            raise error.with_details(field="minimum") from None
+            raise error.with_details(field="threshold") from None
 
 
 _PARAMETERS: Final = tuple(name for name in Distribution.model_fields if name != "distribution")

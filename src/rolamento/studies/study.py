@@ -13,6 +13,7 @@ from typing import Annotated, Any, Final, Self
 
 import tomli_w
 from pydantic import (
+    AfterValidator,
     Field,
     SerializationInfo,
     SerializerFunctionWrapHandler,
@@ -22,6 +23,7 @@ from pydantic import (
 
 from rolamento.case import Case, is_designation, load_case
 from rolamento.case.fields import OVERRIDE_SOURCE, overridden
+from rolamento.case.former import OUTPUTS, current
 from rolamento.case.quantity import Count, Line, at_the_border
 from rolamento.case.record import Record
 from rolamento.case.variant import Variant, with_the_case
@@ -51,6 +53,9 @@ VARIANT: Final = "variant"
 
 _RESERVED: Final = (SAMPLE, VARIANT, "status", "ball", "row", "case")
 _MOST_AXES: Final = 8
+_OutputName = Annotated[
+    str, Field(strict=True, max_length=100), AfterValidator(lambda name: current(name, OUTPUTS))
+]
 _MOST_OUTPUTS: Final = 100
 MOST_GROUPS: Final = 10_000
 """Combinations of values, such as numbers of balls, each of which makes a case of its own."""
@@ -90,7 +95,7 @@ class Study(Record):
     title: Line = Field("", examples=["218 over its speed range"])
     case: Case = Field(examples=["case.toml"])
     seed: Annotated[int, Count] = Field(0, strict=True, ge=0, le=2**63 - 1, examples=[1])
-    outputs: tuple[Annotated[str, Field(strict=True, max_length=100)], ...] = Field(
+    outputs: tuple[_OutputName, ...] = Field(
         DEFAULT_OUTPUTS, min_length=1, max_length=_MOST_OUTPUTS, examples=['["x", "stiffness_zz"]']
     )
     variants: tuple[Variant, ...] = ()

@@ -18,7 +18,7 @@ from rolamento.words import said
 
 __all__ = ["MOST_CASES", "Batch", "batch"]
 
-SCHEMA: Final = 2
+SCHEMA: Final = 3
 MOST_CASES: Final = 20_000
 _MOST_OUTPUTS: Final = 100
 

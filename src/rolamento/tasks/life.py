@@ -37,7 +37,7 @@ from rolamento.words import said
 __all__ = ["MOST_BEARINGS", "CaseLife", "ShaftLife", "SystemLife", "life_of_case", "life_of_shaft"]
 
 MOST_BEARINGS: Final = 50
-SCHEMA: Final = 2
+SCHEMA: Final = 3
 _OF_LIFE: Final = ("dynamic_rating", "viscosity_ratio")
 """Fields of the [life] table that the engine names by their last part."""
 
@@ -151,11 +151,11 @@ class SystemLife:
         )
 
     def to_mapping(self) -> dict[str, Any]:
-        """Give hours and shares as plain values; an endless life as None beside "endless"."""
+        """Give hours and shares as plain values; an endless life as None beside "unlimited"."""
         return {
             "hours": self.hours,
-            "endless": bool(np.isposinf(self.hours)),
-            "holds": self.valid,
+            "unlimited": bool(np.isposinf(self.hours)),
+            "valid": self.valid,
             "risk": self.risk,
         }
 
@@ -220,8 +220,8 @@ class ShaftLife:
                 "headline": {
                     "theories": leading.theories,
                     "hours": leading.hours,
-                    "holds": leading.valid,
-                    "below": leading.below,
+                    "valid": leading.valid,
+                    "upper_bound": leading.below,
                     "risk": leading.risk,
                 },
                 "together": {name: own.to_mapping() for name, own in self.theories.items()},

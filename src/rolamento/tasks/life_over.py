@@ -171,17 +171,17 @@ class LifeCurve(LifeRows):
                 "theory": leading.theory,
                 "hours": leading.hours,
                 "life": leading.life,
-                "holds": leading.valid,
-                "below": leading.below,
+                "valid": leading.valid,
+                "upper_bound": leading.below,
                 "reason": leading.reason,
             },
             "theories": {
                 name: {
                     "hours": own.hours,
                     "life": own.life,
-                    "endless": np.isinf(own.life),
-                    "holds": own.valid,
-                    "below": own.below,
+                    "unlimited": np.isinf(own.life),
+                    "valid": own.valid,
+                    "upper_bound": own.below,
                     "notes": {key: where for key, where in own.notes.items() if np.any(where)},
                 }
                 for name, own in self.theories.items()

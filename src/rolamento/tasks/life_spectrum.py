@@ -70,7 +70,7 @@ Kind = Literal["share", "revolutions"]
 _EXAMPLE: Final = "share,duty.load.fz,duty.inner_speed"
 _ROUNDING: Final = 0.01 + 1e-9
 """By which the shares may miss 1: 33 % three times."""
-_FIXED: Final = ("life.reliability", "life.edition", "life.wanted_life", "bearing.arrangement")
+_FIXED: Final = ("life.reliability", "life.edition", "life.required_life", "bearing.arrangement")
 """Of the bearing and its life as a whole, not of a step."""
 
 
@@ -139,13 +139,13 @@ class DutyLife:
     below: bool
 
     def to_mapping(self) -> dict[str, Any]:
-        """Give the life as plain values; an endless one as None beside "endless"."""
+        """Give the life as plain values; an endless one as None beside "unlimited"."""
         return {
             "life": self.life,
             "hours": self.hours,
-            "endless": bool(np.isposinf(self.life)),
-            "holds": self.valid,
-            "below": self.below,
+            "unlimited": bool(np.isposinf(self.life)),
+            "valid": self.valid,
+            "upper_bound": self.below,
         }
 
 
@@ -236,12 +236,12 @@ class SpectrumLife:
                 "damage": leading.damage,
             },
             "theories": {name: _of_theory(own) for name, own in self.theories.items()},
-            "wanted_life": None
+            "required_life": None
             if self.required_life is None
             else {
                 "life": self.required_life,
                 "reliability": self.reliability_of_required(),
-                "below": leading.below,
+                "upper_bound": leading.below,
             },
             "steps": {
                 "status": self.status,
@@ -353,7 +353,7 @@ def life_under(
         },
         headline=_summed(rows.headline, leading, rows.slopes, idle, turns, mean_speed),
         reliability=wishes.reliability,
-        required_life=wishes.wanted_life,
+        required_life=wishes.required_life,
         stress_volume=len(duty) <= MOST_WITH_STRESS_VOLUME,
     )
 

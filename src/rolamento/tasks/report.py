@@ -53,7 +53,7 @@ __all__ = [
     "with_life",
 ]
 
-SCHEMA: Final = 2
+SCHEMA: Final = 3
 MOST_CASES: Final = 20
 
 Origin = Literal[

@@ -44,7 +44,7 @@ FIRST: Final = (
     "mounting.shaft_tolerance",
     "mounting.housing_tolerance",
     "life.cleanliness",
-    "life.wanted_life",
+    "life.required_life",
 )
 """The fields that an engineer asks for first; the others of their group stand behind them."""
 

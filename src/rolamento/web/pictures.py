@@ -861,9 +861,9 @@ def _life(cases: Cases) -> Picture:
         if name in own.theories
     }  # fmt: skip
     wanted = [
-        (one, own.conditions.wanted_life / HOUR)
+        (one, own.conditions.required_life / HOUR)
         for one, own in known
-        if turns and own.conditions.wanted_life is not None
+        if turns and own.conditions.required_life is not None
     ]
     limits = _limits_of_lives(lives, [hours for _, hours in wanted])
     if limits is None:

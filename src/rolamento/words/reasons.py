@@ -12,7 +12,7 @@ _REASONS: Final = {
     "no_equilibrium": marked("there is no equilibrium"),
     "not_converged": marked("not converged"),
     "overloaded": marked("overloaded"),
-    "unheld_ball": marked("a ball is not held"),
+    "unconstrained_ball": marked("a ball is not held"),
     "over_shoulder": marked("a contact lies beyond the shoulder of its groove"),
     "invalid_input": marked("invalid input"),
 }

@@ -36,7 +36,7 @@ from rolamento.status import (
     OVER_SHOULDER,
     OVERLOADED,
     TOLERANCE,
-    UNHELD_BALL,
+    UNCONSTRAINED_BALL,
 )
 
 NEEDS_INERTIA: Final = 7  # to be solved again: at rest this would be the result
@@ -115,7 +115,7 @@ def judge(
     if not is_finite(u) or not residual_of_all <= TOLERANCE or not placed:
         return NOT_CONVERGED, residual_of_all, -1
     if not held:
-        return UNHELD_BALL, residual_of_all, -1
+        return UNCONSTRAINED_BALL, residual_of_all, -1
     if lost >= 0:
         return NO_EQUILIBRIUM, residual_of_all, lost
     if deepest > GREATEST_APPROACH * p[layout.BALL_DIAMETER, case]:

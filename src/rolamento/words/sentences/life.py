@@ -28,7 +28,7 @@ def _life_of_coupled_slices(values: Mapping[str, Any]) -> str:
         second = (
             said("With those the life is below {revolutions:.3r [10⁶ rev]} million revolutions.",
                  **values)
-            if values["below"]
+            if values["upper_bound"]
             else said("With those the life is {revolutions:.3r [10⁶ rev]} million revolutions.",
                       **values)
         )  # fmt: skip
@@ -36,7 +36,7 @@ def _life_of_coupled_slices(values: Mapping[str, Any]) -> str:
     second = (
         said("With those the life is below {life:.3r h}, {revolutions:.3r [10⁶ rev]} million"
              " revolutions.", **values)
-        if values["below"]
+        if values["upper_bound"]
         else said("With those the life is {life:.3r h}, {revolutions:.3r [10⁶ rev]} million"
                   " revolutions.", **values)
     )  # fmt: skip

@@ -519,7 +519,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " bearing on the shaft does."
     ),
     "sphere_holds_no_moment": _sphere_holds_no_moment,
-    "unheld_ball": marked(
+    "unconstrained_ball": marked(
         "This raceway control cannot hold a ball that a race loads too lightly to bear its"
         ' gyroscopic moment. Choose model.cage = "loose", model.raceway_control = "jones" or'
         ' "outer", or more axial load.'
