@@ -208,6 +208,7 @@ def test_a_peak_of_two_bearings_decides_between_neither(tmp_path: Path) -> None:
         ('[[bearings]]\ndesignation = "6205"\nshaft = {a = 1}', "shaft"),
         ('[[bearings]]\ndesignation = "6205"\nname = 3', "name"),
         ('[[bearings]]\ndesignation = "6205"\n[[shafts]]\nname = "main"\nratio = 2', "name"),
+        (f'[[bearings]]\ndesignation = "6205"\n[[shafts]]\nname = "{"a" * 100_000}"', "name"),
     ],
 )
 def test_a_wrong_machine_is_refused(text: str, field: str, tmp_path: Path) -> None:

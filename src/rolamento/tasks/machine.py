@@ -20,6 +20,7 @@ __all__ = ["Machine", "MachineDiagnosis", "Mounted", "diagnose_machine", "read_m
 _MOST: Final = 20
 _SAME: Final = 0.004
 """Part of a frequency within which the peaks of two bearings are one."""
+_LONGEST_NAME: Final = 60
 _MAIN: Final = "main"
 """Name of the shaft whose speed is given."""
 _KEYS: Final[Mapping[str, frozenset[str]]] = {
@@ -141,6 +142,9 @@ def _text(row: Mapping[str, Any], key: str) -> str:
     value = row.get(key)
     if not isinstance(value, str) or not value.strip():
         raise InputError(said("must be text"), field=key, value=value, example=f'{key} = "6205"')
+    if len(value) > _LONGEST_NAME:
+        rule = said("must be at most {max_length} characters long", max_length=_LONGEST_NAME)
+        raise InputError(rule, field=key, value=value)
     return value
 
 
