@@ -439,7 +439,7 @@ def test_a_heavy_case_is_slow_wherever_it_stands(
 def test_too_many_that_wait_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     async def run() -> None:
         queue = limits.Limits(1, 2)
-        monkeypatch.setattr(limits, "_queues", lambda _: {"slow": queue, "fast": queue})
+        monkeypatch.setattr(limits, "_queue", lambda _: queue)
         refused = []
 
         async def one() -> None:
@@ -455,6 +455,82 @@ def test_too_many_that_wait_are_refused(monkeypatch: pytest.MonkeyPatch) -> None
         assert refused == [503, 503, 503]
 
     anyio.run(run)
+
+
+def test_what_is_small_goes_first_but_not_for_ever() -> None:
+    """Of those who wait; whoever came much earlier is not overtaken again and again."""
+
+    async def run() -> None:
+        turns, order = limits.Turns(1, 8), []
+
+        async def one(name: str, size: float) -> None:
+            async with turns.turn(size):
+                order.append(name)
+                await anyio.sleep(0.02)
+
+        async with anyio.create_task_group() as group:
+            for name, size in [("first", 1e6), ("large", 1e5), ("small", 10.0), ("less", 1e2)]:
+                group.start_soon(one, name, size)
+                await anyio.sleep(0)
+        assert order == ["first", "small", "less", "large"]
+
+        order.clear()
+        async with anyio.create_task_group() as group:
+            group.start_soon(one, "first", 1.0)
+            await anyio.sleep(0)
+            group.start_soon(one, "large", 1e5)
+            for number in range(7):
+                await anyio.sleep(0)
+                group.start_soon(one, f"small {number}", 1.0)
+        assert 3 <= order.index("large") <= 6
+
+    anyio.run(run)
+
+
+def test_turns_are_not_lost(monkeypatch: pytest.MonkeyPatch) -> None:
+    """By who is refused, gives up waiting, or fails."""
+
+    async def run() -> None:
+        turns = limits.Turns(1, 1)
+        refused = []
+
+        async def one(seconds: float) -> None:
+            try:
+                async with turns.turn(1.0):
+                    await anyio.sleep(seconds)
+            except answers.RequestError as error:
+                refused.append(error.status)
+
+        async with anyio.create_task_group() as group:
+            for _ in range(3):
+                group.start_soon(one, 0.05)
+                await anyio.sleep(0)
+        assert refused == [503]
+        async with anyio.create_task_group() as group:
+            group.start_soon(one, 0.2)
+            await anyio.sleep(0)
+            with anyio.move_on_after(0.05):
+                await one(0.0)
+            monkeypatch.setattr(limits, "_LONGEST_WAIT", 0.02)
+            await one(0.0)
+        assert refused == [503, 503]
+        with pytest.raises(ZeroDivisionError):
+            async with turns.turn(1.0):
+                raise ZeroDivisionError
+        with anyio.fail_after(1.0):
+            await one(0.0)
+
+    anyio.run(run)
+
+
+def test_what_is_asked_for_is_reckoned(tmp_path: Path) -> None:
+    record = tmp_path / "a.wav"
+    record.write_bytes(bytes(50_000))
+    bearing = {"bearing": {"ball_count": 20, "arrangement": "DB"}}
+    assert limits._size_of((str(record), "a.wav")) == 50.0
+    assert limits._size_of(([{"case": bearing}] * 3, {}, "pdf")) == 3 * 40.0 + 1.0
+    slow = {"case": {"model": {"roller_contact": "coupled"}}}
+    assert limits._size_of((slow,)) > 1e4
 
 
 KILLED = """

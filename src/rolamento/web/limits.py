@@ -9,9 +9,13 @@ from __future__ import annotations
 
 import os
 import threading
-from collections.abc import Callable, Mapping
+from collections.abc import AsyncIterator, Callable, Mapping
+from contextlib import asynccontextmanager
 from contextvars import ContextVar
 from functools import cache
+from heapq import heapify, heappop, heappush
+from itertools import count
+from math import inf, log10
 from typing import Any, Final, TypeVar, cast
 
 import anyio
@@ -23,7 +27,7 @@ from rolamento.errors import InputError
 from rolamento.web.answers import RequestError
 from rolamento.words import language, said, speaking
 
-__all__ = ["VISITOR", "Limits", "by_weight", "fast", "slow"]
+__all__ = ["VISITOR", "Limits", "Turns", "by_weight", "fast", "slow"]
 
 R = TypeVar("R")
 
@@ -65,13 +69,71 @@ def _busy() -> RequestError:
     return RequestError(said("too many requests are waiting; try again in a moment"), 503)
 
 
+class Turns:
+    """Turns at slow work: of those who wait the smallest is next, unless it came much later.
+
+    Ten times the size is worth one place in the queue: so nobody is overtaken without end.
+    """
+
+    def __init__(self, at_once: int, most_waiting: int) -> None:
+        self._free, self._most_waiting = at_once, most_waiting
+        self._waiting: list[tuple[float, int, anyio.Event]] = []
+        self._came = count()
+
+    @asynccontextmanager
+    async def turn(self, size: float) -> AsyncIterator[None]:
+        """Wait for a turn, and take it within the block.
+
+        Raises
+        ------
+        RequestError
+            503, if too many wait, or the turn does not come in a minute.
+        """
+        if self._free:
+            self._free -= 1
+        else:
+            await self._wait(size)
+        try:
+            yield
+        finally:
+            self._pass_on()
+
+    async def _wait(self, size: float) -> None:
+        if len(self._waiting) >= self._most_waiting:
+            raise _busy()
+        number = next(self._came)
+        own = (number + log10(max(size, 1.0)), number, anyio.Event())
+        heappush(self._waiting, own)
+        try:
+            with anyio.fail_after(_LONGEST_WAIT):
+                await own[2].wait()
+        except BaseException as error:
+            if own in self._waiting:
+                self._waiting.remove(own)
+                heapify(self._waiting)
+            else:  # its turn had come
+                self._pass_on()
+            if isinstance(error, TimeoutError):
+                raise _busy() from None
+            raise
+
+    def _pass_on(self) -> None:
+        if self._waiting:
+            heappop(self._waiting)[2].set()
+        else:
+            self._free += 1
+
+
 @cache
-def _queues(_thread: int) -> dict[str, Limits]:
-    """The queues of an event loop, which is one to a thread."""
-    return {
-        "fast": Limits(FAST_AT_ONCE, _MOST_WAITING["fast"]),
-        "slow": Limits(SLOW_AT_ONCE, _MOST_WAITING["slow"]),
-    }
+def _queue(_thread: int) -> Limits:
+    """The queue of what is fast, of an event loop, which is one to a thread."""
+    return Limits(FAST_AT_ONCE, _MOST_WAITING["fast"])
+
+
+@cache
+def _turns(_thread: int) -> Turns:
+    """Likewise of what is slow."""
+    return Turns(SLOW_AT_ONCE, _MOST_WAITING["slow"])
 
 
 _HEAVY: Final = frozenset({"coupled"})
@@ -80,13 +142,35 @@ power."""
 _MANY: Final = 400
 """Rolling elements of all rows together above which a case takes longer than a second: some 2 ms
 each, where it takes the safe path."""
+_MINUTES: Final = 1e5
+"""Rolling elements that a case which takes minutes stands for in the queue."""
 _COUNTS: Final = ("ball_count", "roller_count")
 _ROWS: Final = ("rows", "arrangement")
 
 
 def _is_heavy(asked: Any) -> bool:
-    """Whether a case of a request takes long, wherever it stands; fields may be dotted names."""
-    elements, rows = 1, 1
+    """Whether a case of a request takes long."""
+    return _reckoned(asked)[0] > _MANY
+
+
+def _size_of(args: tuple[Any, ...]) -> float:
+    """How much is asked for: rolling elements of all cases, and kilobytes of a file."""
+    size = 0.0
+    for one in args:
+        if isinstance(one, str):
+            size += os.path.getsize(one) / 1e3 if os.path.isfile(one) else 0.0
+        else:
+            elements, cases = _reckoned(one)
+            size += min(elements, _MINUTES) * cases
+    return size
+
+
+def _reckoned(asked: Any) -> tuple[float, int]:
+    """Rolling elements of all rows of the largest case of a request, and how many cases it has.
+
+    Wherever they stand; fields may be dotted names. Infinitely many where a case takes minutes.
+    """
+    elements, rows, cases = 1.0, 1, 1
     left = [asked]
     while left:
         one = left.pop()
@@ -98,11 +182,12 @@ def _is_heavy(asked: Any) -> bool:
                 elif own in _ROWS and isinstance(value, list | str):
                     rows = max(rows, len(value))
             left += one.values()
-        elif isinstance(one, list):
+        elif isinstance(one, list | tuple):
+            cases = max(cases, sum(isinstance(item, Mapping) for item in one))
             left += one
         elif isinstance(one, str) and one in _HEAVY:
-            return True
-    return rows * elements > _MANY
+            elements = inf
+    return rows * elements, cases
 
 
 def _whole(value: Any) -> int:
@@ -140,7 +225,7 @@ async def fast(function: Callable[..., R], *args: Any) -> R:
     RequestError
         503, if too many wait.
     """
-    queue = _queues(threading.get_ident())["fast"]
+    queue = _queue(threading.get_ident())
     queue.check()
     return await anyio.to_thread.run_sync(function, *args, limiter=queue.limiter)
 
@@ -160,27 +245,19 @@ async def slow(function: Callable[..., R], *args: Any, seconds: float = SECONDS)
     RequestError
         503 if too many wait, or the process was ended twice; 504 if it takes longer.
     """
-    queue = _queues(threading.get_ident())["slow"]
-    queue.check()
-    try:
-        with anyio.fail_after(_LONGEST_WAIT):
-            await queue.limiter.acquire()
-    except TimeoutError:
-        raise _busy() from None
-    try:
-        with anyio.fail_after(seconds):
-            try:
-                found = await _while_there(_in_worker, language(), function, args)
-            except anyio.BrokenWorkerProcess:  # ended by somebody: once more, in another one
-                found = await _while_there(_in_worker, language(), function, args)
-    except anyio.BrokenWorkerProcess:
-        rule = said("the process that worked on it was ended; try again in a moment")
-        raise RequestError(rule, 503) from None
-    except TimeoutError:
-        rule = said("took longer than {seconds} s and was ended", seconds=seconds)
-        raise RequestError(rule, 504) from None
-    finally:
-        queue.limiter.release()
+    async with _turns(threading.get_ident()).turn(_size_of(args)):
+        try:
+            with anyio.fail_after(seconds):
+                try:
+                    found = await _while_there(_in_worker, language(), function, args)
+                except anyio.BrokenWorkerProcess:  # ended by somebody: once more, in another one
+                    found = await _while_there(_in_worker, language(), function, args)
+        except anyio.BrokenWorkerProcess:
+            rule = said("the process that worked on it was ended; try again in a moment")
+            raise RequestError(rule, 503) from None
+        except TimeoutError:
+            rule = said("took longer than {seconds} s and was ended", seconds=seconds)
+            raise RequestError(rule, 504) from None
     if isinstance(found, InputError):
         raise found
     return cast(R, found)
