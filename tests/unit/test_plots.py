@@ -654,7 +654,7 @@ def spoilt(state: Solved, change: Callable[[dict[str, Any]], object]) -> dict[st
     [
         (lambda m: m.pop("schema"), "is not the JSON of a solved state"),
         (lambda m: m.pop("balls"), "is not the JSON of a solved state"),
-        (lambda m: m.update(schema=3), "schema = 3: is of another release"),
+        (lambda m: m.update(schema=4), "schema = 4: is of another release"),
         (lambda m: m.update(schema=True), "is of another release"),
         (lambda m: m.update(balls=[]), "balls = a list: must be a list of at least 1"),
         (lambda m: m.update(balls=7), "balls = 7: must be a list"),

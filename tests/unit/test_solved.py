@@ -232,7 +232,7 @@ def test_a_file_of_json(case: Case, tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("path", "value", "field"),
     [
-        (("schema",), 3, "schema"),
+        (("schema",), 4, "schema"),
         (("schema",), True, "schema"),
         (("balls",), [], "balls"),
         (("balls",), {"0": 1}, "balls"),

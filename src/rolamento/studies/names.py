@@ -96,7 +96,7 @@ _STIFFNESS: Final = re.compile(r"stiffness_(r?[xyz])(r?[xyz])")
 _OF_BALLS: Final = re.compile(r"(row_)?(?:(max|min|mean)_)?(?:(inner|outer)_)?([a-z_]+)")
 _OF_ROW: Final = re.compile(r"row_([fm][xyz])")
 _OF_MODEL: Final = re.compile(r"friction_(torque|power)_([a-z_0-9]+)")
-_OF_THEORY: Final = re.compile(r"life_(hours|revolutions|holds)_([a-z_0-9]+)")
+_OF_THEORY: Final = re.compile(r"life_(hours|revolutions|valid)_([a-z_0-9]+)")
 
 
 def variable_name(variable: str, field: str = "") -> str:
