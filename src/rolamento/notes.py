@@ -605,7 +605,7 @@ def _out_of_the_washers(solved: Solved) -> Note:
             "inner_edge": _edge(solved.case, "inner"),
             "outer_edge": _edge(solved.case, "outer"),
             "centrifugal_force": force,
-            "least_load": least if force > 0.0 else None,
+            "minimum_load": least if force > 0.0 else None,
         },
     )
 

@@ -90,7 +90,7 @@ def test_page_and_json_name_the_neighbour(of_6310: Path, language: str) -> None:
     mapping = found.to_mapping()
     assert mapping["lookalikes"]["count"] == len(mapping["lookalikes"]["bearings"])
     assert mapping["advice"][-1]["key"] == "lines_of_other_bearings"
-    assert "what_tells_bearings" in [note["key"] for note in mapping["notes"]]
+    assert "distinguishing_lines" in [note["key"] for note in mapping["notes"]]
 
 
 def test_what_tells_them_apart(of_6310: Path) -> None:
@@ -126,7 +126,7 @@ def test_bearings_that_none_or_all_resemble(of_6310: Path) -> None:
     six, bearing = Bearing.named("6310"), found.bearing
     ratio = bearing.ball_diameter / bearing.pitch_diameter
     twin = RollingBearing("twin", six.element_count, ratio, 0.0, False)
-    assert among(twin) == "no_line_tells_bearings"
+    assert among(twin) == "no_distinguishing_line"
     assert among(RollingBearing("other", 31, ratio, 0.0, False)) == "lines_of_no_other_bearing"
     more = RollingBearing("more", 9, 0.319, 0.0, False)
     shared = lookalikes(found.diagnosis, sought, [more], speed_tolerance=0.03)

@@ -401,7 +401,7 @@ def test_balls_that_leave_the_grooves_are_named_with_the_load_that_keeps_them() 
     advice = lost.advice[0]
     assert advice is not None
     assert advice.key == "thrust_over_shoulder"
-    least = advice.values["least_load"]
+    least = advice.values["minimum_load"]
     assert solve(case_of(shallow, 2000.0, fx=1.1 * least)).converged[0]
     assert not solve(case_of(shallow, 2000.0, fx=0.9 * least)).converged[0]
     assert "axial load of" in said(advice)

@@ -106,7 +106,7 @@ def test_a_record_that_is_too_short_is_no_verdict(signal: Path) -> None:
     assert isinstance(found, tasks.TooShort)
     assert (found.verdict, found.reason) == ("no_verdict", "record_too_short")
     assert found.revolutions == pytest.approx(0.05 * 29.95, rel=1e-3)
-    assert found.least_revolutions > found.revolutions
+    assert found.required_revolutions > found.revolutions
 
 
 def test_the_search_is_a_record(signal: Path) -> None:

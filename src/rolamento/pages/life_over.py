@@ -267,7 +267,8 @@ def _of_points(
         Column(head=name, values=[MILLION * float(n) for n in gathered("life", np.nan)],
                unit="10⁶ rev", key=key),
     ]  # fmt: skip
-    for attribute, head in (("valid", said("valid")), ("below", said("bound"))):
+    marks = (("valid", "valid", said("valid")), ("below", "upper_bound", said("bound")))
+    for attribute, end, head in marks:
         values = [yes if one else no for one in gathered(attribute, False)]
-        columns.append(Column(head=head, values=values, key=f"{key}_{attribute}"))
+        columns.append(Column(head=head, values=values, key=f"{key}_{end}"))
     return columns

@@ -27,7 +27,7 @@ from rolamento.words import Note, said
 Floats = NDArray[np.float64]
 Compared = Literal["displacement", "load", "stiffness"]
 
-SCHEMA: Final = 1
+SCHEMA: Final = 2
 FEWEST_POINTS: Final = 4
 MOST_POINTS: Final = 4096
 DEFAULT_POINTS: Final = 256
@@ -228,7 +228,7 @@ class CageTurn:
             "period": self.period,
             "angle": self.angle,
             "time": self.time,
-            "cage_speed": {"mean": speed.mean, "least": speed.minimum, "greatest": speed.maximum},
+            "cage_speed": {"mean": speed.mean, "minimum": speed.minimum, "maximum": speed.maximum},
             "passage_frequency": self.passage_frequency,
             "orders": self.orders.tolist(),
             "frequencies": self.frequencies,

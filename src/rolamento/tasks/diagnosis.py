@@ -49,7 +49,7 @@ from rolamento.words.naming import of_element
 if TYPE_CHECKING:
     from rolamento.solved import Solved
 
-SCHEMA: Final = 2
+SCHEMA: Final = 3
 Conclusion = Literal["fault", "undecided", "watch", "nothing_found", "no_verdict"]
 
 _CLEAR: Final = 9.0
@@ -318,7 +318,7 @@ class TooShort:
 
     Attributes
     ----------
-    revolutions, least_revolutions
+    revolutions, required_revolutions
         that it has, or that the longest stretch has which is judged at once; and from which on it
         tells something
     duration
@@ -328,7 +328,7 @@ class TooShort:
     """
 
     revolutions: float
-    least_revolutions: float
+    required_revolutions: float
     duration: float
     is_stretch: bool
 
@@ -345,11 +345,11 @@ class TooShort:
     @property
     def statement(self) -> tuple[Note, ...]:
         """What it comes to: that the record is too short, or the shaft too slow for its rate."""
-        times = self.least_revolutions / self.revolutions
+        times = self.required_revolutions / self.revolutions
         values = {
             "revolutions": self.revolutions,
             "duration": self.duration,
-            "least": self.least_revolutions,
+            "required": self.required_revolutions,
             "seconds": self.duration * times,
             "times": times,
         }
@@ -363,7 +363,7 @@ class TooShort:
             "statement": _mappings(self.statement),
             "reason": self.reason,
             "revolutions": self.revolutions,
-            "least_revolutions": self.least_revolutions,
+            "required_revolutions": self.required_revolutions,
             "duration": self.duration,
         }
 

@@ -45,7 +45,7 @@ from rolamento.words.naming import of_element
 if TYPE_CHECKING:
     from rolamento.solved import Solved
 
-SCHEMA: Final = 2
+SCHEMA: Final = 3
 _MOST_IMPACTS: Final = 1_000_000
 """In a file of truth."""
 MOST_SAMPLES: Final = 20_000_000

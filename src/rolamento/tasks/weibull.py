@@ -413,10 +413,10 @@ class PrecisionStudy:
     def to_mapping(self) -> dict[str, Any]:
         """Give the plans as plain values; times in the unit that they name."""
         return {
-            "schema": 2,
+            "schema": 3,
             "kind": "weibull_plan_precision",
             "unit": self.unit,
-            "wanted_ratio": self.ratio,
+            "required_ratio": self.ratio,
             "plans": [plan.to_mapping() for plan in self.plans],
         }
 

@@ -135,14 +135,14 @@ class Lookalikes:
             "best_other_frequency": self._hertz(best) * (1.0 + nearest.differences[best]),
         }
         if values["best_difference"] < _ALIKE:
-            return Note("no_line_tells_bearings", values)
+            return Note("no_distinguishing_line", values)
         order = self.sought.fundamental(best) or 0.0
         spacing = order * values["best_difference"]
         values["known_within"] = 0.5 * values["best_difference"]
         values["duration"] = _LINES / (spacing * self.frequency)
         values["resolved"] = spacing >= _LINES * self.resolution
         values["slip"] = self.slip
-        return Note("what_tells_bearings", values)
+        return Note("distinguishing_lines", values)
 
     def _hertz(self, part: Component) -> float:
         return (self.sought.fundamental(part) or 0.0) * self.frequency

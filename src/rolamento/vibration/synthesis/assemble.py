@@ -279,8 +279,8 @@ class Truth:
             "waviness": [line._asdict() for line in self.waviness_lines],
             "speed": {
                 "mean": float(np.mean(self.speed)),
-                "least": float(np.min(self.speed)),
-                "most": float(np.max(self.speed)),
+                "minimum": float(np.min(self.speed)),
+                "maximum": float(np.max(self.speed)),
             },
             "noise_level": self.noise_level,
             "signal_to_noise": ratio if isfinite(ratio) else None,

@@ -478,14 +478,14 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     "shaft_too_slow": marked(
         "No verdict: the shaft is too slow for this sampling rate. The longest stretch analysed at"
-        " once, {duration:.3 s}, covers {revolutions:.2} revolutions; below {least:.2} nothing can"
-        " be said about either race. Give the signal at a sampling rate at least {times:.2} times"
-        " lower."
+        " once, {duration:.3 s}, covers {revolutions:.2} revolutions; below {required:.2} nothing"
+        " can be said about either race. Give the signal at a sampling rate at least {times:.2}"
+        " times lower."
     ),
     "record_short": marked(
         "No verdict: the record is too short. It covers {revolutions:.2} revolutions of the shaft,"
-        " {duration:.3 s}; below {least:.2} revolutions, {seconds:.2 s}, nothing can be said about"
-        " either race."
+        " {duration:.3 s}; below {required:.2} revolutions, {seconds:.2 s}, nothing can be said"
+        " about either race."
     ),
     # advice
     "replace_bearing": marked("Recommendation: replace the bearing at the next stop, no later."),
@@ -605,8 +605,8 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " all beside a damaged one."
     ),
     # notes
-    "what_tells_bearings": _telling,
-    "no_line_tells_bearings": marked(
+    "distinguishing_lines": _telling,
+    "no_distinguishing_line": marked(
         "No frequency tells the bearing from {other}: all of them are the same."
     ),
     "few_revolutions": marked(

@@ -197,7 +197,7 @@ def _no_load_given(values: Values) -> str:
 
 
 def _thrust_over_shoulder(values: Values) -> str:
-    if values["least_load"] is None:
+    if values["minimum_load"] is None:
         return said(
             "The centre of a loaded contact lies beyond the edge of its groove, which ends"
             " {inner_edge:.1f °} to either side of its bottom at the shaft washer and"
@@ -211,7 +211,7 @@ def _thrust_over_shoulder(values: Values) -> str:
         " {inner_edge:.1f °} to either side of its bottom at the shaft washer and"
         " {outer_edge:.1f °} at the housing washer (90° where no shoulder height is given: a half"
         " circle). A centrifugal force of {centrifugal_force:.3 N} drives each ball outward: by"
-        " force alone an axial load of {least_load:.3 N} keeps them in, without radial load or"
+        " force alone an axial load of {minimum_load:.3 N} keeps them in, without radial load or"
         " tilt; the makers' minimum load is higher. Add axial load, or reduce the speed, the radial"
         " load or the tilt.",
         **values,
