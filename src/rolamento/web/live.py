@@ -72,8 +72,14 @@ def live(request: Mapping[str, Any]) -> dict[str, Any]:
             field="cases",
             example='[{"case": {"bearing": {"designation": "6310"}, "duty": {}}, "changes": {}}]',
         )
-    with calling({name: f"“{label_of(name)}”" for name in LABELS if "." in name}):
+    with calling(_labels(language())):
         return _answered(request, entries, began)
+
+
+@lru_cache(maxsize=8)
+def _labels(_language: str) -> Mapping[str, str]:
+    """What fields are called on the page, by their names, in the language that is spoken."""
+    return {name: f"“{label_of(name)}”" for name in LABELS if "." in name}
 
 
 def _answered(
