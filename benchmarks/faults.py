@@ -215,7 +215,7 @@ def _caches(folder: Path, rng: random.Random) -> Tried:
     """Compiled code that is damaged, in a cache of its own."""
     tried = Tried("kernel cache damaged")
     kept = folder / "kernels"
-    os.environ["NUMBA_CACHE_DIR"] = str(kept)
+    os.environ |= {"NUMBA_CACHE_DIR": str(kept), "ROLAMENTO_COMPILE": "here"}
     try:
         command(folder, "sweep", "study.toml", "-o", "k.nc")
         for ending in ("nbi", "nbc"):
@@ -231,7 +231,7 @@ def _caches(folder: Path, rng: random.Random) -> Tried:
         if ended.said:
             tried.bad.append(f"mended: {ended.said}")
     finally:
-        del os.environ["NUMBA_CACHE_DIR"]
+        del os.environ["NUMBA_CACHE_DIR"], os.environ["ROLAMENTO_COMPILE"]
         shutil.rmtree(kept, ignore_errors=True)
     return tried
 
