@@ -767,8 +767,12 @@ def test_a_command_waits_only_for_what_it_needs() -> None:
 # --- what the front pages show ----------------------------------------------
 
 
-@pytest.mark.parametrize("page", ["README.md", "README.pt-BR.md"])
-def test_the_examples_of_the_front_page_work(run: Run, page: str) -> None:
+@pytest.mark.parametrize(
+    ("page", "front"), [("docs/tour.md", "README.md"), ("docs/tour.pt-BR.md", "README.pt-BR.md")]
+)
+def test_the_examples_of_the_tour_and_of_the_front_page_work(
+    run: Run, page: str, front: str
+) -> None:
     text = (Path(__file__).parents[2] / page).read_text(encoding="utf-8")
     case, bearing, study = re.findall(r"```toml\n(.*?)```", text, re.DOTALL)
     Path("case.toml").write_text(case, encoding="utf-8")
@@ -780,12 +784,13 @@ def test_the_examples_of_the_front_page_work(run: Run, page: str) -> None:
         assert run(*line.split()).code == 0
     assert Path("study.png").is_file()
     names: dict[str, Any] = {}
-    (python,) = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
+    shown = (Path(__file__).parents[2] / front).read_text(encoding="utf-8")
+    (python,) = re.findall(r"```python\n(.*?)```", shown, re.DOTALL)
     exec(python, names)
     assert names["many"].converged.all()
 
 
-@pytest.mark.parametrize("page", ["README.md", "README.pt-BR.md", "docs/command-line.md"])
+@pytest.mark.parametrize("page", ["docs/tour.md", "docs/tour.pt-BR.md", "docs/command-line.md"])
 def test_the_pages_show_every_command_in_the_groups_of_the_help(page: str) -> None:
     path = Path(__file__).parents[2] / page
     groups: list[list[str]] = []
@@ -801,8 +806,10 @@ def test_the_pages_show_every_command_in_the_groups_of_the_help(page: str) -> No
     assert [tuple(group) for group in groups] == list(COMMANDS.values())
 
 
-@pytest.mark.parametrize(("page", "language"), [("README.md", "en"), ("README.pt-BR.md", "pt")])
-def test_the_front_page_shows_a_true_report(run: Run, page: str, language: str) -> None:
+@pytest.mark.parametrize(
+    ("page", "language"), [("docs/tour.md", "en"), ("docs/tour.pt-BR.md", "pt")]
+)
+def test_the_tour_shows_a_true_report(run: Run, page: str, language: str) -> None:
     text = (Path(__file__).parents[2] / page).read_text(encoding="utf-8")
     report = run("solve", "case.toml", "--lang", language).out
     shown = [line[4:] for line in text.splitlines() if re.match("    .*[°µ⡇█]", line)]

@@ -43,8 +43,17 @@ def links_of(page: Path) -> set[str]:
 
 def test_both_front_pages_lead_to_the_same_pages() -> None:
     english, portuguese = (links_of(ROOT / page) for page in FRONT_PAGES)
-    assert english - {"README.pt-BR.md"} == portuguese - {"README.md"}
+    own = {"README.md", "README.pt-BR.md", "docs/tour.md", "docs/tour.pt-BR.md"}
+    assert english - own == portuguese - own
     assert all((ROOT / link).exists() for link in english | portuguese)
+    assert {"docs/tour.md", "docs/index.md"} <= english
+    assert {"docs/tour.pt-BR.md", "docs/index.md"} <= portuguese
+
+
+def test_both_tours_lead_to_the_same_pages() -> None:
+    english, portuguese = (links_of(DOCS / page) for page in ("tour.md", "tour.pt-BR.md"))
+    assert english - {"tour.pt-BR.md"} == portuguese - {"tour.md"}
+    assert all((DOCS / link).exists() for link in english | portuguese)
 
 
 def test_both_front_pages_have_the_same_sections_and_commands() -> None:
@@ -58,10 +67,15 @@ def test_both_front_pages_have_the_same_sections_and_commands() -> None:
     assert shapes[0] == shapes[1]
 
 
-def test_every_guide_is_reached_from_the_front_pages_and_the_index() -> None:
+def test_every_guide_is_reached_from_the_index() -> None:
     guides = {path.name for path in DOCS.glob("*.md")} - {"index.md"}
-    assert {f"docs/{name}" for name in guides} <= links_of(ROOT / "README.md")
     assert guides <= links_of(DOCS / "index.md")
+
+
+@pytest.mark.parametrize("page", FRONT_PAGES)
+def test_the_front_page_is_short(page: str) -> None:
+    """What it is, how to begin, what it is proven against, what it cannot; the rest has pages."""
+    assert len((ROOT / page).read_text("utf-8").split()) < 1100
 
 
 @pytest.mark.parametrize("page", FRONT_PAGES)
@@ -70,10 +84,12 @@ def test_a_bearing_by_its_designation_as_the_front_page_has_it(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     text = (ROOT / page).read_text("utf-8")
-    block = re.search(r"((?:^ {4}rolamento .*\n)+)", text, re.M)
-    assert block is not None
-    for line in block[1].splitlines():
+    blocks = re.findall(r"((?:^ {4}rolamento .*\n)+)", text, re.M)
+    lines = [line for block in blocks for line in block.splitlines()]
+    assert len(lines) == 4
+    for line in lines[:3]:  # the fourth is the app
         words = shlex.split(line, comments=True)
         result = CliRunner().invoke(app, words[1:], env={"LC_ALL": "C.UTF-8"})
         assert result.exit_code == 0, result.output
     assert (tmp_path / "6310-C3.toml").is_file()
+    assert (tmp_path / "motor.pdf").read_bytes().startswith(b"%PDF")

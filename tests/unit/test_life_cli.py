@@ -481,11 +481,11 @@ def test_the_guide_shows_true_reports(run: Run) -> None:
 @pytest.mark.parametrize(
     ("page", "language", "first", "last"),
     [
-        ("README.md", "en", "With 90 %", "Reliability at"),
-        ("README.pt-BR.md", "pt", "Com 90 %", "Confiabilidade nas"),
+        ("docs/tour.md", "en", "With 90 %", "Reliability at"),
+        ("docs/tour.pt-BR.md", "pt", "Com 90 %", "Confiabilidade nas"),
     ],
 )
-def test_the_front_pages_show_true_statements(
+def test_the_tours_show_true_statements(
     run: Run, page: str, language: str, first: str, last: str
 ) -> None:
     report = [line.strip() for line in run(CASE, "--lang", language)[1].splitlines()]
