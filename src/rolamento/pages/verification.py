@@ -159,7 +159,7 @@ def _held_out() -> Section:
         ),
     )
     table = Table(columns=columns, key="held_out")
-    return Section(said("Held out"), (Statement(text), table), "held_out")
+    return Section(said("Held out"), (Statement(text), table), "held_out", level=1)
 
 
 def _proof_note() -> str:
