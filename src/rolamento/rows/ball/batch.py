@@ -2,8 +2,9 @@
 
 Every case takes the same ways in the same order, whatever stands beside it: in lanes with caution,
 in lanes without, then one by one from where it stands, from a ring pressed in and from one that is
-free, from where caution had led, and step by step. So its result does not depend on its neighbours.
-Each way is a kernel of its own, compiled when a case first needs it.
+free, from where caution had led, from the balance under a load a little off, and step by step. So
+its result does not depend on its neighbours. Each way is a kernel of its own, compiled when a case
+first needs it.
 """
 
 from __future__ import annotations
