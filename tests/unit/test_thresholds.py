@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import degrees, isclose, pi, radians
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -16,9 +17,11 @@ import pytest
 from tests.one_case import keys
 
 from rolamento import Case, Solved, analyse, solve
+from rolamento.clearance import sets
+from rolamento.clearance.chain import Strains
 from rolamento.friction import Friction, friction
 from rolamento.friction.bounds import upper_bounds
-from rolamento.friction.model import Setting
+from rolamento.friction.model import Setting, inertia_counts
 from rolamento.life import LifeSummary, life
 from rolamento.lubrication.film_thickness import aihara, thermal_loading
 from rolamento.lubrication.films import oil_of
@@ -481,6 +484,50 @@ def test_a_load_is_too_small_up_to_the_minimum(part: float, told: bool) -> None:
     least = max(one.load for one in speed_limits("6210", settings).minimum_loads)
     settings[1] = f"duty.load.fz={part * least!r} N"
     assert ("load_below_minimum" in keys(speed_limits("6210", settings).notes)) is told
+
+
+def test_an_oil_is_thin_below_a_product_of_two_thousand() -> None:
+    """ν n in mm²/s·r/min below which M_0 no longer falls: Palmgren, as Harris (1991), ch. 14."""
+
+    def limits(load: float) -> Any:
+        hot = ["lubricant=ISO VG 10", "temperature.lubricant=120 degC"]
+        return speed_limits("6210", [*hot, f"duty.load.fz={load!r} N"])
+
+    def product(found: Any) -> float:
+        speed = next(one.speed for one in found.limits if one.name == "permissible")
+        return float(1e6 * found.viscosity * speed / RPM)
+
+    inside, outside = ends(
+        limits, lambda found: "permissible_speed_of_thin_oil" in keys(found.notes), 3e4, 3e5
+    )
+    assert product(inside) == pytest.approx(2000.0, rel=1e-6)
+    assert product(outside) < 2000.0 <= product(inside)
+
+
+@pytest.mark.parametrize(("load", "counts"), [(4.999, False), (5.001, True)])
+def test_balls_under_a_twentieth_of_the_load_are_not_judged(load: float, counts: bool) -> None:
+    """A ball that hardly bears has much inertia for its load, and next to no friction."""
+    solved: Any = SimpleNamespace(
+        loaded=np.array([[True, True]]),
+        rows=SimpleNamespace(element=("ball",), row_of_element=np.array([0, 0])),
+        elements=SimpleNamespace(
+            gyroscopic_moment=np.zeros((1, 2)), centrifugal_force=np.array([[1.0, 1.0]])
+        ),
+        inner=SimpleNamespace(load=np.array([[100.0, load]]), ball_diameter=np.full((1, 2), 0.01)),
+        outer=SimpleNamespace(load=np.array([[101.0, load + 1.0]])),
+    )
+    assert inertia_counts(solved, np.full((1, 1), 0.1)).tolist() == [counts]
+
+
+@pytest.mark.parametrize(("part", "shut"), [(0.2499, False), (0.2501, True)])
+def test_a_clearance_is_past_sense_a_quarter_of_the_way_in(part: float, shut: bool) -> None:
+    """Of the distance of the groove centres, A = (f_i + f_o - 1) D."""
+    bearing = SimpleNamespace(
+        ball_diameter=0.01, pitch_diameter=0.05, inner_conformity=0.52, outer_conformity=0.53
+    )
+    cold = Strains(*np.zeros(7))
+    found = sets._balls(bearing, np.array([-part * 0.05 * 0.01]), cold)
+    assert found.shut.tolist() == [shut]
 
 
 @pytest.mark.parametrize(("failures", "told"), [(4, True), (5, False)])
