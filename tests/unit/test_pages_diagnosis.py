@@ -213,7 +213,7 @@ class TestPage:
 class TestData:
     def test_json_is_strict_and_holds_the_verdicts(self) -> None:
         data = data_of(damaged())
-        assert (data["schema"], data["kind"]) == (2, "diagnosis")
+        assert (data["schema"], data["kind"]) == (3, "diagnosis")
         assert data["verdict"] == "fault"
         assert set(data["faults"]) == {"outer_race", "inner_race"}
         by_name = {part["component"]: part for part in data["components"]}
