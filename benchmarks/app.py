@@ -109,7 +109,7 @@ def _asked(bearing: str, load: float) -> dict[str, Any]:
 def _loads(seed: int, moves: int) -> np.ndarray:
     """Loads that nobody else asks for, as a hand sets them: to a newton."""
     rng = np.random.default_rng(seed)
-    return 1000.0 + np.cumsum(rng.uniform(1.0, 2000.0 / moves, moves)).round(3)
+    return 1000.0 + np.cumsum(rng.uniform(0.1, 1.9, moves) * 1000.0 / moves).round(3)
 
 
 def _answers(bearing: str, loads: np.ndarray) -> np.ndarray:
@@ -120,26 +120,30 @@ def _answers(bearing: str, loads: np.ndarray) -> np.ndarray:
 
 
 async def _user(
-    client: httpx.AsyncClient, number: int, seed: int, moves: int, pace: float
+    client: httpx.AsyncClient, number: int, seed: int, moves: int, pace: float, until: float
 ) -> tuple[list[float], list[bytes], np.ndarray]:
     """One person's drag: times, answers, loads."""
     bearing, loads = BEARINGS[number % len(BEARINGS)], _loads(seed, moves)
     times, bodies = [], []
     for load in loads:
+        if time.perf_counter() > until:
+            break
         began = time.perf_counter()
         answer = await client.post("/page/live", json=_asked(bearing, load))
         times.append(time.perf_counter() - began)
         answer.raise_for_status()
         bodies.append(answer.content)
         await asyncio.sleep(max(0.0, pace - times[-1]))
-    return times, bodies, loads
+    return times, bodies, loads[: len(bodies)]
 
 
-async def _drag(address: str, moves: int, pace: float) -> tuple[list[float], int]:
+async def _drag(
+    address: str, moves: int, pace: float, until: float = np.inf
+) -> tuple[list[float], int]:
     async with _client(address) as client:
         seeds = np.random.default_rng(int(1e3 * pace)).integers(1 << 30, size=USERS)
         done = await asyncio.gather(
-            *(_user(client, n, int(seed), moves, pace) for n, seed in enumerate(seeds))
+            *(_user(client, n, int(seed), moves, pace, until) for n, seed in enumerate(seeds))
         )
     wrong = 0
     for number, (_, bodies, loads) in enumerate(done):
@@ -200,7 +204,8 @@ async def _besieged(address: str, minutes: float) -> tuple[list[float], int, Cou
         asyncio.create_task(_uploads(address, counts)),
         *(asyncio.create_task(_hostile(address, seed, counts)) for seed in range(3)),
     ]
-    times, wrong = await _drag(address, max(1, round(minutes * 60.0 / PACE)), PACE)
+    moves, until = max(1, round(minutes * 60.0 / PACE)), time.perf_counter() + minutes * 60.0
+    times, wrong = await _drag(address, moves, PACE, until)
     for task in beside:
         if task.done() and (error := task.exception()):
             counts[f"bad end beside: {error!r}"] += 1

@@ -1,11 +1,14 @@
-"""Rolamento tells what happens inside a rolling bearing, and what follows from it.
+"""Rolamento computes what happens inside a rolling bearing, and what follows from it.
 
 >>> import rolamento
->>> case = rolamento.load_case("218.toml")  # doctest: +SKIP
->>> solved = rolamento.solve(case)  # doctest: +SKIP
+>>> solved = rolamento.solve("6310/C3", fz=5e3, inner_speed="1480 rpm")
+>>> print(f"{solved.inner.load.max():.0f} N")
+3031 N
 
-Names are imported when they are first used: neither the compiler nor the readers are
-loaded until needed.
+`solve`, `analyse` and the verbs of `rolamento.verbs` take a designation, a case, a case file or
+solved cases; the records say what they are given and what they return. Subpackages such as
+`rolamento.weibull` are there by their names. Everything is imported when it is first used: neither
+the compiler nor the readers are loaded until needed.
 """
 
 from __future__ import annotations
@@ -14,6 +17,27 @@ import importlib
 from typing import TYPE_CHECKING, Any, Final
 
 if TYPE_CHECKING:
+    from rolamento import (
+        analysis,
+        catalogue,
+        clearance,
+        contact,
+        friction,
+        geometry,
+        kinematics,
+        life,
+        lubrication,
+        plots,
+        ratings,
+        speeds,
+        static,
+        studies,
+        tasks,
+        units,
+        verification,
+        vibration,
+        weibull,
+    )
     from rolamento.analysis import Analysis, analyse
     from rolamento.case import (
         Case,
@@ -32,6 +56,7 @@ if TYPE_CHECKING:
     from rolamento.case.material import Material
     from rolamento.case.model import Model
     from rolamento.case.mounting import Mounting, SeatMaterial
+    from rolamento.case.roller_bearing import RollerBearing
     from rolamento.case.surface import Surface
     from rolamento.case.temperature import Temperature
     from rolamento.catalogue import geometry_of
@@ -45,8 +70,93 @@ if TYPE_CHECKING:
     from rolamento.life import LifeConditions, LifeSummary
     from rolamento.solution import solve
     from rolamento.solved import Solved
+    from rolamento.tasks.diagnosis import diagnose
+    from rolamento.tasks.frequencies import fault_frequencies
+    from rolamento.verbs import (
+        find_bearings,
+        fit_weibull,
+        friction_torque,
+        lubricant_film,
+        rating_life,
+        report,
+        sweep,
+    )
 
 __version__ = "0.1.0"
+
+_NAMES_OF_MODULES: Final = {
+    "analysis": ("Analysis", "analyse"),
+    "case": (
+        "Bearing",
+        "Case",
+        "Displacement",
+        "Duty",
+        "FilmModel",
+        "LifeModel",
+        "Load",
+        "Lubricant",
+        "Material",
+        "Model",
+        "Mounting",
+        "RollerBearing",
+        "SeatMaterial",
+        "Surface",
+        "Temperature",
+        "case_to_json",
+        "case_to_toml",
+        "load_case",
+        "override",
+        "parse_case",
+        "save_case",
+    ),
+    "catalogue": ("geometry_of",),
+    "errors": ("FileError", "InputError", "RolamentoError", "UnitError", "UnknownKeyError"),
+    "life": ("LifeConditions", "LifeSummary"),
+    "solution": ("solve",),
+    "solved": ("Solved",),
+    "tasks.diagnosis": ("diagnose",),
+    "tasks.frequencies": ("fault_frequencies",),
+    "verbs": (
+        "find_bearings",
+        "fit_weibull",
+        "friction_torque",
+        "lubricant_film",
+        "rating_life",
+        "report",
+        "sweep",
+    ),
+}
+_MODULE_OF_NAME: Final = {
+    name: module for module, names in _NAMES_OF_MODULES.items() for name in names
+}
+_PACKAGES: Final = frozenset(
+    {
+        "analysis",
+        "case",
+        "catalogue",
+        "clearance",
+        "contact",
+        "errors",
+        "examples",
+        "friction",
+        "geometry",
+        "kinematics",
+        "life",
+        "lubrication",
+        "plots",
+        "ratings",
+        "solved",
+        "speeds",
+        "static",
+        "studies",
+        "tasks",
+        "units",
+        "verification",
+        "vibration",
+        "weibull",
+    }
+)
+"""That a name leads to, whatever was imported before."""
 
 __all__ = [
     "Analysis",
@@ -66,6 +176,7 @@ __all__ = [
     "Model",
     "Mounting",
     "RolamentoError",
+    "RollerBearing",
     "SeatMaterial",
     "Solved",
     "Surface",
@@ -74,52 +185,48 @@ __all__ = [
     "UnknownKeyError",
     "__version__",
     "analyse",
+    "analysis",
     "case_to_json",
     "case_to_toml",
+    "catalogue",
+    "clearance",
+    "contact",
+    "diagnose",
+    "fault_frequencies",
+    "find_bearings",
+    "fit_weibull",
+    "friction",
+    "friction_torque",
+    "geometry",
     "geometry_of",
+    "kinematics",
+    "life",
     "load_case",
+    "lubricant_film",
+    "lubrication",
     "override",
     "parse_case",
+    "plots",
+    "rating_life",
+    "ratings",
+    "report",
     "save_case",
     "solve",
+    "speeds",
+    "static",
+    "studies",
+    "sweep",
+    "tasks",
+    "units",
+    "verification",
+    "vibration",
+    "weibull",
 ]
-
-_NAMES_OF_MODULES: Final = {
-    "analysis": ("Analysis", "analyse"),
-    "case": (
-        "Bearing",
-        "Case",
-        "Displacement",
-        "Duty",
-        "FilmModel",
-        "LifeModel",
-        "Load",
-        "Lubricant",
-        "Material",
-        "Model",
-        "Mounting",
-        "SeatMaterial",
-        "Surface",
-        "Temperature",
-        "case_to_json",
-        "case_to_toml",
-        "load_case",
-        "override",
-        "parse_case",
-        "save_case",
-    ),
-    "catalogue": ("geometry_of",),
-    "errors": ("FileError", "InputError", "RolamentoError", "UnitError", "UnknownKeyError"),
-    "life": ("LifeConditions", "LifeSummary"),
-    "solution": ("solve",),
-    "solved": ("Solved",),
-}
-_MODULE_OF_NAME: Final = {
-    name: module for module, names in _NAMES_OF_MODULES.items() for name in names
-}
 
 
 def __getattr__(name: str) -> Any:
+    if name in _PACKAGES:
+        return importlib.import_module(f"{__name__}.{name}")
     module = _MODULE_OF_NAME.get(name)
     if module is None:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
@@ -129,4 +236,4 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted(__all__)
+    return sorted({*__all__, *_PACKAGES})

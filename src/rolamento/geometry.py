@@ -9,7 +9,6 @@ Sources: Harris, Rolling Bearing Analysis, 3rd ed. (1991), chapter 2; Jones (196
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from math import pi, sin
 from typing import Any, Final, Literal, NamedTuple, Protocol
@@ -20,6 +19,7 @@ from numpy.typing import ArrayLike
 from rolamento.numerics import FloatArray
 from rolamento.numerics.compiled import choose, inline_exact, kernel
 from rolamento.numerics.elementwise import of_each
+from rolamento.records import frozen
 
 Race = Literal["inner", "outer"]
 _END_RADIUS: Final = 0.95
@@ -27,7 +27,7 @@ _END_RADIUS: Final = 0.95
 _APEX_STEPS: Final = 60
 
 
-@dataclass(frozen=True, eq=False)
+@frozen(eq=False, slots=False)
 class Angle:
     """An angle, rad, whose cosine and sine are computed once, when they are asked for."""
 
@@ -94,7 +94,7 @@ class BearingGeometry(Protocol):
         ...
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RaceCurvature:
     """Curvatures of a ball against a groove, body by body summed; a hollow counts negative.
 
@@ -115,7 +115,7 @@ class RaceCurvature:
         return np.abs(self.rolling - self.across) / self.sum
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RingGeometry:
     """What the mechanics needs of a bearing's rings; lengths in m, angle in rad.
 

@@ -29,7 +29,6 @@ Radaelli (2013), section 4.3 and appendix A, extended to both rings and to inner
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import IntEnum
 from typing import Final, Literal
 
@@ -42,6 +41,7 @@ from rolamento.numerics import FloatArray
 from rolamento.numerics.compiled import choose, inline_exact, kernel
 from rolamento.numerics.elementwise import of_each
 from rolamento.numerics.elliptic import complete
+from rolamento.records import frozen
 
 LEAST_COSINE: Final = -0.5
 """Bound of cos(α_i - α_o): no ball that carries load comes near angles 120° apart, and without
@@ -64,7 +64,7 @@ class RacewayControl(IntEnum):
     """Neither race wins by Jones's criterion, or the moment is shared: moves as under OUTER."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class BallMotion:
     """Speeds of balls; arrays of one shape, rad/s and rad."""
 
@@ -416,7 +416,7 @@ def spin_to_roll(spin: FloatArray, roll: FloatArray) -> FloatArray:
         return np.asarray(np.where(roll == 0.0, np.nan, spin / roll))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class SurfaceSpeeds:
     """Speeds of ring and ball at a contact, seen from it, along rolling; arrays, m/s, signed."""
 

@@ -22,14 +22,13 @@ derived in docs/theory/kinematics.md.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.geometry import Race
 from rolamento.kinematics import BallMotion, nominal_orbit
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 
 __all__ = [
     "RibMotion",
@@ -42,7 +41,7 @@ __all__ = [
 ]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RibMotion:
     """Motion where a roller's end touches a rib; arrays of one shape.
 
@@ -56,7 +55,7 @@ class RibMotion:
     spin: FloatArray
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RollerBody:
     """Mass of a roller; arrays of one shape.
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from typing import Any, Unpack
 
@@ -13,15 +13,18 @@ from numpy.typing import ArrayLike
 
 from rolamento.assembly import solve_cases, spread
 from rolamento.case import Case, load_case
+from rolamento.case.bearing import Bearing
+from rolamento.case.roller_bearing import RollerBearing
 from rolamento.case.varied import DutyFields, bounded, varied_arrays
 from rolamento.errors import InputError, refusal
 from rolamento.numerics import FloatArray
 from rolamento.numerics.threads import thread_count
+from rolamento.records import frozen
 from rolamento.solved import Delivered, Index, Preloading, PreloadStage, Solved
 from rolamento.units import readable
 from rolamento.words import Note, said
 
-__all__ = ["solve"]
+__all__ = ["solve", "solved_of"]
 
 _TELLS_ANGLE = frozenset({"contact_angle", "diametral_clearance"})
 
@@ -77,6 +80,11 @@ def solve(
 
     Harris, Rolling Bearing Analysis, 3rd ed. (1991), chapter 8; Jones (1960); Radaelli (2013),
     chapter 4. See docs/theory/equilibrium.md.
+
+    >>> solved = solve("6310/C3", fz=[2e3, 5e3], inner_speed="1480 rpm")
+    >>> carried = (solved.inner.load * np.cos(solved.elements.azimuth)).sum(axis=1)
+    >>> carried.round(3)  # no tilt, no thrust: the balls' loads add up to the radial load
+    array([2000., 5000.])
     """
     if not isinstance(case, Case):
         if not isinstance(case, str | os.PathLike):
@@ -95,7 +103,56 @@ def solve(
     return replace(solved, refusals=Refused(case, _spread_over(len(solved), given)))
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+def solved_of(
+    source: Case | Bearing | RollerBearing | Solved | str | os.PathLike[str],
+    values: Any = None,
+    *,
+    lubricant: Any = None,
+    temperature: str | float | None = None,
+    threads: int | None = None,
+    preload_loss: bool = True,
+    **fields: Unpack[DutyFields],
+) -> Solved:
+    """Return solved cases as they are, or solve what is none yet: the door of all laws.
+
+    Parameters
+    ----------
+    source
+        What `solve` returned; or a case, a bearing without a load, a case file or a designation.
+    values, threads, preload_loss, fields
+        As of `solve`.
+    lubricant
+        Over that of the case: a `Lubricant`, or the name of one such as ``"ISO VG 68"``.
+    temperature
+        Of the lubricant, over that of the case: text such as ``"70 degC"``, or K.
+
+    Raises
+    ------
+    InputError
+        As `solve`; or if anything is to vary of cases that are solved already.
+    FileError
+        If the file cannot be read.
+    """
+    over = {"lubricant": lubricant, "temperature.lubricant": temperature}
+    over = {name: value for name, value in over.items() if value is not None}
+    if isinstance(source, Solved):
+        if over or fields or values is not None:
+            name = next(iter({**over, **fields}), "values")
+            raise InputError(
+                said("cannot change: the case is solved already; give the case instead"),
+                field=name,
+                example='rolamento.friction_torque("6310/C3", fz=5e3)',
+            )
+        return source
+    if isinstance(source, Bearing | RollerBearing):
+        case = Case(bearing=source, duty={})
+    else:
+        case = source if isinstance(source, Case) else load_case(source)
+    case = case.with_(over) if over else case
+    return solve(case, values, threads=threads, preload_loss=preload_loss, **fields)
+
+
+@frozen(eq=False)
 class Refused:
     """Cases of a batch, and what each would be refused for as a case of its own.
 

@@ -196,7 +196,7 @@ def test_the_title_block_does_not_change_the_result() -> None:
 
 
 def test_origins_of_inputs() -> None:
-    report = report_on([example("6305_life")], settings=["duty.inner_speed=3000 rpm"])
+    report = report_on([example("6305_life")], changes=["duty.inner_speed=3000 rpm"])
     origins = {one.field: one.origin for one in report.cases[0].inputs}
     assert origins["bearing.designation"] == "given"
     assert origins["bearing.ball_count"] == "inferred"
@@ -211,7 +211,7 @@ def test_origins_of_inputs() -> None:
 
 def test_what_the_letters_of_a_designation_tell_has_its_origin() -> None:
     report = report_on(
-        ["7014CTYNDBLP4"], settings=["duty.load.fz=2 kN", "duty.inner_speed=2000 rpm"]
+        ["7014CTYNDBLP4"], changes=["duty.load.fz=2 kN", "duty.inner_speed=2000 rpm"]
     )
     origins = {one.field: one.origin for one in report.cases[0].inputs}
     assert origins["bearing.arrangement"] == "designation"
@@ -222,13 +222,13 @@ def test_what_the_letters_of_a_designation_tell_has_its_origin() -> None:
 def test_constants_of_a_material_come_from_where_it_does() -> None:
     set_by_hand = ["bearing.ball_material=Si3N4", "duty.load.fz=2 kN", "duty.inner_speed=2000 rpm"]
     for case, settings in (("7014C", set_by_hand), ("HCB7014-C-T-P4S", set_by_hand[1:])):
-        found = {one.field: one for one in report_on([case], settings=settings).cases[0].inputs}
+        found = {one.field: one for one in report_on([case], changes=settings).cases[0].inputs}
         modulus = found["bearing.ball_material.youngs_modulus"]
         assert (modulus.origin, bool(modulus.source)) == ("data", True), case
 
 
 def test_a_designation_is_enough() -> None:
-    report = report_on(["6305"], settings=["duty.load.fz=2 kN", "duty.inner_speed=2000 rpm"])
+    report = report_on(["6305"], changes=["duty.load.fz=2 kN", "duty.inner_speed=2000 rpm"])
     origins = {one.field: one.origin for one in report.cases[0].inputs}
     assert origins["bearing.designation"] == "given"
     assert origins["duty.load.fz"] == "set"
@@ -258,7 +258,7 @@ def test_inputs_that_differ_stand_first(spindle: Report) -> None:
 
 
 def test_a_case_without_a_solution_has_reason_and_advice_and_no_number() -> None:
-    report = report_on([example("218_combined")], settings=[OVERLOADED, "duty.load.fx=1 N"])
+    report = report_on([example("218_combined")], changes=[OVERLOADED, "duty.load.fx=1 N"])
     assert not report.converged
     page = report_page(report)
     text = terminal(page)

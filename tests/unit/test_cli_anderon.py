@@ -6,8 +6,7 @@ import csv
 import json
 import re
 import shlex
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from dataclasses import replace
 from math import inf, nan, pi, sqrt
 from pathlib import Path
@@ -159,11 +158,9 @@ class TestLevels:
         np.save(path, np.random.default_rng(4).normal(size=count))
         told: list[tuple[int, int]] = []
 
-        @contextmanager
-        def stages(stage: str) -> Iterator[Any]:
-            yield lambda *progress: told.append(progress)
-
-        (found,) = tasks.anderons(path, unit="um/s", rate=rate, stages=stages).measured
+        (found,) = tasks.anderons(
+            path, unit="um/s", rate=rate, progress=lambda *done: told.append(done)
+        ).measured
         whole = measure_noise(read_signal(path, unit="um/s", rate=rate))
         assert len(told) > 3
         assert told[-1][0] <= told[-1][1]

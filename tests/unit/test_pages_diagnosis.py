@@ -47,9 +47,9 @@ def result(signal: Signal) -> DiagnosisResult:
         bearing_name="6205",
         bearing=BEARING,
         frequencies=FREQUENCIES,
-        diagnosis=diagnose(signal, FaultOrders.of(FREQUENCIES), settings),
+        found=diagnose(signal, FaultOrders.of(FREQUENCIES), settings),
         settings=settings,
-        signal=signal,
+        record=signal,
         duration=signal.duration,
     )
 
@@ -205,7 +205,7 @@ class TestPage:
             replace(part, lines=tuple(replace(line, above_noise=4.0) for line in part.lines))
             for part in found.diagnosis.components
         )
-        weak = replace(found, diagnosis=replace(found.diagnosis, components=parts))
+        weak = replace(found, found=replace(found.diagnosis, components=parts))
         assert "weak_peaks" in [note.key for note in weak.notes]
         assert "Check the speed, the bearing and the figure." in squeezed(page(weak, "en"))
 
@@ -290,7 +290,7 @@ def unchanging() -> DiagnosisResult:
         replace(part, verdict="not_tested", reasons=(reason,))
         for part in found.diagnosis.components
     )
-    return replace(found, diagnosis=replace(found.diagnosis, components=parts))
+    return replace(found, found=replace(found.diagnosis, components=parts))
 
 
 class TestNoChange:
@@ -304,7 +304,7 @@ class TestNoChange:
 
     def test_a_still_beginning_is_not_a_still_signal(self) -> None:
         found = still()
-        longer = replace(found, duration=2.0 * found.duration, diagnosis=healthy().diagnosis)
+        longer = replace(found, duration=2.0 * found.duration, found=healthy().diagnosis)
         assert found.still
         assert not longer.still
         assert longer.verdict == "nothing_found"
@@ -328,7 +328,7 @@ def with_lines(*lines: UnexplainedLine) -> DiagnosisResult:
     peaks = sorted(lines, key=lambda one: -one.depth)
     note = Note("unexplained_peaks", {"peaks": [one.to_mapping() for one in peaks]})
     found = healthy()
-    return replace(found, diagnosis=replace(found.diagnosis, unexplained=lines, notes=(note,)))
+    return replace(found, found=replace(found.diagnosis, unexplained=lines, notes=(note,)))
 
 
 class TestUnexplainedLines:
@@ -375,7 +375,7 @@ class TestGrades:
         part: Any = replace(known, verdict=verdict, grade=grade, depth=0.4, doubts=doubts)
         others = found.diagnosis.components[1:]
         told = replace(found.diagnosis, components=(part, *others), **changed)
-        return replace(found, diagnosis=told)
+        return replace(found, found=told)
 
     def test_damage(self) -> None:
         text = squeezed(page(self.one("fault", "damage"), "en"))
@@ -412,7 +412,7 @@ class TestGrades:
 
     def test_another_speed_is_the_headline(self) -> None:
         told = replace(healthy().diagnosis, undecided=(("inner_race", 980.0 / 60.0),))
-        found = replace(healthy(), diagnosis=told)
+        found = replace(healthy(), found=told)
         assert found.verdict == "undecided"
         text = squeezed(page(found, "en"))
         assert text.startswith(
@@ -426,7 +426,7 @@ class TestGrades:
             damaged().diagnosis.of("outer_race"), component="cage", verdict="fault", depth=0.4
         )
         told = replace(healthy().diagnosis, components=(*healthy().diagnosis.components[:3], cage))
-        found = replace(healthy(), diagnosis=told)
+        found = replace(healthy(), found=told)
         assert page(found, "en").startswith("A ball or the cage is ")
         assert data_of(found)["faults"] == ["ball_or_cage"]
 
@@ -503,7 +503,7 @@ class TestSpeed:
         text = squeezed(page(found, "en"))
         assert "shaft 1797 rpm (29.95 Hz) as given not confirmed by the shaft's own peaks" in text
         told = replace(found.diagnosis, speed_factor=1.02, shaft_frequency=30.549)
-        text = squeezed(page(replace(found, diagnosis=told), "en"))
+        text = squeezed(page(replace(found, found=told), "en"))
         assert "by the shaft's own peaks, +2.0 % from 1797 rpm as given signal" in text
         assert data_of(found)["speed"]["mean"] == pytest.approx(SPEED)
 

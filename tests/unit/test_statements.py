@@ -149,12 +149,12 @@ def test_why_a_tapered_row_finds_no_place(axial: float, tilts: bool, key: str) -
 def test_a_report_says_that_oil_and_dirt_are_left_out() -> None:
     oil = ["lubricant.base_oil=ISO VG 68", "temperature.lubricant=70 degC"]
     load = ["duty.inner_speed=1480 rpm", "duty.load.fz=5 kN"]
-    text = flat(report_page(report_on(["6310/C3"], settings=[*load, *oil])))
+    text = flat(report_page(report_on(["6310/C3"], changes=[*load, *oil])))
     summary = text.partition("Summary")[2].partition("Inputs")[0]
     left_out = "Lubrication and contamination are not included"
     assert f"{left_out}: the case needs the cleanliness" in summary
     clean = ["life.cleanliness=-/17/14", "life.oil_supply=circulating"]
-    assert left_out not in flat(report_page(report_on(["6310/C3"], settings=[*load, *oil, *clean])))
+    assert left_out not in flat(report_page(report_on(["6310/C3"], changes=[*load, *oil, *clean])))
 
 
 def test_rounding_is_no_stiffness(tmp_path: Path) -> None:

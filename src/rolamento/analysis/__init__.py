@@ -4,6 +4,6 @@
 one that it asks for and that cannot be had is None with a note, never an exception.
 """
 
-from rolamento.analysis.analysis import Analysis, analyse
+from rolamento.analysis.analysis import Analysis, analyse, film_and_friction
 
-__all__ = ["Analysis", "analyse"]
+__all__ = ["Analysis", "analyse", "film_and_friction"]

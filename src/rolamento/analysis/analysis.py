@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import json
 import os
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Any, Final, Unpack
 
 import numpy as np
 
@@ -14,10 +14,14 @@ from rolamento.analysis.needs import has_friction, has_life, has_oil, machines_k
 from rolamento.case import Case
 from rolamento.errors import InputError
 from rolamento.numerics.blocks import in_blocks
+from rolamento.records import frozen, span
 from rolamento.solved import Solved
 from rolamento.words import Note
 
 if TYPE_CHECKING:
+    from rolamento.case.bearing import Bearing
+    from rolamento.case.roller_bearing import RollerBearing
+    from rolamento.case.varied import DutyFields
     from rolamento.friction import Friction
     from rolamento.life import LifeConditions, LifeSummary
     from rolamento.lubrication import Film
@@ -28,7 +32,7 @@ DEFAULT_HYSTERESIS: Final = 0.01
 """Part α_h of the elastic work that the material loses."""
 
 
-@dataclass(frozen=True, eq=False)
+@frozen(eq=False, slots=False)
 class Analysis:
     """Solved cases and what follows from them.
 
@@ -57,6 +61,22 @@ class Analysis:
     life: LifeSummary | None = None
     notes: tuple[Note, ...] = ()
     left_out: tuple[str, ...] = ()
+
+    def _shown(self) -> dict[str, str]:
+        shown = {"": self.solved.title or "a case without a title"}
+        lines = repr(self.solved).splitlines()[1:]
+        named = dict(line.strip().split(": ", 1) for line in lines)
+        kept = ("cases", "varied", "load", "maximum at the inner race", "maximum at the outer race")
+        shown |= {name: named[name] for name in kept if name in named}
+        if self.film is not None:
+            shown["film parameter"] = span(self.film.minimum_film_parameter)
+        if self.friction is not None:
+            torque = span(1e3 * self.friction.torque, "N mm")
+            shown["friction"] = f"{torque}, {span(self.friction.power, 'W')}"
+        if self.life is not None:
+            lead = self.life.headline._shown()
+            shown["life"] = f"{lead['life']} ({lead['']})"
+        return shown
 
     @cached_property
     def frequencies(self) -> FaultFrequencies | None:
@@ -94,13 +114,17 @@ class Analysis:
 
 
 def analyse(
-    case: Case | Solved | str | os.PathLike[str],
+    case: Case | Bearing | RollerBearing | Solved | str | os.PathLike[str],
+    values: Any = None,
     *,
+    lubricant: Any = None,
+    temperature: str | float | None = None,
     model: str | None = None,
     hysteresis: float = DEFAULT_HYSTERESIS,
     compare: bool | None = None,
     quick: bool = False,
     threads: int | None = None,
+    **fields: Unpack[DutyFields],
 ) -> Analysis:
     """Solve a case, and find what follows: film, friction, life; of solved cases likewise.
 
@@ -115,7 +139,10 @@ def analyse(
     Parameters
     ----------
     case
-        What to solve, its file, or what `rolamento.solve` returned.
+        What to solve, its file or a designation, or what `rolamento.solve` returned.
+    values, fields, lubricant, temperature
+        What varies, and the oil or the grease: as of `rolamento.solution.solved_of`, such as
+        ``fz=5e3, inner_speed=155.0, lubricant="ISO VG 68", temperature="70 degC"``.
     model
         Of the friction in the contacts; by default "jones_full", and of many cases
         "jones_simplified", a closed form; of roller bearings "roller_sliding".
@@ -142,19 +169,33 @@ def analyse(
     InputError
         If the mounting closes the bearing, the oil is dirtier than all classes of ISO 281, or a
         number is out of range; of many cases also if they ask for a life and have no rating.
-    """
-    if isinstance(case, Solved):
-        solved = case
-    else:
-        from rolamento.solution import solve
 
-        solved = solve(case, threads=threads, preload_loss=not quick)
+    >>> analysis = analyse("6310/C3", fz=5e3, inner_speed="1480 rpm", lubricant="ISO VG 68",
+    ...                    temperature="70 degC")
+    >>> f"{analysis.life['iso281'].life[0]:.0f}"  # (62 kN / 5 kN)^3 million revolutions
+    '1907'
+    >>> analysis.film is not None and analysis.friction is not None
+    True
+    """
+    from rolamento.solution import solved_of
+
+    solved = solved_of(
+        case,
+        values,
+        lubricant=lubricant,
+        temperature=temperature,
+        threads=threads,
+        preload_loss=not quick,
+        **fields,
+    )
     if len(solved) == 1 and not solved.converged[0]:
         return Analysis(solved)
     single = len(solved) == 1
     compare = single and not quick if compare is None else compare
     life, why_not = _life(solved, stress_volume=single and not quick)
-    film, friction = _film_and_friction(solved, (model, hysteresis, compare), threads)
+    film, friction = film_and_friction(
+        solved, model=model, hysteresis=hysteresis, compare=compare, threads=threads
+    )
     left_out = {
         "friction_models": quick and single and not compare and friction is not None,
         "stress_volume": quick and single and life is not None,
@@ -165,18 +206,24 @@ def analyse(
     return Analysis(solved, film, friction, life, notes, without)
 
 
-def _film_and_friction(
+def film_and_friction(
     solved: Solved,
-    choices: tuple[str | None, float, bool],
-    threads: int | None,
+    *,
+    model: str | None = None,
+    hysteresis: float = DEFAULT_HYSTERESIS,
+    compare: bool = False,
+    threads: int | None = None,
 ) -> tuple[Film | None, Friction | None]:
+    """Return film and friction of solved cases; None where the case does not say enough for one.
+
+    Parameters as of `analyse`.
+    """
     if solved.case.lubricant is None:
         return None, None
     from rolamento.friction import friction
     from rolamento.friction.summary import default_model
     from rolamento.lubrication.films import film, has_film
 
-    model, hysteresis, compare = choices
     single = len(solved) == 1
 
     def of_block(some: Solved) -> tuple[Film | None, Friction | None]:

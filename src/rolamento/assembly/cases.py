@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from importlib import import_module
 from types import SimpleNamespace
 from typing import Any, Final
@@ -30,6 +29,7 @@ from rolamento.case.varied import bounded, is_of_mounting, varied_arrays, varied
 from rolamento.errors import InputError
 from rolamento.geometry import apex_half_angle, sphere_conformity, usual_end_radius
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.records import frozen
 from rolamento.rows.ball.row import BallRow, Traction, ball_row
 from rolamento.rows.row import Row
 from rolamento.rows.sphere import SphereRow
@@ -55,7 +55,7 @@ OTHER_GROOVES: Final[Mapping[str, tuple[str, str]]] = {
 """What makes a row on other grooves, by the bearing's kind."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RowState:
     """What one row of a set has of its own in many cases, as it runs.
 
@@ -72,7 +72,7 @@ class RowState:
     press: FloatArray | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class PlacedRow:
     """A row, the way it faces (+1 or -1), and where it is along x; (cases,), m.
 
@@ -91,7 +91,7 @@ class PlacedRow:
         return 0.0 * self.position if isinstance(self.row, SphereRow) else self.position
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Cases:
     """Many cases of one bearing.
 

@@ -24,6 +24,7 @@ from rolamento.case import Case
 from rolamento.case.duty import AXES, LOADS, Duty
 from rolamento.case.varied import is_of_mounting
 from rolamento.numerics import BoolArray, FloatArray, IntArray
+from rolamento.records import frozen
 from rolamento.solved import Preloading, Solved
 
 __all__ = ["Lost", "between_rows", "first_lift_off", "preload_at", "preload_loss", "preload_of"]
@@ -51,7 +52,7 @@ Press = tuple[FloatArray, ...]
 """How far each row is pressed in; (cases,) each, m."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Lost:
     """Where contact is lost, case by case.
 

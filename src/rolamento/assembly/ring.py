@@ -26,6 +26,7 @@ import numpy as np
 from rolamento.assembly.cases import Cases, PlacedRow
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.newton import Balance, balance
+from rolamento.records import frozen
 from rolamento.rows.ball import sets
 from rolamento.rows.row import Held, Indices, IntArray, Knowing
 from rolamento.rows.sphere import SphereRow, from_outside, from_ring
@@ -75,7 +76,7 @@ class RingSolution:
             whole.put(cases, piece)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _View:
     """The rows seen from the ring, scaled: their forces and stiffness, summed."""
 
@@ -86,7 +87,7 @@ class _View:
     rows: list[Held]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RowsOnRing:
     """Cases of several rows, as `guidance` asks for a system; press: how far each is pressed in."""
 
@@ -141,7 +142,7 @@ class RowsOnRing:
         return list(np.split(control, ends, axis=1))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Asked:
     """What is asked of some rings, and where they begin.
 
@@ -261,7 +262,7 @@ def _summed(answers: Sequence[Held], transforms: Sequence[FloatArray]) -> _View:
     return _View(force, stiffness, scale, sound, list(answers))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Problem:
     """Some cases as the equations of a ring, and where to begin.
 

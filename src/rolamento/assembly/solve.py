@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import fields, replace
 from functools import reduce
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +12,7 @@ import numpy as np
 from rolamento.assembly.cases import Cases
 from rolamento.assembly.guidance import S, System, solve_by_jones
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.records import frozen
 from rolamento.rows.ball.row import BallRow, HeldBalls
 from rolamento.rows.row import Held, Indices, IntArray, RowGeometry
 from rolamento.solved import (
@@ -33,7 +34,7 @@ if TYPE_CHECKING:
     from rolamento.rows.ball.traction.solve import Film
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Balanced:
     """Cases in balance: the ring's place, force and stiffness in SI, and the rows held there.
 
@@ -92,7 +93,7 @@ def _on_ring(cases: Cases) -> Balanced:
     return Balanced(status, place, force, stiffness, tuple(solution.rows), control, shown)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Alone:
     """Cases of a bearing that is one row of balls, as `guidance` asks for a system."""
 
@@ -194,7 +195,7 @@ def _forgotten(array: FloatArray, lost: BoolArray) -> FloatArray:
     return array
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RowAnswers:
     """What several rows answer, side by side."""
 
@@ -236,7 +237,7 @@ def _beside(one: Any, other: Any) -> Any:
     return type(one)(*(_beside(getattr(one, name), getattr(other, name)) for name in names))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class GroupedAnswers:
     """What groups of cases answer, one group after the other.
 

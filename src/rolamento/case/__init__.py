@@ -19,6 +19,7 @@ from rolamento.case.material import Material
 from rolamento.case.model import Model
 from rolamento.case.mounting import Mounting, SeatMaterial
 from rolamento.case.report import ReportHead
+from rolamento.case.roller_bearing import RollerBearing
 from rolamento.case.surface import Surface
 from rolamento.case.temperature import Temperature
 
@@ -35,6 +36,7 @@ __all__ = [
     "Model",
     "Mounting",
     "ReportHead",
+    "RollerBearing",
     "SeatMaterial",
     "Surface",
     "Temperature",

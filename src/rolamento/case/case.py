@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Annotated, Any, Final, Self
 from pydantic import Field, ModelWrapValidatorHandler, ValidationInfo, model_validator
 
 from rolamento.case.bearing import Bearing
-from rolamento.case.duty import Duty
-from rolamento.case.fields import OVERRIDE_SOURCE, changed, fields_of, overridden
+from rolamento.case.duty import SHORT_NAMES, Duty
+from rolamento.case.fields import OVERRIDE_SOURCE, Changes, changed, fields_of, overridden
 from rolamento.case.fields import Field as CaseField
 from rolamento.case.film_model import FilmModel
 from rolamento.case.life_model import LifeModel
@@ -72,7 +72,7 @@ class Case(Record):
         One line, at most 200 characters.
     bearing
         A `Bearing` or a `RollerBearing`, told apart by `element`, else by the designation or the
-        rows.
+        rows; in Python a designation will do, such as ``"6310/C3"``.
     duty
         A `Duty`.
     model
@@ -121,6 +121,8 @@ class Case(Record):
         """Fill in sizes that a designation tells, and tell it the ratings that are given."""
         if not isinstance(given, Mapping):
             return handler(given)
+        if isinstance(given.get("bearing"), str) and not at_the_border(info.context):
+            given = {"duty": Duty(), **given, "bearing": {"designation": given["bearing"]}}
         with _known(_rated_bearing(given)):
             filled = dict(_with_catalogue_sizes(given, in_file=at_the_border(info.context)))
             bearing = filled.get("bearing")
@@ -140,7 +142,7 @@ class Case(Record):
         return fields_of(cls)
 
     def with_(self, values: Mapping[str, Any] | None = None, /, **nested: Any) -> Case:
-        """Return a case with some values changed, such as ``case.with_(duty__load__fz="10 kN")``.
+        """Return a case with some values changed, such as ``case.with_(fz="10 kN")``.
 
         A value replaces its rival: a clearance takes the place of the contact angle, a
         displacement that of the load on the same degree of freedom. Balls whose material is not
@@ -152,16 +154,17 @@ class Case(Record):
             By dotted name, ``{"duty.load.fz": "10 kN"}``: text as in a case file or numbers in SI
             units, records or tables for tables; None takes an optional value away.
         nested
-            Likewise, with two underscores for the dot.
+            Likewise: the duty's by their short names, such as ``fz`` and ``inner_speed``, others
+            with two underscores for the dot, ``temperature__lubricant="70 degC"``.
 
         Raises
         ------
         InputError
             If there is no such field, it is given twice, or the result is not valid.
         """
-        given = dict(values or {})
+        given = _full_names(values or {})
         for key, value in nested.items():
-            name = key.replace("__", ".")
+            name = SHORT_NAMES.get(key, key.replace("__", "."))
             if name in given:
                 raise InputError(said("is given twice"), field=name)
             given[name] = value
@@ -329,7 +332,7 @@ class Case(Record):
 
 def load_case(
     path: str | os.PathLike[str],
-    overrides: Iterable[str] = (),
+    overrides: Changes = (),
     *,
     otherwise: Iterable[str] = (),
 ) -> Case:
@@ -341,7 +344,8 @@ def load_case(
         A TOML or JSON file, told apart by the name's ending, else by the first
         character; ``"-"`` for standard input; or a designation such as ``"6310/C3"``.
     overrides
-        Settings ``KEY=VALUE`` that go over the case, such as ``"duty.load.fz=10 kN"``.
+        What goes over the case, such as ``{"duty.load.fz": "10 kN"}``: values by dotted name as
+        `Case.with_` takes them, or texts as ``--set`` does, ``["duty.load.fz=10 kN"]``.
     otherwise
         Settings of tables that the file does not have, such as ``"lubricant.kind=dry"``; in a
         table that it has they do not count.
@@ -386,13 +390,11 @@ def is_designation(name: object, folder: str | os.PathLike[str] = "") -> bool:
     return not os.path.exists(path)
 
 
-def _case_of_designation(
-    designation: str, settings: Iterable[str], otherwise: Iterable[str]
-) -> Case:
+def _case_of_designation(designation: str, changes: Changes, otherwise: Iterable[str]) -> Case:
     """Return the case of a bearing without a load, its title the designation."""
     try:
         named = {"bearing": {"designation": designation}, "duty": {}}
-        case = _case_from(named, settings, otherwise)
+        case = _case_from(named, changes, otherwise)
     except InputError as error:
         if error.source or error.field != "bearing.designation":
             raise
@@ -437,7 +439,7 @@ def parse_case(
     *,
     format: TextFormat | None = None,
     source: str = "",
-    overrides: Iterable[str] = (),
+    overrides: Changes = (),
     otherwise: Iterable[str] = (),
 ) -> Case:
     """Return the case that a TOML or JSON text describes.
@@ -469,19 +471,17 @@ def parse_case(
         raise error.with_details(source=source, line=line) from None
 
 
-def override(case: Case, settings: Iterable[str]) -> Case:
-    """Return a case with settings applied, such as ``["duty.load.fz=10 kN"]``.
-
-    As `Case.with_`, for texts as ``--set`` takes them.
+def override(case: Case, changes: Changes) -> Case:
+    """Return a case with changes applied: as `Case.with_`, or texts as ``--set`` takes them.
 
     Raises
     ------
     InputError
         If a setting names no field, or the result is not valid.
     """
-    settings = tuple(settings)
+    changes = changes if isinstance(changes, Mapping) else tuple(changes)
     with case.bearing.looked_up():
-        return _case_from(case._own_mapping(settings), settings)
+        return _case_from(case._own_mapping(changes), changes)
 
 
 def with_changes(case: Case, changes: Mapping[str, Any]) -> Case:
@@ -654,14 +654,34 @@ def _sizes_of(bearing: Any) -> dict[str, float]:
     return {name: getattr(found, name) for name in _SIZES}
 
 
-def _case_from(
-    mapping: Mapping[str, Any], settings: Iterable[str], otherwise: Iterable[str] = ()
-) -> Case:
+def _full_names(changes: Mapping[str, Any]) -> dict[str, Any]:
+    """Values by the dotted names of fields, of which the duty's may have been given by short ones.
+
+    Raises
+    ------
+    InputError
+        If one is given twice.
+    """
+    found: dict[str, Any] = {}
+    for key, value in changes.items():
+        name = SHORT_NAMES.get(key, key)
+        if name in found:
+            raise InputError(said("is given twice"), field=name)
+        found[name] = value
+    return found
+
+
+def _case_from(mapping: Mapping[str, Any], changes: Changes, otherwise: Iterable[str] = ()) -> Case:
     lacking = [one for one in otherwise if one.partition(".")[0] not in mapping]
-    tables, fields = overridden(mapping, (*lacking, *settings), Case)
+    tables, _ = overridden(mapping, lacking, Case)
+    changes = _full_names(changes) if isinstance(changes, Mapping) else changes
+    tables, fields = overridden(tables, changes, Case)
     try:
         return Case.from_mapping(tables)
     except InputError as error:
-        if any(error.field == one or error.field.startswith(f"{one}.") for one in fields):
+        by_option = not isinstance(changes, Mapping)
+        if by_option and any(
+            error.field == one or error.field.startswith(f"{one}.") for one in fields
+        ):
             raise error.with_details(source=OVERRIDE_SOURCE) from None
         raise

@@ -12,13 +12,20 @@ from rolamento.errors import InputError
 from rolamento.units import readable
 from rolamento.words import said
 
-__all__ = ["AXES", "LOADS", "Displacement", "Duty", "Load"]
+__all__ = ["AXES", "LOADS", "SHORT_NAMES", "Displacement", "Duty", "Load"]
 
 AXES: Final = ("x", "y", "z", "ry", "rz")
 """The five degrees of freedom of the inner ring, in the order used everywhere."""
 
 LOADS: Final = ("fx", "fy", "fz", "my", "mz")
 """The load on each degree of freedom, in the same order."""
+
+SHORT_NAMES: Final = {
+    **{name: f"duty.{name}" for name in ("inner_speed", "outer_speed", "first_ball_azimuth")},
+    **{name: f"duty.load.{name}" for name in LOADS},
+    **{name: f"duty.displacement.{name}" for name in AXES},
+}
+"""Of the duty's fields, which need not be told apart from others."""
 
 Five = tuple[float, float, float, float, float]
 

@@ -8,7 +8,6 @@ what it takes the place of; what readers call it stands in `labels`.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from functools import cache, cached_property
 from typing import Any, Final, Literal, get_args, get_origin
 
@@ -29,11 +28,13 @@ from rolamento.case.record import (
 )
 from rolamento.errors import FileError, InputError, UnknownKeyError
 from rolamento.io.text import parse_mapping
+from rolamento.records import frozen
 from rolamento.units import SI_UNIT, Dimension, from_si
 from rolamento.words import said, speaking
 
 __all__ = [
     "OVERRIDE_SOURCE",
+    "Changes",
     "Field",
     "Value",
     "changed",
@@ -62,7 +63,7 @@ _INLINE_EXAMPLE: Final = """'bearing.preload={ force = "500 N" }'"""
 _LONGEST_SETTING: Final = 2000
 
 
-@dataclass(frozen=True, eq=False)
+@frozen(eq=False, slots=False)
 class Field:
     """A field of a case.
 
@@ -299,26 +300,34 @@ def _numbers_in(parts: tuple[Any, ...]) -> Iterator[Quantity | Ratio]:
 # --- changes to a case file -----------------------------------------------------------------------
 
 
+Changes = Mapping[str, Any] | Iterable[str]
+"""What goes over a case: values by the dotted names of fields, in SI units or as a file holds them;
+or ``KEY=VALUE``, as a command's options have it."""
+
+
 def overridden(
-    mapping: Mapping[str, Any], settings: Iterable[str], record: type[Record]
+    mapping: Mapping[str, Any], changes: Changes, record: type[Record]
 ) -> tuple[dict[str, Any], frozenset[str]]:
-    """Return a copy of tables with settings applied, and the fields that they set.
+    """Return a copy of tables with changes applied, and the fields that they set.
 
     Parameters
     ----------
     mapping, record
         As in `changed`.
-    settings
-        Each ``KEY=VALUE``, with a dotted key and the value as in a case file, a table or a list
-        as TOML writes it in one line; the quotes around text may be left out.
+    changes
+        Values by dotted name. Or texts ``KEY=VALUE``, each with a dotted key and the value as in
+        a case file, a table or a list as TOML writes it in one line; the quotes around text may
+        be left out.
 
     Raises
     ------
     InputError
-        If a setting is not of that form, or its key names no field.
+        If a text is not of that form, or a key names no field.
     """
+    if isinstance(changes, Mapping):
+        return changed(mapping, changes, record), frozenset(map(current, changes))
     try:
-        values = values_of(settings, record)
+        values = values_of(changes, record)
         return changed(mapping, values, record, in_file=True), frozenset(values)
     except InputError as error:
         raise error.with_details(source=OVERRIDE_SOURCE) from None

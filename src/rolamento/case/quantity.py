@@ -12,7 +12,6 @@ import numbers
 import operator
 import unicodedata
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING, Annotated, Any, Final, Literal
 
@@ -27,6 +26,7 @@ from pydantic import (
 from pydantic_core import CoreSchema, core_schema
 
 from rolamento.errors import InputError, UnitError
+from rolamento.records import frozen
 from rolamento.units import SI_UNIT, Dimension, from_si, name_of, to_si
 from rolamento.words import marked, said
 
@@ -102,7 +102,7 @@ def _number(value: object) -> float:
         raise InputError(said("must be a finite number"), value=value) from None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Quantity:
     """Annotation of a float field that has a dimension; limits are text with a unit.
 
@@ -167,7 +167,7 @@ class Quantity:
         return from_si(value, self.dimension) if at_the_border(info.context) else value
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Ratio:
     """Annotation of a float field without a dimension; varies as in `Quantity`."""
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import inspect
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from functools import cache
 from types import UnionType
 from typing import Annotated, Any, ClassVar, Final, NoReturn, Self, Union, get_args, get_origin
@@ -26,6 +26,7 @@ from pydantic_core import CoreSchema, ErrorDetails, core_schema
 from rolamento.case.hints import hint
 from rolamento.case.quantity import AT_THE_BORDER, Replaces
 from rolamento.errors import ABSENT, InputError, UnknownKeyError
+from rolamento.records import concise
 from rolamento.words import marked, said
 
 __all__ = [
@@ -82,6 +83,18 @@ class Record(BaseModel):
     # Pydantic then validates nested records directly, with the context of their parent,
     # and this constructor is used only where a person calls it.
     __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]
+
+    __repr__ = concise
+    __str__ = concise
+
+    def _printed(self) -> Iterator[tuple[str, Any]]:
+        """What the user gave that is no default; what a designation fills in is left out."""
+        for name, field in type(self).model_fields.items():
+            value = getattr(self, name)
+            if name in self.model_fields_set and value != field.get_default(
+                call_default_factory=True
+            ):
+                yield name, value
 
     def __setattr__(self, name: str, value: object) -> NoReturn:
         raise AttributeError(f"a {type(self).__name__} does not change; see its replace method")

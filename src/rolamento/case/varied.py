@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rolamento.case.case import Case
-from rolamento.case.duty import AXES, LOADS
+from rolamento.case.duty import SHORT_NAMES
 from rolamento.case.fields import Field
 from rolamento.case.hints import meant
 from rolamento.case.rolling_bearing import RollingBearing
@@ -31,13 +31,6 @@ __all__ = [
 ]
 
 Floats = NDArray[np.float64]
-
-SHORT_NAMES: Final = {
-    **{name: f"duty.{name}" for name in ("inner_speed", "outer_speed", "first_ball_azimuth")},
-    **{name: f"duty.load.{name}" for name in LOADS},
-    **{name: f"duty.displacement.{name}" for name in AXES},
-}
-"""Of the duty's fields, which need not be told apart from others."""
 
 _EXAMPLE: Final = "fx=[1e3, 2e3]"
 _ELASTIC: Final = ("name", "youngs_modulus", "poisson_ratio", "density")

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cache
 from math import radians
 from typing import Any, Final, NamedTuple, cast
@@ -24,6 +24,7 @@ from rolamento.catalogue.letters import (
 )
 from rolamento.catalogue.roller_designation import RollerNumber, roller_number_of
 from rolamento.errors import InputError
+from rolamento.records import frozen
 from rolamento.units import MILLIMETRE
 from rolamento.words import said
 
@@ -169,7 +170,7 @@ _SPINDLE_SERIES: Final = ("70", "718", "719")
 _MILLIMETRES_A_CODE: Final = 5
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@frozen(kw_only=True)
 class Designation:
     """The parts of a designation.
 

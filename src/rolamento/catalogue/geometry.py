@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import lru_cache
 from itertools import pairwise
 from math import asin, cos, radians, sin, tan
@@ -27,6 +27,7 @@ from rolamento.errors import InputError
 from rolamento.geometry import apex_half_angle, usual_end_radius
 from rolamento.io.data import toml_of
 from rolamento.ratings import SELF_ALIGNING_CONFORMITY, THRUST_CONFORMITY
+from rolamento.records import frozen
 from rolamento.units import MILLIMETRE, readable
 from rolamento.words import Note, said
 
@@ -70,7 +71,7 @@ GIVEN: Final = "given"
 _TAPERED: Final = "tapered bore"
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@frozen(kw_only=True)
 class InternalGeometry:
     """The inside of a bearing, with where each figure comes from.
 

@@ -10,12 +10,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from math import pi
 from typing import Final
 
 from rolamento.errors import InputError, UnknownKeyError, guess
 from rolamento.io.columns import folded_name, title_parts
+from rolamento.records import frozen
 from rolamento.words import said
 
 __all__ = ["CatalogueColumn", "columns_of", "heads_catalogue", "kind_of_word"]
@@ -149,7 +149,7 @@ _NO_KIND: Final = frozenset(("ball", "ball_bearing", "esferas", "kugellager", "b
 _SYMBOL: Final = re.compile(r"[dD]")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class CatalogueColumn:
     """What a column of a catalogue holds.
 

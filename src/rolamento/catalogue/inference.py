@@ -8,7 +8,6 @@ with alternatives, and is marked as such.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from math import cos, exp, pi, sqrt
@@ -33,6 +32,7 @@ from rolamento.ratings import (
     static_rating,
     thrust_dynamic_factor,
 )
+from rolamento.records import frozen
 from rolamento.words import said
 
 _INCH: Final = 25.4e-3
@@ -89,7 +89,7 @@ _GAMMAS: Final = np.linspace(0.005, MAXIMUM_GAMMA, 80)
 _FROM_ZERO: Final = np.linspace(0.0, MAXIMUM_GAMMA, 81)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@frozen(kw_only=True)
 class Candidate:
     """One inside that could have the printed ratings.
 
@@ -138,7 +138,7 @@ class Candidate:
     rests_on: tuple[str, ...]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@frozen(kw_only=True)
 class Practice:
     """How a maker's printed ratings stand to the standards'.
 

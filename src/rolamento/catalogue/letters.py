@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from functools import cache, lru_cache, partial
 from typing import Final, Literal, NamedTuple, cast
 
 from rolamento.errors import InputError
 from rolamento.io.data import toml_of
+from rolamento.records import frozen
 from rolamento.words import said
 
 designation_data = partial(toml_of, "designations")
@@ -41,7 +41,7 @@ class Part(NamedTuple):
     meaning: str
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@frozen(kw_only=True)
 class Letters:
     """What letters say.
 

@@ -9,7 +9,7 @@ headings of catalogues (`rolamento.catalogue.headings`). ``# maker: NSK``, ``# k
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields
+from dataclasses import field, fields
 from itertools import pairwise
 from math import degrees, radians
 from typing import Any, Final, Literal, cast, get_args
@@ -23,6 +23,7 @@ from rolamento.io.numerals import Numerals
 from rolamento.io.tables import parse_table
 from rolamento.io.text import parse_mapping
 from rolamento.ratings import RatedType
+from rolamento.records import frozen
 from rolamento.units import Dimension, readable, to_si
 from rolamento.words import said
 
@@ -35,7 +36,7 @@ ROLLER_KINDS: Final = ("cylindrical", "tapered", "needle", "drawn_cup")
 """Of those, the roller bearings."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@frozen(kw_only=True)
 class CatalogueBearing:
     """One bearing of a catalogue; what its maker does not publish is None.
 

@@ -8,10 +8,10 @@ needles (K 10X14X13) and drawn cups (HK 1612). What the letters mean is in data/
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from typing import Final
 
 from rolamento.catalogue.letters import Letters, Part, designation_data, groups_of
+from rolamento.records import frozen
 
 __all__ = ["RollerNumber", "roller_number_of"]
 
@@ -47,7 +47,7 @@ _OF_STEEP: Final = "DCB"
 """Letters behind the number of a tapered bearing with a contact angle that is not the usual one."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RollerNumber:
     """What the number of a roller bearing says.
 

@@ -17,7 +17,6 @@ ISO 281:2007, table 7: e = 1.5 tan α.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import atan, exp, pi, sqrt
 from typing import Any, Final, NamedTuple, cast
 
@@ -28,6 +27,7 @@ from rolamento.errors import InputError
 from rolamento.io.data import toml_of
 from rolamento.numerics import FloatArray
 from rolamento.ratings import RollerKind, roller_dynamic_rating, roller_static_rating
+from rolamento.records import frozen
 from rolamento.words import said
 
 __all__ = ["RollerCandidate", "inferred_rollers", "nominal_angle", "roller_diameters"]
@@ -47,7 +47,7 @@ _TENTH_OF_MICROMETRE: Final = 7
 _ROUNDING: Final = 1e-9
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@frozen(kw_only=True)
 class RollerCandidate:
     """One inside that could have the printed ratings.
 

@@ -7,7 +7,6 @@ second; what was inferred is kept in ``data/rolling.csv``, which ``scripts/rolli
 from __future__ import annotations
 
 import csv
-from dataclasses import dataclass
 from functools import lru_cache
 from importlib import resources
 
@@ -16,11 +15,12 @@ from rolamento.catalogue.records import CatalogueBearing
 from rolamento.catalogue.roller_inference import nominal_angle
 from rolamento.catalogue.search import catalogue
 from rolamento.geometry import apex_half_angle
+from rolamento.records import frozen
 
 __all__ = ["RollingBearing", "rolling_bearings"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RollingBearing:
     """What the fault frequencies of a bearing of the catalogue follow from.
 

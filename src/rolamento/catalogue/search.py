@@ -8,7 +8,7 @@ import re
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from functools import lru_cache
 from importlib import resources
 from itertools import chain, islice
@@ -34,6 +34,7 @@ from rolamento.errors import FileError, InputError
 from rolamento.io.data import toml_of
 from rolamento.io.tables import table_text
 from rolamento.io.text import read_text
+from rolamento.records import frozen
 from rolamento.units import MILLIMETRE
 from rolamento.words import said
 
@@ -49,7 +50,7 @@ _SISTER_ANGLE: Final = radians(5.0)
 """By which the contact angle of a bearing that may stand in for another differs at most."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Found:
     """A bearing of a catalogue, and what the designation says beyond its number."""
 
@@ -100,7 +101,7 @@ def standard_width(bore: float, outside_diameter: float) -> float | None:
     return None
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Catalogue:
     """Bearings by their designation; later ones take the place of earlier ones.
 

@@ -10,7 +10,6 @@ The chain is computed for many bearings at once: what scatters comes as arrays.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import inf
 from typing import Any, Final, NamedTuple, Protocol, cast
 
@@ -48,6 +47,7 @@ from rolamento.clearance.standards import (
 from rolamento.errors import InputError
 from rolamento.geometry import clearance_of_angle, groove_places
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.units import readable
 from rolamento.words import marked, said
 
@@ -93,7 +93,7 @@ class Temperatures(Protocol):
         ...
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class PartTemperatures:
     """Temperatures in operation, in K; see `Temperatures`. Without those of the rings: none."""
 
@@ -132,7 +132,7 @@ class FitState(NamedTuple):
     """Of the clearance; never above 0."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Seat:
     """One fit: where, of what, how smooth, and what operation adds to its interference."""
 
@@ -152,7 +152,7 @@ class _Seat:
         return lost, np.maximum(left, 0.0)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Assembly:
     """Bearing, seats, temperatures and speeds, checked and ready for the calculation; SI.
 
@@ -487,7 +487,7 @@ class ChainResult(NamedTuple):
     clearance: FloatArray
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Chain:
     """The bands of what scatters, and the assembly that does not; m."""
 

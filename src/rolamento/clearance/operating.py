@@ -11,7 +11,6 @@ tightest fits. `sample_clearance` draws the tolerances independently instead.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from math import acos, tan
 from typing import Any, Final, Literal, NamedTuple
 
@@ -36,11 +35,12 @@ from rolamento.errors import InputError
 from rolamento.geometry import ring_geometry
 from rolamento.numerics import FloatArray
 from rolamento.numerics.percentiles import percentile
+from rolamento.records import frozen
 from rolamento.units import readable
 from rolamento.words import Note, said
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Step:
     """One step of the chain; lengths in m.
 
@@ -66,7 +66,7 @@ class Step:
     details: Mapping[str, tuple[float, float, float]]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class OperatingClearance:
     """The clearance in operation, with the steps that lead to it; m.
 
@@ -362,7 +362,7 @@ _MAX_SAMPLES: Final = 1_000_000
 _SIGMAS: Final = 3.0
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class ClearanceSamples:
     """Clearances in operation of many bearings, drawn from their tolerances; m.
 

@@ -38,7 +38,7 @@ tapered rollers: The Timken Company, Mounting, Fitting and Setting Your Bearings
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import pairwise
 from types import SimpleNamespace
 from typing import Any, Final, Literal
@@ -66,6 +66,7 @@ from rolamento.clearance.standards import Limit
 from rolamento.errors import InputError
 from rolamento.geometry import free_contact_angle
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.records import frozen
 
 __all__ = ["STAGES", "RunningRow", "Stage", "running_rows", "width_of"]
 
@@ -77,7 +78,7 @@ STAGES: Final[tuple[Stage, ...]] = ("unmounted", "mounted", "warm", "running")
 """What has happened so far: nothing, the fits, the temperatures too, the rings' growth too."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RunningRow:
     """One row at a stage; arrays that broadcast over cases, SI.
 

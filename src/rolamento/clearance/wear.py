@@ -15,7 +15,6 @@ asked for.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Final, Literal, get_args
 
 import numpy as np
@@ -23,6 +22,7 @@ from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.words import said
 
 WearLaw = Literal["running_in", "running_in_and_steady", "power"]
@@ -41,7 +41,7 @@ _MOST_POINTS: Final = 100_000
 _STEPS: Final = 2000
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class WearFit:
     """A law of wear with the constants that fit a record of measurements.
 

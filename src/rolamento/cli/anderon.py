@@ -137,22 +137,23 @@ def anderon(
         from rolamento.cli.waiting import progress_of
         from rolamento.tasks.quantities import number_given
 
-        found = tasks.anderons(
-            signals,
-            speed=speed,
-            full_scale=_full_scales_of(full_scale or []),
-            accepted=accepted,
-            hours=None if hours is None else hours_of(hours),
-            bearing=bearing,
-            channel=channel,
-            rate=number_given(rate, "--rate", "frequency", "--rate '50 kHz'"),
-            unit=unit,
-            scale=scale,
-            start=number_given(start, "--start", "time", "--start '2 s'") or 0.0,
-            duration=number_given(duration, "--duration", "time", "--duration '10 s'"),
-            decimal_mark=decimal_mark,
-            stages=lambda stage: progress_of(said("blocks of the signal")),
-        )
+        with progress_of(said("blocks of the signal")) as progress:
+            found = tasks.anderons(
+                signals,
+                speed=speed,
+                full_scale=_full_scales_of(full_scale or []),
+                accepted=accepted,
+                hours=None if hours is None else hours_of(hours),
+                bearing=bearing,
+                channel=channel,
+                rate=number_given(rate, "--rate", "frequency", "--rate '50 kHz'"),
+                unit=unit,
+                scale=scale,
+                start=number_given(start, "--start", "time", "--start '2 s'") or 0.0,
+                duration=number_given(duration, "--duration", "time", "--duration '10 s'"),
+                decimal_mark=decimal_mark,
+                progress=progress,
+            )
         if plot is not None:
             _draw(found, plot)
         _show(found, json, outputs, record)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager, nullcontext
-from dataclasses import dataclass, fields
+from dataclasses import fields
 from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
@@ -12,6 +12,7 @@ import typer
 from rolamento.cli.option_records import with_record
 from rolamento.cli.options import CataloguesOption, OuterSpeedOption, SettingsOption, SpeedOption
 from rolamento.errors import InputError
+from rolamento.records import frozen
 from rolamento.words import said
 
 if TYPE_CHECKING:
@@ -31,7 +32,7 @@ _FIELDS: Final = {
 """Option, the field of the case that it gives, and a value, by the parameter."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class CaseOptions:
     """What options say of a case: its load, speeds and oil, any other field, own catalogues."""
 

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
-from contextlib import contextmanager
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final
 
 import typer
 
 from rolamento.cli.case_options import CASE_OPTIONS, NOTHING_GIVEN, CaseOptions, with_case
-from rolamento.cli.common import NO_RESULT, SOLVED, Language, plain_endings
+from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings
 from rolamento.cli.grouped_help import Groups
 from rolamento.cli.option_names import in_options
 from rolamento.cli.optional_value import JsonCommand
@@ -32,9 +30,7 @@ from rolamento.tasks.asked import SIGNAL, by_name
 from rolamento.words import marked, said
 
 if TYPE_CHECKING:
-    from rolamento.cli.waiting import Progress
-    from rolamento.tasks.diagnosis import DiagnosisResult, TooShort
-    from rolamento.tasks.parameters import Stages
+    from rolamento.tasks.diagnosis import DiagnosisResult
 
 _ASKED: Final = by_name(SIGNAL)
 _FALSE_ALARM: Final = 0.01
@@ -235,6 +231,7 @@ def diagnose(
             rule=marked("is one of the input files; choose another name"),
         )
         from rolamento import tasks
+        from rolamento.cli.waiting import progress_of
         from rolamento.tasks.quantities import number_given, part_of_one
         from rolamento.vibration.diagnosis import DiagnosisSettings
 
@@ -266,29 +263,32 @@ def diagnose(
             "nominal": nominal,
             "angle": angle,
             "search": search,
-            "settings": given.settings,
-            "stages": _stages_shown(lang),
+            "changes": given.settings,
             **part,
             **reading,
         }
         _check_together(signal, bearing, machine, baseline)
         found: Any
-        if machine is not None:
-            found = tasks.diagnose_machine(signal, machine, **asked)
-        elif bearing == _UNKNOWN:
-            found = tasks.rank_bearings(signal, speed=speed, search=search, **part, **reading)
-        elif os.path.isdir(signal):
-            found = tasks.trend_of_records([signal], bearing, **asked)
-        elif baseline:
-            found = tasks.diagnose_since(signal, bearing, baseline, **asked)
-        else:
-            found = tasks.diagnose(signal, bearing, **asked)
-        if not isinstance(found, tasks.DiagnosisResult | tasks.TooShort):
+        with progress_of(said("blocks of the signal")) as progress:
+            asked["progress"] = progress
+            if machine is not None:
+                found = tasks.diagnose_machine(signal, machine, **asked)
+            elif bearing == _UNKNOWN:
+                found = tasks.rank_bearings(signal, speed=speed, search=search, **part, **reading)
+            elif os.path.isdir(signal):
+                found = tasks.trend_of_records([signal], bearing, **asked)
+            elif baseline:
+                found = tasks.diagnose_since(signal, bearing, baseline, **asked)
+            else:
+                found = tasks.diagnose(signal, bearing, **asked)
+        if isinstance(found, tasks.History) and found.now.too_short is not None:
+            found = found.now
+        if not isinstance(found, tasks.DiagnosisResult):
             _refuse_pictures(plot, kurtogram)
             _show_more(found, signal, json, outputs)
             verdict = getattr(found, "verdict", "nothing_found")
             raise typer.Exit(NO_RESULT if verdict in _NO_VERDICT else SOLVED)
-        if isinstance(found, tasks.TooShort):
+        if found.too_short is not None:
             _show_too_short(found, json)
             raise typer.Exit(NO_RESULT)
         _draw(found, plot, kurtogram)
@@ -351,26 +351,7 @@ def _show_more(found: Any, signal: str, json: str | None, outputs: Outputs) -> N
         outputs.show(lambda: pages.unknown_page(found), json)
 
 
-def _stages_shown(lang: Language | None) -> Stages:
-    """Return what shows at a terminal which stage of a diagnosis takes long, and how far it is."""
-    from rolamento.cli.waiting import progress_of, waiting
-
-    @contextmanager
-    def shown(stage: str) -> Iterator[Progress]:
-        if stage == "solving":
-            with waiting(lang):
-                yield lambda done, total: None
-        else:
-            text = said("blocks of the signal")
-            if stage == "tracking":
-                text = said("blocks of the signal, for the speed")
-            with progress_of(text) as progress:
-                yield progress
-
-    return shown
-
-
-def _show_too_short(found: TooShort, json: str | None) -> None:
+def _show_too_short(found: DiagnosisResult, json: str | None) -> None:
     """Write JSON where it was asked for, and say it to the person."""
     text = " ".join(note.text for note in found.statement)
     if json is not None:

@@ -102,7 +102,7 @@ def frequencies(
             tolerances=_tolerances(tolerances or []),
             harmonics=harmonics,
             sidebands=sidebands,
-            settings=given.settings,
+            changes=given.settings,
         )
         _show(found, json, outputs)
     failed = found.solved is not None and not found.solved.converged[0]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, fields
+from dataclasses import fields
 from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
@@ -14,6 +14,7 @@ from rolamento.cli.streams import STANDARD_STREAM, put, show
 from rolamento.document.writing import REPORTS, check_ending
 from rolamento.errors import FileError, InputError
 from rolamento.io.writing import write_bytes
+from rolamento.records import frozen
 from rolamento.words import marked, said
 from rolamento.words.naming import listed
 
@@ -28,7 +29,7 @@ _DECIMAL_MARKS: Final = {"point": ".", "comma": ","}
 _ENDINGS: Final = {"--report": REPORTS, "--csv": (".csv", ".tsv", ".txt", ""), "--xlsx": (".xlsx",)}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Outputs:
     """Where a page goes besides the terminal, and how its tables are written."""
 

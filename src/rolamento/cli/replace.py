@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, fields
+from dataclasses import fields
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final
 
 import typer
@@ -20,12 +20,14 @@ from rolamento.cli.shipped_data import data_and_json, known_example
 from rolamento.cli.streams import STANDARD_STREAM, complain, put_json
 from rolamento.cli.table_options import (
     ALL_COLUMNS,
+    COLUMN_OPTIONS,
     LifeColumns,
     told_in_options,
     with_life_columns,
 )
 from rolamento.cli.weibull import EXAMPLES
 from rolamento.errors import InputError
+from rolamento.records import frozen
 from rolamento.words import marked, said
 
 if TYPE_CHECKING:
@@ -37,7 +39,7 @@ if TYPE_CHECKING:
 __all__ = ["app"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class LivesOptions:
     """What options say of a distribution of lives: from a table, or given."""
 
@@ -101,7 +103,7 @@ class ReplaceCommand(JsonCommand):
             *("fleet", "within", "until", "begin", "usage", "usage_column", "renewed"),
             "confidence",
         ),
-        "Lives": (*(one.name for one in fields(LivesOptions)), *LifeColumns.__slots__),
+        "Lives": (*(one.name for one in fields(LivesOptions)), *COLUMN_OPTIONS),
         "Output": ("plot", "json", *OUTPUT_OPTIONS, "lang", "help"),
     }
 

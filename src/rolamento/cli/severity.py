@@ -192,28 +192,29 @@ def severity(
         from rolamento.cli.waiting import progress_of
         from rolamento.tasks.quantities import number_given
 
-        found = tasks.severity_of(
-            signals,
-            speed=speed,
-            power=power,
-            support=support,
-            group=group,
-            machine_class=machine_class,
-            baseline=baseline,
-            limit=limit,
-            law=checked_growth(growth),
-            confidence=confidence,
-            hours=None if hours is None else hours_of(hours),
-            dates=None if dates is None else dates.split(","),
-            channel=channel,
-            rate=number_given(rate, "--rate", "frequency", "--rate '50 kHz'"),
-            unit=unit,
-            scale=scale,
-            start=number_given(start, "--start", "time", "--start '2 s'") or 0.0,
-            duration=number_given(duration, "--duration", "time", "--duration '10 s'"),
-            decimal_mark=decimal_mark,
-            stages=lambda stage: progress_of(said("blocks of the signal")),
-        )
+        with progress_of(said("blocks of the signal")) as progress:
+            found = tasks.severity_of(
+                signals,
+                speed=speed,
+                power=power,
+                support=support,
+                group=group,
+                machine_class=machine_class,
+                baseline=baseline,
+                limit=limit,
+                law=checked_growth(growth),
+                confidence=confidence,
+                hours=None if hours is None else hours_of(hours),
+                dates=None if dates is None else dates.split(","),
+                channel=channel,
+                rate=number_given(rate, "--rate", "frequency", "--rate '50 kHz'"),
+                unit=unit,
+                scale=scale,
+                start=number_given(start, "--start", "time", "--start '2 s'") or 0.0,
+                duration=number_given(duration, "--duration", "time", "--duration '10 s'"),
+                decimal_mark=decimal_mark,
+                progress=progress,
+            )
         if plot is not None:
             _draw(found, plot)
         _show(found, json, outputs, record)

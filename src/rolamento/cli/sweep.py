@@ -110,7 +110,7 @@ def sweep(
                 swept = studies.sweep(
                     study,
                     output,
-                    settings=given.settings,
+                    changes=given.settings,
                     variants=read_variants(variants or ()),
                     threads=threads,
                     scheduler=scheduler,

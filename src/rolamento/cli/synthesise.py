@@ -308,9 +308,9 @@ def synthesise(
                 rate=number_of(rate, "--rate", "frequency", "--rate '12 kHz'"),
                 seed=seed,
                 truth_path=None if truth == STANDARD_STREAM else truth,
-                settings=given.settings,
+                changes=given.settings,
             )
-            if isinstance(found, tasks.Unsolved):
+            if found.solved is not None and found.status != "made":
                 complain_of(found.solved, lang)
                 raise typer.Exit(NO_RESULT)
         _show(found, truth)

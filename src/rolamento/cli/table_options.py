@@ -5,17 +5,19 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import fields
 from typing import Annotated, Any, Final
 
 import typer
 
 from rolamento.cli.option_records import with_record
 from rolamento.errors import InputError
+from rolamento.records import frozen
 from rolamento.tasks.asked import LIFE_TEST, by_name
 
 __all__ = [
     "ALL_COLUMNS",
+    "COLUMN_OPTIONS",
     "BearingColumnOption",
     "DateOrderOption",
     "DecimalMarkOption",
@@ -83,7 +85,7 @@ DateOrderOption = Annotated[
 ]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class LifeColumns:
     """What options say of a table of lives."""
 
@@ -130,11 +132,13 @@ class LifeColumns:
 
     def arguments(self) -> dict[str, Any]:
         """Return them as `rolamento.weibull.read_life_test` calls them."""
-        own = {name.removesuffix("_column"): getattr(self, name) for name in LifeColumns.__slots__}
+        own = {name.removesuffix("_column"): getattr(self, name) for name in COLUMN_OPTIONS}
         ignored = own.pop("ignore")
         return {**own, "ignored": tuple(ignored or ())}
 
 
+COLUMN_OPTIONS: Final = tuple(one.name for one in fields(LifeColumns))
+"""Names of the options of `LifeColumns`."""
 ALL_COLUMNS: Final = LifeColumns()
 with_life_columns = with_record("columns", LifeColumns)
 """Give a command the options of `LifeColumns`, which it takes as one argument, ``columns``."""

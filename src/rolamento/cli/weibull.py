@@ -19,6 +19,7 @@ from rolamento.cli.shipped_data import check_one_given, data_and_json, known_exa
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put_json
 from rolamento.cli.table_options import (
     ALL_COLUMNS,
+    COLUMN_OPTIONS,
     LifeColumns,
     told_in_options,
     with_life_columns,
@@ -48,7 +49,7 @@ class WeibullCommand(JsonCommand):
 
     groups: ClassVar[Groups] = {
         "Data": (
-            *("example", "write", *LifeColumns.__slots__),
+            *("example", "write", *COLUMN_OPTIONS),
             *("group", "by_group", "only", "mode", "by_mode"),
         ),
         "Fit": ("method", "three_parameter", "shape", "bayes", "models"),

@@ -38,7 +38,6 @@ bearings; Polonsky and Keer (1999) for the conditions of contact.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import lru_cache
 from math import exp, log
 from typing import Final
@@ -52,6 +51,7 @@ from rolamento.numerics import FloatArray as Array
 from rolamento.numerics.compiled import kernel, shared, vector_loop
 from rolamento.numerics.elliptic import associate
 from rolamento.numerics.threads import goes_plainly, ready
+from rolamento.records import frozen
 
 __all__ = [
     "CoupledPress",
@@ -447,7 +447,7 @@ def press_one(
     )
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class CoupledPress:
     """A roller pressed on a race; NaN where no loads are found. SI.
 

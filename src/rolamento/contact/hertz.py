@@ -17,7 +17,6 @@ Analysis, 3rd ed. (1991), chapter 5; Brewe and Hamrock (1977).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
@@ -28,6 +27,7 @@ from rolamento.numerics.compiled import inline_exact, kernel
 from rolamento.numerics.elementwise import of_each
 from rolamento.numerics.ellipse import Ellipse, ellipse_of_log_ratio
 from rolamento.numerics.elliptic import complete
+from rolamento.records import frozen
 
 
 class ElasticMaterial(Protocol):
@@ -44,7 +44,7 @@ class ElasticMaterial(Protocol):
         ...
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class HertzCoefficients:
     """Shape of a contact and Harris's dimensionless sizes, functions of F(ρ) alone.
 
@@ -57,7 +57,7 @@ class HertzCoefficients:
     deflection: FloatArray
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class HertzContact:
     """A loaded elliptical contact; every field an array of the same shape, SI.
 

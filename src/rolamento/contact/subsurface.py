@@ -31,7 +31,6 @@ and Palmgren (1947) for the orthogonal shear; Sackfield and Hills (1983) for the
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import IntEnum
 
 import numpy as np
@@ -41,6 +40,7 @@ from rolamento.numerics import FloatArray
 from rolamento.numerics.compiled import inline_exact, kernel
 from rolamento.numerics.elementwise import of_each
 from rolamento.numerics.elliptic import carlson_rf_rd
+from rolamento.records import frozen
 
 _DEEPEST_PEAK = 1.5
 """In z/b; the maximum shear lies between 0 and about 0.8 b for any ellipse and material."""
@@ -65,7 +65,7 @@ class ShearPlane(IntEnum):
     """Between z and the major semi-axis y."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class PrincipalStresses:
     """Principal stresses on the z axis; Pa, tension positive, arrays of one shape."""
 
@@ -77,7 +77,7 @@ class PrincipalStresses:
     """σ_z, into the body."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class MaximumShear:
     """The maximum 45° shear under the centre: its size (Pa), depth (m) and `ShearPlane` code."""
 
@@ -86,7 +86,7 @@ class MaximumShear:
     plane: np.ndarray[tuple[int, ...], np.dtype[np.int64]]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class OrthogonalShear:
     """Amplitude of the shear that reverses as the contact rolls by (Pa), and its depth (m)."""
 
@@ -94,7 +94,7 @@ class OrthogonalShear:
     depth: FloatArray
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class PointStresses:
     """Stresses on a plane parallel to the surface at a point: τ_xz and σ_z; Pa."""
 
@@ -245,7 +245,7 @@ def point_stresses(
     )
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class LineStresses:
     """Stresses under a line contact; Pa, tension positive, arrays of one shape."""
 
@@ -266,7 +266,7 @@ class LineStresses:
         return np.asarray(np.sqrt(square))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class VonMises:
     """The greatest stress of von Mises under the middle of a contact (Pa), and its depth (m)."""
 

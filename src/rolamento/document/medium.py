@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import sys
 import unicodedata
-from dataclasses import dataclass
 from typing import Final, Literal, TextIO
 
 from rolamento.errors import printable
+from rolamento.records import frozen
 
 __all__ = ["Medium"]
 
@@ -27,7 +27,7 @@ _PLAINER: Final = {
 _GRAPHICS: Final = "⣿█▏"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Medium:
     """A terminal, a file or a pipe.
 

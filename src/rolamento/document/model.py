@@ -8,9 +8,10 @@ the block names. What a medium does with them is its own affair.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import TYPE_CHECKING, Literal
 
+from rolamento.records import frozen
 from rolamento.words import language
 
 if TYPE_CHECKING:
@@ -47,7 +48,7 @@ Tone = Literal["", "strong", "faint", "mark", "good", "good-strong", "warning", 
 """How a text is meant: what a medium colours, and prints so that it is seen without colours too."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Number:
     """A number with a form of its own.
 
@@ -72,14 +73,14 @@ CellContent = float | int | str | Number | None
 """A number in the manner of its column, a text, a number of its own form; None for what is not."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Title:
     """The title of a page, or of a part of it that could be a page."""
 
     text: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Statement:
     """A sentence or several: what a page says first. A line break begins a new line.
 
@@ -107,7 +108,7 @@ class Statement:
     verbatim: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Entry:
     """A label and what is said to it: a text, or numbers of their own form."""
 
@@ -116,7 +117,7 @@ class Entry:
     tone: Tone = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class KeyValues:
     """Texts beside a column of labels. label_tone: of the labels."""
 
@@ -125,7 +126,7 @@ class KeyValues:
     label_tone: Tone = "faint"
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@frozen(kw_only=True)
 class Column:
     """A column of a table.
 
@@ -175,7 +176,7 @@ class Column:
     once: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Break:
     """Where a narrow medium may go on with a table of its own: before a column.
 
@@ -187,7 +188,7 @@ class Break:
     legend: str = ""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@frozen(kw_only=True)
 class Table:
     """Columns beside each other.
 
@@ -230,7 +231,7 @@ class Table:
     gap: int = 2
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Bar:
     """A bar, and what stands before it. length: over that of the greatest bar, or in any unit."""
 
@@ -240,7 +241,7 @@ class Bar:
     tone: Tone = ""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@frozen(kw_only=True)
 class Bars:
     """Bars below each other: label, number, bar.
 
@@ -256,7 +257,7 @@ class Bars:
     longest: int = 24
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@frozen(kw_only=True)
 class Figure:
     """A picture, and a sketch of it for media that show only characters.
 
@@ -285,7 +286,7 @@ class Figure:
     width: int = 0
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Remark:
     """One thing that the reader should know; key: the note's, for programs and tests."""
 
@@ -294,14 +295,14 @@ class Remark:
     tone: Tone = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Notes:
     """Things that the reader should know, one below the other."""
 
     remarks: tuple[Remark, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Symbol:
     """A symbol of an equation: what it means, and its unit."""
 
@@ -310,7 +311,7 @@ class Symbol:
     unit: str = ""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@frozen(kw_only=True)
 class Equation:
     """An equation, with its symbols and its source.
 
@@ -341,7 +342,7 @@ class Equation:
     number: int = 0
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Link:
     """A text that leads to a file beside the page, or to an address (http, https)."""
 
@@ -349,7 +350,7 @@ class Link:
     target: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Links:
     """Where else to look, one link behind the other."""
 
@@ -359,7 +360,7 @@ class Links:
 Block = Title | Statement | KeyValues | Table | Bars | Figure | Notes | Equation | Links
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Section:
     """A heading, which may be empty, and what stands below it.
 
@@ -372,7 +373,7 @@ class Section:
     level: int = 2
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Beside:
     """Sections that stand beside others where there is room, else below them."""
 
@@ -382,7 +383,7 @@ class Beside:
     key: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Document:
     """A page: its title and its sections, said in one language.
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 import io
 import re
 import warnings
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Final
+
+from rolamento.records import frozen
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -67,7 +68,7 @@ def _draw_once(figure: Figure, content: io.BytesIO) -> None:
         figure.set_canvas(canvas)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Formula:
     """A formula as the path of an SVG, sizes over that of its letters, y downward.
 

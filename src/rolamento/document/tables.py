@@ -11,12 +11,13 @@ import io
 import re
 import zipfile
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import isfinite
 from typing import TYPE_CHECKING, Any, Final
 
 from rolamento.document.model import CellContent, Column, Document, Number, Table
 from rolamento.errors import InputError, nearest, printable
+from rolamento.records import frozen
 from rolamento.words import UNITS, in_unit, manner, said, unit_of
 
 if TYPE_CHECKING:
@@ -144,7 +145,7 @@ def to_xlsx(document: Document, *, si: bool = False) -> bytes:
 Value = float | int | str | None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Field:
     """A column of a file: its name, its unit, its values."""
 

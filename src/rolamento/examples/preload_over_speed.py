@@ -12,7 +12,6 @@ from __future__ import annotations
 
 import csv
 import sys
-from dataclasses import dataclass
 from math import pi
 from pathlib import Path
 
@@ -22,6 +21,7 @@ from numpy.typing import NDArray
 from rolamento import Bearing, Case, Duty, solve
 from rolamento.plots.saving import save_figure
 from rolamento.plots.style import in_style, new_stacked_figure, series
+from rolamento.records import frozen
 
 Floats = NDArray[np.float64]
 
@@ -41,7 +41,7 @@ PAIR = Bearing(
 KINDS = {"force": "clamped rings", "spring": "springs"}
 
 
-@dataclass(frozen=True)
+@frozen(slots=False)
 class Curve:
     """What a kind of preload makes of the pair over speed."""
 

@@ -14,7 +14,6 @@ roller bearings as in data/skf_friction.toml.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
@@ -23,6 +22,7 @@ from numpy.typing import ArrayLike
 from rolamento._reach import in_reach
 from rolamento.lubrication.films import lubricant_of, oil_of
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.solved import Solved
 
 SLIDING_FULL_FILM: Final[Mapping[str, float]] = {
@@ -50,7 +50,7 @@ _USUAL_OILS: Final = ("mineral", "synthetic")
 _RPM: Final = 30.0 / np.pi
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Coefficient:
     """Coefficients of friction of solved cases, and what the torque takes of them; (cases, 1) each.
 

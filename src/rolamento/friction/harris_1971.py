@@ -13,7 +13,6 @@ Harris (1971), with Ricci and Fleury's equations 15 to 19 as corrected in docs/t
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
@@ -47,13 +46,14 @@ from rolamento.friction.slip import (
 from rolamento.friction.traction import ellipse_mesh
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.threads import share_out
+from rolamento.records import frozen
 from rolamento.solved import Solved
 from rolamento.words import marked
 
 _POINTS = 120
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class LineFriction:
     """Friction along rolling of contacts, per μ; arrays (contacts,).
 

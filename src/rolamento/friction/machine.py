@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields, replace
+from dataclasses import fields, replace
 from math import tan
 from typing import Any, Final
 
@@ -24,6 +24,7 @@ from rolamento.friction.skf import (
 )
 from rolamento.lubrication import Film
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 
 LUBRICATION: Final[dict[Supply, Lubrication]] = {
     "bath": "oil_bath",
@@ -34,7 +35,7 @@ LUBRICATION: Final[dict[Supply, Lubrication]] = {
 """Palmgren's words for the ways of supply: he knew oil mist where oil-air is used today."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class MachineBearing:
     """Size, rating and lubricant of a bearing, for Palmgren's and SKF's models.
 

@@ -14,7 +14,6 @@ from the motion that is found.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +26,7 @@ from rolamento.friction.traction import EllipseMesh, contact_friction, ellipse_m
 from rolamento.kinematics import BallMotion
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.threads import share_out
+from rolamento.records import frozen
 from rolamento.solved import Solved
 
 ROUNDINGS = (0.1, 0.01)
@@ -47,7 +47,7 @@ _ARMIJO = 1e-4
 _CHUNK = 64
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class SharpPower:
     """Power of the friction in the contacts of a race over μ Q; (balls,), m/s.
 
@@ -58,7 +58,7 @@ class SharpPower:
     spin: FloatArray
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class FreeMotion:
     """The motion found, for a unit speed of the inner ring relative to the outer.
 
@@ -224,7 +224,7 @@ def _picked(patch: Patch, chosen: BoolArray | NDArray[np.intp] | slice) -> Patch
     return patch.mapped(lambda array: array[chosen])
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Problem:
     """Slip as a linear function of the motion: values at zero, and rates by its coordinates.
 

@@ -6,7 +6,7 @@ A model is a `TorqueModel` at the end of its own file, and `rolamento.friction.m
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import field, fields, replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Final, Literal
 
@@ -20,6 +20,7 @@ from rolamento.friction.traction import EllipseMesh
 from rolamento.kinematics import BallMotion, ball_motion, friction_demand
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.masked import filled
+from rolamento.records import frozen
 from rolamento.solved import Contacts, Solved
 from rolamento.words import Note, said
 
@@ -57,7 +58,7 @@ REMARKS: Final = (
 # --- what a model returns ---------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class ContactLoss:
     """What one source loses in the contacts; (cases, elements), W, or N·m at a unit speed."""
 
@@ -78,7 +79,7 @@ class ContactLoss:
         return ContactLoss(self.inner + other.inner, self.outer + other.outer)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Torque:
     """Friction torque of bearings by one model; arrays over cases, NaN without a result.
 
@@ -154,7 +155,7 @@ def added(torques: Sequence[Torque]) -> Torque:
 # --- what a model reads -----------------------------------------------------------------------
 
 
-@dataclass(frozen=True, eq=False)
+@frozen(eq=False, slots=False)
 class Setting:
     """All that a model may ask for; numbers of the cases are columns, (cases, 1).
 
@@ -247,7 +248,7 @@ class Setting:
         )
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class TorqueModel:
     """One model of the friction torque.
 
@@ -289,7 +290,7 @@ class TorqueModel:
 # --- where a model is valid -------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class ModelValidity:
     """Whether a model is valid, (cases,); limits: by key of a note in which cases, (cases,)."""
 

@@ -12,7 +12,7 @@ There is no model of skew, nor of the shear of the film on raceways under tracti
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, fields
+from dataclasses import fields
 from typing import Final
 
 import numpy as np
@@ -39,6 +39,7 @@ from rolamento.kinematics import BallMotion
 from rolamento.lubrication.film_thickness import film_groups, minimum_film
 from rolamento.lubrication.films import has_film, oil_of, resistance_left
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.records import frozen
 from rolamento.roller_kinematics import RibMotion, rib_motion, roller_motion
 from rolamento.solved import RACES, Solved
 from rolamento.solved.rollers import Line
@@ -48,7 +49,7 @@ SLIPS: Final = 1e-3
 """Of the speed of entrainment: a line that slips more at its ends slips by its shape."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class RollerShape:
     """The rollers of solved cases; (cases, elements) each, NaN for balls; m, rad.
 

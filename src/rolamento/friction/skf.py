@@ -43,7 +43,7 @@ which tells what of the other kinds was at hand.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cache
 from math import pi, radians
 from typing import TYPE_CHECKING, Any, Final, Literal
@@ -81,6 +81,7 @@ from rolamento.lubrication.film_thickness import (
     skf_inlet_heating,
 )
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.records import frozen
 from rolamento.words import marked, said
 
 if TYPE_CHECKING:
@@ -91,7 +92,7 @@ Kind = Literal[
 ]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class SkfConstants:
     """Geometry constants of a bearing series, as SKF tabulates them.
 
@@ -197,7 +198,7 @@ def _geometry_constants(row: Mapping[str, Any]) -> dict[str, float]:
 _RPM = 30.0 / pi
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class SkfMoment:
     """The moment and what it is made of; arrays of one shape.
 

@@ -23,7 +23,7 @@ docs/theory/slip.md.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, fields
+from dataclasses import fields
 from typing import Final, NamedTuple
 
 import numpy as np
@@ -33,6 +33,7 @@ from rolamento._reach import in_reach
 from rolamento.geometry import Race
 from rolamento.kinematics import spin_resistance
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.solved import Contacts, Solved
 
 _FASTEST: Final = 1e9
@@ -47,7 +48,7 @@ class BallVelocity(NamedTuple):
     z: FloatArray
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Patch:
     """Loaded contacts of balls with one race: what slip depends on; arrays of one shape.
 
@@ -127,7 +128,7 @@ class Patch:
         return tuple(getattr(self, field.name) for field in fields(self)[1:])
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RelativeMotion:
     """How a race moves relative to the ball, contact by contact; arrays of one shape.
 
@@ -156,7 +157,7 @@ class RelativeMotion:
             return np.asarray(np.where(self.roll == 0.0, np.nan, self.spin / self.roll))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Slip:
     """Velocity of the race relative to the ball at points of contacts; m/s, one shape."""
 
@@ -287,7 +288,7 @@ def pressure_share(across: ArrayLike, along: ArrayLike) -> FloatArray:
     return np.asarray(np.sqrt(np.maximum(inside, 0.0)))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class PressureSlip:
     """The maximum product of pressure and slip in contacts, and where it is.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, Final, TypeVar
 
 import numpy as np
@@ -50,6 +50,7 @@ from rolamento.io.json import plain
 from rolamento.lubrication.films import film, has_film, oil_of
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.blocks import in_blocks
+from rolamento.records import frozen, span
 from rolamento.solved import Solved, refuse_other
 from rolamento.words import Note, said
 from rolamento.words.headlines import qualifies
@@ -63,7 +64,7 @@ MODELS_AGREE: Final = 1.5
 put a torque within some tens of percent."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Friction:
     """Friction of solved cases; arrays over cases, NaN without a result.
 
@@ -117,6 +118,23 @@ class Friction:
     models: Mapping[str, Torque]
     validity: tuple[ModelValidity, ...]
     bounds: Mapping[str, BoolArray]
+
+    def _shown(self) -> dict[str, str]:
+        bound = ", at most" if self.upper_bound.any() else ""
+        return {
+            "": f"{self.model}{bound}",
+            "cases": str(len(self.torque)),
+            "torque": f"{span(1e3 * self.torque, 'N mm')}, {span(1e3 * self.torque_range, 'N mm')}"
+            " with the coefficient at its limits",
+            "power": span(self.power, "W"),
+            "starting torque": span(1e3 * self.starting_torque, "N mm"),
+            "friction coefficient": span(self.friction_coefficient),
+            "regime": ", ".join(dict.fromkeys(map(str, self.regime))),
+            "torque by source": ", ".join(
+                f"{name} {span(1e3 * torque)}" for name, torque in self.torque_by_source.items()
+            ),
+            "models": ", ".join(self.models),
+        }
 
     @property
     def upper_bound(self) -> BoolArray:

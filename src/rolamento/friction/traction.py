@@ -15,7 +15,6 @@ friction is convex in them, and where no inertia acts its minimum is the equilib
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
@@ -24,13 +23,14 @@ from numpy.typing import ArrayLike
 from rolamento.errors import InputError
 from rolamento.friction.slip import Patch, RelativeMotion, Slip, slip_velocity
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.words import said
 
 _MAXIMUM_POINTS = 2000
 _MIDDLE = 1e-9
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class EllipseMesh:
     """Points (points,) in u = x0/a and v = y0/b; the weights add up to one.
 
@@ -94,7 +94,7 @@ def ellipse_mesh(across: int = 80, along: int = 5) -> EllipseMesh:
     return mesh
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ContactFriction:
     """Friction of a race on the ball, summed over contacts; arrays of one shape, SI.
 

@@ -9,13 +9,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta, timezone
 from typing import Final, Literal, get_args
 
 from rolamento.errors import InputError
 from rolamento.io.columns import folded_name
 from rolamento.io.numerals import named_choice
+from rolamento.records import frozen
 from rolamento.words import Note, manner, said
 
 __all__ = [
@@ -71,7 +71,7 @@ _LONGEST: Final = 60
 _EXAMPLE: Final = "2024-02-29 08:30"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Dates:
     """How the dates of a table are written.
 

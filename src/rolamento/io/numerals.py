@@ -8,10 +8,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from typing import Final, Literal, TypeVar, get_args
 
 from rolamento.errors import ABSENT, InputError
+from rolamento.records import frozen
 from rolamento.words import said
 
 __all__ = [
@@ -47,7 +47,7 @@ _LEAD: Final = re.compile(r"[+-]?(?=[.,]?\d)[\d.,]+(?:[eE][+-]?\d{1,3})?(?=\s|%|
 _POINTS_AND_COMMAS: Final = str.maketrans(".,", ",.")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Numerals:
     """How the numbers of a table are written.
 

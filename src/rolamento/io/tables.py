@@ -19,7 +19,7 @@ import csv
 import os
 import re
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Final
 
 from rolamento.errors import FileError, InputError
@@ -37,6 +37,7 @@ from rolamento.io.numerals import (
 )
 from rolamento.io.sheets import is_workbook, text_of_workbook
 from rolamento.io.text import STANDARD_INPUT, read_bytes
+from rolamento.records import frozen
 from rolamento.words import marked, said
 
 __all__ = [
@@ -84,7 +85,7 @@ _SEPARATOR_SAID: Final = re.compile(r'"?sep=(.|\\t)"?', re.I)
 _BEGINS_AS_NUMBER: Final = re.compile(r"[+-]?[.,]?\d")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Table:
     """Cells as text.
 

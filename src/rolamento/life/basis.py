@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property, reduce
 from typing import Final, TypeVar
 
@@ -53,6 +52,7 @@ from rolamento.life.row_ratings import (
 )
 from rolamento.lubrication.oil_state import viscosity_ratio
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.records import frozen
 from rolamento.solved import Rows, Solved
 from rolamento.words import said
 
@@ -85,7 +85,7 @@ _MAXIMUM_OF_STEEL: Final = 120.0 + 273.15
 (smbbearings.com) say 120 °C for standard steel, SKF 120 to 200 °C by the heat treatment."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class EquivalentLoads:
     """P, P_0, X, Y, e and the static safety; arrays (cases,), N; NaN where there is no P.
 
@@ -104,7 +104,7 @@ class EquivalentLoads:
 Notes = dict[str, BoolArray]
 
 
-@dataclass(frozen=True, eq=False)
+@frozen(eq=False, slots=False)
 class Basis:
     """Solved cases, conditions, and what follows from them for every theory.
 

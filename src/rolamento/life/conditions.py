@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import Any, Final, Literal
 
 import numpy as np
@@ -27,6 +27,7 @@ from rolamento.life.l_able import FactorTable
 from rolamento.life.reliability import RATING_RELIABILITY, Edition, reliability_factor
 from rolamento.lubrication.oil_state import oil_state
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.solved import Solved
 from rolamento.words import said
 
@@ -46,7 +47,7 @@ _POSITIVE: Final = (
 )
 
 
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+@frozen(kw_only=True, eq=False)
 class LifeConditions:
     """Ratings, lubrication and wishes; numbers, or arrays over cases, SI.
 

@@ -14,7 +14,6 @@ Sources: ISO 281:2007, annex A and table 13 (levels in words); ISO 4406.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any, Final, Literal, get_args
 
 import numpy as np
@@ -24,6 +23,7 @@ from rolamento.errors import InputError, guess
 from rolamento.iso4406 import cleanliness_numbers
 from rolamento.life._figures import figures, positive
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.words import said
 
 OilSupply = Literal["circulating", "bath"]
@@ -36,7 +36,7 @@ _LARGE_OF_LEVELS: Final = 100.0 * (1.0 - 1e-9)
 _EXAMPLE = 'cleanliness = "-/17/14"'
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ContaminationClass:
     """A class of cleanliness: its name in the standard, and its constants.
 
@@ -50,7 +50,7 @@ class ContaminationClass:
     c2_of_large: float | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ContaminationLevel:
     """A level of cleanliness in words, and the range of e_C that it stands for.
 

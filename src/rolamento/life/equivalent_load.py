@@ -22,7 +22,6 @@ Sources: ISO 281:2007, tables 3, 5, 8 and 11; ISO 76:2006, tables 2 and 4, 5.2 a
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cache
 from typing import Any, Final
 
@@ -34,6 +33,7 @@ from rolamento.errors import InputError
 from rolamento.life._figures import figures, positive
 from rolamento.numerics import FloatArray
 from rolamento.ratings import RatedType, RollerRated
+from rolamento.records import frozen
 from rolamento.words import said
 
 MAXIMUM_ANGLE: Final = float(np.radians(45.0))
@@ -45,7 +45,7 @@ _SAME_AS: Final = {"e2": "e"}
 """e of double rows is that of single ones at most angles."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class LoadFactors:
     """X and Y up to e, beyond e, and e; arrays of one shape."""
 
@@ -56,7 +56,7 @@ class LoadFactors:
     limit: FloatArray
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class EquivalentLoad:
     """P (N) and the factors that it was found with; arrays of one shape."""
 
@@ -66,7 +66,7 @@ class EquivalentLoad:
     limit: FloatArray
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ListedFactors:
     """e, Y and Y_0 of one row, as the maker of a tapered roller bearing lists them."""
 

@@ -19,7 +19,6 @@ Sources: ISO 281:2007, 9.3.3; ADR 0010.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -30,6 +29,7 @@ from rolamento.life.iso281_modified import MAXIMUM_RATIO, MINIMUM_RATIO
 from rolamento.life.iso16281_modified import THEORY as MODIFIED_REFERENCE
 from rolamento.life.record import BOUNDS, OUTSIDE, Life, finite, note_of
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.records import frozen, span
 from rolamento.words import Note
 
 __all__ = ["Headline", "headline_of"]
@@ -38,7 +38,7 @@ Names = NDArray[np.str_]
 _NAME = "U40"
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Headline:
     """The life that leads; arrays over cases.
 
@@ -72,6 +72,17 @@ class Headline:
     reason: Names
     factor: FloatArray
     element: str = "ball"
+
+    def _shown(self) -> dict[str, str]:
+        theories = ", ".join(dict.fromkeys(map(str, self.theory)))
+        if not self.valid.all():
+            theories += ", an upper bound" if self.leads.all() else ", not valid"
+        return {
+            "": theories,
+            "cases": str(len(self.life)),
+            "life": f"{span(self.hours, 'h')}, {span(self.life)} million revolutions",
+            "reliability": f"{self.reliability:.6g}",
+        }
 
     @property
     def leads(self) -> BoolArray:

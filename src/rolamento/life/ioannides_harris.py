@@ -24,7 +24,6 @@ Source: Ioannides and Harris (1985); Campanha (2008), eq. 2.6.5; Lundberg and Pa
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, Literal, get_args
 
 import numpy as np
@@ -38,6 +37,7 @@ from rolamento.life.iso16281 import SLOPE, ReferenceLife, system_life
 from rolamento.life.shear_field import FieldMesh, shear_integrals
 from rolamento.life.theory import OF_BEARING, Theory
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.words import said
 
 if TYPE_CHECKING:
@@ -55,7 +55,7 @@ _MAXIMUM_SHEAR: Final = 0.25
 """τ_0/p0 of a line contact; every ellipse has less."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Ellipses:
     """Contacts: semi_major, semi_minor (m) and max_pressure (Pa); arrays of one shape."""
 
@@ -64,7 +64,7 @@ class Ellipses:
     max_pressure: FloatArray
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class StressVolumeLife:
     """Life by stress volume: of the bearing (cases,), of its races (cases, rows); 10^6 rev."""
 

@@ -29,7 +29,6 @@ Sources: ISO/TS 16281:2008 and ISO 16281:2025; Lundberg and Palmgren (1947).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -41,6 +40,7 @@ from rolamento.life._figures import positive
 from rolamento.life.theory import OF_BEARING, OF_LOAD, Theory
 from rolamento.numerics import FloatArray
 from rolamento.ratings import RatedType
+from rolamento.records import frozen
 from rolamento.words import said
 
 if TYPE_CHECKING:
@@ -56,7 +56,7 @@ _RISK: Final = EXPONENT * SLOPE
 """Of the load, in the risk of failure."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RaceRatings:
     """Q_ci and Q_ce: ball loads for a life of a million revolutions; arrays of one shape, N."""
 
@@ -64,7 +64,7 @@ class RaceRatings:
     outer: FloatArray
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ReferenceLife:
     """The reference life and what it is made of.
 

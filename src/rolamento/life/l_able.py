@@ -18,7 +18,6 @@ table 2.6.3.
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
 from math import isfinite
 from typing import TYPE_CHECKING, Final
 
@@ -39,6 +38,7 @@ from rolamento.life.theory import (
     Theory,
 )
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.records import frozen
 from rolamento.words import marked, said
 
 if TYPE_CHECKING:
@@ -67,7 +67,7 @@ _NAMES: Final = {
 _EXAMPLE: Final = "kappa,0.01,0.05,0.2"
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class FactorTable:
     """a_NSK as a user reads it off the maker's chart.
 

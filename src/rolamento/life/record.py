@@ -6,7 +6,7 @@ The sentences of the notes are in `rolamento.words.sentences.life`.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from math import isfinite
 from typing import Any, Final
 
@@ -14,6 +14,7 @@ import numpy as np
 
 from rolamento.life.iso16281 import ROLLER_SLOPE, SLOPE
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.records import frozen
 from rolamento.words import Note
 
 OUTSIDE: Final = frozenset(
@@ -85,7 +86,7 @@ def note_of(key: str, element: str) -> Note:
     return Note(key, {"element": element} if element != "ball" and key in _BY_ELEMENT else {})
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Life:
     """Life by one theory; arrays over cases, NaN where the theory gives no number.
 

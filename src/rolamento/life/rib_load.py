@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -15,10 +14,11 @@ from rolamento.ratings.ribs import (
     permissible_axial_load_nsk,
     permissible_axial_load_skf,
 )
+from rolamento.records import frozen
 from rolamento.solved import Solved
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class RibLoad:
     """Axial load of the ribs, and how much the makers' rules permit; arrays (cases,), N.
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import Final
 
@@ -37,6 +36,7 @@ from rolamento.ratings import (
     static_rating,
     thrust_dynamic_factor,
 )
+from rolamento.records import frozen
 from rolamento.solved import Rows, Solved
 from rolamento.words import said
 
@@ -56,7 +56,7 @@ GROOVES: Final[dict[Rated, tuple[float, float]]] = {
 """Conformities up to which the standards' factors hold; ISO 281:2007, 5.1 and 5.2."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Ratings:
     """C, C_0 and C_u of each row (cases, rows), and of all of them (cases,); N.
 

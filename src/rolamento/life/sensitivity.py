@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, Final
 
 import numpy as np
@@ -14,6 +14,7 @@ from rolamento.case.roller_bearing import RollerBearing
 from rolamento.errors import InputError
 from rolamento.life.conditions import LifeConditions, conditions_of
 from rolamento.life.summary import LifeSummary, life
+from rolamento.records import frozen
 from rolamento.solution import solve
 from rolamento.solved import Solved
 from rolamento.words import Note, said
@@ -36,7 +37,7 @@ CHANGES: Final[Mapping[str, float]] = {
 """By how much each quantity is changed, by the name of the change: relative, m, or absolute."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Change:
     """One change: its name in `CHANGES`, and the life after it over the life before.
 

@@ -14,7 +14,6 @@ Source: Lundberg and Palmgren (1947); Ioannides and Harris (1985); contact.subsu
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import Final
 
@@ -23,6 +22,7 @@ from numpy.typing import ArrayLike
 
 from rolamento._reach import numbers
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 
 MAXIMUM_ELLIPTICITY: Final = 60.0
 """a/b up to which the field is tabulated; flatter ones count as this one."""
@@ -39,7 +39,7 @@ _HALVINGS: Final = 36
 _BLOCK: Final = 1024
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class FieldMesh:
     """Points across and into the depth; more of them for a proof of convergence."""
 
@@ -47,7 +47,7 @@ class FieldMesh:
     depth: int = 48
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ShearIntegrals:
     """Of each contact: I, and the mean depth over b by the same weight ⟨g - t⟩^c; one shape."""
 
@@ -56,7 +56,7 @@ class ShearIntegrals:
     mean_depth: FloatArray
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Field:
     """g at the shapes and points (shapes, points), the points' ζ and weights, ln k of shapes."""
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, Final
 
 import numpy as np
@@ -23,6 +23,7 @@ from rolamento.life.rib_load import RibLoad
 from rolamento.life.row_ratings import Ratings
 from rolamento.life.theories import THEORIES
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen, span
 from rolamento.solution import solve
 from rolamento.solved import Solved
 from rolamento.units import HOUR
@@ -36,7 +37,7 @@ _WORTH: Final = 1.5
 """Gain of the modified life below which neither oil nor cleanliness is what limits it."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Limit:
     """What limits the life; arrays over cases.
 
@@ -62,7 +63,7 @@ class Limit:
     factor: NDArray[np.str_]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class LifeSummary:
     """Lives of solved cases by every theory that the conditions allow; arrays over cases.
 
@@ -106,6 +107,17 @@ class LifeSummary:
     rib_load: RibLoad | None = None
     slices: int | None = None
     independent: Headline | None = None
+
+    def _shown(self) -> dict[str, str]:
+        ratings = self.ratings
+        dynamic, static = span(ratings.dynamic_of_set, "N"), span(ratings.static_of_set, "N")
+        return {
+            **self.headline._shown(),
+            "ratings": f"C {dynamic}, C0 {static}",
+            "equivalent load": span(self.loads.dynamic, "N"),
+            "static safety": span(self.loads.safety),
+            "theories": ", ".join(self.theories),
+        }
 
     def __getitem__(self, theory: str) -> Life:
         """Return the life by one theory."""

@@ -7,10 +7,10 @@ Each theory stands in a file of its own, and in the list of `theories`; its word
 from __future__ import annotations
 
 from collections.abc import Callable, Collection
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 from rolamento.case.life_model import DIRT
+from rolamento.records import frozen
 from rolamento.words import marked
 
 if TYPE_CHECKING:
@@ -30,7 +30,7 @@ OF_LUBRICATION: Final = (
 )
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Need:
     """What a theory takes from the case, beside its loads.
 
@@ -92,7 +92,7 @@ REQUIRED_LIFE: Final = Need(
 """No theory needs it, but the reliability with which it is reached."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@frozen(kw_only=True)
 class Theory:
     """A theory of life.
 

@@ -11,7 +11,6 @@ which asks for the film in the balance of the balls.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
@@ -21,6 +20,7 @@ from rolamento.assembly import Balanced, Cases, solve_cases
 from rolamento.lubrication.films import film
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.oil import roelands
+from rolamento.records import frozen
 from rolamento.solved import Solved
 
 PASSES: Final = 25
@@ -28,7 +28,7 @@ SAME: Final = 1e-6
 """Relative change of the films at which they no longer change."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ShearedFilm:
     """The films of a batch as the balls feel them; arrays (cases, balls, 2), inner race first."""
 

@@ -12,7 +12,6 @@ and lack of oil take from the rolling resistance of the oil as they take from th
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from typing import Final
 
@@ -24,6 +23,7 @@ from rolamento.case.film_model import Supply
 from rolamento.errors import InputError
 from rolamento.io.data import toml_of
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.words import said
 
 COMPUTED_RANGE: Final[dict[str, tuple[float, float]]] = {
@@ -48,7 +48,7 @@ cylindrical ones."""
 _RPM: Final = 30.0 / np.pi
 
 
-@dataclass(frozen=True)
+@frozen(slots=False)
 class FilmGroups:
     """Dimensionless groups of a contact; arrays of one shape."""
 

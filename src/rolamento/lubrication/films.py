@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import fields
 from typing import Any, Final
 
 import numpy as np
@@ -36,6 +36,7 @@ from rolamento.lubrication.oil_state import OilState, oil_state, reference_visco
 from rolamento.lubrication.regime import Regime, regime_indices, regime_of, regimes
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.blocks import in_blocks
+from rolamento.records import frozen, span
 from rolamento.solved import NO_LOAD, RACES, Contacts, Solved, refuse_other
 from rolamento.words import Note, said
 
@@ -43,7 +44,7 @@ ROOM_TEMPERATURE: Final = 293.15
 """K"""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class ContactFilms:
     """The films at the contacts of one race; (cases, elements), SI.
 
@@ -101,7 +102,7 @@ def _named(regime: Regime) -> tuple[str, list[str]]:
     return regime.name, [mode.name for mode in regime.expects]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Film:
     """The lubricant film of solved cases, SI; NaN without a result, and of dry lubrication.
 
@@ -141,6 +142,19 @@ class Film:
     def __len__(self) -> int:
         """Count the cases."""
         return len(self.temperature)
+
+    def _shown(self) -> dict[str, str]:
+        thickness = [self.of(race).minimum_thickness for race in ("inner", "outer")]
+        return {
+            "": f"{self.lubricant}, {self.case.title or 'a case without a title'}",
+            "cases": str(len(self)),
+            "temperature": span(self.temperature - 273.15, "degC"),
+            "viscosity there": span(1e6 * self.kinematic_viscosity, "mm^2/s"),
+            "viscosity ratio": span(self.viscosity_ratio),
+            "minimum film at the inner race": span(1e6 * thickness[0], "um"),
+            "minimum film at the outer race": span(1e6 * thickness[1], "um"),
+            "film parameter": span(self.minimum_film_parameter),
+        }
 
     @property
     def lubricant(self) -> str:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
@@ -23,13 +22,14 @@ from rolamento.oil import (
     viscosity_temperature_coefficient,
     wooster,
 )
+from rolamento.records import frozen
 
 _SLOW: Final = 1000.0 * (1.0 - 1e-9)
 """r/min below which the formula changes: 1000, and rounding of a speed in rad/s does not decide.
 There ν_1 falls by 2.3 %; the formulas meet at 10^(100/33) = 1072 r/min."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class OilState:
     """An oil at a temperature; arrays of the temperature's shape, SI.
 

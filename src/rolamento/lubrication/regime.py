@@ -5,7 +5,6 @@ The limits and modes are in data/lubrication_regimes.toml, with their sources.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import lru_cache
 from math import isnan
 from typing import Literal
@@ -16,12 +15,13 @@ from numpy.typing import ArrayLike, NDArray
 from rolamento._reach import in_reach
 from rolamento.errors import InputError
 from rolamento.io.data import toml_of
+from rolamento.records import frozen
 from rolamento.words import said
 
 Origin = Literal["surface", "subsurface", "undecided"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class FailureMode:
     """One way to fail: group (fatigue, deformation, wear), origin or kind, and what it is."""
 
@@ -31,7 +31,7 @@ class FailureMode:
     text: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Regime:
     """A range of the film parameter: λ > above, up to the limit of the regime before."""
 

@@ -10,7 +10,6 @@ cut-off at either end is left out of the parameters all the same.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import floor, isfinite, log, pi, sqrt
 from typing import Final
 
@@ -20,6 +19,7 @@ from numpy.typing import ArrayLike
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.numerics.masked import filled
+from rolamento.records import frozen
 from rolamento.words import said
 
 SAMPLING_LENGTHS: Final = 5
@@ -31,7 +31,7 @@ _MINIMUM_POINTS: Final = 10
 _MAXIMUM_POINTS: Final = 10_000_000
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Roughness:
     """Parameters of a roughness profile, in m.
 

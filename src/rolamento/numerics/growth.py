@@ -21,13 +21,14 @@ Journal of the Royal Statistical Society B 16 (1954).
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from math import isfinite, log, nan, pi, sqrt
 from typing import Any, Final, Literal, get_args
 
 import numpy as np
 
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 
 __all__ = [
     "LAWS",
@@ -46,7 +47,7 @@ LEAST_POINTS: Final = 3
 """Of different times: fewer leave no residual to judge the slope by."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Crossing:
     """When a line reaches a limit from below.
 
@@ -73,7 +74,7 @@ class Crossing:
     confidence: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Growth:
     """A line through values over time.
 
@@ -215,7 +216,7 @@ def fit_growth(times: FloatArray, values: FloatArray, law: Law) -> Growth:
     )  # fmt: skip
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Forecast:
     """When values that grow reach a limit, by both laws.
 

@@ -9,13 +9,13 @@ steps have to be shortened much.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Final, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.records import frozen
 
 STEPS: Final = 150
 SHORTENINGS: Final = 25
@@ -52,7 +52,7 @@ class Evaluation(Protocol):
         ...
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Balance:
     """Where the systems came to rest: whether each did, its place, residual and steps.
 

@@ -14,7 +14,6 @@ correlations of mineral oils; neither is meant for other fluids: give the measur
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import lru_cache
 from math import inf, log10
 from typing import Final
@@ -25,6 +24,7 @@ from numpy.typing import ArrayLike
 from rolamento._reach import in_reach
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.words import said
 
 MINIMUM_VISCOSITY: Final = 2e-6
@@ -34,7 +34,7 @@ _MM2: Final = 1e6
 """mm²/s in a m²/s."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ViscosityLine:
     """The line of an oil: intercept A and slope B; numbers or arrays, of mm²/s and K."""
 

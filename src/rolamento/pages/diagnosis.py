@@ -32,10 +32,10 @@ from rolamento.words.naming import one_line, part_name
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Picture
 
-    from rolamento.tasks.diagnosis import DiagnosisResult, TooShort
+    from rolamento.tasks.diagnosis import DiagnosisResult
     from rolamento.tasks.shaft_speed import ShaftSpeed
 
-__all__ = ["diagnosis_page", "too_short_page"]
+__all__ = ["diagnosis_page"]
 
 _UNITS: Final = {"m/s^2": "m/s²", "mm/s^2": "mm/s²", "um": "µm", "um/s": "µm/s", "1": ""}
 _HEADLINES: Final[dict[str, Tone]] = {
@@ -61,7 +61,9 @@ _OF_THE_SCALE: Final = {
 
 
 def diagnosis_page(found: DiagnosisResult) -> Document:
-    """Return the page of a diagnosis."""
+    """Return the page of a diagnosis, or of a record that is too short for one."""
+    if found.too_short is not None:
+        return _too_short_page(found)
     sections = [_verdict(found), _facts(found), _parts(found.diagnosis)]
     if not found.still:
         sections.append(_why(found.diagnosis))
@@ -71,11 +73,10 @@ def diagnosis_page(found: DiagnosisResult) -> Document:
     return Document(title, tuple(sections), kind="diagnose", main="spectrum")
 
 
-def too_short_page(found: TooShort, title: str) -> Document:
-    """Return the page of a record of that name that is too short for a diagnosis."""
+def _too_short_page(found: DiagnosisResult) -> Document:
     statements = tuple(Statement(note.text, "warning-strong") for note in found.statement)
-    section = Section("", (*statements, Title(one_line(title))), key="verdict")
-    return Document(title, (section,), kind="diagnose")
+    section = Section("", (*statements, Title(one_line(found.title))), key="verdict")
+    return Document(found.title, (section,), kind="diagnose")
 
 
 def _verdict(found: DiagnosisResult) -> Section:

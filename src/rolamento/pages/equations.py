@@ -7,11 +7,11 @@ occurs; and the works that they come from.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, Literal
 
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.document import Equation, Symbol
+from rolamento.records import frozen
 from rolamento.words import marked, said
 
 if TYPE_CHECKING:
@@ -22,7 +22,7 @@ __all__ = ["EQUATIONS", "REFERENCES", "Law", "equations_of", "references_of"]
 Used = Callable[["CaseReport"], bool]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@frozen(kw_only=True)
 class Law:
     """An equation as the program computes it.
 

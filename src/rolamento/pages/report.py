@@ -7,7 +7,7 @@ its path there, in a column that stands only in files.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import inf, nan
 from typing import TYPE_CHECKING, Final
 
@@ -43,6 +43,7 @@ from rolamento.pages.given import no_load_text, untitled
 from rolamento.pages.life import rating_source
 from rolamento.pages.preload import STAGE_NAMES
 from rolamento.pages.state import rosette_section, stiffness_section
+from rolamento.records import frozen
 from rolamento.vibration.frequencies import ABBREVIATIONS, LineName
 from rolamento.words import Note, in_unit, manner, marked, said, worded
 from rolamento.words.headlines import qualifies
@@ -183,7 +184,7 @@ def _case_titles(report: Report) -> list[Entry]:
 # --- warnings -------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Warning:
     """What the reader should know of a case.
 
@@ -319,7 +320,7 @@ def _notes(report: Report, warnings: Sequence[tuple[_Warning, str]]) -> Notes:
 # --- tables of numbers ----------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Row:
     """A number of the cases, by its path; or texts, one a case.
 
@@ -1648,7 +1649,7 @@ def _blocks(sections: Iterable[Section]) -> list[Block]:
     return [block for section in sections for block in section.blocks]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Part:
     """A part of the results.
 

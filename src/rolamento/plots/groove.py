@@ -7,17 +7,17 @@ from the bottom.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from math import acos, isfinite
 
 from rolamento.geometry import Race, edge_cosine
 from rolamento.plots.contacts import touching
+from rolamento.records import frozen
 from rolamento.solved import Solved
 
 __all__ = ["Slot", "extent", "slots_of"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Slot:
     """One ball's place in the drawing, and its ellipse; mm."""
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Final, Literal
 
 import numpy as np
@@ -27,6 +26,7 @@ from rolamento.plots.contacts import refuse_rollers
 from rolamento.plots.frame import PlainNumbers, empty_frame, figure_of, label_x, label_y
 from rolamento.plots.style import in_style, new_figure, new_stacked_figure
 from rolamento.plots.texts import no_result, number
+from rolamento.records import frozen
 from rolamento.solved import Solved
 from rolamento.words import said
 
@@ -48,7 +48,7 @@ _UNITS: Final[Mapping[str, tuple[float, str]]] = {
 }
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Contact:
     """One contact, its patch and motion as arrays of one."""
 

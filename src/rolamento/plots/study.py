@@ -7,7 +7,6 @@ is not needed here.
 from __future__ import annotations
 
 from collections.abc import Hashable, Mapping, Sequence
-from dataclasses import dataclass
 from math import prod
 from types import MappingProxyType
 from typing import Any, Final, Protocol
@@ -18,6 +17,7 @@ from numpy.typing import NDArray
 from rolamento.errors import InputError, nearest
 from rolamento.plots.axes_units import NONE, ReadableUnit, readable_unit
 from rolamento.plots.texts import capitalised, shown_text
+from rolamento.records import frozen
 from rolamento.studies.names import setting_name, variable_name
 from rolamento.studies.study import SAMPLE, VARIANT
 from rolamento.words import said
@@ -90,7 +90,7 @@ class StudyData(Protocol):
         ...
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class PlottedVariable:
     """One variable, ready to be drawn.
 

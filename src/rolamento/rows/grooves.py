@@ -43,6 +43,7 @@ from rolamento.kinematics import (
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.compiled import Kernel
 from rolamento.numerics.threads import share_out
+from rolamento.records import frozen
 from rolamento.rows import flanks as kernels
 from rolamento.rows.ball.problem import directions
 from rolamento.rows.flanks import ROUNDING, TERMS
@@ -60,7 +61,7 @@ LITTLE: Final = 100
 """Balls of one case that are solved without the compiler, if it is not loaded."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Race:
     """One ring's arcs: L, their shift, the edge, K as a polynomial; (cases,), (terms, cases)."""
 
@@ -70,7 +71,7 @@ class _Race:
     stiffness: FloatArray
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Numbers:
     """The numbers of the cases of a row; (cases,) each, SI.
 
@@ -96,7 +97,7 @@ class _Numbers:
     shown_moment: FloatArray
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Contact:
     """One arc on some balls: load, approach and the normal (…, 2)."""
 
@@ -129,7 +130,7 @@ class HeldOnGrooves:
             getattr(self, one.name)[cases] = getattr(part, one.name)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class GrooveRow:
     """Many cases of a row of balls on one or two flanks, each +1 or -1.
 
@@ -269,7 +270,7 @@ class GrooveRow:
         return GrooveAnswer(self.numbers, self.flanks, balls.place, balls.position, codes)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class GrooveAnswer:
     """Where the balls of solved cases are: what their tables are made from."""
 

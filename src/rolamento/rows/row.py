@@ -10,20 +10,20 @@ All arrays run over cases and are in SI; forces are those of the ring on the row
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Protocol, Self, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.records import frozen
 from rolamento.solved import Answer, Index
 
 Indices = NDArray[np.intp]
 IntArray = NDArray[np.int64]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RowSizes:
     """What an assembly needs to know to begin and to end; (cases,) each, SI.
 
@@ -39,7 +39,7 @@ class RowSizes:
     sine: FloatArray
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RowGeometry:
     """What the result tells of a row's geometry; (cases,) each, as `rolamento.solved.Rows`."""
 

@@ -19,6 +19,7 @@ from typing import Self, cast
 import numpy as np
 
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.records import frozen
 from rolamento.rows.ball.row import BallAnswer, BallRow, HeldBalls
 from rolamento.rows.row import Held, Indices, IntArray, RowGeometry, RowSizes
 from rolamento.solved import Index
@@ -68,7 +69,7 @@ class HeldOnSphere:
         self.force[cases], self.stiffness[cases] = part.force, part.stiffness
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class SphereRow:
     """Many cases of a row of balls in a sphere; row: the same without tilt."""
 

@@ -7,7 +7,7 @@ looked at, and the message names the one that is missing or not what it should b
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import asdict, dataclass, fields, replace
+from dataclasses import asdict, fields, replace
 from math import isfinite, nan
 from typing import TYPE_CHECKING, Any, Final
 
@@ -23,6 +23,7 @@ from rolamento.geometry import Race
 from rolamento.io.json import plain
 from rolamento.kinematics import RacewayControl
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.solved.rollers import LINE_COLUMNS, ROLLER_COLUMNS, Line, Rollers
 from rolamento.solved.tables import (
     CONTACT_COLUMNS,
@@ -248,7 +249,7 @@ def _rolling_mapping(solved: Solved) -> dict[str, Any] | None:
     return mapping
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ReadAnswer:
     """Tables as a file has them; kept: by race and name, what need not be worked out again."""
 
@@ -269,7 +270,7 @@ class ReadAnswer:
         return ReadAnswer(taken(self.read, index), kept)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Pieces:
     """What a file holds of a result, beside its case."""
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, fields, replace
+from dataclasses import fields, replace
 from functools import cached_property
 from math import isfinite
 from typing import TYPE_CHECKING, Any, Final, TypeVar
@@ -20,6 +20,7 @@ from rolamento.io.json import dumps, plain
 from rolamento.io.text import format_of_path, format_of_text, parse_mapping, read_text
 from rolamento.notes import advice_on, notes_on
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.records import frozen
 from rolamento.solved.form import EXAMPLE, SCHEMA, ReadAnswer, mapping_of, part_of, pieces_of
 from rolamento.solved.rollers import Rollers
 from rolamento.solved.tables import (
@@ -56,7 +57,7 @@ NO_LOAD: Final = 1e-9
 T = TypeVar("T")
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Delivered:
     """A bearing before fits, heat and speed have changed it.
 
@@ -72,7 +73,7 @@ class Delivered:
     contact_angle: FloatArray
 
 
-@dataclass(frozen=True, eq=False, repr=False)
+@frozen(eq=False, slots=False)
 class Solved:
     """Equilibria of many cases of a bearing; one case is a batch of one.
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
 
 from rolamento.contact.hertz import HertzContact
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 
 __all__ = ["LINE_COLUMNS", "ROLLER_COLUMNS", "Line", "Rollers", "line_contact"]
 
@@ -16,7 +16,7 @@ ROLLER_COLUMNS: Final = ("tilt", "rib_force", "rib_moment")
 LINE_COLUMNS: Final = ("load_per_length", "pressure", "half_width")
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Line:
     """The lines of contact with one race, slice by slice; (cases, elements, slices), SI.
 
@@ -35,7 +35,7 @@ class Line:
     half_width: FloatArray
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Rollers:
     """The rollers of a result; NaN for balls of a set that has both; SI.
 

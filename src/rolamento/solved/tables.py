@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import field, fields, replace
 from functools import cached_property
 from typing import Any, Final, NamedTuple, Protocol, Self, TypeVar
 
@@ -23,6 +23,7 @@ from rolamento.errors import UnknownKeyError
 from rolamento.geometry import Angle, Race, RaceCurvature, race_curvature
 from rolamento.kinematics import SurfaceSpeeds, spin_to_roll, surface_speeds
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.records import frozen
 from rolamento.solved.rollers import Line, Rollers, line_contact
 from rolamento.status import CONVERGED, STATUS_NAMES
 from rolamento.words import Note, said
@@ -79,7 +80,7 @@ class RingLoad(NamedTuple):
         return np.stack(self, axis=-1)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Stiffness:
     """Derivative of the load by the displacement, the speed's effects included.
 
@@ -106,7 +107,7 @@ class Stiffness:
         return np.asarray(self.array[..., LOADS.index(load), AXES.index(axis)])
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Status:
     """How the solution of each case ended; (cases,) each.
 
@@ -141,7 +142,7 @@ class Status:
         return np.asarray(self.number == CONVERGED)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Elements:
     """The rolling elements, row after row; (cases, elements), SI.
 
@@ -178,7 +179,7 @@ class Elements:
     raceway_control: IntArray
 
 
-@dataclass(frozen=True, eq=False)
+@frozen(eq=False, slots=False)
 class Pressed:
     """What the rows answer of their contacts with one race; (cases, elements), SI.
 
@@ -199,7 +200,7 @@ class Pressed:
         return Angle(self.contact_angle)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class RollingContacts:
     """Friction of a race on elements that friction alone moves; (cases, elements).
 
@@ -220,7 +221,7 @@ class RollingContacts:
     force_across: FloatArray
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Rolling:
     """The motion of elements and cage under friction alone, and what it costs; (cases,).
 
@@ -263,7 +264,7 @@ class Rolling:
         return np.asarray(lost.reshape(len(lost), -1).sum(axis=1))
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Tables:
     """What the rows answer of their elements and contacts, once they are solved."""
 
@@ -305,7 +306,7 @@ class Refusals(Protocol):
         ...
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Rows:
     """The rows of rolling elements, from -x to +x; (cases, rows) each, SI.
 
@@ -368,7 +369,7 @@ class Rows:
 _Shapes = TypeVar("_Shapes", HertzContact, MaximumShear, OrthogonalShear)
 
 
-@dataclass(frozen=True, eq=False)
+@frozen(eq=False, slots=False)
 class Contacts:
     """The contacts of one race; (cases, elements), SI, NaN where a case has no result.
 
@@ -512,7 +513,7 @@ class Contacts:
         return self.surface_speeds.entrainment
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class PreloadStage:
     """The preload of a mounted set after one of the things that happen to it; no external load.
 
@@ -542,7 +543,7 @@ class PreloadStage:
     max_pressure: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Preloading:
     """How the rows of a set press on each other, and what takes that away.
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from enum import IntEnum
 from typing import Protocol
 
@@ -17,6 +16,7 @@ from rolamento.contact.hertz import (
 )
 from rolamento.geometry import BearingGeometry, Race, race_curvature
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.records import frozen
 
 StatusArray = NDArray[np.int64]
 
@@ -52,7 +52,7 @@ class StaticStatus(IntEnum):
     for the axial load."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RaceStiffness:
     """Contact stiffness of a ball at the inner and outer race, and of both in line; N/m^1.5."""
 

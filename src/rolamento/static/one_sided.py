@@ -19,7 +19,6 @@ Sources: Sjövall (1933); Harris, Rolling Bearing Analysis, 3rd ed. (1991), chap
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
@@ -28,6 +27,7 @@ from numpy.typing import ArrayLike
 from rolamento.geometry import RingGeometry, ring_geometry
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.root import increasing_root
+from rolamento.records import frozen
 from rolamento.static._common import (
     BallBearing,
     RaceStiffness,
@@ -45,7 +45,7 @@ from rolamento.static.sjovall import (
 StiffnessAngle = Literal["loaded", "free"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class AxialSolution:
     """Static state under an axial load; arrays over the loads, NaN where not CONVERGED."""
 
@@ -171,7 +171,7 @@ def _rise_below(ring: RingGeometry, load: FloatArray) -> FloatArray:
 _NEAR_ZERO, _NEAR_INFINITY = 1e-7, 1e7
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class CombinedSolution:
     """Static state under radial and axial load; arrays over the loads, NaN where not CONVERGED."""
 

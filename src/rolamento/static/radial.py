@@ -9,7 +9,6 @@ Source: Harris, Rolling Bearing Analysis, 3rd ed. (1991), chapter 6; Radaelli (2
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
@@ -18,6 +17,7 @@ from numpy.typing import ArrayLike
 from rolamento.geometry import ring_geometry
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.root import increasing_root
+from rolamento.records import frozen
 from rolamento.static._common import (
     BallBearing,
     RaceStiffness,
@@ -36,7 +36,7 @@ _ROUNDING = 4.0 * float(np.finfo(np.float64).eps)
 _DAMPING = 1e-10
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RadialSolution:
     """Static state under a radial load. Arrays over the loads; ball_loads has one axis more, Z.
 
@@ -147,7 +147,7 @@ def radial_load(
     )
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Row:
     """A row of balls as radial springs that start after a gap P_d/2."""
 

@@ -10,7 +10,6 @@ Sources: Sunnersjö, Journal of Sound and Vibration 58 (1978) 363; Radaelli (201
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
 from functools import reduce
 from math import gcd, pi
 from typing import Any, Final, Literal
@@ -20,6 +19,7 @@ from numpy.typing import NDArray
 
 from rolamento.case import Case, load_case
 from rolamento.errors import InputError
+from rolamento.records import frozen
 from rolamento.solution import solve
 from rolamento.solved import Contacts, Solved
 from rolamento.words import Note, said
@@ -42,7 +42,7 @@ _LOADED: Final = 0.01  # of the heaviest ball: one that carries less follows the
 _STANDSTILL: Final = 1e-9  # of the rings' speeds: below, the cage stands still
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class CageSpeed:
     """Orbital speed of the loaded balls about the shaft axis, over balls and instants; rad/s.
 
@@ -61,7 +61,7 @@ class CageSpeed:
         return (self.maximum - self.minimum) / abs(self.mean) if self.mean else float("nan")
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class ContactHistory:
     """One race's contact of a ball on its way round: arrays over the azimuths of `BallHistory`.
 
@@ -82,7 +82,7 @@ class ContactHistory:
         return {name: getattr(self, name) for name in ("load", "contact_angle", "max_pressure")}
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class BallHistory:
     """What the first ball of a row meets in one revolution, put together from all balls.
 
@@ -102,7 +102,7 @@ class BallHistory:
     outer: ContactHistory
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Variation:
     """How a quantity varies over a period; NaN if a point has no result.
 
@@ -122,7 +122,7 @@ class Variation:
     harmonics: NDArray[np.complex128]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class CageTurn:
     """Equilibria over one period of the cage's turn, SI; NaN where a point has no result.
 

@@ -8,7 +8,6 @@ at both contacts, where raceway control makes one of them zero.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
@@ -23,6 +22,7 @@ from rolamento.friction.models import TORQUE_MODELS
 from rolamento.friction.summary import no_coefficient
 from rolamento.lubrication.films import film, has_film
 from rolamento.numerics.blocks import joined
+from rolamento.records import frozen
 from rolamento.solution import solve
 from rolamento.solved import Solved
 from rolamento.studies.fields import Field
@@ -46,7 +46,7 @@ SCHEMA: Final = 2
 _COEFFICIENT: Final = "lubricant.friction_coefficient"
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Controlled:
     """Balls that friction alone controls, their inertia counted; arrays (points,), SI.
 
@@ -60,7 +60,7 @@ class Controlled:
     outer_spin_to_roll: Floats
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class FrictionCurve:
     """Friction of a case over the values of one field.
 

@@ -11,11 +11,12 @@ triangular).
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
+
+from rolamento.records import frozen
 
 __all__ = ["Law", "Lognormal", "Normal", "Triangular", "Uniform", "Weibull", "truncated_normal"]
 
@@ -30,7 +31,7 @@ class Law(Protocol):
         ...
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Uniform:
     """Every value between two bounds alike."""
 
@@ -43,7 +44,7 @@ class Uniform:
         return np.clip(drawn, self.low, self.high)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Normal:
     """Mean and standard deviation, of the distribution before it is cut off at the bounds."""
 
@@ -63,7 +64,7 @@ class Normal:
         return np.clip(drawn, self.low, self.high)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Lognormal:
     """What exceeds a minimum has a logarithm that is normally distributed.
 
@@ -91,7 +92,7 @@ class Lognormal:
         return math.log(bound - self.minimum) if bound > self.minimum else -math.inf
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Weibull:
     """F = 1 − exp(−((x − minimum)/scale)^shape), before it is cut off."""
 
@@ -118,7 +119,7 @@ class Weibull:
             return math.inf
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Triangular:
     """Density that rises in a line from the least value to the mode, and falls to the greatest."""
 

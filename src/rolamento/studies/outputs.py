@@ -6,7 +6,6 @@ Each module of outputs offers its own as a tuple; a new one is named in `catalog
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Iterable, Mapping
-from dataclasses import dataclass
 from functools import cache
 from typing import TYPE_CHECKING, Any, Final, Literal, TypeVar
 
@@ -16,6 +15,7 @@ from numpy.typing import NDArray
 from rolamento.analysis.needs import has_life
 from rolamento.errors import InputError, UnknownKeyError, nearest
 from rolamento.friction.machine import are_designated
+from rolamento.records import frozen
 from rolamento.studies.names import variable_long_name, variable_name
 from rolamento.words import marked, said
 
@@ -59,7 +59,7 @@ class Evaluation:
         return found
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Output:
     """One output.
 

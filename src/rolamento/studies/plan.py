@@ -13,7 +13,7 @@ import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING, Any, Final
 
@@ -26,6 +26,7 @@ from rolamento.case import Case, case_to_toml
 from rolamento.case.arrangement import ARRANGEMENTS
 from rolamento.catalogue import CatalogueBearing, geometry_of, listed
 from rolamento.errors import InputError, refusal
+from rolamento.records import frozen
 from rolamento.status import INVALID_INPUT, STATUS_NAMES
 from rolamento.studies.axes import Axis
 from rolamento.studies.fields import Field, Value, read_field
@@ -67,7 +68,7 @@ REASON: Final = "reason"
 """Why a case has no result, beside its status."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Task:
     """One chunk of a study, to be solved anywhere: `solve_task` needs nothing else.
 
@@ -81,7 +82,7 @@ class Task:
     listed: tuple[CatalogueBearing, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Part:
     """A solved chunk, or several that follow each other, of which index is the first.
 
@@ -382,7 +383,7 @@ REASON_TEXT: Final = "reason_text"
 _UNIT: Final = re.compile(r"[\d.+-]+(?:[eE][+-]?\d+)?\s*(.*)", re.DOTALL)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Variable:
     """A variable of the result.
 

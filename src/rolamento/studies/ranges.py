@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.errors import InputError
+from rolamento.records import frozen
 from rolamento.studies.fields import Field, no_range, read_field
 from rolamento.words import said
 
@@ -24,7 +24,7 @@ _LONGEST: Final = 200
 _EXAMPLE: Final = "duty.load.fx=10..200N"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Range:
     """A field and its values, (points,), SI."""
 

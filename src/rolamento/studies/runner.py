@@ -16,7 +16,6 @@ import time
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, contextmanager
-from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
 from types import MappingProxyType
@@ -27,6 +26,7 @@ from numpy.typing import NDArray
 
 from rolamento.errors import FileError, InputError, cause
 from rolamento.numerics.threads import thread_count
+from rolamento.records import frozen
 from rolamento.status import CONVERGED, STATUS_NAMES
 from rolamento.studies.outputs import Output
 from rolamento.studies.plan import REASON, Part, Plan, Reasons
@@ -434,7 +434,7 @@ def _move(unfinished: Path, result: Path) -> None:
         raise _unwritable(result, error) from None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class FirstCase:
     """The first case that ended in some way, counted from 0, and why it has no result."""
 
@@ -442,7 +442,7 @@ class FirstCase:
     reason: Note
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class OutputRange:
     """Minimum, median and maximum of an output over the cases with a result; SI units.
 
@@ -456,7 +456,7 @@ class OutputRange:
     every: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Summary:
     """A run to a file.
 

@@ -14,13 +14,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.errors import InputError
+from rolamento.records import frozen
 from rolamento.studies.laws import Law
 from rolamento.studies.tolerance import (
     FINEST,
@@ -48,7 +48,7 @@ _FEWEST: Final = 8
 _LEAST_REST: Final = 1e-10  # of a variance: what the others do not explain
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class RankCorrelation:
     """One output against every input; NaN where an output does not vary or samples are too few.
 
@@ -74,7 +74,7 @@ class RankCorrelation:
     partial_high: Floats
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class RankCorrelations:
     """All outputs against all inputs.
 
@@ -276,7 +276,7 @@ _MOST_RUNS: Final = 2**22
 _RUNS_AT_ONCE: Final = 2**14
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class SobolIndices:
     """How the variance of each output is shared out among the inputs.
 
@@ -567,7 +567,7 @@ def _bootstrap(
     return low, high
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class ToleranceStudy:
     """What is known of a scatter study: its result taken apart.
 

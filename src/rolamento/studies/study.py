@@ -6,7 +6,7 @@ import json
 import math
 import os
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any, Final, Self
@@ -22,7 +22,7 @@ from pydantic import (
 )
 
 from rolamento.case import Case, is_designation, load_case
-from rolamento.case.fields import OVERRIDE_SOURCE, overridden
+from rolamento.case.fields import OVERRIDE_SOURCE, Changes, overridden
 from rolamento.case.former import OUTPUTS, current
 from rolamento.case.quantity import Count, Line, at_the_border
 from rolamento.case.record import Record
@@ -300,7 +300,7 @@ def case_file_of(path: str | os.PathLike[str]) -> Path | None:
     return Path(path).parent / case
 
 
-def load_study(path: str | os.PathLike[str], overrides: Iterable[str] = ()) -> Study:
+def load_study(path: str | os.PathLike[str], overrides: Changes = ()) -> Study:
     """Read a study file.
 
     Parameters
@@ -309,7 +309,7 @@ def load_study(path: str | os.PathLike[str], overrides: Iterable[str] = ()) -> S
         A TOML or JSON file; ``"-"`` for standard input. A case that it names is looked for beside
         it; what is no file is a designation.
     overrides
-        Settings ``KEY=VALUE`` that go over the case, such as ``"duty.load.fz=10 kN"``.
+        What goes over the case, as of `rolamento.load_case`.
 
     Raises
     ------
@@ -331,7 +331,7 @@ def parse_study(
     format: TextFormat | None = None,
     source: str = "",
     folder: str | os.PathLike[str] = ".",
-    overrides: Iterable[str] = (),
+    overrides: Changes = (),
 ) -> Study:
     """Return the study that a TOML or JSON text describes.
 
@@ -356,7 +356,7 @@ def parse_study(
     known_format = format or format_of_text(text)
     mapping = parse_mapping(text, known_format, source)
     try:
-        case = _case_of(mapping, Path(folder), tuple(overrides))
+        case = _case_of(mapping, Path(folder), overrides)
         return Study.from_mapping(mapping if case is None else {**mapping, "case": case})
     except InputError as error:
         if error.source:
@@ -375,15 +375,15 @@ def study_to_json(study: Study) -> str:
     return json.dumps(study.to_mapping(), ensure_ascii=False)
 
 
-def _case_of(mapping: Mapping[str, Any], folder: Path, settings: tuple[str, ...]) -> Case | None:
-    """Return the case that a study names or holds, with settings put over it."""
+def _case_of(mapping: Mapping[str, Any], folder: Path, changes: Changes) -> Case | None:
+    """Return the case that a study names or holds, with changes put over it."""
     given = mapping.get("case")
     if given is None:
         return None
     if isinstance(given, str):
         try:
             named = is_designation(given, folder)
-            return load_case(given if named else folder / given, settings)
+            return load_case(given if named else folder / given, changes)
         except InputError as error:
             raise error.with_details(source=error.source or given) from None
     if not isinstance(given, dict):
@@ -393,11 +393,11 @@ def _case_of(mapping: Mapping[str, Any], folder: Path, settings: tuple[str, ...]
             value=given,
             example='case = "case.toml"',
         )
-    changed, set_fields = overridden(given, settings, Case)
+    tables, set_fields = overridden(given, changes, Case)
     try:
-        return Case.from_mapping(changed)
+        return Case.from_mapping(tables)
     except InputError as error:
-        if error.field in set_fields:
+        if error.field in set_fields and not isinstance(changes, Mapping):
             raise error.with_details(source=OVERRIDE_SOURCE) from None
         raise error.with_details(field=f"case.{error.field}".rstrip(".")) from None
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
@@ -16,6 +15,7 @@ import pyarrow.parquet
 from numpy.typing import NDArray
 
 from rolamento.errors import InputError
+from rolamento.records import frozen
 from rolamento.status import STATUS_NAMES
 from rolamento.studies.plan import BALL, REASON, ROW, Layout, Part, Plan, Variable
 from rolamento.studies.study import SAMPLE
@@ -74,7 +74,7 @@ class _Table:
                 yield values
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class CaseColumn:
     """What all cases of a study have in one column, in order; SI.
 

@@ -8,7 +8,6 @@ supposes no distribution: Conover, Practical Nonparametric Statistics, 3rd ed. (
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING, Any, Final
 
@@ -19,6 +18,7 @@ from rolamento.case.bearing import Bearing
 from rolamento.clearance.effects import EXPANSION_100CR6, clearance_change_of_rings
 from rolamento.errors import InputError
 from rolamento.numerics.percentiles import percentile_of_sorted
+from rolamento.records import frozen
 from rolamento.studies.study import SAMPLE
 from rolamento.words import said
 
@@ -43,7 +43,7 @@ FINEST: Final[Mapping[str, float]] = {
 """By SI unit, what is rounding on any bearing: a load that balances to zero varies less."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Input:
     """A scattered input: its name, its field of the case, words, unit, and draws (samples,)."""
 
@@ -54,7 +54,7 @@ class Input:
     values: Floats
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Samples:
     """A scatter study in arrays.
 
@@ -159,7 +159,7 @@ _MOST_PERCENTILES: Final = 50
 _LARGEST_DIFFERENCE: Final = 200.0  # K
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class ToleranceBand:
     """One output over the samples, SI; NaN where there are too few of them.
 
@@ -192,7 +192,7 @@ class ToleranceBand:
     count: NDArray[np.int64]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class ToleranceBands:
     """All outputs of a scatter study.
 

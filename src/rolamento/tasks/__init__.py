@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from rolamento.tasks.report import CaseReport, Report, compare_variants, report_on
     from rolamento.tasks.severity import SeverityResult, severity_of
     from rolamento.tasks.studies import Sweep, sweep, tolerance
-    from rolamento.tasks.synthesis import SynthesisResult, Unsolved, synthesise
+    from rolamento.tasks.synthesis import SynthesisResult, synthesise
     from rolamento.tasks.weibull import (
         DemonstrationStudy,
         PrecisionStudy,
@@ -70,7 +70,7 @@ _NAMES_OF_MODULES: Final = {
     "report": ("CaseReport", "Report", "compare_variants", "report_on"),
     "severity": ("SeverityResult", "severity_of"),
     "studies": ("Sweep", "sweep", "tolerance"),
-    "synthesis": ("SynthesisResult", "Unsolved", "synthesise"),
+    "synthesis": ("SynthesisResult", "synthesise"),
     "weibull": (
         "DemonstrationStudy",
         "PrecisionStudy",
@@ -114,7 +114,6 @@ __all__ = [
     "TooShort",
     "TrendStudy",
     "UnknownResult",
-    "Unsolved",
     "anderons",
     "compare_variants",
     "demonstration_study",

@@ -7,11 +7,11 @@ commands says the meaning, the page makes its form of all of it, and `given` rea
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from math import isfinite
 from typing import Any, Final, Literal
 
 from rolamento.errors import InputError
+from rolamento.records import frozen
 from rolamento.words import marked, said
 
 __all__ = ["DEMONSTRATION", "LIFE_TEST", "SIGNAL", "Asked", "Group", "by_name", "given"]
@@ -25,7 +25,7 @@ _LONGEST: Final = 300
 _MOST: Final = 50
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Asked:
     """One thing that may be given.
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
@@ -12,6 +11,7 @@ from rolamento.case import Case
 from rolamento.case.varied import varied_arrays
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.solution import solve
 from rolamento.studies.outputs import DEFAULT_OUTPUTS, Evaluation, outputs_of, refuse_missing
 from rolamento.words import said
@@ -23,7 +23,7 @@ MOST_CASES: Final = 20_000
 _MOST_OUTPUTS: Final = 100
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Batch:
     """Cases of one bearing, each with a status and its results.
 

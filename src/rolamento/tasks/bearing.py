@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Sequence
 from math import pi
 from typing import TYPE_CHECKING, Final
 
 from rolamento.case import Case, load_case, override
 from rolamento.case.bearing import Bearing
 from rolamento.case.duty import AXES, LOADS, Duty
+from rolamento.case.fields import Changes
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.errors import InputError
 from rolamento.units import from_si, readable, to_si
@@ -26,7 +26,7 @@ _ANGLE_EXAMPLE: Final = 'angle="zero", angle="free" or angle="15 deg"'
 
 def case_of(
     bearing: BearingLike,
-    settings: Sequence[str] = (),
+    changes: Changes = (),
     inner_speed: float | None = None,
     outer_speed: float | None = None,
 ) -> Case:
@@ -36,8 +36,8 @@ def case_of(
     ----------
     bearing
         Whose case.
-    settings
-        ``KEY=VALUE``, over the case.
+    changes
+        What goes over the case, by dotted name, such as ``{"duty.load.fz": "5 kN"}``.
     inner_speed, outer_speed
         Over both (rad/s); None is not given.
 
@@ -47,12 +47,12 @@ def case_of(
         If there is no such bearing, or the file is no case.
     """
     if isinstance(bearing, Case):
-        case = override(bearing, settings) if settings else bearing
+        case = override(bearing, changes) if changes else bearing
     elif isinstance(bearing, Bearing | RollerBearing):
         case = Case(bearing=bearing, duty=Duty())
-        case = override(case, settings) if settings else case
+        case = override(case, changes) if changes else case
     else:
-        case = load_case(bearing, settings)
+        case = load_case(bearing, changes)
     return at_speeds(case, inner_speed, outer_speed)
 
 

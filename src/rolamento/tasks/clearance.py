@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
 from rolamento.case import Case
@@ -14,6 +14,7 @@ from rolamento.clearance import (
 )
 from rolamento.errors import InputError
 from rolamento.io.json import plain
+from rolamento.records import frozen
 from rolamento.solved import PreloadStage
 from rolamento.words import Note, said
 
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
 __all__ = ["Mounted", "mounted_clearance", "mounted_samples"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Mounted:
     """The clearance in operation of a bearing or of the rows of a set, and the set's preload.
 

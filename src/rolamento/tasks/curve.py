@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import inf, nextafter
 from typing import Final, Literal
 
@@ -11,6 +10,7 @@ from numpy.typing import NDArray
 
 from rolamento.case import Case
 from rolamento.errors import InputError
+from rolamento.records import frozen
 from rolamento.status import STATUS_NAMES
 from rolamento.studies.axes import Axis
 from rolamento.studies.fields import Field, known_fields, no_range, read_field
@@ -40,7 +40,7 @@ _NOT_OFFERED: Final = frozenset({"residual", "weakest_row", "weakest_ball", "lif
 _ALWAYS: Final = ("duty.inner_speed", "duty.load.fx", "duty.load.fz", "duty.displacement.ry")
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Curve:
     """An output of a case over one of its fields.
 

@@ -3,24 +3,26 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from contextlib import suppress
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, replace
 from functools import cached_property
 from itertools import product
 from math import ceil, inf, isfinite, pi
-from typing import TYPE_CHECKING, Any, Final, Literal, Unpack
+from typing import TYPE_CHECKING, Any, Final, Literal, TypeVar, Unpack
 
 import numpy as np
 
 from rolamento.case import Case
 from rolamento.case.bearing import Bearing
+from rolamento.case.fields import Changes
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.catalogue import catalogue, rolling_bearings
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.tasks.bearing import BearingLike, angle_of, at_speeds, case_of, has_load, name_of
-from rolamento.tasks.parameters import Stages, quietly, speed_of
+from rolamento.tasks.parameters import Progress, quietly, speed_of
 from rolamento.tasks.shaft_speed import AskedSpeed, KnownSpeed, ShaftSpeed, known_speed
 from rolamento.tasks.signals import Reading, part_of, streamed
 from rolamento.units import rpm_of
@@ -28,6 +30,7 @@ from rolamento.vibration import diagnosis as engine
 from rolamento.vibration.diagnosis import (
     COMPONENTS,
     DAMAGE,
+    Component,
     ComponentVerdict,
     Diagnosis,
     DiagnosisSettings,
@@ -50,6 +53,7 @@ if TYPE_CHECKING:
     from rolamento.solved import Solved
 
 SCHEMA: Final = 3
+Part = TypeVar("Part")
 Conclusion = Literal["fault", "undecided", "watch", "nothing_found", "no_verdict"]
 
 _CLEAR: Final = 9.0
@@ -58,12 +62,53 @@ _WIDEST: Final = 0.1
 """Part by which a cage may be off in a search."""
 
 
-@dataclass(frozen=True, eq=False)
-class DiagnosisResult:
-    """All that a diagnosis of a file finds.
+@frozen
+class TooShort:
+    """Why a record has no diagnosis: by its length no race can be told, known before it is read.
 
     Attributes
     ----------
+    revolutions, required_revolutions
+        that it has, or that the longest stretch has which is judged at once; and from which on it
+        tells something
+    duration
+        of that; s
+    is_stretch
+        whether the shaft is too slow for a stretch, and not the record too short
+    """
+
+    revolutions: float
+    required_revolutions: float
+    duration: float
+    is_stretch: bool
+
+    @property
+    def reason(self) -> Literal["shaft_too_slow", "record_too_short"]:
+        """Name of what is in the way."""
+        return "shaft_too_slow" if self.is_stretch else "record_too_short"
+
+    @property
+    def statement(self) -> tuple[Note, ...]:
+        """What it comes to: that the record is too short, or the shaft too slow for its rate."""
+        times = self.required_revolutions / self.revolutions
+        values = {
+            "revolutions": self.revolutions,
+            "duration": self.duration,
+            "required": self.required_revolutions,
+            "seconds": self.duration * times,
+            "times": times,
+        }
+        return (Note("shaft_too_slow" if self.is_stretch else "record_short", values),)
+
+
+@frozen(eq=False, slots=False)
+class DiagnosisResult:
+    """All that a diagnosis of a vibration record finds, or why it has none.
+
+    Attributes
+    ----------
+    too_short
+        why the record has no diagnosis: `diagnosis` and `signal` are refused then; else None
     title
         of the signal
     bearing_name
@@ -72,10 +117,8 @@ class DiagnosisResult:
         whose vibration this is
     frequencies
         that were looked for, at the mean speed: of the loaded bearing, or of its geometry
-    diagnosis, settings
-        what was found, and how it was looked for
-    signal
-        that was diagnosed, or its first part if it is long
+    settings
+        how it was looked for
     duration
         of all; s
     reading_notes
@@ -101,10 +144,11 @@ class DiagnosisResult:
     bearing_name: str
     bearing: Bearing | RollerBearing
     frequencies: FaultFrequencies
-    diagnosis: Diagnosis
     settings: DiagnosisSettings
-    signal: Signal
     duration: float
+    found: Diagnosis | None = None
+    record: Signal | None = None
+    too_short: TooShort | None = None
     reading_notes: tuple[Note, ...] = ()
     choices: tuple[Note, ...] = ()
     speed: ShaftSpeed | None = None
@@ -113,6 +157,60 @@ class DiagnosisResult:
     covers_balls: bool = True
     other_rows: tuple[int, ...] = ()
     lookalikes: Lookalikes | None = None
+
+    def _shown(self) -> dict[str, str]:
+        shown = {
+            "": f"{self.verdict}, {self.bearing_name}: {self.title}",
+            "statement": " ".join(note.text for note in self.statement),
+            "status": self.status,
+            "duration": f"{self.duration:.4g} s",
+        }
+        if self.found is not None:
+            shown["shaft"] = f"{self.found.shaft_frequency:.4g} Hz"
+            for part in self.found.components:
+                shown[part.component] = f"{part.verdict}, depth {part.depth:.3g}"
+            shown["notes"] = str(len(self.notes))
+        return shown
+
+    @property
+    def status(self) -> Literal["diagnosed", "shaft_too_slow", "record_too_short"]:
+        """Whether there is a diagnosis, or why there is none."""
+        return "diagnosed" if self.too_short is None else self.too_short.reason
+
+    @property
+    def diagnosis(self) -> Diagnosis:
+        """What was found.
+
+        Raises
+        ------
+        InputError
+            If the record is too short for any: see `status`.
+        """
+        return self._had(self.found)
+
+    @property
+    def signal(self) -> Signal:
+        """The signal that was diagnosed, or its first part if it is long.
+
+        Raises
+        ------
+        InputError
+            As of `diagnosis`.
+        """
+        return self._had(self.record)
+
+    @property
+    def faults(self) -> tuple[Component, ...]:
+        """Parts that are damaged; none without a diagnosis."""
+        return () if self.found is None else self.found.faults
+
+    def _had(self, part: Part | None) -> Part:
+        if part is None:
+            raise InputError(
+                said("has no diagnosis: {why}", why=" ".join(note.text for note in self.statement)),
+                source=self.title,
+            )
+        return part
 
     @cached_property
     def indicators(self) -> Indicators:
@@ -136,6 +234,8 @@ class DiagnosisResult:
     @property
     def verdict(self) -> Conclusion:
         """What it comes to."""
+        if self.too_short is not None:
+            return "no_verdict"
         verdicts = {part.verdict for part in self.diagnosis.components}
         if "fault" in verdicts:
             return "fault"
@@ -158,6 +258,8 @@ class DiagnosisResult:
     @property
     def statement(self) -> tuple[Note, ...]:
         """What it comes to, sentence by sentence."""
+        if self.too_short is not None:
+            return self.too_short.statement
         if self.speed_lost and not self.still and not self.diagnosis.stated:
             return (Note("no_speed_no_verdict"),)
         if self.verdict == "no_verdict" and not self.still:
@@ -193,6 +295,8 @@ class DiagnosisResult:
     @property
     def notes(self) -> tuple[Note, ...]:
         """What is to be known: of the diagnosis, and of how it was made."""
+        if self.too_short is not None:
+            return ()
         return (*self.diagnosis.notes, *self._said(self._own_notes()))
 
     def _own_notes(self) -> Iterator[Note]:
@@ -231,6 +335,16 @@ class DiagnosisResult:
 
     def to_mapping(self) -> dict[str, Any]:
         """Return everything but the spectra as plain data, in SI units and Hz."""
+        if (short := self.too_short) is not None:
+            return {
+                "schema": SCHEMA,
+                "verdict": self.verdict,
+                "statement": _mappings(self.statement),
+                "reason": short.reason,
+                "revolutions": short.revolutions,
+                "required_revolutions": short.required_revolutions,
+                "duration": short.duration,
+            }
         diagnosis, signal = self.diagnosis, self.signal
         return {
             "schema": SCHEMA,
@@ -312,62 +426,6 @@ def _highest_line(part: ComponentVerdict) -> float:
     return max(levels, default=-inf)
 
 
-@dataclass(frozen=True, slots=True)
-class TooShort:
-    """A record in which no race can be told, by its length: known before it is read.
-
-    Attributes
-    ----------
-    revolutions, required_revolutions
-        that it has, or that the longest stretch has which is judged at once; and from which on it
-        tells something
-    duration
-        of that; s
-    is_stretch
-        whether the shaft is too slow for a stretch, and not the record too short
-    """
-
-    revolutions: float
-    required_revolutions: float
-    duration: float
-    is_stretch: bool
-
-    @property
-    def verdict(self) -> Conclusion:
-        """None, as of a `DiagnosisResult`."""
-        return "no_verdict"
-
-    @property
-    def reason(self) -> Literal["shaft_too_slow", "record_too_short"]:
-        """Name of what is in the way."""
-        return "shaft_too_slow" if self.is_stretch else "record_too_short"
-
-    @property
-    def statement(self) -> tuple[Note, ...]:
-        """What it comes to: that the record is too short, or the shaft too slow for its rate."""
-        times = self.required_revolutions / self.revolutions
-        values = {
-            "revolutions": self.revolutions,
-            "duration": self.duration,
-            "required": self.required_revolutions,
-            "seconds": self.duration * times,
-            "times": times,
-        }
-        return (Note("shaft_too_slow" if self.is_stretch else "record_short", values),)
-
-    def to_mapping(self) -> dict[str, Any]:
-        """Return all of it as plain data."""
-        return {
-            "schema": SCHEMA,
-            "verdict": self.verdict,
-            "statement": _mappings(self.statement),
-            "reason": self.reason,
-            "revolutions": self.revolutions,
-            "required_revolutions": self.required_revolutions,
-            "duration": self.duration,
-        }
-
-
 def diagnose(
     path: str | os.PathLike[str] | Signal | FloatArray,
     bearing: BearingLike,
@@ -387,10 +445,10 @@ def diagnose(
     turning: tuple[float, ...] = (),
     elsewhere: tuple[float, ...] = (),
     search: DiagnosisSettings | None = None,
-    settings: Sequence[str] = (),
-    stages: Stages = quietly,
+    changes: Changes = (),
+    progress: Progress = quietly,
     **reading: Unpack[Reading],
-) -> DiagnosisResult | TooShort:
+) -> DiagnosisResult:
     """Diagnose which bearing components a vibration record shows to be damaged.
 
     Parameters
@@ -420,19 +478,28 @@ def diagnose(
         Orders of what else turns, and of the faults of other bearings: see `FaultOrders`.
     search
         How to look, and how sure to be.
-    settings
-        ``KEY=VALUE``, over the case.
-    stages
-        Is told of "tracking", "solving" and "reading", and how far they are.
+    changes
+        What goes over the case, by dotted name, such as ``{"duty.load.fz": "5 kN"}``.
+    progress
+        Called with blocks of the signal done and all; twice where the speed is found in it first.
     reading
         channel, rate, unit, scale and decimal_mark, as of `rolamento.vibration.open_signal`.
+
+    Returns
+    -------
+    DiagnosisResult
+        Its `status` says whether the record was long enough for a diagnosis.
 
     Raises
     ------
     FileError, InputError
         If a file cannot be read, or what is given contradicts itself or does not suffice.
+
+    >>> noise = np.random.default_rng(0).normal(size=48_000)
+    >>> diagnose(noise, "6205", speed="1797 rpm", rate=12_000.0).verdict
+    'nothing_found'
     """
-    case = _case_sought(bearing, settings)
+    case = _case_sought(bearing, changes)
     if isinstance(path, np.ndarray):
         path = _in_memory(path, reading.get("rate"))
     if isinstance(path, Signal) and path.speed is not None and path.speed.ndim:
@@ -452,44 +519,44 @@ def diagnose(
     opened = open_signal(path, speed_channel=speed_channel, speed_unit=speed_unit, **reading)
     with opened as source:
         part = part_of(source, start, duration)
-        with stages("tracking") as progress:
-            known = known_speed(asked, of_case, source, part, progress)
-        with stages("solving"):
-            case = at_speeds(case, known.inner, known.outer)
-            frequencies, solved = _frequencies_sought(case, nominal=nominal, angle=angle)
+        known = known_speed(asked, of_case, source, part, progress)
+        case = at_speeds(case, known.inner, known.outer)
+        frequencies, solved = _frequencies_sought(case, nominal=nominal, angle=angle)
         wide = widened(frequencies, search or DiagnosisSettings())
         _check_rate(frequencies, known, source)
+        common: dict[str, Any] = {
+            "bearing_name": name_of(bearing, case),
+            "bearing": case.bearing,
+            "frequencies": frequencies,
+            "settings": wide.settings,
+            "solved": solved,
+        }
         short = _too_short(frequencies, known, part.stop - part.start, source.rate)
         if short is not None:
-            return short
-        with stages("reading") as progress:
-            pieces = (source.read(place, min(part.step, part.stop - place)) for place in part)
-            held = streamed(
-                pieces, known.at, lambda done: progress(-(-done // part.step), len(part))
+            return DiagnosisResult(
+                title=source.path.name, duration=short.duration, too_short=short, **common
             )
-            orders = replace(FaultOrders.of(frequencies, turning), elsewhere=elsewhere)
-            found = engine.diagnose(held.pieces, orders, wide.settings)
+        pieces = (source.read(place, min(part.step, part.stop - place)) for place in part)
+        held = streamed(pieces, known.at, lambda done: progress(-(-done // part.step), len(part)))
+        orders = replace(FaultOrders.of(frequencies, turning), elsewhere=elsewhere)
+        found = engine.diagnose(held.pieces, orders, wide.settings)
         return DiagnosisResult(
             title=held.first.title or source.path.name,
-            bearing_name=name_of(bearing, case),
-            bearing=case.bearing,
-            frequencies=frequencies,
-            diagnosis=found,
-            settings=wide.settings,
-            signal=held.first,
             duration=held.duration,
+            found=found,
+            record=held.first,
             reading_notes=(*source.notes, *known.choices),
             choices=(*source.choices, *known.choices),
             speed=known.shaft,
-            solved=solved,
             slip=wide.slip,
             covers_balls=wide.covers_balls,
             other_rows=wide.other_rows,
             lookalikes=_lookalikes(found, frequencies, case.bearing, wide.settings),
+            **common,
         )
 
 
-@dataclass(frozen=True, eq=False)
+@frozen(eq=False, slots=False)
 class UnknownResult:
     """The combs of a record whose bearing nobody knows, and the bearings that would have them.
 
@@ -566,7 +633,7 @@ def rank_bearings(
     asked = AskedSpeed(inner=speed_of(speed, "speed"))
     with open_signal(path, **reading) as source:
         part = part_of(source, start, duration)
-        known = known_speed(asked, (None, None), source, part, lambda done, total: None)
+        known = known_speed(asked, (None, None), source, part, quietly)
         pieces = (source.read(place, min(part.step, part.stop - place)) for place in part)
         held = streamed(pieces, known.at, lambda done: None)
         bearings = rolling_bearings(of_rollers=of_rollers)
@@ -603,10 +670,10 @@ def _lookalikes(
     )
 
 
-def _case_sought(bearing: BearingLike, settings: Sequence[str]) -> Case:
+def _case_sought(bearing: BearingLike, changes: Changes) -> Case:
     """Return the case of a bearing; of a designation, one without a load."""
     try:
-        return case_of(bearing, settings)
+        return case_of(bearing, changes)
     except InputError as error:
         if error.field != "bearing.designation" or error.source:
             raise
@@ -652,7 +719,7 @@ def _frequencies_sought(
     return nominal_frequencies(case.bearing, inner, outer, contact_angle=choice), solved
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class WidenedSearch:
     """How widely to look.
 

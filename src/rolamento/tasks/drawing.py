@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass
 from enum import StrEnum
 from typing import TYPE_CHECKING, Final
 
 from rolamento.errors import InputError
+from rolamento.records import frozen
 from rolamento.words import said
 
 if TYPE_CHECKING:
@@ -59,7 +59,7 @@ _MOST_FILES: Final = 7
 _OF_STATES: Final = tuple(kind for kind in Kind if kind not in _OF_STUDIES)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Drawing:
     """A figure.
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from importlib import resources
 from importlib.resources.abc import Traversable
 from typing import Final
 
 from rolamento.errors import FileError, InputError, cause, guess
 from rolamento.io.writing import write_text
+from rolamento.records import frozen
 from rolamento.words import marked, said
 
 __all__ = ["EXAMPLES", "Example", "copy_examples"]
@@ -19,7 +20,7 @@ _FOLDER: Final = "examples/"
 _ALL: Final = "all"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Example:
     """An example.
 

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from math import isfinite
 from typing import TYPE_CHECKING, Any, Final
 
 from rolamento.case import Case, is_designation
 from rolamento.case.bearing import Bearing
+from rolamento.case.fields import Changes
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.errors import InputError
+from rolamento.records import frozen
 from rolamento.tasks.bearing import (
     BearingLike,
     angle_of,
@@ -43,7 +44,7 @@ _MOST_HARMONICS: Final = 100
 _MOST_SIDEBANDS: Final = 10
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class FrequencyResult:
     """Fault frequencies of a bearing, by its geometry and under its load.
 
@@ -71,6 +72,14 @@ class FrequencyResult:
     alternatives: tuple[Alternative, ...]
     harmonics: int
     sidebands: int
+
+    def _shown(self) -> dict[str, str]:
+        best = self.best
+        shown = {"": self.title, "source": best.source}
+        for fault in FAULTS:
+            line = best.of_fault(fault)
+            shown[fault] = f"{line.order:.5g} x shaft, {line.frequency:.5g} Hz"
+        return shown
 
     @property
     def by_source(self) -> tuple[FaultFrequencies, ...]:
@@ -121,7 +130,7 @@ def fault_frequencies(
     tolerances: Tolerances | None = None,
     harmonics: int = 3,
     sidebands: int = 1,
-    settings: Sequence[str] = (),
+    changes: Changes = (),
 ) -> FrequencyResult:
     """Find the fault frequencies of a bearing: nominal ones, and loaded ones if it has a load.
 
@@ -140,13 +149,18 @@ def fault_frequencies(
         By how much what may be off.
     harmonics, sidebands
         How many multiples the tables show, 1 to 100, and how many on either side of each, 0 to 10.
-    settings
-        ``KEY=VALUE``, over the case.
+    changes
+        What goes over the case, by dotted name, such as ``{"duty.load.fz": "5 kN"}``.
 
     Raises
     ------
     FileError, InputError
         If there is no such bearing, or a number is out of range.
+
+    >>> found = fault_frequencies("6205", speed="1800 rpm").nominal
+    >>> outer, inner = found.ball_pass_outer.frequency, found.ball_pass_inner.frequency
+    >>> print(f"{outer + inner:.1f} Hz")  # nine balls at 30 turns a second
+    270.0 Hz
     """
     for name, lowest, highest, value in (
         ("harmonics", 1, _MOST_HARMONICS, harmonics),
@@ -159,7 +173,7 @@ def fault_frequencies(
                 value=value,
             )
     inner, outer = speed_of(speed, "speed"), speed_of(outer_speed, "outer_speed")
-    case = case_of(bearing, settings, inner, outer)
+    case = case_of(bearing, changes, inner, outer)
     duty = case.duty
     told = inner is not None or outer is not None or duty.inner_speed or duty.outer_speed
     has_no_duty = (

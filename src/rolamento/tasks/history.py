@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import chain, pairwise
 from math import exp, isfinite, nan
 from pathlib import Path
@@ -15,8 +15,9 @@ import numpy as np
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.tasks.bearing import BearingLike
-from rolamento.tasks.diagnosis import SCHEMA, Conclusion, DiagnosisResult, TooShort, diagnose
+from rolamento.tasks.diagnosis import SCHEMA, Conclusion, DiagnosisResult, diagnose
 from rolamento.vibration.diagnosis import COMPONENTS, DAMAGE, Component, DiagnosisSettings
 from rolamento.vibration.reading import read_signal
 from rolamento.vibration.reading.formats import ENDINGS
@@ -82,7 +83,7 @@ def _natural(path: Path) -> tuple[tuple[int, str], ...]:
 # --- now and then --------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class PartThen:
     """A part now, and in the records of the machine's good days.
 
@@ -113,7 +114,7 @@ class PartThen:
         return max(self.then, default=nan)
 
 
-@dataclass(frozen=True, eq=False)
+@frozen(eq=False, slots=False)
 class History:
     """A diagnosis, and what the machine's own good days make of it.
 
@@ -154,6 +155,8 @@ class History:
     @property
     def verdict(self) -> Conclusion:
         """What it comes to: damage where a depth doubled, watch where it was always there."""
+        if self.now.too_short is not None:
+            return self.now.verdict
         if self.grown:
             return "fault"
         faults = set(self.now.diagnosis.faults)
@@ -164,6 +167,8 @@ class History:
     @property
     def statement(self) -> tuple[Note, ...]:
         """What it comes to, sentence by sentence."""
+        if self.now.too_short is not None:
+            return self.now.statement
         notes = [self._said("depth_grown", part) for part in self.grown]
         notes += [self._said("depth_as_always", part) for part in self.always]
         if not self.compared:
@@ -211,7 +216,7 @@ def diagnose_since(
     bearing: BearingLike,
     baseline: Sequence[str | os.PathLike[str]],
     **asked: Any,
-) -> History | TooShort:
+) -> History:
     """Diagnose a record beside records of the same machine in good order.
 
     Parameters
@@ -227,16 +232,16 @@ def diagnose_since(
         As of `rolamento.tasks.diagnose`, or if there is no record.
     """
     now = diagnose(path, bearing, **asked)
-    if isinstance(now, TooShort):
-        return now
+    if now.too_short is not None:
+        return History(now, (), (), ())
     files = records_of(baseline)
     if not files:
         raise InputError(
             said("must name at least one record"), field="baseline", example='baseline=["good.wav"]'
         )
-    stages = {key: value for key, value in asked.items() if key != "stages"}
-    found = [(file, diagnose(file, bearing, **stages)) for file in files]
-    then = [(file, one) for file, one in found if isinstance(one, DiagnosisResult)]
+    alike = {key: value for key, value in asked.items() if key != "progress"}
+    found = [(file, diagnose(file, bearing, **alike)) for file in files]
+    then = [(file, one) for file, one in found if one.too_short is None]
     speed = now.diagnosis.shaft_frequency
     like = [
         (file, one)
@@ -286,7 +291,7 @@ def _change(now: float, then: Sequence[float]) -> Change:
 # --- a folder of records -------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Step:
     """Where a series of values changes its level.
 
@@ -306,7 +311,7 @@ class Step:
     probability: float
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Records:
     """Many records of one machine, one after the other.
 
@@ -463,7 +468,7 @@ def trend_of_records(
         raise InputError(said("must name at least one record"), field="records")
     reading = {key: asked[key] for key in _READING if key in asked}
     search = asked.pop("search", None) or DiagnosisSettings()
-    asked = {key: value for key, value in asked.items() if key not in ("stages", *_READING)}
+    asked = {key: value for key, value in asked.items() if key not in ("progress", *_READING)}
     names, counts, rms, kurtosis, found = [], [], [], [], []
     unit, place = "", 0
     while place < len(files):
@@ -486,7 +491,7 @@ def trend_of_records(
         counts.append(len(group))
         rms.append(float(np.sqrt(np.mean([size.rms**2 for size in sizes]))))
         kurtosis.append(float(np.mean([size.kurtosis for size in sizes])))
-        found.append(one if isinstance(one, DiagnosisResult) else None)
+        found.append(one if one.too_short is None else None)
         unit, place = joined.unit, place + len(group)
     depths = {part: np.array([_depth_of(one, part) for one in found]) for part in COMPONENTS}
     return Records(

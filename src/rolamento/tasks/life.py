@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, Final
 
 import numpy as np
@@ -30,6 +30,7 @@ from rolamento.life.lamina import one_number_of_slices
 from rolamento.life.record import slope_of
 from rolamento.life.spectrum import shaft_life
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.solution import solve
 from rolamento.solved import Solved
 from rolamento.words import said
@@ -47,7 +48,7 @@ TableSource = FactorTable | str | os.PathLike[str] | None
 """a_NSK off the maker's chart, or its file."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class CaseLife:
     """A solved case, its life by every theory, what would help, and the friction beside it.
 
@@ -86,7 +87,7 @@ class CaseLife:
         )
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class SystemLife:
     """Life of several bearings that all have to survive, for the reliability of each; h.
 
@@ -160,7 +161,7 @@ class SystemLife:
         }
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class ShaftLife:
     """Lives of bearings on one shaft.
 

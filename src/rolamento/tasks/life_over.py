@@ -6,7 +6,7 @@ Every theory at every point, and where it is valid.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import fields
 from typing import Any, Final, TypeVar
 
 import numpy as np
@@ -34,6 +34,7 @@ from rolamento.life.load_zone import (
 )
 from rolamento.life.theories import THEORIES
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.solution import solve
 from rolamento.solved import Solved
 from rolamento.static._common import race_stiffness
@@ -75,7 +76,7 @@ _PURE: Final = 1e-6
 _LONGEST_STATUS: Final = "U24"
 
 
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+@frozen(kw_only=True, eq=False)
 class LifeRows:
     """Lives of a case at rows of values of its fields.
 
@@ -120,7 +121,7 @@ class LifeRows:
         return bool(np.all(self.status == CONVERGED))
 
 
-@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+@frozen(kw_only=True, eq=False)
 class LifeCurve(LifeRows):
     """Lives of a case over the values of one field; the rows are the points.
 
@@ -404,7 +405,7 @@ def _spread(parts: Sequence[Part], count: int) -> NDArray[Any]:
 # --- over load and load zone --------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class LoadLives:
     """Lives of a case whose forces and moments all grow by one factor.
 
@@ -438,7 +439,7 @@ class LoadLives:
     own: int
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class ZoneLife:
     """Life of a bearing under radial load over its load zone, by ISO/TS 16281.
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import inf, isfinite
 from typing import Any, Final, Literal
 
@@ -32,6 +32,7 @@ from rolamento.life.reliability import reliability_factor, reliability_of
 from rolamento.life.spectrum import miner_life, races_under_spectrum, revolution_shares
 from rolamento.life.theories import THEORIES
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.records import frozen
 from rolamento.solution import solve
 from rolamento.studies.fields import Field, Value, read_field, refuse_rivals
 from rolamento.studies.solving import CONVERGED, INVALID_INPUT, array_fields, base_case
@@ -74,7 +75,7 @@ _FIXED: Final = ("life.reliability", "life.edition", "life.required_life", "bear
 """Of the bearing and its life as a whole, not of a step."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class DutySteps:
     """The steps of a duty.
 
@@ -110,7 +111,7 @@ class DutySteps:
         return len(self.shares)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class DutyLife:
     """A life under all steps together.
 
@@ -149,7 +150,7 @@ class DutyLife:
         }
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class SpectrumLife:
     """Life under all steps together, and what each of them takes of it.
 
@@ -253,7 +254,7 @@ class SpectrumLife:
         }
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class ShaftSpectrum:
     """Lives of several bearings under the steps of one duty, and of all together.
 

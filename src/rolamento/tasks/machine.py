@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, Final
 
 from rolamento.errors import InputError, nearest
 from rolamento.io.text import parse_mapping, read_text
-from rolamento.tasks.diagnosis import SCHEMA, Conclusion, DiagnosisResult, TooShort, diagnose
+from rolamento.records import frozen
+from rolamento.tasks.diagnosis import SCHEMA, Conclusion, DiagnosisResult, diagnose
 from rolamento.units import rpm_of
 from rolamento.vibration.diagnosis import Component, FaultOrders
 from rolamento.vibration.frequencies import nominal_frequencies
@@ -30,7 +31,7 @@ _KEYS: Final[Mapping[str, frozenset[str]]] = {
 }
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Mounted:
     """A bearing of a machine.
 
@@ -49,7 +50,7 @@ class Mounted:
     ratio: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Machine:
     """What turns in a machine.
 
@@ -171,7 +172,7 @@ def _ratio(row: Mapping[str, Any], ratios: Mapping[str, float]) -> float:
 # --- the diagnosis -------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, eq=False)
+@frozen(eq=False, slots=False)
 class MachineDiagnosis:
     """Every bearing of a machine, by one record.
 
@@ -193,7 +194,7 @@ class MachineDiagnosis:
     def alone(self, place: int) -> tuple[Component, ...]:
         """Return the damaged parts of a bearing whose peaks no other bearing shares."""
         of_both = {one for pair in self.shared for one in pair}
-        faults = self.found[place].diagnosis.faults
+        faults = self.found[place].faults
         return tuple(part for part in faults if (place, part) not in of_both)
 
     @property
@@ -219,7 +220,7 @@ class MachineDiagnosis:
             notes.append(Note("peak_of_either", values))
         of_both = {one for pair in self.shared for one in pair}
         for place, (bearing, one) in enumerate(zip(self.machine.bearings, self.found, strict=True)):
-            faults = one.diagnosis.faults
+            faults = one.faults
             if faults and all((place, part) in of_both for part in faults):
                 continue
             notes += [Note("of_bearing", {"name": bearing.name}), *one.statement]
@@ -248,7 +249,7 @@ class MachineDiagnosis:
 
 def diagnose_machine(
     path: str | os.PathLike[str], machine: Machine | str | os.PathLike[str], **asked: Any
-) -> MachineDiagnosis | TooShort:
+) -> MachineDiagnosis:
     """Diagnose all bearings of a machine by one record.
 
     The other shafts and the meshes of the gears are left out of the search for each bearing, and
@@ -299,8 +300,6 @@ def diagnose_machine(
             elsewhere=others,
             **asked,
         )
-        if isinstance(one, TooShort):
-            return one
         found.append(replace(one, bearing_name=f"{bearing.name} ({one.bearing_name})"))
     return MachineDiagnosis(machine, tuple(found), _shared(found))
 
@@ -317,7 +316,7 @@ def _shared(
     damaged: list[tuple[int, Component, float]] = [
         (place, part, one.diagnosis.of(part).frequency)
         for place, one in enumerate(found)
-        for part in one.diagnosis.faults
+        for part in one.faults
     ]
     return tuple(
         ((first[0], first[1]), (second[0], second[1]))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from functools import cached_property
 from io import StringIO
 from math import isfinite, nan
@@ -13,7 +13,8 @@ from typing import Any, Final, Literal, Unpack
 
 from rolamento.errors import InputError
 from rolamento.io.json import csv_number
-from rolamento.tasks.parameters import Progress, Stages, quietly, speed_of
+from rolamento.records import frozen
+from rolamento.tasks.parameters import Progress, quietly, speed_of
 from rolamento.tasks.signals import (
     Reading,
     blocks_at,
@@ -47,7 +48,7 @@ _CLEAR_OF_FILTER: Final = 2.56
 """Sampling rate over the highest frequency that recorders usually keep whole."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class FullScale:
     """Full scale of a band: in anderons, or as an RMS velocity (m/s)."""
 
@@ -61,7 +62,7 @@ class FullScale:
         )
 
 
-@dataclass(frozen=True, eq=False)
+@frozen(eq=False, slots=False)
 class MeasuredNoise:
     """Noise of one signal.
 
@@ -117,7 +118,7 @@ class MeasuredNoise:
         return any(note.key == key for note in self.noise.notes)
 
 
-@dataclass(frozen=True, eq=False)
+@frozen(eq=False, slots=False)
 class NoiseResult:
     """Noise of one signal or of several of a bearing, and whether it is accepted.
 
@@ -251,7 +252,7 @@ def anderons(
     bearing: str = "1",
     start: float = 0.0,
     duration: float | None = None,
-    stages: Stages = quietly,
+    progress: Progress = quietly,
     **reading: Unpack[Reading],
 ) -> NoiseResult:
     """Measure the noise of files of signals of one bearing, in bounded memory.
@@ -273,8 +274,8 @@ def anderons(
         What to call it.
     start, duration
         Of the part of each signal; s.
-    stages
-        Is called with "reading" for each file, and how far that is.
+    progress
+        Called with blocks of a file done and all.
     reading
         channel, rate, unit, scale and decimal_mark, as of `rolamento.vibration.open_signal`.
 
@@ -312,21 +313,20 @@ def anderons(
         raise InputError(rule, field="speed", example='speed="1800 rpm"')
     measured = []
     for path, time in zip(files, times, strict=True):
-        with stages("reading") as progress:
-            opened = open_signal(path, start=start, duration=duration, **reading)
-            with opened as source:
-                noise = _noise_of(source, os.fspath(path), inner_speed, progress)
-                scale = reading.get("scale")
-                measured.append(
-                    MeasuredNoise(
-                        title=source.path.name,
-                        noise=noise,
-                        hours=time,
-                        sensitivity="" if scale is None else str(scale),
-                        reading_notes=source.notes,
-                        choices=source.choices,
-                    )
+        opened = open_signal(path, start=start, duration=duration, **reading)
+        with opened as source:
+            noise = _noise_of(source, os.fspath(path), inner_speed, progress)
+            scale = reading.get("scale")
+            measured.append(
+                MeasuredNoise(
+                    title=source.path.name,
+                    noise=noise,
+                    hours=time,
+                    sensitivity="" if scale is None else str(scale),
+                    reading_notes=source.notes,
+                    choices=source.choices,
                 )
+            )
     scales = {
         name: scale if isinstance(scale, FullScale) else FullScale(scale)
         for name, scale in (full_scale or {}).items()

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import AbstractContextManager, contextmanager
+from collections.abc import Callable, Mapping
 from typing import Final, TypeVar
 
 from rolamento.errors import InputError
@@ -17,16 +16,12 @@ _SPEED_EXAMPLE: Final = 'speed="1797 rpm"'
 
 Progress = Callable[[int, int], None]
 """Is told how much is done, and of how much."""
-Stages = Callable[[str], AbstractContextManager[Progress]]
-"""Is told which stage of a task begins, and gives what is told how far that is."""
 
 Refused = TypeVar("Refused", bound=InputError)
 
 
-@contextmanager
-def quietly(stage: str) -> Iterator[Progress]:
-    """Tell nobody how far a task is."""
-    yield lambda done, total: None
+def quietly(done: int, total: int) -> None:
+    """Show nobody how far a task is."""
 
 
 def speed_of(given: str | float | None, parameter: str) -> float | None:

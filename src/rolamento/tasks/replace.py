@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from datetime import date, datetime, time
 from typing import Any, Final
 
@@ -13,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
 from rolamento.io.dates import dates_of, days_between, moment_said
+from rolamento.records import frozen
 from rolamento.weibull import LifeTest, read_life_test
 from rolamento.weibull.distribution import LifeDistribution
 from rolamento.weibull.fleet import Fleet, FleetForecast, fleet_forecast
@@ -42,7 +42,7 @@ _MAXIMUM_DRAWN: Final = 20_000_000
 _LONGEST_DATE: Final = 20
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Study:
     """What is decided, and by which distribution.
 
@@ -74,7 +74,7 @@ class _Study:
         }
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RemainingStudy(_Study):
     """What is left of a life; found is None where there is no distribution."""
 
@@ -85,7 +85,7 @@ class RemainingStudy(_Study):
         return self._plain("remaining_life", self.found)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ReplacementStudy(_Study):
     """When to replace; found is None where there is no distribution.
 
@@ -101,7 +101,7 @@ class ReplacementStudy(_Study):
         return {**plain, "currency": self.currency}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class FleetStudy(_Study):
     """How many of a fleet will fail; found is None where there is no distribution.
 

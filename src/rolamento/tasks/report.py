@@ -6,7 +6,7 @@ import hashlib
 import json
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence, Set
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from datetime import date
 from functools import cached_property
 from math import inf, isfinite
@@ -17,7 +17,8 @@ import numpy as np
 from rolamento.analysis import Analysis, analyse
 from rolamento.analysis.needs import has_life, has_oil
 from rolamento.case import Case, is_designation, parse_case
-from rolamento.case.fields import Field, of_elements
+from rolamento.case.duty import SHORT_NAMES
+from rolamento.case.fields import Changes, Field, of_elements
 from rolamento.case.film_model import FilmModel
 from rolamento.case.life_model import LifeModel
 from rolamento.case.report import ReportHead
@@ -29,6 +30,7 @@ from rolamento.io.text import format_of_path, format_of_text, parse_mapping, rea
 from rolamento.life.iso281 import MAXIMUM_LOAD
 from rolamento.lubrication.film_thickness import COMPUTED_RANGE
 from rolamento.notes import SPEED_LIMIT, TILT_LIMIT, pressure_limit
+from rolamento.records import frozen
 from rolamento.roller_notes import USUAL_MISALIGNMENT, are_rollers, misalignment
 from rolamento.solved import RACES
 from rolamento.studies.names import setting_name
@@ -75,7 +77,7 @@ _OF_FRICTION_CONTROL: Final = ("cage_drag", "mesh", "traction", "film_in_contact
 _SIZES: Final = ("bore", "outside_diameter")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Input:
     """One field of a case.
 
@@ -100,7 +102,7 @@ class Input:
     source: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Check:
     """A limit of a model, and where the case stands.
 
@@ -127,7 +129,7 @@ class Check:
         return above and (self.high is None or self.greatest <= self.high)
 
 
-@dataclass(frozen=True)
+@frozen(slots=False)
 class CaseReport:
     """One case of a report.
 
@@ -150,6 +152,9 @@ class CaseReport:
     case: Case
     inputs: tuple[Input, ...]
     analysis: Analysis
+
+    def _shown(self) -> dict[str, str]:
+        return {"": self.title, **self.analysis._shown(), "checksum": self.checksum[:12]}
 
     @property
     def title(self) -> str:
@@ -263,7 +268,7 @@ class CaseReport:
         return next((one for one in self.inputs if one.field == field), None)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Report:
     """A report of one case or several.
 
@@ -280,6 +285,14 @@ class Report:
     head: ReportHead
     cases: tuple[CaseReport, ...]
     version: str
+
+    def _shown(self) -> dict[str, str]:
+        solved = sum(one.converged for one in self.cases)
+        return {
+            "": self.head.project or ", ".join(one.title for one in self.cases[:3]),
+            "cases": f"{len(self.cases)}, {solved} with a result",
+            **{one.name: f"{one.title or 'without a title'}" for one in self.cases[:6]},
+        }
 
     @property
     def converged(self) -> bool:
@@ -329,7 +342,7 @@ class Report:
 def report_on(
     bearings: Sequence[BearingLike],
     head: ReportHead | Mapping[str, str] | None = None,
-    settings: Sequence[str] = (),
+    changes: Changes = (),
     *,
     names: Sequence[str] = (),
     changed: Sequence[Set[str]] = (),
@@ -343,8 +356,8 @@ def report_on(
         Cases, their files (``"-"``: on standard input), or designations; 1 to 20.
     head
         Of the title block, over what the ``[report]`` of the first case says.
-    settings
-        ``KEY=VALUE`` over every case.
+    changes
+        What goes over every case, by dotted name.
     names
         Of the cases; A, B, C … if not given.
     changed
@@ -365,8 +378,8 @@ def report_on(
             field="CASE",
             value=len(bearings),
         )
-    read = [_read(one, settings) for one in bearings]
-    given_over = _named(settings)
+    read = [_read(one, changes) for one in bearings]
+    given_over = _named(changes)
     shown = frozenset(
         own.field for one in read for own in inputs_of(one.case, one.given, given_over)
     )
@@ -479,22 +492,23 @@ class _Read(NamedTuple):
     given: frozenset[str]
 
 
-def _read(bearing: BearingLike, settings: Sequence[str]) -> _Read:
+def _read(bearing: BearingLike, changes: Changes) -> _Read:
     if not isinstance(bearing, str | os.PathLike):
-        case = case_of(bearing, settings)
+        case = case_of(bearing, changes)
         return _Read(case, "", frozenset(_fields_set(case, "")))
     if is_designation(bearing):
-        case = case_of(bearing, settings)
+        case = case_of(bearing, changes)
         return _Read(case, str(bearing), frozenset({"bearing.designation"}))
     text, source = read_text(bearing)
     form = format_of_path(bearing) or format_of_text(text)
-    case = parse_case(text, format=form, source=source, overrides=settings)
+    case = parse_case(text, format=form, source=source, overrides=changes)
     return _Read(case, source, frozenset(names_in(parse_mapping(text, form, source), "")))
 
 
-def _named(settings: Sequence[str]) -> frozenset[str]:
-    """Dotted names of what settings set."""
-    keys = (one.partition("=")[0].split(".") for one in settings)
+def _named(changes: Changes) -> frozenset[str]:
+    """Dotted names of what goes over a case."""
+    names = changes if isinstance(changes, Mapping) else (one.partition("=")[0] for one in changes)
+    keys = (SHORT_NAMES.get(name, name).split(".") for name in names)
     return frozenset(".".join(part.strip() for part in key) for key in keys)
 
 

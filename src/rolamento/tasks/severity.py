@@ -5,7 +5,6 @@ from __future__ import annotations
 import csv
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from io import StringIO
 from math import isfinite, nan
@@ -18,7 +17,8 @@ from rolamento.io.columns import folded_name
 from rolamento.io.dates import dates_of, days_between, moment_after, moment_said
 from rolamento.io.json import csv_number
 from rolamento.numerics.growth import Forecast, Law, forecast
-from rolamento.tasks.parameters import Stages, quietly, speed_of
+from rolamento.records import frozen
+from rolamento.tasks.parameters import Progress, quietly, speed_of
 from rolamento.tasks.signals import (
     Reading,
     blocks_at,
@@ -48,7 +48,7 @@ _DAY: Final = 24.0
 """h."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class MeasuredSeverity:
     """Severity of one signal.
 
@@ -82,7 +82,7 @@ class MeasuredSeverity:
         return (*notes, *self.choices)
 
 
-@dataclass(frozen=True, eq=False)
+@frozen(eq=False, slots=False)
 class SeverityResult:
     """Severity of one signal or of several of a machine.
 
@@ -268,7 +268,7 @@ def severity_of(
     dates: Sequence[str] | None = None,
     start: float = 0.0,
     duration: float | None = None,
-    stages: Stages = quietly,
+    progress: Progress = quietly,
     **reading: Unpack[Reading],
 ) -> SeverityResult:
     """Measure the severity of files of signals of one machine, in bounded memory.
@@ -294,8 +294,8 @@ def severity_of(
         At which the signals were recorded: running hours, or days such as "2026-01-31".
     start, duration
         Of the part of each signal; s.
-    stages
-        Is called with "reading" for each file, and how far that is.
+    progress
+        Called with blocks of a file done and all.
     reading
         channel, rate, unit, scale and decimal_mark, as of `rolamento.vibration.open_signal`.
 
@@ -328,31 +328,30 @@ def severity_of(
     shaft = speed_of(speed, "speed")
     measured: list[MeasuredSeverity] = []
     for path, time in zip(files, times, strict=True):
-        with stages("reading") as progress:
-            opened = open_signal(path, start=start, duration=duration, **reading)
-            with opened as source:
-                name = os.fspath(path)
-                require_calibrated(source, name)
-                at = source.speed if shaft is None else shaft
-                try:
-                    found = measure_severity(
-                        blocks_at(source, shaft, progress),
-                        duration=source.duration,
-                        speed=nan if at is None else at,
-                    )
-                except InputError as error:
-                    raise error.with_details(source=name) from None
-                scale = reading.get("scale")
-                measured.append(
-                    MeasuredSeverity(
-                        source.path.name,
-                        found,
-                        time,
-                        "" if scale is None else str(scale),
-                        source.notes,
-                        (*source.choices, *(() if measured else dated)),
-                    )
+        opened = open_signal(path, start=start, duration=duration, **reading)
+        with opened as source:
+            name = os.fspath(path)
+            require_calibrated(source, name)
+            at = source.speed if shaft is None else shaft
+            try:
+                found = measure_severity(
+                    blocks_at(source, shaft, progress),
+                    duration=source.duration,
+                    speed=nan if at is None else at,
                 )
+            except InputError as error:
+                raise error.with_details(source=name) from None
+            scale = reading.get("scale")
+            measured.append(
+                MeasuredSeverity(
+                    source.path.name,
+                    found,
+                    time,
+                    "" if scale is None else str(scale),
+                    source.notes,
+                    (*source.choices, *(() if measured else dated)),
+                )
+            )
     if hours is not None or dates is not None:
         measured.sort(key=lambda one: one.hours)
     return SeverityResult(tuple(measured), classes, usual, goal, law, confidence, first)

@@ -7,7 +7,7 @@ takes for its revolutions to be miscounted by one.
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, replace
 from itertools import pairwise
 from math import ceil, floor, isnan, nan, pi
 from typing import Any, Final, Literal, Protocol
@@ -16,6 +16,7 @@ import numpy as np
 
 from rolamento.errors import FileError, InputError
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.tasks.parameters import Progress, renamed
 from rolamento.tasks.signals import AtSpeed
 from rolamento.units import rpm_of
@@ -49,7 +50,7 @@ _KNOTS: Final = 8.0
 Rings = tuple[float | None, float | None]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Tracking:
     """What came of looking for the speed in the vibration itself.
 
@@ -78,7 +79,7 @@ class Tracking:
     share: float = nan
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ShaftSpeed:
     """How fast the shaft turned, and how that is known.
 
@@ -143,7 +144,7 @@ class ShaftSpeed:
         }
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class AskedSpeed:
     """What is said of the speed; None where nothing is.
 
@@ -215,7 +216,7 @@ class AskedSpeed:
         return "" if self.tacho is None else "tacho"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class KnownSpeed:
     """The speed along the part that is diagnosed.
 
@@ -426,7 +427,7 @@ class Along(Protocol):
         """Return the speed at so many samples of the vibration, from the first one on."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class AtPlaces:
     """A speed at knots anywhere; places: (knots,), in samples of the vibration, rising."""
 
@@ -439,7 +440,7 @@ class AtPlaces:
         return np.asarray(np.interp(wanted, self.places, self.speed))
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class AtSamples:
     """A speed at every sample of another channel; ratio: samples of it for one of vibration."""
 

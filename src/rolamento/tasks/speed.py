@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import degrees, hypot, isfinite, nan, pi, prod
 from typing import Any, Final, Literal
 
 from rolamento.case import Case
 from rolamento.case.bearing import Bearing
+from rolamento.case.fields import Changes
 from rolamento.case.preload_classes import level_of_force
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.catalogue import InternalGeometry, parse_designation
@@ -24,6 +25,7 @@ from rolamento.ratings import (
     roller_static_rating,
     static_rating,
 )
+from rolamento.records import frozen
 from rolamento.speeds import (
     SpeedFactor,
     ceramic_factor,
@@ -71,7 +73,7 @@ def _weight(note: Note) -> int:
     return _WEIGHTIEST.index(note.key) if known else len(_WEIGHTIEST)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Boundary:
     """What of a bearing limits its speed; m, N, rad; None where nobody tells.
 
@@ -110,7 +112,7 @@ class Boundary:
         return 0.5 * (self.bore + self.outside_diameter)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class SpeedLimit:
     """One limit of the speed.
 
@@ -136,7 +138,7 @@ class SpeedLimit:
     factors: tuple[SpeedFactor, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class MinimumLoad:
     """One rule for the load that balls or rollers need.
 
@@ -163,7 +165,7 @@ class MinimumLoad:
         return self.given >= self.load
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class SpeedLimits:
     """How fast a bearing may run, and what load it needs.
 
@@ -246,7 +248,7 @@ class SpeedLimits:
 
 def speed_limits(
     bearing: BearingLike,
-    settings: Sequence[str] = (),
+    changes: Changes = (),
     *,
     series: str | None = None,
     width: float | None = None,
@@ -258,8 +260,8 @@ def speed_limits(
     ----------
     bearing
         A designation, a case file, a bearing's record or a `Case`.
-    settings
-        ``KEY=VALUE``, over the case.
+    changes
+        What goes over the case, by dotted name, such as ``{"duty.load.fz": "5 kN"}``.
     series
         Such as ``"70"`` or ``"NU2"``, in the place of what the designation or the size tells.
     width
@@ -276,7 +278,7 @@ def speed_limits(
     for field, value in (("width", width), ("minimum_load_factor", minimum_load_factor)):
         if value is not None and not (isfinite(value) and value > 0.0):
             raise InputError(said("must be greater than zero"), field=field, value=value)
-    case = case_of(bearing, settings)
+    case = case_of(bearing, changes)
     boundary = _boundary(case)
     if series is not None:
         boundary = replace(boundary, series=series.strip())
@@ -387,7 +389,7 @@ def _series_of_size(bore: float | None, outside: float | None, angular: bool) ->
     return ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Asked:
     case: Case
     boundary: Boundary

@@ -5,13 +5,14 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Final
 
+from rolamento.case.fields import Changes
 from rolamento.case.variant import named
 from rolamento.errors import FileError, InputError
 from rolamento.io.text import format_of_path
+from rolamento.records import frozen
 from rolamento.studies.sensitivity import ToleranceStudy, sobol
 from rolamento.studies.study import Study, case_file_of, load_study
 from rolamento.studies.tolerance import (
@@ -32,7 +33,7 @@ __all__ = ["Sweep", "sweep", "tolerance", "with_variants"]
 _STANDARD_INPUT: Final = "-"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Sweep:
     """A study, and what became of it."""
 
@@ -44,7 +45,7 @@ def sweep(
     study: Study | str | os.PathLike[str],
     result: str | os.PathLike[str] | None = None,
     *,
-    settings: Iterable[str] = (),
+    changes: Changes = (),
     variants: Iterable[Variant] = (),
     threads: int | None = None,
     scheduler: str | None = None,
@@ -61,8 +62,8 @@ def sweep(
     result
         A ``.nc``, ``.csv``, ``.parquet`` or ``.xlsx`` file; by default named after the study's
         file, as NetCDF in the current directory. A workbook has the units that people read.
-    settings
-        ``KEY=VALUE`` that go over the case of a study file.
+    changes
+        What goes over the case of a study file, by dotted name.
     variants
         To be compared with the case, beside those of the study.
     threads
@@ -87,16 +88,16 @@ def sweep(
 
     executor = _executor(threads, scheduler)
     if isinstance(study, Study):
-        if tuple(settings):
+        if changes:
             raise InputError(
-                said("apply to a study file; change the case of a Study instead"), field="settings"
+                said("apply to a study file; change the case of a Study instead"), field="changes"
             )
         loaded, target = study, Path(result or "study.nc")
     else:
         name = "study" if os.fspath(study) == _STANDARD_INPUT else Path(study).stem
         target = Path(result or f"{name}.nc")
         _check_target(target, os.fspath(study))
-        loaded = load_study(study, settings)
+        loaded = load_study(study, changes)
     loaded = with_variants(loaded, variants)
     summary = run_to_file(
         loaded,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import shlex
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, replace
 from functools import cached_property
 from math import isfinite, log10, nan, pi, sqrt
 from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple
@@ -13,10 +13,12 @@ from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple
 import numpy as np
 
 from rolamento.case.bearing import Bearing
+from rolamento.case.fields import Changes
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.errors import InputError
 from rolamento.io.json import dumps
 from rolamento.io.writing import write_text
+from rolamento.records import frozen
 from rolamento.tasks.bearing import BearingLike, case_of, has_load, name_of
 from rolamento.tasks.parameters import speed_of
 from rolamento.units import rpm_of
@@ -81,9 +83,9 @@ class PlantedLine(NamedTuple):
     rms: float
 
 
-@dataclass(frozen=True, eq=False)
+@frozen(eq=False, slots=False)
 class SynthesisResult:
-    """A synthetic signal with its truth, and where both were written.
+    """A synthetic signal with its truth, and where both were written; or why there is none.
 
     Attributes
     ----------
@@ -93,22 +95,44 @@ class SynthesisResult:
         what the bearing was given as
     bearing
         whose vibration this is
-    made
-        the signal and its truth
+    solved
+        the case, if it has a load; without a solution there is no signal
     load, extent
         name of the load distribution; ε of a radial one
     path, truth_path
         where signal and truth were written; "" and None if they were not
+    synthesis
+        the signal and its truth, as `made`; None without a solution
     """
 
     name: str
     source: str
     bearing: Bearing | RollerBearing
-    made: Synthesis
     load: LoadName
     extent: float
     path: str
     truth_path: str | None
+    solved: Solved | None = None
+    synthesis: Synthesis | None = None
+
+    @property
+    def status(self) -> str:
+        """Whether there is a signal: "made", or the status of a case without a solution."""
+        solved = self.solved
+        return "made" if solved is None or solved.converged[0] else str(solved.status.code[0])
+
+    @property
+    def made(self) -> Synthesis:
+        """The signal and its truth.
+
+        Raises
+        ------
+        InputError
+            If the case has no solution.
+        """
+        if self.synthesis is None:
+            raise InputError(said("has no signal: its load has no solution"), source=self.name)
+        return self.synthesis
 
     @property
     def recipe(self) -> Recipe:
@@ -222,13 +246,6 @@ class SynthesisResult:
         return shlex.join(words)
 
 
-@dataclass(frozen=True, slots=True)
-class Unsolved:
-    """A bearing whose case has a load and no solution: no signal can be made of it."""
-
-    solved: Solved
-
-
 def synthesise(
     bearing: BearingLike,
     path: str | os.PathLike[str] | None = None,
@@ -251,8 +268,8 @@ def synthesise(
     rate: float = 51_200.0,
     seed: int = 0,
     truth_path: str | os.PathLike[str] | None = None,
-    settings: Sequence[str] = (),
-) -> SynthesisResult | Unsolved:
+    changes: Changes = (),
+) -> SynthesisResult:
     """Make a vibration signal of a bearing, and write it with all that is known of it.
 
     Parameters
@@ -281,8 +298,13 @@ def synthesise(
         Beside all that.
     truth_path
         A file of JSON.
-    settings
-        ``KEY=VALUE``, over the case.
+    changes
+        What goes over the case, by dotted name, such as ``{"duty.load.fz": "5 kN"}``.
+
+    Returns
+    -------
+    SynthesisResult
+        Its `status` says whether the case has a solution, and so a signal.
 
     Raises
     ------
@@ -290,9 +312,7 @@ def synthesise(
         If there is no such bearing, nothing turns, a parameter is out of range, the signal would
         be silent or too long, or cannot be written.
     """
-    case = case_of(
-        bearing, settings, speed_of(speed, "speed"), speed_of(outer_speed, "outer_speed")
-    )
+    case = case_of(bearing, changes, speed_of(speed, "speed"), speed_of(outer_speed, "outer_speed"))
     inner, outer = case.duty.inner_speed, case.duty.outer_speed
     if inner == outer:
         raise InputError(
@@ -309,16 +329,26 @@ def synthesise(
         from rolamento.solution import solve
 
         solved = solve(case)
+    kind = load or ("uniform" if solved is None else "solved")
+    name = name_of(bearing, case)
+    found = SynthesisResult(
+        name=name,
+        source=os.fspath(bearing) if isinstance(bearing, str | os.PathLike) else name,
+        bearing=case.bearing,
+        load=kind,
+        extent=extent if kind == "radial" else nan,
+        path="" if path is None else os.fspath(path),
+        truth_path=None if truth_path is None else os.fspath(truth_path),
+        solved=solved,
+    )
     if solved is None:
         frequencies = nominal_frequencies(case.bearing, inner, outer, slip=slip)
     elif not solved.converged[0]:
-        return Unsolved(solved)
+        return found
     else:
         frequencies = frequencies_of(solved, slip=slip)
     _check_size(faults, waviness, shaft_harmonics, noise, duration, rate)
-    kind = load or ("uniform" if solved is None else "solved")
     mean = frequencies.inner_speed if frequencies.shaft == "inner" else frequencies.outer_speed
-    name = name_of(bearing, case)
     recipe = Recipe(
         frequencies=replace(frequencies, rows=()),
         speed=None if speed_profile is None else speed_profile(mean),
@@ -340,16 +370,7 @@ def synthesise(
         check_signal_name(path, recipe.count, recipe.rate)
     made = signal_of(recipe)
     _refuse_silence(made)
-    found = SynthesisResult(
-        name=name,
-        source=os.fspath(bearing) if isinstance(bearing, str | os.PathLike) else name,
-        bearing=case.bearing,
-        made=made,
-        load=kind,
-        extent=extent if kind == "radial" else nan,
-        path="" if path is None else os.fspath(path),
-        truth_path=None if truth_path is None else os.fspath(truth_path),
-    )
+    found = replace(found, synthesis=made)
     truth = None if truth_path is None else dumps(found.truth(), indent=2) + "\n"
     if path is not None:
         write_signal(made.signal, path)

@@ -10,7 +10,6 @@ import os
 from collections.abc import Callable, Iterator
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from contextlib import ExitStack, suppress
-from dataclasses import dataclass
 from multiprocessing import get_context
 from typing import TYPE_CHECKING, Any, Final, cast
 
@@ -18,6 +17,7 @@ import numpy as np
 
 from rolamento import __version__
 from rolamento.numerics import beside
+from rolamento.records import frozen
 from rolamento.words import marked
 
 if TYPE_CHECKING:
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 __all__ = ["CHAINS", "PARTS", "Part", "Warmed", "warm"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Part:
     """Kernels that are compiled together.
 
@@ -39,7 +39,7 @@ class Part:
     solve: Callable[[], object]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Warmed:
     """What was done: the titles of the parts, and whether another process was at it already."""
 

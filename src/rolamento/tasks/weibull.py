@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Any, Final, cast
 
 import numpy as np
@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
 from rolamento.numerics.growth import Forecast, Law, forecast
+from rolamento.records import frozen
 from rolamento.vibration.reading.units import spelled
 from rolamento.weibull import (
     METHODS,
@@ -284,7 +285,7 @@ def lives_named(texts: Sequence[str]) -> dict[str, str]:
 # --- planned tests ---------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class DemonstrationStudy:
     """A test that is to show a life, and what stands beside it; times in one unit.
 
@@ -382,7 +383,7 @@ def demonstration_study(
     )
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class PrecisionStudy:
     """Tests that know a life within bounds.
 
@@ -484,7 +485,7 @@ def _life_and_unit(life: float | str) -> tuple[float, str]:
 # --- what grew while bearings ran ------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class TrendLimit:
     """When a quantity of a bearing reaches a limit; in the units of the trend.
 
@@ -503,7 +504,7 @@ class TrendLimit:
     forecast: Forecast
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class TrendStudy:
     """What was measured while bearings ran, and what follows from it.
 

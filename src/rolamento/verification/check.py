@@ -11,7 +11,6 @@ Reads what was published: data files with the package, and the bearings that the
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from decimal import ROUND_DOWN, ROUND_HALF_UP, Decimal
 from math import isfinite, isnan, nan, radians, sqrt
 from typing import Any, Final, Literal
@@ -20,6 +19,7 @@ from rolamento.case.bearing import Bearing
 from rolamento.case.material import Material
 from rolamento.io.data import toml_of
 from rolamento.io.json import plain
+from rolamento.records import frozen
 from rolamento.units import MILLIMETRE
 from rolamento.words import Note
 
@@ -30,7 +30,7 @@ _ROUNDING: Final = 1e-9
 """Of a tolerance: so that a number that ends in a five is not lost to binary arithmetic."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@frozen(kw_only=True)
 class Check:
     """A published number, what the program gives for it, and how near that has to be.
 

@@ -6,13 +6,12 @@ states of rival programs and recordings of machines, tried once the program was 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from rolamento.io.data import toml_of
+from rolamento.records import frozen
 from rolamento.words import Note
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class HeldOut:
     """One kind of numbers that took no part in the development.
 

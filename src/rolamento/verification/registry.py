@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
 from typing import Any, Final
 
 from rolamento.errors import InputError, guess
 from rolamento.io.json import dumps
+from rolamento.records import frozen
 from rolamento.verification.campanha_2008 import checks as campanha_2008_checks
 from rolamento.verification.check import VERDICTS, Check, CheckVerdict, published
 from rolamento.verification.harris_1991 import checks as harris_1991_checks
@@ -22,7 +22,7 @@ from rolamento.words import said
 SCHEMA: Final = 2
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Source:
     """A publication: its name on the command line, its reference, and its numbers."""
 
@@ -35,7 +35,7 @@ Progress = Callable[[Source, int, int], None]
 """Called before each source, with how many are done and how many there are."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class SourceResult:
     """All checks of one source."""
 
@@ -44,7 +44,7 @@ class SourceResult:
     checks: tuple[Check, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Verification:
     """All checks of all sources that were asked for."""
 

@@ -22,7 +22,6 @@ is set for a bearing's size and type. ISO 15242-2:2015.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from math import isfinite, log2, nan, pi, sqrt
 from typing import Final, NamedTuple, TypeAlias
 
@@ -30,6 +29,7 @@ import numpy as np
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.vibration._checks import Band, checked_band, checked_count, checked_number
 from rolamento.vibration.signal import Signal
 from rolamento.vibration.velocity import Velocity, rms_in, velocity_of
@@ -58,7 +58,7 @@ _RESOLUTION: Final = 2.0
 """Of the spectrum; Hz: a twenty-fifth of the lowest edge."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class BandNoise:
     """Noise in one band.
 
@@ -80,7 +80,7 @@ class BandNoise:
     anderons: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Noise:
     """Noise of a bearing.
 
@@ -118,7 +118,7 @@ class NoiseSteps(NamedTuple):
     anderons: FloatArray
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Acceptance:
     """Whether a bearing passes.
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from math import inf, isfinite, isnan, nan
 from typing import Any, Final
 
@@ -12,6 +11,7 @@ import numpy as np
 from rolamento.errors import InputError
 from rolamento.io.data import toml_of
 from rolamento.numerics.growth import growth_rate
+from rolamento.records import frozen
 from rolamento.vibration.anderon import BANDS, BandName
 from rolamento.words import said
 
@@ -19,7 +19,7 @@ _LETTERS: Final[dict[str, BandName]] = {"L": "low", "M": "medium", "H": "high"}
 _REJECTED: Final = "x"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class AnderonRecord:
     """One measurement of a bearing during a test.
 
@@ -38,7 +38,7 @@ class AnderonRecord:
     anderons: dict[BandName, float]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class BandTrend:
     """How the noise in one band changes.
 
@@ -69,7 +69,7 @@ class BandTrend:
     rejected_by: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class AnderonTrend:
     """How the noise of one bearing changes over a test, by band."""
 

@@ -29,7 +29,6 @@ the enhanced envelope spectrum: the share of the band's power that is modulated 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
@@ -37,6 +36,7 @@ from scipy import fft
 
 from rolamento.errors import InputError
 from rolamento.numerics import ComplexArray, FloatArray
+from rolamento.records import frozen
 from rolamento.vibration._checks import (
     Band,
     checked_band,
@@ -59,7 +59,7 @@ _ROUNDING: Final = 1e-24
 """Of the square of the maximum sample: a carrier with less power has none."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class CyclicCoherence:
     """Coherence between carriers a modulation apart.
 

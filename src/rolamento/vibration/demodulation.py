@@ -40,7 +40,6 @@ cut-offs 0.2 and 0.2/1.5. They are short and wide, and neighbouring bands overla
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
 from functools import partial
 from itertools import chain
 from math import log2, sqrt
@@ -53,6 +52,7 @@ from scipy import fft
 from rolamento.errors import InputError
 from rolamento.numerics import ComplexArray, FloatArray
 from rolamento.numerics.threads import side_by_side
+from rolamento.records import frozen
 from rolamento.vibration._checks import Band, checked_band, checked_count, require_samples
 from rolamento.vibration.signal import Signal
 from rolamento.vibration.spectrum import EDGE, Spectrum, axis_of, one_sided_amplitudes
@@ -217,7 +217,7 @@ _ROWS: Final = 64
 """In one product of matrices: to share so narrow ones among BLAS's threads only costs."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class KurtogramBand:
     """One band of a kurtogram.
 
@@ -239,7 +239,7 @@ class KurtogramBand:
     significance: float
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class KurtogramLevel:
     """All bands of one level, from low to high.
 
@@ -267,7 +267,7 @@ class KurtogramLevel:
         return KurtogramBand(edges, self.level, value, value / self.deviation)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Kurtogram:
     """Kurtosis over frequency and bandwidth; `picture` gives it as a grid.
 
@@ -344,7 +344,7 @@ def kurtogram(signal: Signal, levels: int | None = None) -> Kurtogram:
     return Kurtogram(signal.rate, tuple(sorted(found, key=lambda level: level.level)))
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class _Bank:
     """Filters that split a band in equal parts, as one matrix.
 

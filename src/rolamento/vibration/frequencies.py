@@ -20,7 +20,7 @@ See docs/theory/vibration-frequencies.md.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, replace
 from math import cos, isfinite, nan, pi, sin
 from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple
 
@@ -33,6 +33,7 @@ from rolamento.geometry import apex_half_angle, ring_geometry
 from rolamento.io.json import plain
 from rolamento.kinematics import ball_motion
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.roller_kinematics import apex_mismatch, roller_motion
 from rolamento.words import Note, said
 from rolamento.words.naming import of_element
@@ -74,7 +75,7 @@ ABBREVIATIONS: Final[dict[LineName, str]] = {
 _MOST_LINES: Final = 10_000
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class LineBand:
     """What uncertainty of geometry, slip and speed leaves open; orders of the shaft, and Hz."""
 
@@ -84,7 +85,7 @@ class LineBand:
     frequency_high: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class FaultLine:
     """One frequency of a bearing.
 
@@ -108,7 +109,7 @@ class FaultLine:
     band: LineBand | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Turns:
     """Signed speeds over that of the shaft: of the rings, the cage, and a ball in the cage."""
 
@@ -118,7 +119,7 @@ class Turns:
     ball: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Harmonic:
     """One line of a spectrum: `harmonic` times the fault's frequency and `sideband` spacings.
 
@@ -132,7 +133,7 @@ class Harmonic:
     frequency: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class FaultFrequencies:
     """Fault frequencies of a row of balls or rollers; of rollers all that is said of balls.
 

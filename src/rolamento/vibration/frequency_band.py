@@ -8,7 +8,7 @@ corners, and nothing is lost to a first order.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from itertools import product
 from math import pi
@@ -19,6 +19,7 @@ from rolamento.case.roller_bearing import RollerBearing
 from rolamento.catalogue import RollerCandidate
 from rolamento.errors import InputError
 from rolamento.geometry import ring_geometry
+from rolamento.records import frozen
 from rolamento.vibration.frequencies import (
     LINES,
     AngleChoice,
@@ -44,7 +45,7 @@ _MOST_COUNTS: Final = 4
 Interval = tuple[float, float]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@frozen(kw_only=True)
 class Tolerances:
     """By how much the figures may be off, up and down.
 
@@ -89,7 +90,7 @@ class Tolerances:
                 )
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Alternative:
     """One internal geometry that a bearing's ratings allow, and the orders that it would have.
 

@@ -7,11 +7,11 @@ hundred, and many bearings lie closer together than that: the line shows damage,
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
 from math import inf
 from typing import Any, Final
 
 from rolamento.catalogue.rolling import RollingBearing
+from rolamento.records import frozen
 from rolamento.vibration.diagnosis import COMPONENTS, Component, Diagnosis, FaultOrders
 from rolamento.vibration.frequencies import LineName, line_orders, turns_of
 from rolamento.words import Note
@@ -49,7 +49,7 @@ def orders_of(bearing: RollingBearing, inner: float = 1.0, outer: float = 0.0) -
     )
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Lookalike:
     """A bearing whose lines lie where those were found.
 
@@ -73,7 +73,7 @@ class Lookalike:
         return max((abs(self.differences[part]) for part in parts), default=inf)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Lookalikes:
     """The bearings that share what a diagnosis found.
 

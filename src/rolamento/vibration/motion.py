@@ -15,20 +15,20 @@ Source: Braga and Almeida, equations 38, 45 and 48 to 50, with the denominator o
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.vibration.signal import real_numbers
 
 _LEAST: Final = 1e-12
 """Of the ball's axis along the tangents: what is less is rounding."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class GeneralMotion:
     """Speeds of cage and ball; arrays of one shape, rad/s.
 

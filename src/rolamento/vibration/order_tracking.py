@@ -8,7 +8,6 @@ multiples of the shaft's own frequency.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import ceil, pi
 from typing import Final
 
@@ -17,6 +16,7 @@ from scipy import fft, ndimage
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.vibration._checks import checked_number, require_signal
 from rolamento.vibration.signal import Quantity, Signal
 from rolamento.vibration.spectrum import Spectrum, axis_of, one_sided_amplitudes
@@ -31,7 +31,7 @@ _ROUNDING: Final = 1e-9
 """Part by which rounding may move a number of samples per revolution."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class AngularSignal:
     """A signal at even steps of the shaft's angle.
 

@@ -16,7 +16,7 @@ exceeds the coherence γ² with the probability (1 - γ²)^(K-1) (Carter, Knapp 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Final
 
 import numpy as np
@@ -24,6 +24,7 @@ from scipy import fft
 
 from rolamento.errors import InputError
 from rolamento.numerics import ComplexArray, FloatArray
+from rolamento.records import frozen
 from rolamento.vibration._checks import checked_count, checked_number, require_signal
 from rolamento.vibration.signal import Signal
 from rolamento.words import marked, said
@@ -33,7 +34,7 @@ _OVERLAP: Final = 4
 and one of three is independent of the last."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Separation:
     """The two parts of a signal, which add up to it.
 

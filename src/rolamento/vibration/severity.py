@@ -32,7 +32,7 @@ Audio and Electroacoustics 15 (1967), for segments that overlap.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cache
 from math import isfinite, nan, pi, sqrt
 from typing import Any, Final, Literal, get_args
@@ -42,6 +42,7 @@ import numpy as np
 from rolamento.errors import InputError
 from rolamento.io.data import toml_of
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.vibration._checks import Band, checked_number
 from rolamento.vibration.signal import Quantity, Signal
 from rolamento.vibration.spectrum import Spectrum
@@ -86,7 +87,7 @@ _MOST_POWER: Final = 1e12
 # --- classes of machines ---------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class MachineClass:
     """Machines that are judged alike.
 
@@ -269,7 +270,7 @@ def _old_class(
 # --- alarms ----------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class AlarmSetting:
     """Where to set alarm and trip; m/s.
 
@@ -314,7 +315,7 @@ def alarm_setting(machine: MachineClass, baseline: float | None = None) -> Alarm
 # --- measurement -----------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Severity:
     """Vibration of a machine at one place.
 

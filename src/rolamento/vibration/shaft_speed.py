@@ -25,7 +25,7 @@ beside that within a quarter of an order is of where the path was lost. The shar
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import ceil, exp, floor, log, nan, pi
 from typing import Final, Literal
 
@@ -34,6 +34,7 @@ from scipy import fft
 
 from rolamento.errors import InputError
 from rolamento.numerics import ComplexArray, FloatArray
+from rolamento.records import frozen
 from rolamento.vibration._checks import checked_count, checked_number, require_signal
 from rolamento.vibration.noise_floor import line_scores, log_gamma_tail
 from rolamento.vibration.order_tracking import order_tracked, revolutions_of
@@ -190,7 +191,7 @@ _MOST_BLOCKS: Final = 20_000
 _MOST_CANDIDATES: Final = 4_000
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class SpeedEstimate:
     """The speed of the shaft as found in a signal.
 
@@ -289,7 +290,7 @@ def estimate_speed(
     )
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class _Search:
     """Blocks of a signal, and the candidates for the shaft's frequency in each."""
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Final, Literal, get_args
 
 import numpy as np
@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError, nearest
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.words import said
 
 Quantity = Literal["acceleration", "velocity", "displacement", "unknown"]
@@ -36,7 +37,7 @@ _SAMPLES_EXAMPLE: Final = "samples = [0.1, -0.2, 0.05]"
 _SPEED_EXAMPLE: Final = "speed = 188.5"
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Signal:
     """Evenly spaced samples of one vibration channel.
 

@@ -25,7 +25,6 @@ Signal Processing 22 (2008), for the last four of the first group.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import sqrt
 from typing import Final, Literal
 
@@ -33,6 +32,7 @@ import numpy as np
 from scipy import fft
 
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.records import frozen
 from rolamento.vibration._checks import (
     Band,
     checked_band,
@@ -44,7 +44,7 @@ from rolamento.vibration.signal import Signal
 from rolamento.words import marked
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Spectrum:
     """A one-sided spectrum on evenly spaced lines.
 
@@ -173,7 +173,7 @@ def bins_of_band(axis: FloatArray, band: Band) -> BoolArray:
 # --- indicators: numbers that sum a signal up ----------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Indicators:
     """Size and peakedness of a signal; factors are NaN for a signal that does not change.
 
@@ -200,7 +200,7 @@ class Indicators:
     kurtosis: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class SpectralIndicators:
     """How the power of a signal lies over frequency within a band.
 

@@ -9,7 +9,7 @@ their depth with one speed of its cage.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from itertools import product
 from math import isfinite
 from typing import Any, Final
@@ -18,6 +18,7 @@ import numpy as np
 
 from rolamento.catalogue.rolling import RollingBearing
 from rolamento.errors import InputError
+from rolamento.records import frozen
 from rolamento.vibration.diagnosis.band_spectra import Plan, band_spectra
 from rolamento.vibration.diagnosis.blocks import blocks_of
 from rolamento.vibration.diagnosis.field import cage_slip, field_of, unexplained_lines
@@ -49,7 +50,7 @@ _SAME_CAGE: Final = 0.005
 """Of the cage's speed, by which the parts of one bearing may differ."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Comb:
     """A line that stands out, and those that go with it.
 
@@ -72,7 +73,7 @@ class Comb:
     lines: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Fit:
     """A bearing of the catalogue that would have some of the combs.
 
@@ -100,7 +101,7 @@ class Fit:
         return max(abs(slip) for _, _, slip in self.parts)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class UnknownBearing:
     """The combs of a signal, and the bearings that would have them.
 

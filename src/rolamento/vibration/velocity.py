@@ -18,6 +18,7 @@ import numpy as np
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.vibration._checks import Band, pieces_of
 from rolamento.vibration.signal import Quantity, Signal
 from rolamento.vibration.spectrum import Spectrum, averaged_density, axis_of
@@ -28,7 +29,7 @@ _POWERS: Final[dict[Quantity, float]] = {
 }  # fmt: skip
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Velocity:
     """The velocity of a signal, over frequency.
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from functools import cache
 from types import MappingProxyType
 from typing import Any, Final
@@ -17,6 +17,7 @@ import rolamento
 from rolamento.case.record import Record
 from rolamento.errors import InputError, UnknownKeyError, guess
 from rolamento.io.json import dumps
+from rolamento.records import frozen
 from rolamento.tasks.asked import SIGNAL, Asked, Group
 from rolamento.web.answers import MOST_COLUMNS, MOST_JSON, answer, read_json, received
 from rolamento.web.drops import LARGEST, SEARCH, ending_of, file_of, label_of, response_of
@@ -45,7 +46,7 @@ _OIL: Final = {"lubricant": "ISO VG 68", "temperature.lubricant": "70 degC"}
 _WITH_OIL: Final = {"designation": "6310/C3", "settings": {**_LOAD, **_OIL}}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Parameter:
     """What an address may say behind the question mark."""
 
@@ -56,7 +57,7 @@ class Parameter:
     is_required: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Operation:
     """One thing that the API does.
 

@@ -14,7 +14,7 @@ import re
 import unicodedata
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any, Final
@@ -27,6 +27,7 @@ from starlette.routing import Route
 
 from rolamento.document import Document, Figure, Section, Statement
 from rolamento.errors import InputError
+from rolamento.records import frozen
 from rolamento.tasks.asked import DEMONSTRATION, LIFE_TEST, SIGNAL, Group, by_name, given
 from rolamento.vibration.reading.formats import ENDINGS
 from rolamento.web.answers import answer, read_json, received
@@ -133,7 +134,7 @@ REPORTS: Final = ("html", "pdf", "md", "txt", "json")
 """What a report of cases can be."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Example:
     """An example: what it is called, marked; the name of its file; what is typed beside it."""
 
@@ -218,7 +219,7 @@ def signal_page(path: str, label: str, typed: Typed, form: str = "") -> dict[str
         By the name of what was typed; of the file, by its label.
     """
     from rolamento import tasks
-    from rolamento.pages.diagnosis import diagnosis_page, too_short_page
+    from rolamento.pages.diagnosis import diagnosis_page
     from rolamento.pages.severity import severity_page
     from rolamento.vibration.diagnosis import DiagnosisSettings
 
@@ -231,11 +232,8 @@ def signal_page(path: str, label: str, typed: Typed, form: str = "") -> dict[str
         search = DiagnosisSettings(**{name: told.pop(name) for name in SEARCH})
         reading = {name: told[name] for name in _READING if name in told}
         found = tasks.diagnose(path, bearing, search=search, **told)
-        if isinstance(found, tasks.TooShort):
-            document = too_short_page(found, label)
-        else:
-            found = replace(found, title=_named(found.title, path, label))
-            document = diagnosis_page(found)
+        found = replace(found, title=_named(found.title, path, label))
+        document = diagnosis_page(found)
         mapping = found.to_mapping()
         severity = _severity(path, told.get("speed"), machine, reading)
         if severity is not None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property, lru_cache
 from time import perf_counter
 from typing import Any, Final
@@ -21,6 +21,7 @@ from rolamento.errors import InputError
 from rolamento.notes import nothing_given
 from rolamento.pages.given import no_load_text
 from rolamento.pages.report import PARTS, part_of, remarks_section, summary_section
+from rolamento.records import frozen
 from rolamento.tasks.report import CaseReport, Input, Report, analysis_of, inputs_of, names_in
 from rolamento.web.answers import error_object
 from rolamento.web.form import inputs
@@ -35,7 +36,7 @@ _REMEMBERED: Final = 64
 """Analyses: of two cases side by side one stays as it is while the other is moved."""
 
 
-@dataclass(frozen=True)
+@frozen(slots=False)
 class _Given:
     """A case as the page holds it, read and analysed; named: what its tables say."""
 

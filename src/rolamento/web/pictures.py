@@ -6,7 +6,6 @@ Each is read from the records and told in the units that people read; none compu
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from math import ceil, inf, isfinite
 from typing import Any, Final, NamedTuple
 
@@ -54,6 +53,7 @@ from rolamento.plots.contacts import (
 )
 from rolamento.plots.groove import Slot, extent, slots_of
 from rolamento.plots.texts import capitalised, no_result, number, theory_label
+from rolamento.records import frozen
 from rolamento.roller_notes import are_rollers
 from rolamento.solved import RACES, Solved
 from rolamento.units import HOUR
@@ -118,7 +118,7 @@ class _Shown(NamedTuple):
 Cases = Sequence[_Shown]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class PictureKind:
     """A kind of picture.
 

@@ -14,7 +14,6 @@ import threading
 from collections import Counter
 from collections.abc import AsyncIterator, Mapping
 from contextlib import asynccontextmanager, suppress
-from dataclasses import dataclass
 from functools import cache, lru_cache
 from http.cookies import CookieError, SimpleCookie
 from pathlib import Path
@@ -35,6 +34,7 @@ from uvicorn.protocols.http.h11_impl import H11Protocol
 
 from rolamento.errors import InputError
 from rolamento.io.json import dumps
+from rolamento.records import frozen
 from rolamento.web import api, drops, page_api
 from rolamento.web.answers import RequestError, answer, language_for, refused
 from rolamento.web.limits import VISITOR, slow
@@ -92,7 +92,7 @@ _KEPT_OPEN: Final = 30
 """Seconds that a connection is kept between two requests."""
 
 
-@dataclass(frozen=True)
+@frozen(slots=False)
 class Settings:
     """How a server is started.
 

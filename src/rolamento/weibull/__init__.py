@@ -78,6 +78,7 @@ from rolamento.weibull.summary import (
     LifeTestSummary,
     Wanted,
     bands_of,
+    fit_by,
     regions_of,
     summarise,
 )
@@ -155,6 +156,7 @@ __all__ = [
     "confidence_band",
     "demonstrate",
     "failure_time",
+    "fit_by",
     "fixed_shape",
     "fleet_forecast",
     "goodness_of_fit",

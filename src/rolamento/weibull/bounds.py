@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import Any, Final, Literal, get_args
 
 import numpy as np
@@ -11,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.weibull._checks import (
     finite_or_none,
     generator,
@@ -51,7 +51,7 @@ MAXIMUM_BAND_SAMPLES: Final = 10_000
 """More make no difference that a picture could show."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Bounds(Outcome):
     """Limits that a quantity lies between, in so many of a hundred tests; NaN where there are none.
 
@@ -307,7 +307,7 @@ def _bounds_of(
 # --- the band around a fitted line ----------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Band:
     """Bounds of lives over a range of reliabilities, each by itself.
 

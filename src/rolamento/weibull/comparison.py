@@ -35,7 +35,6 @@ Krishnamoorthy, Lin and Xia (2009) for the ratio without a common shape.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any, Final, Literal, NamedTuple, get_args
 
 import numpy as np
@@ -43,6 +42,7 @@ from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.records import frozen
 from rolamento.weibull._checks import (
     finite_or_none,
     generator,
@@ -90,7 +90,7 @@ VERDICT_METHODS: Final[tuple[Method, ...]] = (
 """Methods of bounds that also give a p-value."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Comparison(Outcome):
     """Result of a comparison; NaN where there is none.
 
@@ -349,7 +349,7 @@ def _with_failures(tests: dict[str, LifeTest]) -> tuple[dict[str, LifeTest], tup
 # --- the ratio of two lives -----------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class LifeRatio(Outcome):
     """Life of the first group over that of the second; NaN where there is none.
 
@@ -532,7 +532,7 @@ def _ratio_at_own_shapes(
 # --- a calculated life ----------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class CalculatedLife:
     """A calculated life set against a test; NaN where the test has no result.
 

@@ -17,7 +17,6 @@ Applied Statistics 3 (2009), for decisions and predictions by draws of the param
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import exp, isfinite, log
 from typing import Any, Final, Self
 
@@ -26,6 +25,7 @@ from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.weibull._checks import (
     finite_or_none,
     generator,
@@ -48,7 +48,7 @@ _LEAST_SHAPE: Final = 0.1
 """Of a distribution that is given: below it the mean is beyond all use."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Interval:
     """A value with its limits; NaN where there are none."""
 
@@ -62,7 +62,7 @@ class Interval:
         return {name: finite_or_none(getattr(self, name)) for name in names}
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class LifeDistribution(Outcome):
     """A Weibull distribution of lives, R(t) = exp(-(t/η)^β).
 

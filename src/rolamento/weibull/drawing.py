@@ -18,12 +18,12 @@ of exponential lives, Rényi (1953).
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Final, Self, TypeAlias
 
 import numpy as np
 
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.records import frozen
 from rolamento.weibull.life_test import LifeTest
 from rolamento.weibull.likelihood import (
     BatchFit,
@@ -44,7 +44,7 @@ MANY: Final = 0.1
 MINIMUM_FITS: Final = 50
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Drawing:
     """How tests were drawn.
 
@@ -145,7 +145,7 @@ def draw_common_fits(
     return joined(parts)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class FirstFailures:
     """All bearings are stopped at the r-th failure of n; all fail where r = n."""
 
@@ -170,7 +170,7 @@ class FirstFailures:
         return Rows(log_time, np.ones(self.failures), units)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Blocks:
     """Bearings alone or in rigs, each block stopped at its first failure or by the clock.
 
@@ -229,7 +229,7 @@ class Blocks:
         return np.asarray(self.known[place])
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Inspected:
     """Bearings inspected at all of `schedule`, stopped by the clock at one of these times."""
 

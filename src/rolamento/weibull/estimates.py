@@ -36,7 +36,7 @@ Sources: Abernethy (2006), chapters 2 and 6; Epstein and Sobel (1953); Rockette,
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Final, Literal, get_args
 
 import numpy as np
@@ -45,6 +45,7 @@ from numpy.typing import ArrayLike
 from rolamento.errors import InputError
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.root import increasing_root
+from rolamento.records import frozen
 from rolamento.weibull._checks import numbers, one_of, shape_of, whole_number
 from rolamento.weibull.fit import Estimand, WeibullFit, plot_ordinate
 from rolamento.weibull.life_test import MAXIMUM_UNITS, LifeTest
@@ -374,7 +375,7 @@ def _unbounded(test: LifeTest, first: float) -> bool:
 # --- ranks ----------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class PlottingPositions:
     """Where the failures stand on a Weibull plot, in the order of their times.
 

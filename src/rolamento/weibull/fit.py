@@ -8,7 +8,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import exp, gamma, isfinite
 from typing import Any, Final, Literal, Self
 
@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.weibull._checks import finite_or_none, numbers, positive, share, shares
 from rolamento.weibull.life_test import MAXIMUM_TIME, LifeTest
 from rolamento.words import Note, said
@@ -61,7 +62,7 @@ def advice_on(code: str) -> Note | None:
     return None if code == "converged" else Note(f"weibull_{code}")
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class WeibullFit(Outcome):
     """A Weibull distribution fitted to a life test; NaN where there is none.
 
@@ -173,7 +174,7 @@ class WeibullFit(Outcome):
 _WRITTEN: Final = re.compile(r"([LlRr])([0-9]{1,20}(?:\.[0-9]{1,20})?(?:[eE][+-]?[0-9]{1,2})?)")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Estimand:
     """What is estimated of a Weibull distribution: shape, scale, a life, the reliability at a time.
 

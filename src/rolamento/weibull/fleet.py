@@ -25,7 +25,6 @@ Communications in Statistics - Simulation 18 (1989); Hong, Computational Statist
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import sqrt
 from typing import Any, Final
 
@@ -34,6 +33,7 @@ from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray, IntArray
+from rolamento.records import frozen
 from rolamento.weibull._checks import (
     LONGEST_TIME,
     finite_or_none,
@@ -73,7 +73,7 @@ _SPREAD: Final = 12.0
 _STEPS: Final = 12
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Fleet:
     """Bearings in service.
 
@@ -137,7 +137,7 @@ class Fleet:
         return Fleet(self.ages, share_ * self.ahead, self.counts)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class FleetStep:
     """Failures until a part of the way ahead.
 
@@ -157,7 +157,7 @@ class FleetStep:
     upper: float
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class FleetForecast:
     """How many bearings of a fleet will fail.
 

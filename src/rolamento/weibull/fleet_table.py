@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
@@ -24,6 +23,7 @@ from rolamento.io.columns import (
 )
 from rolamento.io.tables import parse_table, table_text
 from rolamento.numerics import FloatArray, IntArray
+from rolamento.records import frozen
 from rolamento.weibull.life_test import MAXIMUM_TIME, LifeTest, passed_over_notes
 from rolamento.weibull.reading import (
     check_status,
@@ -43,7 +43,7 @@ _NAMING: Final = ("bearing", "tag", "machine", "rig", "group")
 _STATUS: Final = ("status", "failed", "suspended")
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class FleetTable:
     """Bearings in service, as a table gives them.
 

@@ -36,13 +36,14 @@ hazards.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any, Final
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.records import frozen
 from rolamento.weibull._checks import finite_or_none, generator, sample_count, shape_of
 from rolamento.weibull.drawing import MINIMUM_FITS, Inspected, RightCensored, model_of, portions
 from rolamento.weibull.estimates import fixed_shape, maximum_likelihood, rows_of
@@ -68,7 +69,7 @@ _MAXIMUM_DRAWN: Final = 200_000
 _MOST_ROWS: Final = 20_000
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class DogLeg:
     """A line on the Weibull plot that is broken at a time.
 
@@ -121,7 +122,7 @@ class DogLeg:
         return {name: finite_or_none(getattr(self, name)) for name in names}
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class GoodnessOfFit(Outcome):
     """How well a Weibull distribution describes a life test; NaN where that cannot be tested.
 
@@ -351,7 +352,7 @@ def anderson_darling(rows: Rows, shape: FloatArray, log_scale: FloatArray) -> Fl
 # --- a broken line --------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Broken:
     """Best broken line of every sample; gain is NaN where there is none. All (samples,)."""
 

@@ -14,7 +14,6 @@ Times have no unit of their own but a label that goes with every result.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any, Final, Literal
 
 import numpy as np
@@ -22,6 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rolamento.errors import InputError
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.records import frozen
 from rolamento.weibull._checks import numbers
 from rolamento.words import Note, marked, said
 from rolamento.words.naming import one_line, shortened
@@ -45,7 +45,7 @@ MINIMUM_TIME: Final = 1e-30
 MAXIMUM_TIME: Final = 1e30
 
 
-@dataclass(frozen=True, slots=True, eq=False, init=False)
+@frozen(eq=False, init=False)
 class LifeTest:
     """Lives of a test, one row a bearing or so many alike.
 

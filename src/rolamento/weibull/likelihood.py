@@ -34,7 +34,7 @@ Sources: Lawless (2003), chapter 5; Burridge (1981) for the concavity; Cohen (19
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Final, NamedTuple, Self
 
 import numpy as np
@@ -42,6 +42,7 @@ from numpy.typing import NDArray
 
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.root import increasing_root
+from rolamento.records import frozen
 from rolamento.weibull.life_test import LifeTest
 
 CONVERGED: Final = 0
@@ -72,7 +73,7 @@ class Derivatives(NamedTuple):
     bb: FloatArray
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Likelihood:
     """Rows of a life test by their kind, with how many bearings each stands for.
 

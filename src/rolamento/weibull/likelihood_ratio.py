@@ -31,7 +31,6 @@ and Meeker (2000) and Doganaksoy and Schmee (1993) for the calibration.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Final, Literal
 
 import numpy as np
@@ -40,6 +39,7 @@ from numpy.typing import ArrayLike
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.numerics.root import ValueAndSlope, increasing_root
+from rolamento.records import frozen
 from rolamento.weibull._checks import generator, sample_count, shares
 from rolamento.weibull.drawing import (
     MINIMUM_FITS,
@@ -420,7 +420,7 @@ class _DrawnTests:
 # --- regions --------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class LikelihoodRegion:
     """How far the likelihood falls over shape and life; without numbers where there is no fit.
 

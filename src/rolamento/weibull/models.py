@@ -29,7 +29,7 @@ McLachlan and Peel, Finite Mixture Models (2000), section 3.8, for the spikes.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from math import exp, inf, log
 from typing import Any, Final, NamedTuple
 
@@ -37,6 +37,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.weibull._checks import finite_or_none, share
 from rolamento.weibull.estimates import maximum_likelihood, three_parameter
 from rolamento.weibull.fit import Outcome, WeibullFit
@@ -64,7 +65,7 @@ _NEAR: Final = 1e-3
 _MOST_STEPS: Final = 300
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class LifeModel(Outcome):
     """A distribution fitted to a life test by maximum likelihood; NaN where there is no fit.
 

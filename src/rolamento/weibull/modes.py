@@ -21,12 +21,12 @@ Competing Risks (2001), sections 1.3 and 3.4; Tsiatis, Proc. Natl. Acad. Sci. 72
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
 
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.weibull._checks import finite_or_none
 from rolamento.weibull.bounds import Bounds, Sides
 from rolamento.weibull.distribution import LifeDistribution
@@ -42,7 +42,7 @@ __all__ = ["METHOD", "ModeResult", "ModeSystem", "system_of_modes"]
 METHOD: Final = "product_of_modes"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ModeResult:
     """One mode among the others.
 
@@ -74,7 +74,7 @@ class ModeResult:
         }
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ModeSystem(Outcome):
     """A bearing that fails by the first of several modes.
 

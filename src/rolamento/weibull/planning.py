@@ -16,7 +16,7 @@ Sources: Nelson (1985); Abernethy (2006), chapter 6; Lipson and Sheth (1973) for
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from math import isfinite
 from typing import Any, Final
 
@@ -25,6 +25,7 @@ from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.weibull._checks import (
     MAXIMUM_SHAPE,
     finite_or_none,
@@ -58,7 +59,7 @@ def status_of_plan(code: str) -> dict[str, Any]:
     }
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Demonstration:
     """A test that shows a life if few enough fail; NaN for what does not exist.
 

@@ -15,7 +15,7 @@ Source: Hamada, Wilson, Reese and Martz (2008), chapter 4.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Final, Literal, Self
 
 import numpy as np
@@ -24,6 +24,7 @@ from numpy.typing import ArrayLike
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.numerics.root import increasing_root
+from rolamento.records import frozen
 from rolamento.weibull._checks import one_of, shape_of, share
 from rolamento.weibull.fit import Estimand, advice_on
 from rolamento.weibull.life_test import LifeTest
@@ -39,7 +40,7 @@ _AT_ONCE: Final = 1_000_000
 _NEXT_TO_NOTHING: Final = 40.0
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ShapePrior:
     """What was known of the shape before the test.
 
@@ -91,7 +92,7 @@ class ShapePrior:
         return middle, 0.5 * width / float(ndtri(0.5 + 0.5 * self.probability))
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Posterior:
     """What test and prior together say; quantiles NaN where there is no result.
 
@@ -224,7 +225,7 @@ def posterior(test: LifeTest | ArrayLike, prior: ShapePrior) -> Posterior:
 # --- how probable a scale is, given the shape and a test; prior 1/η -------------------------------
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class GivenByGamma:
     """Of a right-censored test: given β, η^(-β) has a gamma distribution.
 
@@ -275,7 +276,7 @@ class GivenByGamma:
         return np.concatenate([np.log(np.exp(part * self.z) @ self.units) for part in parts])
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class GivenByGrid:
     """Of an inspected test: given β, the likelihood over a grid of b = -β ln η.
 

@@ -28,7 +28,7 @@ David and Nagaraja (2003) for order statistics.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 from functools import lru_cache
 from math import ceil, exp, inf, isfinite, log, nan
 from typing import Any, Final
@@ -38,6 +38,7 @@ from numpy.typing import NDArray
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.weibull._checks import (
     finite_or_none,
     generator,
@@ -71,7 +72,7 @@ _NEXT_TO_NOTHING: Final = 1e-18
 _RANKS_AT_ONCE: Final = 1000
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class FailureTime:
     """When a failure comes; in the unit of the scale.
 
@@ -99,7 +100,7 @@ class FailureTime:
         return {name: finite_or_none(value) for name, value in asdict(self).items()}
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class LifeTestPlan:
     """A life test before it is made, and what may be expected of it; NaN where nothing may.
 
@@ -337,7 +338,7 @@ def plans_for_ratio(
     return tuple(plans)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Expected:
     """What all plans of one search have in common."""
 

@@ -44,7 +44,7 @@ import difflib
 import os
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from importlib import resources
 from typing import Any, Final
 
@@ -60,6 +60,7 @@ from rolamento.io.columns import (
 )
 from rolamento.io.numerals import Numerals
 from rolamento.io.tables import Table, parse_table, table_text
+from rolamento.records import frozen
 from rolamento.weibull._checks import one_of
 from rolamento.weibull.life_test import (
     LONGEST_LABEL,
@@ -302,7 +303,7 @@ def published_text(name: str) -> str:
 # --- columns and cells ----------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Header:
     """Which cell holds what, by column.
 
@@ -324,7 +325,7 @@ class Header:
         return "size" in self.places
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Row:
     """One row of the table; size 0 without."""
 

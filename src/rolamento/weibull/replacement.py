@@ -24,7 +24,6 @@ Glasser, Technometrics 9 (1967), for the Weibull distribution.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import log
 from typing import Any, Final
 
@@ -33,6 +32,7 @@ import numpy as np
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.numerics.root import increasing_root
+from rolamento.records import frozen
 from rolamento.weibull._checks import finite_or_none, positive, share
 from rolamento.weibull.distribution import Interval, LifeDistribution
 from rolamento.words import said
@@ -107,7 +107,7 @@ def optimum_age(
     return best
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class IfShape:
     """What comes of a policy if the shape is another, with the same L10.
 
@@ -129,7 +129,7 @@ class IfShape:
     regret: float
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class AgeReplacement:
     """When to replace bearings at least cost per hour.
 

@@ -12,12 +12,12 @@ mean residual life.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
 
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.weibull._checks import share, time_of
 from rolamento.weibull.distribution import Interval, LifeDistribution
 
@@ -89,7 +89,7 @@ def mean_residual_life(
         return np.asarray(eta / beta * np.where(z > _FAR, far, value))
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class RemainingLife:
     """What is left of the life of a bearing that has run so long.
 

@@ -21,7 +21,7 @@ Tibshirani (1993), chapters 13 and 14.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Final, Literal, get_args
 
 import numpy as np
@@ -29,6 +29,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.weibull._checks import generator, one_of, sample_count
 from rolamento.weibull.drawing import MAXIMUM_BLOCKS, Drawing, draw_fits, model_of, portions
 from rolamento.weibull.estimates import ENDED_BY_FAILURES, log_likelihood, maximum_likelihood
@@ -50,7 +51,7 @@ Correction = Literal["median", "mean", "ross"]
 MAXIMUM_RESAMPLED: Final = 2000
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Draws:
     """Distributions that could have given the data, or the code of why there are none.
 

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from typing import Any, Final, Literal, get_args
 
 from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
+from rolamento.records import frozen
 from rolamento.weibull._checks import finite_or_none, one_of
 from rolamento.weibull.bounds import Band, Bounds, Method, Sides, all_bounds, confidence_band
 from rolamento.weibull.comparison import (
@@ -61,7 +62,7 @@ _HYPOTHESES: Final[tuple[Hypothesis, ...]] = ("common_shape", "same_life", "homo
 Progress = Callable[[int, int], None]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@frozen(kw_only=True)
 class Wanted:
     """What is to be found of a life test.
 
@@ -151,7 +152,7 @@ class Wanted:
         return "lower", 0.5 * (1.0 + self.confidence)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Credible:
     """Median and interval of a quantity after the test, with what was known before.
 
@@ -181,7 +182,7 @@ class Credible:
         }
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class AssumedShape:
     """Results of a test that does not determine the shape, for an assumed shape."""
 
@@ -193,7 +194,7 @@ class AssumedShape:
         return {"shape": self.shape, "bounds": [bound.to_mapping() for bound in self.bounds]}
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class GroupSummary:
     """What one group or one failure mode says, or a test without either.
 
@@ -278,7 +279,7 @@ class GroupSummary:
         }
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class LifeTestSummary:
     """What a life test says.
 
@@ -504,16 +505,45 @@ def _fits_by(test: LifeTest, asked: Wanted) -> tuple[WeibullFit, ...]:
     for method in wanted:
         if method.startswith("rank_regression") and not has_ranks(test):
             continue
-        if method == "maximum_likelihood":
-            fits += [maximum_likelihood(test)] if asked.shape is None else []
-        elif method == "unbiased":
-            fits.append(unbiased(test, samples=asked.samples, seed=asked.seed))
-        elif method == "three_parameter":
-            fits.append(three_parameter(test))
-        else:
-            regression: Regression = "x_on_y" if "x_on_y" in method else "y_on_x"
-            fits.append(rank_regression(test, regression, shape=asked.shape))
+        if method == "maximum_likelihood" and asked.shape is not None:
+            continue
+        fits.append(fit_by(method, test, shape=asked.shape, samples=asked.samples, seed=asked.seed))
     return tuple(fits)
+
+
+def fit_by(
+    method: FitMethod,
+    test: LifeTest,
+    *,
+    shape: float | None = None,
+    samples: int = 10_000,
+    seed: int = 0,
+) -> WeibullFit:
+    """Fit a test by a method of `FIT_METHODS`.
+
+    Parameters
+    ----------
+    method, test
+        The method and the data.
+    shape
+        A known shape, of the rank regressions alone.
+    samples, seed
+        Tests that the unbiased method draws, and what they are drawn with.
+
+    Raises
+    ------
+    InputError
+        If there is no such method.
+    """
+    one_of(method, "method", FIT_METHODS)
+    if method == "maximum_likelihood":
+        return maximum_likelihood(test)
+    if method == "unbiased":
+        return unbiased(test, samples=samples, seed=seed)
+    if method == "three_parameter":
+        return three_parameter(test)
+    regression: Regression = "x_on_y" if "x_on_y" in method else "y_on_x"
+    return rank_regression(test, regression, shape=shape)
 
 
 def _at_assumed_shapes(test: LifeTest, asked: Wanted) -> tuple[AssumedShape, ...]:

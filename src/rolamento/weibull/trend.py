@@ -18,7 +18,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import field
 from datetime import datetime
 from importlib import resources
 from math import isfinite
@@ -46,6 +46,7 @@ from rolamento.io.dates import (
 from rolamento.io.numerals import DECIMAL_COMMA, Numerals
 from rolamento.io.tables import Table, parse_table, table_text
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.records import frozen
 from rolamento.weibull._checks import one_of
 from rolamento.weibull.life_test import LONGEST_LABEL, TextArray, passed_over_notes
 from rolamento.words import Note, said
@@ -66,7 +67,7 @@ _UNITS: Final = ("mm/s", "m/s²", "m/s2", "g", "µm", "μm", "um", "mm", "°C", 
 """Of a quantity, where they stand behind its name without brackets."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Trend:
     """Quantities of some bearings over their running time.
 
@@ -315,7 +316,7 @@ def wear_of_each(trend: Trend, law: WearLaw = "running_in") -> dict[str, WearFit
     return fits
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Columns:
     """Which cell holds what; no bearing where all rows are of one."""
 

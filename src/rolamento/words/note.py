@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from types import MappingProxyType
 from typing import Any
 
+from rolamento.records import frozen
 from rolamento.words.speaking import speaking
 
 __all__ = ["Note"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Note:
     """What the engine has to say about a result: a warning, a limit, advice.
 

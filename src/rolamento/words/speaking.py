@@ -11,7 +11,7 @@ import os
 import re
 import struct
 import sys
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from functools import cache, lru_cache
@@ -46,9 +46,7 @@ _MARK: Final = "decimal mark"
 """The context of the entry by which a catalogue gives its decimal mark."""
 
 _spoken: ContextVar[str] = ContextVar("language", default=ENGLISH)
-_called: ContextVar[tuple[re.Pattern[str], Mapping[str, str]] | None] = ContextVar(
-    "names", default=None
-)
+_called: ContextVar[Callable[[str], str] | None] = ContextVar("names", default=None)
 
 
 @cache
@@ -119,7 +117,7 @@ def calling(names: Mapping[str, str]) -> Iterator[None]:
     names
         What stands on the page in place of ``"--shape"``.
     """
-    token = _called.set((_finder(tuple(names)), names) if names else None)
+    token = _called.set(_renaming(tuple(names.items())) if names else None)
     try:
         yield
     finally:
@@ -162,16 +160,22 @@ def manner() -> Manner:
 
 def _filled(text: str, values: Mapping[str, Any]) -> str:
     if called := _called.get():
-        finder, names = called
-        text = finder.sub(lambda found: names[found[0]], text)
+        text = called(text)
     return manner().vformat(text, (), values) if values else text
 
 
 @lru_cache(maxsize=64)
-def _finder(names: tuple[str, ...]) -> re.Pattern[str]:
-    """Find names as whole words, the longest first."""
-    known = "|".join(sorted(map(re.escape, names), key=len, reverse=True))
-    return re.compile(rf"(?:{known})(?![\w-])")
+def _renaming(names: tuple[tuple[str, str], ...]) -> Callable[[str], str]:
+    """Replace names where they stand as whole words in a text, the longest first."""
+    new = dict(names)
+    known = "|".join(sorted(map(re.escape, new), key=len, reverse=True))
+    finder = re.compile(rf"(?:{known})(?![\w-])")
+
+    @lru_cache(maxsize=1024)  # an answer says the same two hundred texts as the last one
+    def renamed(text: str) -> str:
+        return finder.sub(lambda found: new[found[0]], text)
+
+    return renamed
 
 
 @cache

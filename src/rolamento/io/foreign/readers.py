@@ -10,7 +10,7 @@ import math
 import os
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import field
 from datetime import date, datetime, time
 from itertools import islice
 from typing import Any, Final
@@ -25,6 +25,7 @@ from rolamento.io.foreign.bounds import (
     check_inflated,
     most_declared,
 )
+from rolamento.records import frozen
 from rolamento.words import said
 
 __all__ = [
@@ -48,7 +49,7 @@ _LINES_LOOKED_AT: Final = 1000
 """Of a sheet, to see whether it holds anything."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Variable:
     """An array of real numbers in a file.
 

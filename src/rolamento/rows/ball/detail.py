@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
@@ -18,6 +17,7 @@ from rolamento.kinematics import (
     jones_control,
     orbital_speed,
 )
+from rolamento.records import frozen
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.ball import TINY
 from rolamento.rows.ball.problem import Columns, directions
@@ -26,7 +26,7 @@ from rolamento.rows.ball.rolling import Rolling, motion_of
 Floats = NDArray[np.float64]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ContactTable:
     """One race's contacts: load (N), angle, deflection (m); (cases, balls).
 
@@ -45,7 +45,7 @@ class ContactTable:
         return self.angle.value
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class BallTable:
     """The balls of a batch; every field (cases, balls), SI, NaN where a case has no result."""
 
@@ -175,9 +175,10 @@ def _stiffness(column: Columns, first: int, cosine: Floats) -> Floats:
 
 
 def _polynomial(column: Columns, first: int, count: int, x: Floats) -> Floats:
-    value = column[first + count - 1]
-    for power in range(count - 2, -1, -1):
-        value = value * x + column[first + power]
+    coefficients = column[first : first + count]
+    value = coefficients[-1]
+    for coefficient in coefficients[-2::-1]:
+        value = value * x + coefficient
     return np.asarray(value)
 
 

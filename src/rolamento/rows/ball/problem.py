@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, Final
 
@@ -14,6 +13,7 @@ from rolamento.case.model import Model
 from rolamento.contact.hertz import effective_modulus
 from rolamento.geometry import edge_cosine, groove_places
 from rolamento.kinematics import ball_mass, nominal_orbit
+from rolamento.records import frozen
 from rolamento.rows.ball import layout
 from rolamento.static import race_stiffness
 
@@ -30,7 +30,7 @@ CAGE_WEIGHT: Final = 1e-2
 Where balls are held, that changes it by some 1e-5; with much less, a breath on one drives it."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Columns:
     """Many cases of a row of balls: their duties, and the bearing, once if all have the same.
 

@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import fields
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.geometry import Race
 from rolamento.kinematics import BallMotion
+from rolamento.records import frozen
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.problem import Columns, Floats
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Rolling:
     """How friction-controlled balls move, and what that costs; cases without a result hold NaN.
 

@@ -13,6 +13,7 @@ from rolamento.case import Case
 from rolamento.case.bearing import RowPlace
 from rolamento.geometry import Race
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.records import frozen
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.accept import GREATEST_APPROACH
 from rolamento.rows.ball.detail import ContactTable, axial_load, ball_table
@@ -48,7 +49,7 @@ PRESS_PRECISION: Final = 1e-15
 """Of the distance between groove centres: the last step of a row that is pressed in."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Traction:
     """What friction control takes beside the row: μ and the cage's drag (N·m), (cases,)."""
 
@@ -119,7 +120,7 @@ class HeldBalls:
         self.solution.put(cases, part.solution)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class BallRow:
     """Many cases of a row of balls; p: their numbers as `layout` has them, a column a case."""
 
@@ -317,7 +318,7 @@ def ball_row(
     return BallRow(p, place.bearing.element_count, geometry, threads, fast)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class BallAnswer:
     """Where the balls of solved cases are: what their tables are made from."""
 

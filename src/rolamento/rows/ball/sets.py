@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import Final, cast
 
 import numpy as np
@@ -11,6 +10,7 @@ import numpy as np
 from rolamento import status
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.threads import goes_plainly, ready, side_by_side
+from rolamento.records import frozen
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.accept import NEEDS_INERTIA
 from rolamento.rows.ball.problem import Columns, directions, ring_arms
@@ -38,7 +38,7 @@ _HEAVIEST: Final = 4.5
 """How much more the heaviest ball of a row carries than the mean."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Proposal:
     """Where rings and rows of many cases came to rest, and whether that may be shown.
 
@@ -141,7 +141,7 @@ def _bounded(
     return Asked(free, target, start, 3.0 * into + play, firm)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Run:
     """The numbers of the cases and the room for what is found; columns: of each row."""
 

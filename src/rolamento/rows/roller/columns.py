@@ -12,7 +12,7 @@ Harris, Rolling Bearing Analysis, 3rd ed. (1991), chapters 2 and 8; docs/theory/
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, fields, replace
+from dataclasses import fields, replace
 from functools import lru_cache
 from typing import Any, Final
 
@@ -29,6 +29,7 @@ from rolamento.errors import InputError
 from rolamento.geometry import Race, apex_distance
 from rolamento.kinematics import BallMotion, centrifugal_force
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.roller_kinematics import (
     RollerBody,
     roller_body,
@@ -41,7 +42,7 @@ from rolamento.rows.roller.roller import Line
 __all__ = ["Cut", "Geometry", "Numbers", "geometry_of", "numbers_of"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Cut:
     """The contacts along the roller, cut into slices; (cases or 1, …), m and 1/m.
 
@@ -81,7 +82,7 @@ class Cut:
         return Cut(self.coupled, place, drops, curvature, body, self.table)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Geometry:
     """What does not depend on the duty; p: columns of `layout`, the others (cases,).
 
@@ -115,7 +116,7 @@ class Geometry:
         return replace(self, cut=cut, body=body, **changed)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Numbers:
     """The numbers of a row in many cases: its geometry, with the duty in its columns p.
 

@@ -12,6 +12,7 @@ from rolamento.case import Case
 from rolamento.case.bearing import RowPlace
 from rolamento.contact.line import EXPONENT, half_width, max_pressure
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.records import frozen
 from rolamento.rows.ball.problem import directions
 from rolamento.rows.roller import layout
 from rolamento.rows.roller.columns import Numbers, numbers_of
@@ -82,7 +83,7 @@ class HeldRollers:
         self.solution.put(cases, part.solution)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RollerRow:
     """Many cases of a row of cylindrical, needle or tapered rollers."""
 
@@ -242,7 +243,7 @@ def roller_row(
     return RollerRow(numbers, place.bearing.element_count, geometry, threads)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RollerAnswer:
     """Where the rollers of solved cases are: what their tables are made from."""
 

@@ -28,7 +28,6 @@ phases: complex Gaussian, their powers exponential about a level that falls slow
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 from functools import partial
 from math import ceil, log, nan
 from typing import Final, NamedTuple
@@ -40,6 +39,7 @@ from rolamento.errors import InputError
 from rolamento.numerics import BoolArray, ComplexArray, FloatArray, IntArray
 from rolamento.numerics.percentiles import median
 from rolamento.numerics.threads import side_by_side
+from rolamento.records import frozen
 from rolamento.vibration._checks import Band
 from rolamento.vibration.diagnosis.blocks import MOST_GAPS, Block, Watch
 from rolamento.vibration.diagnosis.lines import envelope_leakage, power_of, reach, runs, taper
@@ -415,7 +415,7 @@ _BANDWIDTH: Final = 2.5
 """Of the narrowest band, over the highest modulation frequency that is looked at in it."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Plan:
     """How blocks are analysed.
 
@@ -446,7 +446,7 @@ class Plan:
     speed_factor: float
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class BandSpectra:
     """Powers of the squared envelopes' lines, averaged over blocks.
 

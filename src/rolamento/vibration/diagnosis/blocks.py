@@ -6,7 +6,6 @@ Noise statistics do not apply to stretches that do not change, and to copies of 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from itertools import chain
 from math import pi
 from typing import Final
@@ -16,6 +15,7 @@ from scipy import fft
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.vibration._checks import pieces_of
 from rolamento.vibration.diagnosis.lines import runs
 from rolamento.vibration.order_tracking import revolutions_of, turns_per_sample
@@ -28,7 +28,7 @@ _LEAST_SAMPLES: Final = 1024
 _STEADY: Final = 1e-12
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Block:
     """Samples over a number of revolutions.
 

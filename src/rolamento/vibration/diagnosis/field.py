@@ -11,7 +11,7 @@ speed or another bearing than was thought shows so, and so does another machine 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cached_property
 from itertools import product
 from math import log, nan
@@ -20,6 +20,7 @@ from typing import Final
 import numpy as np
 
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.records import frozen
 from rolamento.vibration.diagnosis.band_spectra import (
     BandSpectra,
     filled,
@@ -55,7 +56,7 @@ _DISCRETE: Final = 0.95
 _HUMP: Final = 16
 
 
-@dataclass(frozen=True, eq=False)
+@frozen(eq=False, slots=False)
 class Field:
     """The lines that are searched, and what is known of them.
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, replace
 from math import isfinite, nan, pi
 from typing import TYPE_CHECKING, Any, Final, Literal
 
 import numpy as np
 
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.vibration._checks import Band
 from rolamento.vibration.diagnosis.settings import Component
 from rolamento.vibration.diagnosis.size import DAMAGE, GRADES, Grade, depth_of
@@ -34,7 +35,7 @@ _ADVICE: Final = {
 }
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class MatchedLine:
     """One line of the squared envelope's spectrum that a fault was matched to.
 
@@ -60,7 +61,7 @@ class MatchedLine:
     above_noise: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class UnexplainedLine:
     """A line that stands out of the noise, and that neither bearing nor shaft explains.
 
@@ -110,7 +111,7 @@ class UnexplainedLine:
         }
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ComponentVerdict:
     """What the signal says of one part of the bearing.
 
@@ -197,7 +198,7 @@ class ComponentVerdict:
         }
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class EnvelopeSpectra:
     """Spectra of the squared envelopes of all bands, for pictures.
 
@@ -239,7 +240,7 @@ class EnvelopeSpectra:
         return max(depth_of(band, line, 1) for band in self.squared_depth for line in lines)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Diagnosis:
     """What a signal says of a bearing.
 

@@ -22,7 +22,7 @@ at most that (Bonferroni).
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import cache
 from itertools import chain, pairwise
 from math import exp, log, nan
@@ -32,6 +32,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.numerics import BoolArray, FloatArray, IntArray
+from rolamento.records import frozen
 from rolamento.vibration.diagnosis.settings import Component, FaultOrders
 from rolamento.vibration.noise_floor import log_gamma_tail, mean_scores, reaches
 
@@ -55,7 +56,7 @@ _WITH_SIDEBANDS: Final[tuple[tuple[tuple[float, ...], int], ...]] = (
 )
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class SearchedLine:
     """One line of a hypothesis: multiple of the fault's order, sidebands away, and its width."""
 
@@ -64,7 +65,7 @@ class SearchedLine:
     width: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Hypothesis:
     """What damage may look like.
 
@@ -260,7 +261,7 @@ class Scores:
         return mean_scores(means, self._medians[lines], counts, reach, self._averages)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Finding:
     """The best of a search.
 
@@ -293,7 +294,7 @@ class Finding:
     per_band: tuple[float, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Look:
     """What is looked for, and where.
 

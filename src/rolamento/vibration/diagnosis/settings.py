@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from math import isfinite
 from typing import TYPE_CHECKING, Final, Literal
 
 from rolamento.errors import InputError
+from rolamento.records import frozen
 from rolamento.vibration._checks import checked_number
 from rolamento.words import said
 
@@ -23,7 +23,7 @@ _LEAST_KNOWN: Final = 0.01
 """Multiples of a lower order would leave nothing to look at."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class FaultOrders:
     """Orders of a bearing's faults: multiples of the shaft's frequency.
 
@@ -176,7 +176,7 @@ class FaultOrders:
 # --- settings ------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class DiagnosisSettings:
     """Settings of a diagnosis.
 

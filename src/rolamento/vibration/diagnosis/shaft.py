@@ -23,7 +23,7 @@ lie between those of the spectrum (`lines.places_between`), from the first multi
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import ceil, log
 from typing import Final
 
@@ -31,6 +31,7 @@ import numpy as np
 from scipy import fft
 
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.records import frozen
 from rolamento.vibration.diagnosis.band_spectra import limit
 from rolamento.vibration.diagnosis.blocks import Block
 from rolamento.vibration.diagnosis.lines import (
@@ -84,7 +85,7 @@ _FARTHEST: Final = 1.5
 """Lines within which the next multiple has to be known, or it is not looked for."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ShaftLines:
     """What the shaft's own lines say of its speed.
 

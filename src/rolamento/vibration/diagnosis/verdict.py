@@ -8,7 +8,7 @@ evidence of another part. A stronger line that it does not explain leaves the ve
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import chain
 from math import ceil, floor, hypot, log, nan, pi
 from typing import Final
@@ -17,6 +17,7 @@ import numpy as np
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.vibration.diagnosis import describe
 from rolamento.vibration.diagnosis.band_spectra import BandSpectra, Plan, band_spectra
 from rolamento.vibration.diagnosis.blocks import blocks_of
@@ -163,7 +164,7 @@ _SURE: Final = 1.64
 _FEW_REVOLUTIONS: Final = 100.0
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class _Candidate:
     """A part whose lines noise does not give.
 

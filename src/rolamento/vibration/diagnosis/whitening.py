@@ -16,7 +16,6 @@ what they add up to is taken back to time and subtracted.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from math import ceil, log, sqrt
 from typing import Final, NamedTuple
@@ -26,6 +25,7 @@ from scipy import fft
 
 from rolamento.numerics import BoolArray, ComplexArray, FloatArray, IntArray
 from rolamento.numerics.percentiles import median
+from rolamento.records import frozen
 from rolamento.vibration.diagnosis.blocks import Block
 from rolamento.vibration.diagnosis.lines import power_of, reach, runs, taper, tone_leakage
 from rolamento.vibration.order_tracking import interpolated
@@ -41,7 +41,7 @@ _MOST_CANDIDATES: Final = 20_000
 _MOST_TONES: Final = 500
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Comb:
     """Where the comb of a fault may lie: its fundamental from low to high, in lines of a spectrum.
 

@@ -9,7 +9,7 @@ import io
 import zipfile
 from abc import abstractmethod
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 from importlib.util import find_spec
 from math import pi, prod
@@ -30,6 +30,7 @@ from rolamento.io.foreign.readers import (
     Variable,
 )
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.vibration.reading.channels import Channel, Source, checked_channels
 from rolamento.vibration.reading.metadata import (
     RateClaims,
@@ -90,7 +91,7 @@ class Times(NamedTuple):
     scale: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Column:
     """A channel and where its samples lie, their times if the file has them, and its rates."""
 

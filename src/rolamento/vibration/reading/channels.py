@@ -8,7 +8,6 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
 from math import isfinite
 from types import MappingProxyType
 from typing import Any, Final, NamedTuple, Self
@@ -18,6 +17,7 @@ import numpy as np
 from rolamento.errors import FileError, InputError, nearest
 from rolamento.io.numerals import Numerals
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.vibration._checks import checked_number
 from rolamento.vibration.reading.metadata import SAME_RATE, RateClaim, TwoWays, short_name
 from rolamento.vibration.reading.units import (
@@ -55,7 +55,7 @@ _HIGHEST_RATE: Final = 1e9
 _MOST_LISTED: Final = 12
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Channel:
     """What a file says of one of its channels.
 

@@ -11,7 +11,6 @@ import io
 import re
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from itertools import islice
 from pathlib import Path
 from typing import BinaryIO, Final, get_args
@@ -25,6 +24,7 @@ from rolamento.io.foreign.bounds import check_whole, guarded, size_of_file
 from rolamento.io.numerals import DecimalMark, Numerals, checked_mark, numerals_of
 from rolamento.io.tables import decoded, encoding_of, mark_said, separator_said
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.vibration.reading.channels import MOST_CHANNELS, Channel, Source, checked_channels
 from rolamento.vibration.reading.metadata import (
     RateClaim,
@@ -367,7 +367,7 @@ _SEPARATORS: Final = (";", "\t", "|", ",", None)
 _ROWS_COMPARED: Final = 5
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class CsvLayout:
     """Layout of a table.
 

@@ -9,7 +9,6 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from math import isfinite, pi
 from typing import Final, Literal, NamedTuple
 
@@ -18,6 +17,7 @@ import numpy as np
 from rolamento.errors import FileError
 from rolamento.io.columns import seconds_of_heading
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.vibration.reading.units import SPEED_UNITS, is_unit, plain_unit
 from rolamento.words import marked, said
 
@@ -143,7 +143,7 @@ class RateClaims(NamedTuple):
     two_ways: TwoWays | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class FileRate:
     """What a file says of its sampling rate, all in all.
 
@@ -319,7 +319,7 @@ _PLACE_OFF: Final = 1.0
 """Of a step: how far an instant may lie from the straight line of its number."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Timeline:
     """Evenly spaced instants.
 

@@ -6,7 +6,7 @@ Noise is white or pink, at a given ratio to the signal or at a given level.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from math import isfinite
 from typing import TYPE_CHECKING, Any, Final, Literal
 
@@ -14,6 +14,7 @@ import numpy as np
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.vibration._checks import check_count, check_within
 from rolamento.vibration.frequencies import FaultFrequencies, FaultKind, frequencies_of
 from rolamento.vibration.signal import Signal
@@ -47,7 +48,7 @@ if TYPE_CHECKING:
     from rolamento.solved import Solved
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@frozen(kw_only=True)
 class Noise:
     """Noise beside the signal; one of `ratio` and `level` is given.
 
@@ -117,7 +118,7 @@ _MOST_PARTS: Final = 100
 _MOST_SEED: Final = 2**64
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@frozen(kw_only=True)
 class Recipe:
     """What a synthetic signal is made of.
 
@@ -201,7 +202,7 @@ class Recipe:
         return round(self.duration * self.rate)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class FaultTruth:
     """What one fault did.
 
@@ -235,7 +236,7 @@ class FaultTruth:
         return {**plain, **numbers, **arrays}
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Truth:
     """What is known of a synthetic signal.
 
@@ -287,7 +288,7 @@ class Truth:
         }
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class Synthesis:
     """A signal, and the truth about it."""
 
@@ -357,7 +358,7 @@ def synthesise(recipe: Recipe) -> Synthesis:
     return Synthesis(signal, Truth(recipe, truths, lines, speeds, level, ratio))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Sources:
     """A source of random numbers for every part."""
 

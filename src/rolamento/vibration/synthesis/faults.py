@@ -13,7 +13,6 @@ the strongest, and with what the path to the sensor leaves of it.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, Literal, NamedTuple, Self
 
 import numpy as np
@@ -23,6 +22,7 @@ from rolamento.contact.line import EXPONENT
 from rolamento.errors import InputError
 from rolamento.geometry import Race
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.vibration._checks import check_within
 from rolamento.vibration.frequencies import (
     FAULTS,
@@ -45,7 +45,7 @@ EXPONENTS: Final[Mapping[RollingElement, float]] = {"ball": 1.5, "roller": EXPON
 """With which the load of a contact goes with its approach: Hertz; ISO/TS 16281 for rollers."""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class LoadDistribution:
     """Loads of inner and outer contacts over the azimuth; arrays (points,).
 
@@ -192,7 +192,7 @@ _LEAST_INTERVAL: Final = 0.05
 """Of the mean: no impact overtakes the one before."""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@frozen(kw_only=True)
 class Fault:
     """Damage at one place.
 

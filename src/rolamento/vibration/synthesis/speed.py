@@ -6,13 +6,13 @@ rule. The shaft turns one way throughout, for whatever depends on its angle.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Final, TypeAlias
 
 import numpy as np
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.vibration._checks import check_count, check_within
 from rolamento.vibration.signal import real_numbers
 from rolamento.words import said
@@ -22,14 +22,14 @@ _MOST_POINTS: Final = 1_000_000
 _TURN: Final = 2.0 * np.pi
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class SteadySpeed:
     """One speed throughout; rad/s."""
 
     speed: float
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class SwingingSpeed:
     """A mean and a sine: mean (1 + depth sin(2π frequency t + phase)).
 
@@ -42,7 +42,7 @@ class SwingingSpeed:
     phase: float = 0.0
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class WanderingSpeed:
     """A random walk that is drawn back to its mean: an Ornstein-Uhlenbeck process.
 
@@ -55,7 +55,7 @@ class WanderingSpeed:
     memory: float
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@frozen(eq=False)
 class GivenSpeed:
     """Speeds at times, straight between them and level beyond; arrays, s and rad/s."""
 

@@ -12,7 +12,6 @@ two samples enters at the next, as far turned and decayed as it is by then.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from math import sqrt
 from typing import Final
 
@@ -21,6 +20,7 @@ from numpy.typing import ArrayLike
 
 from rolamento.errors import InputError
 from rolamento.numerics import ComplexArray, FloatArray, IntArray
+from rolamento.records import frozen
 from rolamento.vibration._checks import check_count, check_within
 from rolamento.vibration.signal import real_numbers
 from rolamento.words import said
@@ -33,7 +33,7 @@ _WORTH: Final = 20
 """Answers that overlap at a sample on the mean, up to which adding them up is the faster way."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Mode:
     """A resonance between bearing and sensor.
 
@@ -61,7 +61,7 @@ DEFAULT_MODES: Final = (Mode(3500.0, 0.03, 10.0),)
 """One resonance, in the range where housings of small motors have theirs; an assumption."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class TransferPath:
     """How much of an impact reaches the sensor, by the angle between them.
 

@@ -20,7 +20,6 @@ from __future__ import annotations
 
 import cmath
 from collections.abc import Sequence
-from dataclasses import dataclass
 from math import cos, sin
 from typing import Final, Literal, NamedTuple, Self
 
@@ -28,6 +27,7 @@ import numpy as np
 
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.vibration._checks import check_count, check_within
 from rolamento.vibration.frequencies import FaultFrequencies
 from rolamento.words import said
@@ -42,7 +42,7 @@ _SAME: Final = 9
 """Decimals to which orders are the same line."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Waviness:
     """Waves of one surface.
 

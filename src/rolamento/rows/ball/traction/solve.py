@@ -7,7 +7,6 @@ motions and its loads; a case that does not settle is left without a result.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Any, Final, Protocol
 
 import numpy as np
@@ -16,6 +15,7 @@ from rolamento import status
 from rolamento.contact.hertz import elliptical_contact
 from rolamento.geometry import Race, race_curvature
 from rolamento.numerics.threads import share_out
+from rolamento.records import frozen
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.detail import BallTable, ball_table
 from rolamento.rows.ball.problem import Columns, Floats, directions, ring_arms
@@ -107,7 +107,7 @@ class Film(Protocol):
         ...
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class _Problem:
     """What all cases of a batch are solved from."""
 

@@ -1,0 +1,156 @@
+"""Frozen records, printed in at most ten lines.
+
+`frozen` makes a frozen dataclass with slots. What a record prints is for a person at a prompt: a
+small one stands on one line as a dataclass does; of a large one each field has a line, an array its
+range and shape, and a record within it its beginning. Nothing reads it back.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, fields
+from math import isfinite, nan
+from numbers import Number
+from typing import Any, Final, TypeVar, dataclass_transform, overload
+
+__all__ = ["concise", "frozen", "span"]
+
+T = TypeVar("T")
+
+_LINES: Final = 10
+_WIDTH: Final = 96
+_FEW: Final = 4
+"""Items of a sequence or an array that are printed one by one."""
+
+
+@overload
+def frozen(cls: type[T], /) -> type[T]: ...
+@overload
+def frozen(
+    *, eq: bool = True, kw_only: bool = False, slots: bool = True, init: bool = True
+) -> Callable[[type[T]], type[T]]: ...
+@dataclass_transform(frozen_default=True, field_specifiers=(field,))
+def frozen(cls: type[T] | None = None, /, **options: bool) -> Any:
+    """Make a frozen dataclass with slots that prints itself in at most ten lines.
+
+    Parameters
+    ----------
+    cls
+        The class; options are those of `dataclasses.dataclass`. ``eq=False`` for what holds
+        arrays, ``slots=False`` for what caches a property.
+    """
+
+    def made(cls: type[T]) -> type[T]:
+        if "__repr__" not in vars(cls):
+            setattr(cls, "__repr__", concise)  # noqa: B010
+        chosen: dict[str, Any] = {"slots": True, **options}
+        return dataclass(frozen=True, repr=False, **chosen)(cls)
+
+    return made if cls is None else made(cls)
+
+
+def concise(record: Any) -> str:
+    """Print a record in at most ten lines.
+
+    What a record shows of itself are its fields; or those that its method ``_printed`` gives, or
+    the lines of ``_shown``, a mapping of names to texts, of which the name ``""`` is its title.
+
+    >>> @frozen
+    ... class Contact:
+    ...     load: float
+    ...     angle: float
+    >>> Contact(1200.0, 0.26)
+    Contact(load=1200.0, angle=0.26)
+    """
+    name = type(record).__name__
+    if hasattr(record, "_shown"):
+        return _lines(name, record._shown().items())
+    parts = list(_fields(record))
+    inline = f"{name}({', '.join(f'{key}={_inline(value)}' for key, value in parts)})"
+    if len(inline) <= _WIDTH and "\n" not in inline:
+        return inline
+    return _lines(name, ((key, _short(value)) for key, value in parts if value is not None))
+
+
+def span(values: Any, unit: str = "") -> str:
+    """Print numbers by their range: ``"1.2 to 3.4 N"``, a single one as itself, NaN left out."""
+    known = [value for value in _flat(values) if isfinite(value)]
+    low, high = (min(known), max(known)) if known else (nan, nan)
+    first, last = _four_digits(low), _four_digits(high)
+    text = first if first == last else f"{first} to {last}"
+    return f"{text} {unit}".rstrip()
+
+
+def _four_digits(value: float) -> str:
+    text = f"{value:.0f}" if 1e4 <= abs(value) < 1e7 else f"{value:.4g}"
+    return "0" if text == "-0" else text
+
+
+def _lines(name: str, parts: Iterable[tuple[str, str]]) -> str:
+    lines = []
+    for key, text in parts:
+        if key:
+            lines.append(f"  {key}: {text}")
+        else:
+            name = f"{name}: {text}"
+    if len(lines) >= _LINES:
+        rest = (line.strip().partition(":")[0] for line in lines[_LINES - 2 :])
+        lines[_LINES - 2 :] = [f"  and {', '.join(rest)}"]
+    return "\n".join(_cut(line.replace("\n", " ")) for line in (name, *lines))
+
+
+def _fields(record: Any) -> Iterator[tuple[str, Any]]:
+    if hasattr(record, "_printed"):
+        yield from record._printed()
+        return
+    for one in fields(record):
+        if one.repr and not one.name.startswith("_"):
+            yield one.name, getattr(record, one.name)
+
+
+def _inline(value: Any) -> str:
+    """Print a value as a dataclass does, but for what would be long."""
+    if hasattr(value, "shape") and hasattr(value, "dtype"):
+        return str(value.tolist()) if value.size <= _FEW else "…" * _WIDTH
+    if isinstance(value, str) or (isinstance(value, Sequence | Mapping) and len(value) > _FEW):
+        return repr(value) if len(value) <= _WIDTH else "…" * _WIDTH
+    return repr(value)
+
+
+def _short(value: Any) -> str:
+    """Print a value in a part of a line."""
+    if isinstance(value, str):
+        return value
+    if hasattr(value, "shape") and hasattr(value, "dtype"):
+        return _of_array(value)
+    if isinstance(value, float):
+        return f"{value:.6g}"
+    if isinstance(value, Mapping):
+        return ", ".join(map(str, value)) or "none"
+    if isinstance(value, Sequence | frozenset | set):
+        items = list(value)
+        if not items:
+            return "none"
+        if len(items) > _FEW and not isinstance(items[0], Number | str):
+            return f"{len(items)} of {type(items[0]).__name__}"
+        return ", ".join(_cut(_short(item), _WIDTH // 2) for item in items)
+    if getattr(type(value), "__repr__", None) is concise:
+        parts = (f"{key}={_short(own)}" for key, own in _fields(value) if own is not None)
+        return f"{type(value).__name__}({', '.join(parts)})"
+    return repr(value)
+
+
+def _of_array(array: Any) -> str:
+    if array.dtype.kind not in "fiu":
+        return _short(array.tolist()) if array.size <= _FEW else f"array of shape {array.shape}"
+    if array.size <= _FEW:
+        return ", ".join(f"{value:.6g}" for value in _flat(array))
+    return f"{span(array)}, shape {array.shape}"
+
+
+def _flat(values: Any) -> list[float]:
+    return [float(value) for value in values.ravel()] if hasattr(values, "ravel") else [*values]
+
+
+def _cut(text: str, width: int = _WIDTH) -> str:
+    return text if len(text) <= width else f"{text[: width - 1]}…"

@@ -1,0 +1,156 @@
+"""Records: frozen, and printed in at most ten lines."""
+
+from __future__ import annotations
+
+import pickle
+from dataclasses import FrozenInstanceError, field, fields, is_dataclass
+from typing import Any
+
+import numpy as np
+import pytest
+
+import rolamento as ro
+from rolamento.records import concise, frozen, span
+
+OIL: dict[str, Any] = {"lubricant": "ISO VG 68", "temperature": "70 degC"}
+
+
+@frozen
+class Small:
+    load: float
+    name: str = "inner"
+
+
+@frozen(eq=False)
+class Large:
+    """With all kinds of fields."""
+
+    load: np.ndarray
+    few: np.ndarray
+    named: dict[str, float]
+    inner: Small
+    many: tuple[Small, ...]
+    texts: tuple[str, ...]
+    truth: np.ndarray
+    missing: float | None = None
+    hidden: float = field(default=1.0, repr=False)
+    _private: int = 3
+
+
+@frozen
+class Wide:
+    a: int = 1
+    b: int = 2
+    c: int = 3
+    d: int = 4
+    e: str = "x" * 100
+    f: int = 6
+    g: int = 7
+    h: int = 8
+    i: int = 9
+    j: int = 10
+    k: int = 11
+
+
+def large() -> Large:
+    return Large(
+        np.linspace(1.0, 3.0, 12).reshape(3, 4), np.array([1.0, np.nan]), {"spin": 1.0, "rib": 2.0},
+        Small(2.0), (Small(1.0),) * 9, ("a", "b"), np.ones(7, bool),
+    )  # fmt: skip
+
+
+def test_small_ones_are_printed_as_dataclasses_are() -> None:
+    assert repr(Small(1.5)) == "Small(load=1.5, name='inner')"
+
+
+def test_large_ones_have_a_line_a_field() -> None:
+    assert repr(large()).splitlines() == [
+        "Large",
+        "  load: 1 to 3, shape (3, 4)",
+        "  few: 1, nan",
+        "  named: spin, rib",
+        "  inner: Small(load=2, name=inner)",
+        "  many: 9 of Small",
+        "  texts: a, b",
+        "  truth: array of shape (7,)",
+    ]
+
+
+def test_ten_lines_at_most() -> None:
+    lines = repr(Wide()).splitlines()
+    assert len(lines) == 10
+    assert lines[-1] == "  and i, j, k"
+    assert max(map(len, lines)) <= 96
+
+
+def test_they_are_frozen_hashed_and_pickled() -> None:
+    one = Small(1.0)
+    with pytest.raises(FrozenInstanceError):
+        one.load = 2.0  # type: ignore[misc]
+    assert {one: 1}[Small(1.0)] == 1
+    assert pickle.loads(pickle.dumps(one)) == one
+    assert not hasattr(one, "__dict__")
+    assert large() != large()
+
+
+@pytest.mark.parametrize(
+    ("values", "text"),
+    [
+        ([1.0, 2.0], "1 to 2 N"), ([2.0, np.nan], "2 N"), ([], "nan N"), ([-0.0], "0 N"),
+        ([123456.7], "123457 N"), ([1e12], "1e+12 N"), (np.array([[0.012345]]), "0.01235 N"),
+        ([np.inf, 1.0], "1 N"),
+    ],
+)  # fmt: skip
+def test_span(values: Any, text: str) -> None:
+    assert span(values, "N") == text
+
+
+def test_what_people_print_has_ten_lines() -> None:
+    case = ro.load_case("6310/C3").with_(fz=5e3, inner_speed="1480 rpm", **OIL_FIELDS)
+    analysis = ro.analyse(case)
+    frequencies = ro.fault_frequencies(case)
+    report = ro.report(case)
+    fit = ro.fit_weibull([55.2, 81.0, 104.5])
+    found = ro.diagnose(np.random.default_rng(0).normal(size=24_000), case, rate=12_000.0)
+    summary = ro.tasks.life_test_study([55.2, 81.0, 104.5], samples=1000)
+    roots = (analysis, frequencies, report, fit, found, summary, case, ro.find_bearings("6310")[0])
+    printed = list(_records_in(roots, set()))
+    assert len(printed) > 60
+    for record in printed:
+        text = repr(record)
+        assert len(text.splitlines()) <= 10, text
+        assert len(text) <= 1000, text
+
+
+OIL_FIELDS: dict[str, Any] = {"lubricant": "ISO VG 68", "temperature__lubricant": "70 degC"}
+
+
+def _records_in(value: Any, seen: set[int]) -> Any:
+    if id(value) in seen:
+        return
+    seen.add(id(value))
+    if isinstance(value, tuple | list):
+        for item in value:
+            yield from _records_in(item, seen)
+    elif isinstance(value, dict):
+        yield from _records_in(list(value.values()), seen)
+    elif is_dataclass(value) and not isinstance(value, type):
+        yield value
+        for one in fields(value):
+            yield from _records_in(getattr(value, one.name), seen)
+    elif type(value).__repr__ is concise:
+        yield value
+
+
+def test_an_analysis_says_what_a_person_asks_first() -> None:
+    text = repr(ro.analyse("6310/C3", fz=5e3, inner_speed="1480 rpm", **OIL))
+    for part in ("Analysis: 6310/C3", "converged", "fz 5000 N", "W", "h, "):
+        assert part in text
+
+
+def test_a_case_prints_what_was_given() -> None:
+    case = ro.Case(bearing="6310/C3").with_(fz=5e3)
+    assert repr(case) == (
+        "Case(bearing=Bearing(designation='6310/C3'), duty=Duty(load=Load(fz=5000.0)))"
+    )
+    assert str(case) == repr(case)
