@@ -8,7 +8,7 @@ export PYTHON
 export PYTHONDONTWRITEBYTECODE :=
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test verify golden bench browser docs plotly runtime dev docs-tools clean
+.PHONY: help demo test verify golden bench browser docs plotly release runtime dev docs-tools clean
 .PHONY: kernels types layers rewritten
 
 help:
@@ -19,6 +19,7 @@ help:
 	@echo "make bench   measure the speed"
 	@echo "make browser try the app in Chromium, as people use it; skipped where there is none"
 	@echo "make docs    build the documentation site, docs/_build/html"
+	@echo "make release build sdist and wheel, and try them on every Python that is here; no upload"
 	@echo "make plotly  bundle the part of Plotly.js that the app draws with; needs Node.js"
 	@echo "make clean   remove the virtual environment and all caches"
 
@@ -69,6 +70,10 @@ docs: docs-tools
 plotly:
 	@cd scripts/plotly && npm install --ignore-scripts --no-audit --no-fund --no-package-lock
 	@node scripts/plotly/build.mjs
+
+release: dev
+	@$(BIN)/python -m pip install --disable-pip-version-check --quiet --constraint constraints.txt build twine
+	@$(BIN)/python scripts/release.py
 
 browser:
 	@sh scripts/setup.sh browser

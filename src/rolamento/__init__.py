@@ -82,7 +82,7 @@ if TYPE_CHECKING:
         sweep,
     )
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 
 _NAMES_OF_MODULES: Final = {
     "analysis": ("Analysis", "analyse"),
