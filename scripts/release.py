@@ -104,9 +104,9 @@ def _try(python: str, wheel: Path, source: Path, venv: Path, tests: bool) -> Non
     pip = [venv / "bin/python", "-m", "pip", "--disable-pip-version-check", "install", "--quiet"]
     constraints = ["--constraint", source / "constraints.txt"]
     _run([*pip, *constraints, f"{wheel}[dev]", source / "reproductions"])
+    _run([venv / "bin/rolamento", "warm"], cwd=venv)
     _run([venv / "bin/rolamento", "demo"], cwd=venv)
     if tests:
-        _run([venv / "bin/rolamento", "warm"], cwd=venv)
         command = ["-n", "auto", "--dist", "worksteal", "-m", "not sweep", "-p", "no:cacheprovider"]
         _run([venv / "bin/pytest", *command], cwd=source)
 

@@ -125,6 +125,14 @@ def _on_source(app: Sphinx, docname: str, content: list[str]) -> None:
 def _on_read(app: Sphinx, document: nodes.document) -> None:
     metadata: Any = app.env.metadata[app.env.docname]
     metadata["equations"] = " ".join(app.env.temp_data.get("equations", ()))
+    docname = app.env.docname
+    if docname.startswith(("reference/api/", "adr/", "gallery/")):
+        return
+    terms = [(english, portuguese) for english, portuguese, _ in reference.terms()]
+    also = search.keywords(
+        docname, document.astext(), terms, reference.glossary_file()["portuguese"]
+    )
+    document += nodes.meta(name="keywords", content=", ".join(also))
 
 
 def _on_finished(app: Sphinx, error: Exception | None) -> None:

@@ -318,21 +318,38 @@ def glossary() -> str:
     ValueError
         If a term is not in the catalogue of words.
     """
-    with (Path(__file__).parent / "glossary.toml").open("rb") as file:
-        terms = tomllib.load(file)["term"]
-    rows = []
-    for term in sorted(terms, key=lambda one: one["english"].casefold()):
+    rows = [
+        (english, portuguese, term.get("symbol", ""), term.get("unit", "–"), term["meaning"])
+        for english, portuguese, term in terms()
+    ]
+    return table(("English", "Português", "symbol", "unit", "meaning"), rows)
+
+
+def terms() -> list[tuple[str, str, Mapping[str, str]]]:
+    """Return the terms in English and in Portuguese, with their entries, in alphabetical order.
+
+    Raises
+    ------
+    ValueError
+        If a term is not in the catalogue of words.
+    """
+    found = []
+    for term in sorted(glossary_file()["term"], key=lambda one: one["english"].casefold()):
         key = term.get("said", term["english"])
         portuguese = in_portuguese(key)
         if portuguese is None:
             raise ValueError(f"glossary.toml: {key!r} is not in the catalogue of words")
         if term["english"][0].islower():  # a heading of the program is a word here
             portuguese = portuguese[0].lower() + portuguese[1:]
-        rows.append(
-            (term["english"], portuguese, term.get("symbol", ""), term.get("unit", "–"),
-             term["meaning"])
-        )  # fmt: skip
-    return table(("English", "Português", "symbol", "unit", "meaning"), rows)
+        found.append((term["english"], portuguese, term))
+    return found
+
+
+@cache
+def glossary_file() -> dict[str, Any]:
+    """Return what `glossary.toml` holds."""
+    with (Path(__file__).parent / "glossary.toml").open("rb") as file:
+        return tomllib.load(file)
 
 
 def symbols() -> str:

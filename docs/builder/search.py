@@ -3,18 +3,27 @@
 Sphinx leaves numbers out of its index, and its page passes over numbers in what is asked. The
 language of the search here says what a word is, to the index in Python and to the page in
 JavaScript: a number is one, with a letter before it. A designation with a part, 20816-3, is found
-by the number of the standard and by the whole.
+by the number of the standard and by the whole. A page is found by its terms' Portuguese words too.
 """
 
 from __future__ import annotations
 
 import json
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Final
 
-__all__ = ["EXPECTED", "NUMBER", "SPLITTER", "asked", "index_of", "missing", "words_of"]
+__all__ = [
+    "EXPECTED",
+    "NUMBER",
+    "SPLITTER",
+    "asked",
+    "index_of",
+    "keywords",
+    "missing",
+    "words_of",
+]
 
 NUMBER: Final = "n"
 """Stands before a number: with it Sphinx takes the number for a word."""
@@ -51,6 +60,11 @@ EXPECTED: Final[Mapping[str, Sequence[str]]] = {
     "ISO 20816-3": ("severity",),
     "4406": ("theory/life",),
     "15242-2": ("anderon",),
+    "pista externa": ("diagnose", "frequencies"),
+    "gravidade": ("severity",),
+    "vida": ("life", "weibull"),
+    "folga": ("clearance",),
+    "ruído": ("anderon",),
 }
 """What may be asked, and pages that have to be among what is found."""
 
@@ -62,6 +76,26 @@ def words_of(text: str) -> list[str]:
     return [f"{NUMBER}{word}" if word.isdigit() else word for word in words] + parts
 
 
+def keywords(
+    docname: str, text: str, terms: Iterable[tuple[str, str]], portuguese: Mapping[str, str]
+) -> list[str]:
+    """Return words of the other language by which a page is found too.
+
+    Parameters
+    ----------
+    docname, text
+        The page and what stands on it.
+    terms
+        Of the glossary, English and Portuguese: a page with the one is found by the other.
+    portuguese
+        What else a reader may type, by page.
+    """
+    lowered = f" {' '.join(text.lower().split())} "
+    found = [other for term, other in terms if f" {term.lower()}" in lowered]
+    found += portuguese.get(docname, "").split(",")
+    return sorted({word.lower() for one in found for word in words_of(one)})
+
+
 def index_of(site: Path) -> dict[str, Any]:
     """Return the index of a built site, as its page reads it."""
     text = (site / "searchindex.js").read_text("utf-8")
@@ -71,8 +105,11 @@ def index_of(site: Path) -> dict[str, Any]:
 
 def asked(index: Mapping[str, Any], question: str) -> set[str]:
     """Return the pages that have every word of a question, as those of the page's search."""
+    from sphinx.search.en import SearchEnglish  # where the site is built
+
+    stem = SearchEnglish({}).stem
     found: set[str] | None = None
-    for word in map(str.lower, words_of(question)):
+    for word in map(stem, map(str.lower, words_of(question))):
         pages: set[str] = set()
         for table in (index["terms"], index["titleterms"]):
             places = table.get(word, [])

@@ -102,7 +102,7 @@ def test_a_record_that_is_too_short_is_no_verdict(signal: Path) -> None:
     assert found.too_short is not None
     assert found.too_short.revolutions == pytest.approx(0.05 * 29.95, rel=1e-3)
     assert found.too_short.required_revolutions > found.too_short.revolutions
-    with pytest.raises(InputError, match=r"has no diagnosis: The record is too short"):
+    with pytest.raises(InputError, match=r"has no diagnosis: .* the record is too short"):
         _ = found.diagnosis
 
 

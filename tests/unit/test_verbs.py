@@ -42,7 +42,8 @@ class TestOneCaseOneAnswer:
 
     def test_life(self) -> None:
         found = ro.rating_life("6310/C3", **DUTY)  # type: ignore[arg-type]
-        assert found.headline.hours == ro.rating_life(self.solved).headline.hours
+        again = ro.rating_life(self.solved).headline.hours
+        assert found.headline.hours == pytest.approx(again, rel=1e-9)  # compiled or not
         # C = 62 kN, p = 3: ISO 281 by hand
         assert found["iso281"].life[0] == pytest.approx((62.0 / 5.0) ** 3, rel=1e-12)
 
@@ -51,13 +52,13 @@ class TestOneCaseOneAnswer:
         assert self.analysis.film is not None
         assert found.viscosity_ratio == self.analysis.film.viscosity_ratio
         assert found.inner.central_thickness == pytest.approx(
-            self.analysis.film.inner.central_thickness, rel=0.0, nan_ok=True
+            self.analysis.film.inner.central_thickness, rel=1e-9, nan_ok=True
         )
 
     def test_friction(self) -> None:
         found = ro.friction_torque("6310/C3", **DUTY, **OIL)  # type: ignore[arg-type]
         assert self.analysis.friction is not None
-        assert found.torque == self.analysis.friction.torque
+        assert found.torque == pytest.approx(self.analysis.friction.torque, rel=1e-9)
         assert tuple(found.models) == tuple(self.analysis.friction.models)
 
     def test_many_cases(self) -> None:

@@ -17,7 +17,7 @@ from typing import Final
 
 from rolamento.document import Document
 from rolamento.document import Figure as Picture
-from rolamento.document.html import html
+from rolamento.document.html import html, style
 from rolamento.document.markdown import markdown
 from rolamento.errors import FileError
 from rolamento.io.writing import write_bytes
@@ -127,6 +127,7 @@ def _eight_digits(value: object) -> str:
 
 
 PAGE: Final = "index.html"
+STYLE: Final = "document.css"
 _HEAD_OF_PAGE: Final = 10_000
 _ENDINGS: Final[tuple[Ending, ...]] = ("svg", "png")
 
@@ -203,6 +204,7 @@ def write(
     endings = _ENDINGS if pictures == "both" else (pictures,)
     # The page first: by it the folder is known again, should the rest not be reached.
     _write_pages(folder, "index", partial(index_page, source, sections, endings), endings)
+    _write_file(folder, STYLE, style().encode())
     done = len(source.parts)
     for item in _items(sections):
         _write_file(folder, f"{item.stem}.csv", _csv_of(item).encode())
@@ -249,7 +251,7 @@ def open_folder(path: str, source: Source) -> Path:
 
 def file_names(source: Source) -> tuple[str, ...]:
     """Return all names that a reproduction may write."""
-    names = [PAGE, "index.md"]
+    names = [PAGE, "index.md", STYLE]
     for part in source.parts:
         names += [f"{stem}.csv" for stem in part.stems]
         names += [f"{stem}.{ending}" for stem in part.figures for ending in _ENDINGS]
@@ -290,7 +292,8 @@ def _write_pages(
     def picture(figure: Picture) -> str:
         return f"{figure.key}.{endings[0]}"
 
-    _write_file(folder, f"{stem}.html", html(page("html"), picture=picture).encode())
+    linked = html(page("html"), picture=picture, stylesheet=STYLE)
+    _write_file(folder, f"{stem}.html", linked.encode())
     _write_file(folder, f"{stem}.md", markdown(page("md"), picture=picture).encode())
 
 

@@ -91,9 +91,9 @@ class Record(BaseModel):
         """What the user gave that is no default; what a designation fills in is left out."""
         for name, field in type(self).model_fields.items():
             value = getattr(self, name)
-            if name in self.model_fields_set and value != field.get_default(
-                call_default_factory=True
-            ):
+            given = {"validated_data": self.__dict__} if field.default_factory else {}
+            default = field.get_default(call_default_factory=True, **given)
+            if name in self.model_fields_set and value != default:
                 yield name, value
 
     def __setattr__(self, name: str, value: object) -> NoReturn:

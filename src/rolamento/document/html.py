@@ -48,7 +48,7 @@ from rolamento.document.picture import formula, picture_bytes
 from rolamento.errors import printable
 from rolamento.words import ABSENT, language, languages, said, speaking
 
-__all__ = ["STYLE", "PictureName", "body", "fragment", "html"]
+__all__ = ["STYLE", "PictureName", "body", "fragment", "html", "style"]
 
 PictureName = Callable[[Figure], str | None]
 """Returns the name of the file that shows a figure; None where it is to be shown as usual."""
@@ -58,11 +58,12 @@ _WIDEST: Final = 110
 """Characters of a table that stands in one piece."""
 _MOST_WITHOUT_CONTENTS: Final = 6
 _LONG_TEXT: Final = 24
-_POLICY: Final = "default-src 'none'; style-src 'unsafe-inline'; img-src data:"
 _FILES_TOO: Final = " 'self' file:"
 
 
-def html(document: Document, *, picture: PictureName | None = None) -> str:
+def html(
+    document: Document, *, picture: PictureName | None = None, stylesheet: str | None = None
+) -> str:
     """Return a document as one HTML file: styles and pictures stand in it.
 
     Parameters
@@ -71,6 +72,8 @@ def html(document: Document, *, picture: PictureName | None = None) -> str:
         What to show.
     picture
         For pictures that are files beside the page: the name of each.
+    stylesheet
+        Name of a file beside the page that holds `style`, which then does not stand in it.
     """
     with speaking(document.language):
         content = _Setter(document, picture).body()
@@ -79,14 +82,17 @@ def html(document: Document, *, picture: PictureName | None = None) -> str:
     about = " · ".join(part for part in (document.program, document.date) if part)
     footer = f"<footer>{_text(about)}</footer>\n" if about else ""
     title = escape(_plain(document.title))
-    policy = _POLICY + (_FILES_TOO if picture else "")
+    styles = f"<style>\n{style()}</style>"
+    if stylesheet is not None:
+        styles = f'<link rel="stylesheet" href="{escape(stylesheet)}">'
+    policy = _policy(_FILES_TOO if picture else "", _FILES_TOO if stylesheet else "")
     return (
         f'<!DOCTYPE html>\n<html lang="{tag}">\n<head>\n<meta charset="utf-8">\n'
         f'<meta name="viewport" content="width=device-width, initial-scale=1">\n'
         f'<meta name="color-scheme" content="light dark">\n'
         f'<meta http-equiv="Content-Security-Policy" content="{policy}">\n'
         f'<meta name="generator" content="{escape(made)}">\n'
-        f"<title>{title}</title>\n<style>\n{_style()}</style>\n</head>\n"
+        f"<title>{title}</title>\n{styles}\n</head>\n"
         f'<body class="rolamento">\n<main>\n{content}{footer}</main>\n'
         f"</body>\n</html>\n"
     )
@@ -106,13 +112,18 @@ def fragment(document: Document) -> str:
     with speaking(document.language):
         tag = languages()[language()].replace("_", "-")
     return (
-        f'<div class="rolamento notebook" lang="{tag}">\n<style>\n{_style()}</style>\n'
+        f'<div class="rolamento notebook" lang="{tag}">\n<style>\n{style()}</style>\n'
         f"{body(document)}</div>\n"
     )
 
 
+def _policy(of_pictures: str, of_styles: str) -> str:
+    return f"default-src 'none'; style-src 'unsafe-inline'{of_styles}; img-src data:{of_pictures}"
+
+
 @cache
-def _style() -> str:
+def style() -> str:
+    """Return the style sheet of all documents."""
     return STYLE.read_text(encoding="utf-8")
 
 
