@@ -23,7 +23,7 @@ from rolamento.records import frozen
 
 Race = Literal["inner", "outer"]
 _END_RADIUS: Final = 0.95
-"""Of the distance of the apex: see `usual_end_radius`."""
+"""Fraction of the distance of the apex: see `usual_end_radius`."""
 _APEX_STEPS: Final = 60
 
 
@@ -40,12 +40,12 @@ class Angle:
 
     @cached_property
     def cosine(self) -> FloatArray:
-        """Its cosine."""
+        """Cosine of the angle."""
         return np.cos(self.value)
 
     @cached_property
     def sine(self) -> FloatArray:
-        """Its sine."""
+        """Sine of the angle."""
         return np.sin(self.value)
 
     def cosine_to(self, other: Angle) -> FloatArray:

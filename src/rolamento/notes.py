@@ -52,7 +52,7 @@ _FASTEST: Final = 4.0 * _MILLION
 """n d_m beyond which no ball bearing is known to have run. Bamberger, Zaretsky and Signer
 (1976) ran main-shaft bearings of jet engines at 3e6 mm·rpm, by the bore."""
 _GREATEST_APPROACH: Final = 0.02
-"""Of the ball's diameter: what the solver takes for an overload."""
+"""Fraction of the ball's diameter: what the solver takes for an overload."""
 
 _PRESSURE_LIMIT: Final = 4.2e9
 _PRESSURE_LIMIT_SELF_ALIGNING: Final = 4.6e9
@@ -69,15 +69,15 @@ FRICTION_LIMIT: Final = 0.1
 SPINNING_ANGLE: Final = radians(0.1)
 """rad: a ball at a smaller contact angle hardly spins, whichever race controls it."""
 FREE_STIFFNESS: Final = 1e-9
-"""Of the greatest stiffness: a direction with less is free."""
+"""Fraction of the greatest stiffness: a direction with less is free."""
 PAST_EDGE: Final = 1e-9
-"""Of the groove's offset: what is less is rounding."""
+"""Fraction of the groove's offset: what is less is rounding."""
 PRELOAD_MARGIN: Final = 1.1
 """Times the load at which a row lifts off: what is nearer deserves a note."""
 SKID_LIMIT: Final = 0.05
-"""Of the cage's speed under outer raceway control: what differs more deserves a note."""
+"""Fraction of the cage's speed under outer raceway control: what differs more deserves a note."""
 ORBIT_SLACK: Final = 1e-9
-"""Of the faster ring's speed: an orbit that is further outside both is no rounding."""
+"""Fraction of the faster ring's speed: an orbit that is further outside both is no rounding."""
 SPIN_LIMIT: Final = 0.05
 """Spin to roll at both races above which no race can be said to control a ball."""
 FOUR_POINT_LOAD_RATIO: Final = 1.27
@@ -638,7 +638,7 @@ def _no_equilibrium(solved: Solved, axis: int) -> Note:
 
 
 def _set_without_equilibrium(case: Case, axial: float) -> Note:
-    """Of rows that each carry axial load one way: all the same way, on springs, or clamped."""
+    """Why rows that carry axial load one way only have no equilibrium."""
     signs = {place.sign for place in case.bearing.places}
     if len(signs) == 1:
         toward, away = ("+x", "-x") if signs == {1.0} else ("-x", "+x")

@@ -43,7 +43,8 @@ _PEAK: Final = 1.2
 _REACHES_END: Final = 0.7
 """Pressure at an end over the greatest on the roller from which on the end bears its share."""
 _SHORT: Final = 0.7
-"""Of the slices of the most loaded roller: if fewer bear, it lies on a part of its length."""
+"""Fraction of the slices of the most loaded roller: if fewer bear, it lies on a part of its
+length."""
 
 
 def are_rollers(solved: Solved) -> BoolArray:

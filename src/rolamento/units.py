@@ -518,7 +518,7 @@ def _factors(text: str, dimension: Dimension) -> list[tuple[str, str, int]]:
 
 
 def _is_known(registry: pint.UnitRegistry[Fraction], name: str) -> bool:
-    """Tell whether a name is a unit; a plural only of a unit written in full.
+    """Return whether a name is a unit; a plural only of a unit written in full.
 
     Without that, "Ns" would pass for newtons.
     """

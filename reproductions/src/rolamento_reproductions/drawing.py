@@ -162,7 +162,7 @@ _METADATA: Final[dict[str, dict[str, Any]]] = {
     "png": {"Software": None},
     "svg": {"Date": None, "Creator": "Rolamento"},
 }
-"""Nothing that tells when a picture was drawn, or with which release."""
+"""Nothing that reveals when a picture was drawn, or with which release."""
 _COLOURS: Final = 128
 _DOTS: Final = 200.0
 _MAX_LEGEND_COLUMNS: Final = 5
@@ -174,7 +174,7 @@ _ROUNDING: Final = 1e-6
 _NEAR_ZERO: Final = 0.02
 """Part of the x axis up to which it begins at zero."""
 _SPARSE: Final = 0.18
-"""Distance of the markers on a line that only they tell from others, over the axis's length."""
+"""Distance of markers over the axis's length, on a line that nothing else distinguishes."""
 
 
 def rendered(figure: Figure, endings: Sequence[Ending]) -> dict[Ending, bytes]:

@@ -18,7 +18,7 @@ KILO: Final = 1e3
 
 @dataclass(frozen=True, slots=True)
 class Given:
-    """A data file: inputs and printed numbers; their places in the source are told in its prose."""
+    """A data file: inputs and printed numbers; their places in the source are in its prose."""
 
     name: str
 

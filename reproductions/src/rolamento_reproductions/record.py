@@ -252,7 +252,7 @@ class Series:
 class Claim:
     """What the source states in words, what the program finds, and whether they agree.
 
-    partly: the statement holds for a part only, which the finding tells; of_theory: the statement
+    partly: the statement holds for a part only, which the finding shows; of_theory: the statement
     is not the source's, but what theory lets expect of its subject.
     """
 

@@ -276,7 +276,7 @@ def _csv_of(item: Figure | Table | Errata) -> str:
 
 
 def _is_ours(folder: Path, source: Source) -> bool:
-    """Tell whether the folder's page was written by this command for this source."""
+    """Return whether the folder's page was written by this command for this source."""
     page = folder / PAGE
     if not page.is_file():
         return False

@@ -65,7 +65,7 @@ class RowState:
         by field of `Bearing`; (cases,), SI, None for the rival of one that is given
     press
         how far the clamped rings press it in, e of `rolamento.assembly.ring`; (cases,), m; None
-        where the preload of the cases tells
+        where it follows from the preload of the cases
     """
 
     geometry: Mapping[str, FloatArray | None]
@@ -76,8 +76,8 @@ class RowState:
 class PlacedRow:
     """A row, the way it faces (+1 or -1), and where it is along x; (cases,), m.
 
-    press: how far the clamped rings press it in, (cases,), m; None where the preload of the cases
-    tells.
+    press: how far the clamped rings press it in, (cases,), m; None where it follows from
+    the preload of the cases.
     """
 
     row: Row
@@ -462,7 +462,7 @@ def _check_own_fields(bearing: RollingBearing, arrays: Mapping[str, FloatArray])
 
 
 def _consistent(bearing: Any, own: Bearing | RollerBearing) -> BoolArray:
-    """Tell in which cases the fields do not contradict each other, as the records have it.
+    """Return in which cases the fields do not contradict each other, as the records have it.
 
     bearing: attributes as arrays; own: what does not vary.
     """

@@ -1,7 +1,7 @@
 """A set in its seats: which geometry it runs with, and what becomes of its preload.
 
-Before mounting the preload tells how far the rows are pressed in; from then on clamped rings keep
-the axial places of their grooves, and `rolamento.clearance.sets` tells how those of each row
+Before mounting the preload shows how far the rows are pressed in; from then on clamped rings keep
+the axial places of their grooves, and `rolamento.clearance.sets` shows how those of each row
 change. Without springs the force between the rows is what comes out. In a set whose rows all face
 one way only the differences between rows act, and x counts from the mean of their first contacts.
 """
@@ -44,7 +44,7 @@ __all__ = [
 ]
 
 LIMITS: Final[tuple[Limit, Limit, Limit]] = ("maximum", "mean", "minimum")
-"""Of the clearance, from the loosest set to the tightest."""
+"""Limits of the clearance, from the loosest set to the tightest."""
 _OWN: Final = ("contact_angle", "diametral_clearance")
 
 

@@ -35,12 +35,13 @@ NO_CLOSER: Final = 1e-3
 """The same of those between which the set ceases to have an equilibrium: nothing is lost there."""
 ROUNDS: Final = 40
 ROUNDS_OUT: Final = 8
-"""Of the rounds outward; where the grip flattens out as the load grows, they never arrive."""
+"""Largest number of the rounds outward; where the grip flattens out as the load grows, they never
+arrive."""
 STRIDE: Final = 1.5
 FURTHEST: Final = 1e3
 """Times the multiple so far: the most that a round goes outward."""
 _AHEAD: Final = np.array([0.5, 0.8, 1.02, 1.5, 2.5])
-"""Of the way to where a straight line loses contact: what a round outward tries."""
+"""Fractions of the way to where a straight line loses contact: what a round outward tries."""
 MUCH_HEAVIER: Final = 10.0
 """Times the force without external load: what is left of the preload under it is little."""
 _BETWEEN: Final = np.arange(1.0, 6.0) / 6.0
@@ -135,7 +136,7 @@ class _Given:
 
     @cached_property
     def press(self) -> Press | None:
-        """How far each row is pressed in, under whatever load; None where each solution tells."""
+        """Press-in of each row, whatever the load; None where it depends on the solution."""
         if self.case.mounting is not None or self.case.bearing.preload is None:
             return None
         from rolamento.assembly.ring import pressed_in

@@ -371,7 +371,7 @@ def _propose(
 ) -> IntArray:
     """Begin where a row that is the whole bearing says that the ring rests; in how many steps.
 
-    Only rows whose kernels know of the ring can tell; it is judged as any other start.
+    Only rows whose kernels know the ring have one; it is judged as any other start.
     """
     placed, steps = cases.rows[0], np.zeros(len(chosen), np.int64)
     if len(cases.rows) > 1 or placed.sign < 0.0 or not isinstance(placed.row, Knowing):

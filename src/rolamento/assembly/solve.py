@@ -172,7 +172,7 @@ def _side_by_side(rows: Sequence[FloatArray]) -> FloatArray:
 
 
 def _length_of_line(row: RowGeometry) -> FloatArray:
-    """Of rollers; NaN of balls, (cases,), m."""
+    """Effective length of rollers; NaN of balls, (cases,), m."""
     length = row.effective_length
     return np.broadcast_to(np.nan, row.ball_diameter.shape) if length is None else length
 

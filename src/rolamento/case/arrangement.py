@@ -249,7 +249,7 @@ def element_of_row(row: object) -> str:
 
 
 RowOfElements = Annotated[BallRow | RollerRow, ByElement(element_by_designation)]
-"""A row of any rolling elements, told apart by `element`, else by the designation."""
+"""A row of any rolling elements, distinguished by `element`, else by the designation."""
 
 
 class Preload(Record):

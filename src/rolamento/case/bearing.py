@@ -50,7 +50,7 @@ _ShoulderHeight = Annotated[float, Quantity("length", above="0 mm", at_most="1 m
 
 
 def _required_unless_told(schema: dict[str, Any]) -> None:
-    """In the JSON schema, require the geometry only where no designation and no row tells it."""
+    """In the JSON schema, require the geometry only where no designation and no row gives it."""
     own = schema.pop("required", [])
     sphere = [*own, "kind"]  # its outer race follows
     schema["anyOf"] = [
@@ -220,7 +220,7 @@ class Bearing(RollingBearing):
 
     @property
     def element_material(self) -> Material:
-        """Of the balls."""
+        """Material of the balls."""
         return self.ball_material
 
     @property

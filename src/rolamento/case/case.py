@@ -71,7 +71,7 @@ class Case(Record):
     title
         One line, at most 200 characters.
     bearing
-        A `Bearing` or a `RollerBearing`, told apart by `element`, else by the designation or the
+        A `Bearing` or a `RollerBearing`, distinguished by `element`, else by the designation or the
         rows; in Python a designation will do, such as ``"6310/C3"``.
     duty
         A `Duty`.
@@ -118,7 +118,7 @@ class Case(Record):
     def _with_catalogue(
         cls, given: Any, handler: ModelWrapValidatorHandler[Self], info: ValidationInfo
     ) -> Self:
-        """Fill in sizes that a designation tells, and tell it the ratings that are given."""
+        """Fill in sizes that a designation gives, and pass it the ratings that are given."""
         if not isinstance(given, Mapping):
             return handler(given)
         if isinstance(given.get("bearing"), str) and not at_the_border(info.context):
@@ -341,7 +341,7 @@ def load_case(
     Parameters
     ----------
     path
-        A TOML or JSON file, told apart by the name's ending, else by the first
+        A TOML or JSON file, distinguished by the name's ending, else by the first
         character; ``"-"`` for standard input; or a designation such as ``"6310/C3"``.
     overrides
         What goes over the case, such as ``{"duty.load.fz": "10 kN"}``: values by dotted name as
@@ -371,7 +371,7 @@ def load_case(
 
 
 def is_designation(name: object, folder: str | os.PathLike[str] = "") -> bool:
-    """Tell a designation from a file: by its ending, or by its being there.
+    """Distinguish a designation from a file: by its ending, or by its being there.
 
     Parameters
     ----------
@@ -531,7 +531,7 @@ def case_to_json(case: Case) -> str:
 
 
 def _with_catalogue_sizes(given: Mapping[str, Any], *, in_file: bool) -> Mapping[str, Any]:
-    """Return the tables of a case with the sizes that they need and the catalogue tells.
+    """Return the tables of a case with the sizes that they need and the catalogue gives.
 
     Parameters
     ----------
@@ -638,7 +638,7 @@ def _needs_sizes(name: str, table: Mapping[str, Any]) -> bool:
 
 
 def _sizes_of(bearing: Any) -> dict[str, float]:
-    """What the catalogue tells; nothing of what is no designation, which others refuse."""
+    """What the catalogue gives; nothing of what is no designation, which others refuse."""
     if isinstance(bearing, Bearing):
         known = bearing.published
         return {} if known is None else {name: getattr(known, name) for name in _SIZES}

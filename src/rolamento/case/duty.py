@@ -25,7 +25,7 @@ SHORT_NAMES: Final = {
     **{name: f"duty.load.{name}" for name in LOADS},
     **{name: f"duty.displacement.{name}" for name in AXES},
 }
-"""Of the duty's fields, which need not be told apart from others."""
+"""Short names of the duty's fields, which need not be distinguished from others."""
 
 Five = tuple[float, float, float, float, float]
 

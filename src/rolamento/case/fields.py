@@ -1,6 +1,6 @@
 """The fields of a case, made from its records: names, quantities, bounds, rivals, labels.
 
-Whoever reads, sets, varies, lists or draws a field asks here. What a record does not tell by the
+Whoever reads, sets, varies, lists or draws a field asks here. What a record does not give by the
 type of a field stands at the field: `Quantity` says whether it may vary in a batch, `Replaces`
 what it takes the place of; what readers call it stands in `labels`.
 """
@@ -97,7 +97,7 @@ class Field:
 
     @property
     def dimension(self) -> Dimension | None:
-        """Of a quantity; None of anything else."""
+        """Dimension of a quantity; None of anything else."""
         return self.bounds.dimension if isinstance(self.bounds, Quantity) else None
 
     @property
@@ -223,7 +223,7 @@ def fields_of(record: type[Record]) -> Mapping[str, Field]:
     """Return the fields of a record and of the records in it, by their dotted names.
 
     A record that may also be given as text is a field itself, beside its own. What stands in a
-    list of tables is not told apart.
+    list of tables is not distinguished.
     """
     found = tuple(_fields_in(record, ""))
     replaces = {name: others for name, others, *_ in found}

@@ -17,7 +17,7 @@ __all__ = ["FIELDS", "OUTPUTS", "STATUSES", "current", "with_current_names"]
 _log = logging.getLogger("rolamento")
 
 FIELDS: Final = {"life.wanted_life": "life.required_life"}
-"""Of a case, dotted."""
+"""Fields of a case, dotted."""
 OUTPUTS: Final = {
     "life_below": "life_upper_bound",
     "wanted_reliability": "required_life_reliability",
@@ -29,9 +29,9 @@ OUTPUTS: Final = {
         )
     },
 }  # fmt: skip
-"""Of a study."""
+"""Outputs of a study."""
 STATUSES: Final = {"unheld_ball": "unconstrained_ball"}
-"""Of a case that is solved."""
+"""Statuses of a case that is solved."""
 
 
 def current(name: str, former: Mapping[str, str] = FIELDS) -> str:

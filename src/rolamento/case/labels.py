@@ -223,7 +223,7 @@ _OF_ENTRIES: Final = {
     "temperature": marked("temperature"),
     "viscosity": marked("viscosity"),
 }
-"""Of the tables in a list, what no table of a case has."""
+"""Labels of the tables in a list, what no table of a case has."""
 
 
 def label_of(name: str) -> str:

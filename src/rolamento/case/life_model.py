@@ -33,7 +33,7 @@ _LEVEL_OF: Final = {
     name: level for level, names in LEVELS.items() for name in (level, *names.split())
 }
 DIRT: Final = ("contamination", "cleanliness", "filter_size", "grease_cleanliness")
-"""Of these a case takes one: how dirty the lubricant is."""
+"""Ways to say how dirty the lubricant is: a case takes one of them."""
 
 _Rating = Annotated[float, Quantity("force", above="0 N", at_most="1e9 N", varies=True)]
 _Factor = Annotated[float, Ratio(above=0.0, at_most=1000.0, varies=True)]
@@ -119,7 +119,7 @@ class LifeModel(Record):
     reliability
         S that the life is for, 0.01 to 0.999999.
     required_life
-        How long the bearing is to run, in s; in files in h. The result then tells with which
+        How long the bearing is to run, in s; in files in h. The result then states with which
         reliability it does.
     dynamic_rating, static_rating
         C_r and C_0r of one row, in N; those of the designation, or by ISO 281 and ISO 76 from the

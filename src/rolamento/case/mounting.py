@@ -105,7 +105,7 @@ class Mounting(Record):
         Sum of Rz of seat and ring, in m, by DIN 7190-1. Nothing is lost if neither is given.
     width
         B of one bearing, in m. In a set its rings and the spacers between them then make the
-        distance of the rows; where it is not given (nor told by a designation), shaft and housing
+        distance of the rows; where it is not given (nor given by a designation), shaft and housing
         do. It also goes into the thermal reference speed.
     inner_spacer_material, outer_spacer_material
         A `SeatMaterial`, its name or its table; that of shaft and housing if not given. For sets

@@ -27,9 +27,9 @@ class NamedRecord(Record):
 
     has_short_form: ClassVar = True
     data_file: ClassVar[str]
-    """Of rolamento/data, without its ending."""
+    """Name of a file of rolamento/data, without its ending."""
     data_key: ClassVar[str] = "material"
-    """Of the list."""
+    """Key of the list."""
     called: ClassVar[str] = marked("material")
     """What such a record is of, for messages."""
     usual: ClassVar[str]

@@ -68,7 +68,7 @@ Bounds = dict[Relation, tuple[float, str]]
 
 
 def at_the_border(context: object) -> bool:
-    """Tell whether a pydantic context is that of a file being read or written."""
+    """Return whether a pydantic context is that of a file being read or written."""
     return context == AT_THE_BORDER
 
 
@@ -127,13 +127,13 @@ class Quantity:
         return {relation: limit for relation, (limit, _) in _bounds(self).items()}
 
     def allows(self, values: NDArray[np.float64]) -> NDArray[np.bool_]:
-        """Tell which of the SI values are finite and within the bounds."""
+        """Return which of the SI values are finite and within the bounds."""
         return _within(values, _bounds(self))
 
     def __get_pydantic_core_schema__(
         self, source: object, handler: GetCoreSchemaHandler
     ) -> CoreSchema:
-        """Tell pydantic to read and write the field with this object."""
+        """Have pydantic read and write the field with this object."""
         return core_schema.with_info_plain_validator_function(
             self._validated,
             serialization=core_schema.plain_serializer_function_ser_schema(
@@ -187,19 +187,19 @@ class Ratio:
         return {relation: limit for relation, (limit, _) in _bounds(self).items()}
 
     def allows(self, values: NDArray[np.float64]) -> NDArray[np.bool_]:
-        """Tell which of the values are finite and within the bounds."""
+        """Return which of the values are finite and within the bounds."""
         return _within(values, _bounds(self))
 
     def __get_pydantic_core_schema__(
         self, source: object, handler: GetCoreSchemaHandler
     ) -> CoreSchema:
-        """Tell pydantic to read the field with this object."""
+        """Have pydantic read the field with this object."""
         return core_schema.no_info_plain_validator_function(self._validated)
 
     def __get_pydantic_json_schema__(
         self, schema: CoreSchema, handler: GetJsonSchemaHandler
     ) -> dict[str, Any]:
-        """Tell what number it is."""
+        """Return the number."""
         return _number_schema(_bounds(self))
 
     def _validated(self, value: object) -> float:

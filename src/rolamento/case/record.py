@@ -1,6 +1,6 @@
 """The base of everything that the user gives: frozen, compared by value, plainly refused.
 
-Pydantic checks; what it finds is told in Rolamento's own words. None of its
+Pydantic checks; what it finds is reported in Rolamento's own words. None of its
 exceptions reaches a user.
 """
 
@@ -164,11 +164,11 @@ class Record(BaseModel):
 
 
 class ByElement:
-    """Annotation of a record, or a union of records, that tell themselves apart by `element`.
+    """Annotation of a record, or a union of records, that distinguish themselves by `element`.
 
     Parameters
     ----------
-    told
+    stated
         Gives the element of a table without one; else it is of the first record.
     """
 
@@ -178,7 +178,7 @@ class ByElement:
     def __get_pydantic_core_schema__(
         self, source: object, handler: GetCoreSchemaHandler
     ) -> CoreSchema:
-        """Tell pydantic to choose the record by the element."""
+        """Have pydantic choose the record by the element."""
         members = get_args(source) or (source,)
         choices = {
             f"{_TAG}{element}": member for member in members for element in elements_of(member)
@@ -199,7 +199,7 @@ class ByElement:
     def __get_pydantic_json_schema__(
         self, schema: CoreSchema, handler: GetJsonSchemaHandler
     ) -> dict[str, Any]:
-        """Any of the records: a table that is told apart by more than `element` may fit several."""
+        """Any of the records: a table may fit several if more than `element` distinguishes them."""
         described = handler(schema)
         if "oneOf" in described:
             described["anyOf"] = described.pop("oneOf")
@@ -207,7 +207,7 @@ class ByElement:
 
 
 _TAG: Final = "element="
-"""Begins the part of an error's place that tells which member of a union it is in."""
+"""Begins the part of an error's place that shows which member of a union it is in."""
 
 
 def refuse_rivals(record: BaseModel) -> None:
@@ -253,7 +253,7 @@ def meanings(record: type[BaseModel]) -> Mapping[str, str]:
 
 
 def _plain_error(error: ValidationError, model: type[BaseModel]) -> InputError:
-    """Return the most telling of pydantic's findings, in our words."""
+    """Return the most specific of pydantic's findings, in our words."""
     # A misspelt key is also a missing one: tell of the misspelling. Another element has other keys.
     found = min(
         error.errors(include_url=False),

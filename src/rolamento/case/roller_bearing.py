@@ -37,14 +37,14 @@ from rolamento.words import said
 __all__ = ["RollerBearing", "below_axis", "roller_clearance_fits"]
 
 USUAL_RIB_HEIGHT: Final = 0.1
-"""Of the roller's diameter: where a rib touches if the bearing does not say; general knowledge of
-how high ribs are (a fifth of the diameter), not a figure of a source."""
+"""Fraction of the roller's diameter: where a rib touches if the bearing does not say; general
+knowledge of how high ribs are (a fifth of the diameter), not a figure of a source."""
 _MOST_INTERFERENCE: Final = 0.02
-"""Of the roller diameter: beyond is no elastic contact."""
+"""Fraction of the roller diameter: beyond is no elastic contact."""
 
 
 def _required_unless_told(schema: dict[str, Any]) -> None:
-    """In the JSON schema, require the geometry only where no designation and no row tells it."""
+    """In the JSON schema, require the geometry only where no designation and no row gives it."""
     own = schema.pop("required", [])
     angles = [*own, "contact_angle"]
     schema["anyOf"] = [
@@ -73,7 +73,7 @@ _SHAPE: Final = frozenset(
         *("pitch_diameter", "contact_angle", "roller_half_angle"),
     }
 )
-"""Of tapered rollers: what the usual radius of their ends follows from."""
+"""Fields of tapered rollers: what the usual radius of their ends follows from."""
 
 
 def _usual_end_radius(told: dict[str, Any]) -> float | None:
@@ -292,7 +292,7 @@ class RollerBearing(RollingBearing):
 
     @property
     def element_material(self) -> Material:
-        """Of the rollers."""
+        """Material of the rollers."""
         return self.roller_material
 
     @property

@@ -89,9 +89,9 @@ DISPLACED: Final = (
 )
 """Another bearing of the catalogue has other elements, another size and other ratings."""
 _WRITTEN_ANGLE: Final = re.compile(r"\s*\d+deg$")
-"""Of designations that tell their contact angle so, which lists of preloads do not."""
+"""Pattern of designations that state their contact angle so, which lists of preloads do not."""
 _ELSE_FROM: Final = {"spacing": "assumed", "preload": "designation"}
-"""Where a field comes from that the catalogue tells only together with what is given."""
+"""Where a field comes from that the catalogue gives only together with what is given."""
 
 
 Designation = Annotated[
@@ -135,7 +135,7 @@ class RollingBearing(Record):
 
         @property
         def kind(self) -> BearingKind | None:
-            """Of the grooves of balls."""
+            """Type of the grooves of balls."""
 
     _listed: tuple[CatalogueBearing, ...] = PrivateAttr(default=())
     """The records outside the built-in catalogue by which the designation was found."""
@@ -149,12 +149,12 @@ class RollingBearing(Record):
         designation
             Such as ``"6305/C3"`` or ``"EX 70 25deg"``.
         fields
-            Of the bearing, in the place of what the catalogue tells.
+            Of the bearing, in place of those of the catalogue.
 
         Raises
         ------
         InputError
-            If the designation is not known, or does not tell what is not given.
+            If the designation is not known, or does not give what is not given.
         """
         return cls(**{"designation": designation, **fields})
 
@@ -180,7 +180,7 @@ class RollingBearing(Record):
 
     @property
     def element_material(self) -> Material:
-        """Of the rolling elements."""
+        """Material of the rolling elements."""
         raise NotImplementedError
 
     @property
@@ -311,7 +311,7 @@ class RollingBearing(Record):
     def _filled_in(
         cls, given: Any, handler: ModelWrapValidatorHandler[Self], info: ValidationInfo
     ) -> Self:
-        """Fill in what a designation or the first row tells, without making it the user's own."""
+        """Fill in what a designation or the first row gives, without making it the user's own."""
         if not isinstance(given, Mapping):
             return handler(given)
         in_file = at_the_border(info.context)
@@ -345,7 +345,7 @@ class RollingBearing(Record):
     def _of_catalogue(
         cls, geometry: InternalGeometry, given: Mapping[str, Any], *, in_file: bool
     ) -> dict[str, Any]:
-        """Return the fields that a designation tells and the user does not."""
+        """Return the fields that a designation gives and the user does not."""
         own = _own_fields(given)
         missing = cls.FILLED_IN.keys() - own
         if own.intersection(cls.PLAY):
@@ -373,7 +373,7 @@ class RollingBearing(Record):
 
     @classmethod
     def _of_first_row(cls, given: Mapping[str, Any], *, in_file: bool) -> dict[str, Any]:
-        """Return the geometry that the first row of this kind tells and the bearing does not."""
+        """Return the geometry that the first row of this kind gives and the bearing does not."""
         rows = given.get("rows")
         for row in rows if isinstance(rows, list | tuple) else ():
             told = row if isinstance(row, Mapping) else getattr(row, "own", {})

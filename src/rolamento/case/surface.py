@@ -14,7 +14,7 @@ __all__ = ["RQ_OVER_RA", "RoughnessParameter", "Surface"]
 RoughnessParameter = Literal["Rq", "Ra"]
 
 RQ_OVER_RA: Final = 1.25
-"""Of a Gaussian surface: √(π/2), which is used as 1.25 since the meters of old."""
+"""Ratio R_q/R_a of a Gaussian surface: √(π/2), which is used as 1.25 since the meters of old."""
 
 _Roughness = Annotated[float, Quantity("length", above="0 um", at_most="100 um")]
 

@@ -61,7 +61,7 @@ def batch_fields() -> tuple[str, ...]:
 
 
 def is_of_mounting(field: str) -> bool:
-    """Tell whether a field of a batch takes effect through a mounting alone."""
+    """Return whether a field of a batch takes effect through a mounting alone."""
     return field.startswith(("temperature.", "mounting.")) and field != "temperature.lubricant"
 
 

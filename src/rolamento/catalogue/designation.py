@@ -34,7 +34,7 @@ _INSERT: Final = re.compile(
 )
 _UNIT: Final = re.compile(r"(?P<letters>[A-Z]{2,5})-?(?P<bore>\d{2,3})(?P<rest>(?:-|[A-Z]).*)?")
 _MIN_BORE_CODE: Final = 4
-"""Of the bore: below 20 mm makers differ in the outside diameter."""
+"""Smallest code of the bore: below 20 mm makers differ in the outside diameter."""
 _MAX_BORE_CODE: Final = 22
 
 
@@ -155,17 +155,17 @@ _NUMBER: Final = re.compile(
     r"(?P<bore>\d{2})"
     r"(?P<rest>(?:\|?2[RZ]|\D).*)?"
 )
-"""Of a text whose blanks, hyphens, strokes and points are one stroke each."""
+"""Pattern of a text whose blanks, hyphens, strokes and points are one stroke each."""
 _FOUR_POINT: Final = re.compile(
     r"(?P<series>QJF?\|?(?:2|3|10))(?P<bore>\d{2})(?P<rest>(?:\|?2[RZ]|\D).*)?"
 )
-"""Likewise."""
+"""The same pattern for four-point bearings."""
 _ANGLE: Final = re.compile(r"(?<=[\s/-])(?P<angle>\d{1,2}(?:\.\d+)?)\s*(?:DEG|°)(?![A-Z])")
 _DESIGN: Final = re.compile(r"(?P<angle>AC|C|F)(?P<design>[DEB])(?=G[ABC]?(?:\||$)|\||$)")
 """SKF's letters of contact angle and internal design, behind the number of a spindle bearing."""
 _PARTING: Final = str.maketrans(dict.fromkeys("-/.,_"))
 _BORE_IN_MM: Final = re.compile(r"\b((?:HR\s*)?3\d\d|R?NA\s*\d\d)\s*/\s*(\d\d)(?!\d)", re.I)
-"""Of tapered and needle roller bearings."""
+"""Pattern of tapered and needle roller bearings."""
 _SPINDLE_SERIES: Final = ("70", "718", "719")
 _MILLIMETRES_A_CODE: Final = 5
 
@@ -254,7 +254,7 @@ class Designation:
 
     @property
     def keys(self) -> tuple[str, ...]:
-        """What to look for in a catalogue, folded, the most telling first."""
+        """What to look for in a catalogue, folded, the most specific first."""
         keys = [self.text, self.name]
         for number in self._numbers:
             if self.contact_angle is None:
@@ -264,7 +264,7 @@ class Designation:
 
     @property
     def angle_letters(self) -> tuple[str, ...]:
-        """The letters by which makers tell this contact angle."""
+        """The letters by which makers denote this contact angle."""
         angle = self.contact_angle
         angles = _angles_of(self.kind).items()
         return tuple(letters for letters, value in angles if angle == radians(value))
@@ -471,7 +471,7 @@ def _code_of(millimetres: int) -> str | None:
 
 
 def _angle(rest: str, series: str, kind: str) -> tuple[float | None, Letters, str]:
-    """Return the contact angle that the letters behind the number tell, and what is left."""
+    """Return the contact angle that the letters behind the number denote, and what is left."""
     data = designation_data()
     spindle = None if kind else _DESIGN.match(rest)
     if spindle is not None and (series in _SPINDLE_SERIES or spindle["design"] == "D"):

@@ -35,18 +35,18 @@ _C = TypeVar("_C", Candidate, RollerCandidate)
 Origin = Literal["published", "inferred", "assumed", "designation"]
 
 ASSUMED_CONFORMITY: Final = 0.52
-"""Of both races where nothing is published: what ISO 281 supposes of its ratings."""
+"""Conformity of both races where nothing is published: what ISO 281 supposes of its ratings."""
 
 _ASSUMED_CONFORMITIES: Final = {
     "self_aligning": SELF_ALIGNING_CONFORMITY,
     "thrust": THRUST_CONFORMITY,
 }
-"""Likewise where the ratings suppose other ones."""
+"""Conformities where the ratings assume other ones."""
 _ROW_SPACING: Final = 0.42
 """Between the rows of a double row, over its width: NSK's and Schaeffler's lists have 0.36 to 0.46,
 by where the contact lines meet the shaft."""
 _FOUR_POINT_ANGLE: Final = radians(35.0)
-"""Of four-point bearings whose maker gives none: NSK's and SKF's."""
+"""Contact angle of four-point bearings whose maker gives none: NSK's and SKF's."""
 _CLEARED: Final = ("deep_groove", "self_aligning", "four_point", "cylindrical", "needle")
 """Kinds with a class of clearance."""
 _BALLS: Final = ("ball_count", "ball_diameter")
@@ -118,7 +118,7 @@ class InternalGeometry:
 
     @property
     def bearing_type(self) -> str:
-        """Of a roller bearing, what its designation names: ``"NU"``, ``"NA"``, ``"K"`` …, or ""."""
+        """Type of a roller bearing as its designation names it, such as ``"NU"``; else empty."""
         return _type_of(self.bearing, self.designation)
 
     @property
@@ -157,7 +157,7 @@ class InternalGeometry:
 
     @property
     def width(self) -> float | None:
-        """B in m, published or by ISO 15; None if neither tells."""
+        """B in m, published or by ISO 15; None if neither has it."""
         bearing = self.bearing
         return bearing.width or standard_width(bearing.bore, bearing.outside_diameter)
 
@@ -169,7 +169,7 @@ class InternalGeometry:
         arrangement
             ``"DB"``, ``"DF"`` …
 
-        Their width; of a pair of tapered bearings by the load centre a, which tells how far the
+        Their width; of a pair of tapered bearings by the load centre a, which shows how far the
         middle of the rollers is from the cup's back face: x = a - ½(d_pw + D_we cos α) tan α. None
         if the width is not known.
         """

@@ -278,7 +278,7 @@ def _grid(bearing: CatalogueBearing, rates: Practice) -> _Grid:
 def _near(
     bearing: CatalogueBearing, rates: Practice, count: NDArray[np.int64], ball: FloatArray
 ) -> NDArray[np.bool_]:
-    """Tell what is worth a closer look: no groove lifts C, open ones take a third off."""
+    """Say what is worth a closer look: no groove lifts C, open ones take a third off."""
     listed = bearing.rated[0]
     if listed is None:
         return np.ones(count.shape, dtype=np.bool_)

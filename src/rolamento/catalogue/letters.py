@@ -56,7 +56,7 @@ class Letters:
     preload
         The part that names a class of preload; None likewise.
     design
-        ``"D"``, ``"E"`` or ``"B"`` where they tell SKF's internal designs of spindle bearings, or
+        ``"D"``, ``"E"`` or ``"B"`` where they denote SKF's internal designs of spindle bearings, or
         that it is of a high-speed one, ``"E"``; else empty.
     parts
         What is understood, with the meaning; of a clearance class only what narrows it.
@@ -94,7 +94,7 @@ class Letters:
 
     @property
     def at_speed(self) -> tuple[Part, ...]:
-        """Of the parts, those that bear on the limiting speed: tolerance, cage, seals, design."""
+        """Parts that affect the limiting speed: tolerance class, cage, seals, design."""
         data = designation_data()
         known = {text for texts in data["bears_on_speed"].values() for text in texts}
         suffixes, prefixes = data["suffixes"], data["prefixes"]
@@ -258,7 +258,7 @@ def _taken_apart(group: str, angular: bool, after: _Kind = "", letters: int = 0)
 
 
 def _beginnings(group: str, angular: bool, after: _Kind) -> Iterator[tuple[str, _Kind]]:
-    """What a group may begin with, the most telling first."""
+    """What a group may begin with, the most specific first."""
     data = designation_data()
     if after == "tolerance":
         yield group[0], "digit"

@@ -33,7 +33,7 @@ Kind = Literal[
 ]  # fmt: skip
 _KINDS: Final = get_args(Kind)
 ROLLER_KINDS: Final = ("cylindrical", "tapered", "needle", "drawn_cup")
-"""Of those, the roller bearings."""
+"""Kinds of roller bearings among them."""
 
 
 @frozen(kw_only=True)

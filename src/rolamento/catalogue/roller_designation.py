@@ -20,7 +20,7 @@ _CYLINDRICAL: Final = re.compile(
     r"(?P<type>NUP|NU|NJ|NF|N)\|?(?P<series>10|22|23|2|3|4)"
     r"(?:(?P<bore>\d\d)|\|(?P<millimetres>\d{3}))" + _REST
 )
-"""Of a text whose blanks, hyphens, strokes and points are one stroke each."""
+"""Pattern of a text whose blanks, hyphens, strokes and points are one stroke each."""
 _TAPERED: Final = re.compile(
     r"(?:HR\|?)?(?P<series>30[23]|313|32[0239]|33[0-2])"
     r"(?:\|?(?P<bore>\d\d)|/(?P<millimetres>\d\d))" + _REST
@@ -34,7 +34,7 @@ _CAGE: Final = re.compile(
 )
 _SERIES: Final = {"cylindrical": _CYLINDRICAL, "tapered": _TAPERED, "needle": _NEEDLE}
 _STROKE: Final = re.compile(r"(?<=\d)\s*/\s*(?=(?:22|28|32)(?!\d))")
-"""Before a bore in mm, where a blank or a hyphen would not tell it from two figures of a code."""
+"""Stroke before a bore in mm; a blank or a hyphen would make it two figures of a bore code."""
 _STANDARD: Final = ""
 _LETTERS: Final = {
     "cylindrical": re.compile(r"\|?(?P<design>EC|E)(?=[WTMJPGHX|-]|$)"),

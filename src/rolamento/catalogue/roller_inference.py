@@ -1,13 +1,13 @@
 """The hidden inside of a roller bearing, inferred from its raceways and its ratings.
 
 Where both raceways are printed, D_we = (E_w - F_w)/2 and d_pw = (E_w + F_w)/2. Where they are not,
-the ratings tell the diameter: by ISO 281 and ISO 76
+the ratings give the diameter: by ISO 281 and ISO 76
 
     C^(9/7)/C_0 ~ D_we^0.38 Z^(-1/28),
 
 so that they give D_we within some two parts in a hundred whatever the number of rollers: one
 diameter of the standard rollers, or that of a tapered roller, which is of no standard. Then C_0
-gives Z L_we. How many rollers that are, the ratings tell badly: all counts that fill the pitch
+gives Z L_we. The ratings determine the number of rollers poorly: all counts that fill the pitch
 circle as rollers usually do are candidates, each with its length, and what they share says how
 sure the first is.
 
@@ -39,10 +39,11 @@ _FARTHEST: Final = 9.0
 """A candidate is left out beyond this much more of squared misfit than the best."""
 _FILLINGS: Final = (0.4, 1.0)
 _TAPERED_SHARES: Final = np.linspace(0.36, 0.62, 131)
-"""Of the section height, diameters of a tapered roller that are tried: it is of no standard."""
+"""Fractions of the section height, diameters of a tapered roller that are tried: it is of no
+standard."""
 _SHARES: Final = (0.20, 0.90)
 _PITCHES: Final = (0.99, 1.0, 1.01)
-"""Of the mean diameter, of bearings that print no raceway."""
+"""Fractions of the mean diameter, of bearings that print no raceway."""
 _TENTH_OF_MICROMETRE: Final = 7
 _ROUNDING: Final = 1e-9
 
@@ -129,7 +130,7 @@ def inferred_rollers(
     Raises
     ------
     InputError
-        If the bearing has balls, no rating to infer from or, tapered, nothing that tells its
+        If the bearing has balls, no rating to infer from or, tapered, nothing that shows its
         contact angle.
     """
     if not bearing.has_rollers:

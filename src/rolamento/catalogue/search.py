@@ -244,7 +244,7 @@ class Catalogue:
     def _by_shorter_name(self, designation: Designation) -> Found | None:
         """The bearing whose whole name stands among the letters, as ``Q-17`` in Q-17/C3.
 
-        A plain number is none: its letters may tell another contact angle.
+        A plain number is none: its letters may denote another contact angle.
         """
         groups = groups_of(with_kept_bore(designation.name.upper()))
         first = "" if designation.number or not groups else groups[0]
@@ -409,7 +409,7 @@ def catalogue_with(bearings: Sequence[CatalogueBearing]) -> Catalogue:
 
 
 def is_built_in(bearing: CatalogueBearing) -> bool:
-    """Tell whether a bearing is one of the built-in catalogue's."""
+    """Return whether a bearing is one of the built-in catalogue's."""
     return built_in_catalogue()._by_key.get(folded(bearing.designation)) is bearing
 
 

@@ -102,7 +102,7 @@ def _clearance(case: Case, bearing: Any, arrays: Mapping[str, FloatArray]) -> Fl
 
 
 def inside_seats(assembly: Any, mounting: Any) -> Any:
-    """Tell where the rings lie between shaft and housing."""
+    """Return where the rings lie between shaft and housing."""
     inside = (mounting.bore < assembly.inner_raceway) & (
         mounting.outside_diameter > assembly.outer_raceway
     )

@@ -59,37 +59,37 @@ class Temperatures(Protocol):
 
     @property
     def inner_ring(self) -> float | None:
-        """Of the inner ring."""
+        """Temperature of the inner ring."""
         ...
 
     @property
     def outer_ring(self) -> float | None:
-        """Of the outer ring."""
+        """Temperature of the outer ring."""
         ...
 
     @property
     def balls(self) -> float | None:
-        """Of the balls or rollers; that of the inner ring if None."""
+        """Temperature of the balls or rollers; that of the inner ring if None."""
         ...
 
     @property
     def shaft(self) -> float | None:
-        """Of the shaft at its seat; that of the inner ring if None."""
+        """Temperature of the shaft at its seat; that of the inner ring if None."""
         ...
 
     @property
     def housing(self) -> float | None:
-        """Of the housing at its seat; that of the outer ring if None."""
+        """Temperature of the housing at its seat; that of the outer ring if None."""
         ...
 
     @property
     def inner_spacer(self) -> float | None:
-        """Of the spacers between inner rings; that of the shaft if None."""
+        """Temperature of the spacers between inner rings; that of the shaft if None."""
         ...
 
     @property
     def outer_spacer(self) -> float | None:
-        """Of the spacers between outer rings; that of the housing if None."""
+        """Temperature of the spacers between outer rings; that of the housing if None."""
         ...
 
 
@@ -129,7 +129,7 @@ class FitState(NamedTuple):
     effective: FloatArray
     pressure: FloatArray
     change: FloatArray
-    """Of the clearance; never above 0."""
+    """Change of the clearance; never above 0."""
 
 
 @frozen
@@ -167,9 +167,9 @@ class Assembly:
     initial_clearance: float
     """The bearing's own, or the one that goes with its contact angle."""
     expansion_change: float
-    """Of the clearance, by free expansion of rings and rolling elements."""
+    """Change of the clearance, by free expansion of rings and rolling elements."""
     spin_change: float
-    """Of the clearance, by free growth of the rings as they turn."""
+    """Change of the clearance, by free growth of the rings as they turn."""
     strains: Strains
     _shaft: _Seat
     _housing: _Seat

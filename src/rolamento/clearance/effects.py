@@ -63,7 +63,7 @@ Finish = Literal["ground", "turned"]
 _FINISH_LENGTHS: Final[dict[Finish, float]] = {"ground": 2.0, "turned": 3.0}
 """mm in NSK's d/(d + 2) and d/(d + 3)."""
 _ROUGHNESS_SHARE: Final = 0.4
-"""Of Rz of both surfaces; the standard's edition of 2001 had 0.8."""
+"""Fraction of Rz of both surfaces; the standard's edition of 2001 had 0.8."""
 
 
 def contact_pressure(

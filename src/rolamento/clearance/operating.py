@@ -150,7 +150,7 @@ def bearing_with_clearance(
 
 
 def _beyond(clearance: str, *, closed: bool, angular: bool = False) -> InputError:
-    """Of a mounting that leaves no bearing."""
+    """Error of a mounting that leaves no bearing."""
     if not closed:
         rule = said(
             "opens the bearing too far: its operating clearance would be {clearance}",
@@ -387,12 +387,12 @@ class ClearanceSamples:
 
     @property
     def mean(self) -> float:
-        """Of the clearance."""
+        """Mean of the clearance."""
         return float(self.clearance.mean())
 
     @property
     def standard_deviation(self) -> float:
-        """Of the clearance, with n - 1; NaN of one sample."""
+        """Standard deviation of the clearance, with n - 1; NaN of one sample."""
         return float(self.clearance.std(ddof=1)) if len(self.clearance) > 1 else np.nan
 
     def to_mapping(self) -> dict[str, Any]:

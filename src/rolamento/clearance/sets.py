@@ -71,7 +71,7 @@ from rolamento.records import frozen
 __all__ = ["STAGES", "RunningRow", "Stage", "running_rows", "width_of"]
 
 _PAST_SENSE: Final = 0.25
-"""Of the distance of the groove centres."""
+"""Fraction of the distance of the groove centres."""
 
 Stage = Literal["unmounted", "mounted", "warm", "running"]
 STAGES: Final[tuple[Stage, ...]] = ("unmounted", "mounted", "warm", "running")
@@ -123,7 +123,7 @@ class RunningRow:
 
 
 def width_of(case: Case) -> float | None:
-    """B of one bearing of a set: as the mounting has it, or as the catalogue tells; m."""
+    """B of one bearing of a set: as the mounting has it, or as the catalogue gives; m."""
     if case.mounting is not None and case.mounting.width is not None:
         return case.mounting.width
     published = case.bearing.published

@@ -84,7 +84,7 @@ ClearanceClass = Literal[
     "C2", "CN", "C3", "C4", "C5", "CM", "CT", "CC1", "CC2", "CC", "CC3", "CC4", "CC5"
 ]
 CLEARANCE_CLASSES: Final[tuple[ClearanceClass, ...]] = get_args(ClearanceClass)[:5]
-"""Of ISO 5753-1, rising."""
+"""Classes of ISO 5753-1, rising."""
 CLEARANCE_SOURCE: Final = "ISO 5753-1:2009"
 ClearanceTable = Literal["", "cylindrical"]
 """Deep-groove ball bearings, if empty; cylindrical roller and needle roller bearings."""

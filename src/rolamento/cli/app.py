@@ -34,7 +34,7 @@ COMMANDS: Final[Groups] = {
 
 
 _MODULES: Final = {"app": "browser", "demo": "solve", "examples": "new"}
-"""Of commands that have none of their own name."""
+"""Modules of commands that have none of their own name."""
 
 _SOLVING: Final = {"demo", "app", "solve", "turn", "friction", "report", "life", "sweep"}
 """Commands after the first of which the solver is compiled in the background."""

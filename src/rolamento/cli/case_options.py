@@ -143,7 +143,7 @@ class CaseOptions:
         return catalogues(self.catalogue)
 
     def _in_options(self, error: InputError) -> InputError:
-        """Tell of a field that an option gave in the words of that option."""
+        """Name a field that an option gave in the words of that option."""
         for parameter, (option, field, example) in _FIELDS.items():
             given = getattr(self, parameter)
             if given is not None and error.field == field and error.source in ("", "--set"):

@@ -92,7 +92,7 @@ def complain_of_points(codes: Sequence[str], total: int, lang: Language | None) 
 
 
 def same_file(path: str, other: str) -> bool:
-    """Tell whether two paths lead to one file, whether it is there or not."""
+    """Return whether two paths lead to one file, whether it is there or not."""
     if STANDARD_STREAM in (path, other):
         return path == other
     try:

@@ -1,4 +1,4 @@
-"""`rolamento frequencies`: at which frequencies a bearing tells of damage."""
+"""`rolamento frequencies`: at which frequencies a bearing shows damage."""
 
 from __future__ import annotations
 

@@ -147,7 +147,7 @@ def _one(
     outputs: Outputs,
     lang: Language | None,
 ) -> bool:
-    """Show the friction of the case itself; tell whether it has a result."""
+    """Show the friction of the case itself; return whether it has a result."""
     from rolamento.tasks.friction import friction_mapping, friction_of_case
 
     analysis = friction_of_case(case, hysteresis=hysteresis)
@@ -190,7 +190,7 @@ def _show_curves(
     outputs: Outputs,
     lang: Language | None,
 ) -> bool:
-    """Show friction over a field; tell whether every point has a result."""
+    """Show friction over a field; return whether every point has a result."""
     from rolamento.pages.friction_over import friction_over_page
     from rolamento.studies.friction_curves import curves_mapping
 

@@ -221,7 +221,7 @@ def _one(
     outputs: Outputs,
     lang: Language | None,
 ) -> bool:
-    """Show the life of a case; tell whether it has a result."""
+    """Show the life of a case; return whether it has a result."""
     from rolamento.pages.life import life_page
     from rolamento.tasks.life import life_of_case
 
@@ -327,7 +327,7 @@ def _show_curves(
     outputs: Outputs,
     lang: Language | None,
 ) -> bool:
-    """Show life over a field; tell whether every point has a result."""
+    """Show life over a field; return whether every point has a result."""
     from rolamento.pages.life_over import life_over_page
     from rolamento.tasks.life_over import curves_json
 

@@ -63,7 +63,7 @@ def with_values(
 
 
 def _kinds(arguments: Sequence[str], takers: Collection[str]) -> list[str]:
-    """Tell for every word what it is: option, value, json, file (its value, perhaps) or case."""
+    """Return the kind of every word: option, value, json, file (its value, perhaps) or case."""
     kinds: list[str] = []
     for position, word in enumerate(arguments):
         before = kinds[-1] if kinds else ""

@@ -35,7 +35,7 @@ __all__ = [
 
 POINTS: Final = 40
 _MOST_VARIANTS: Final = 5
-"""That one figure over a field tells apart."""
+"""Lines that one figure over a field can distinguish."""
 
 PointsOption = Annotated[
     int, typer.Option("--points", metavar="N", help="Number of values of that field, 2 to 1000.")
@@ -49,7 +49,7 @@ class Curve(Protocol):
 
     @property
     def status(self) -> NDArray[np.str_]:
-        """Of each point."""
+        """Status of each point."""
         ...
 
     @property
@@ -62,7 +62,7 @@ C = TypeVar("C", bound=Curve)
 
 
 def check_variants(variants: list[str]) -> None:
-    """Refuse more variants than can be told apart.
+    """Refuse more variants than can be distinguished.
 
     Raises
     ------

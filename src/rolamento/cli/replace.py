@@ -425,7 +425,7 @@ def _working() -> Any:
 
 @contextmanager
 def _told(command: Callable[..., Any]) -> Iterator[None]:
-    """Tell what is wrong in the options of a command."""
+    """Say what is wrong in the options of a command."""
     with (
         told_in_options(),
         in_options(

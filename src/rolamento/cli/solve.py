@@ -61,7 +61,7 @@ def solve(
 
 
 def _compare(case: rolamento.Case, variants: list[str], json: str | None, outputs: Outputs) -> bool:
-    """Show a case and its variants; tell whether all have a result."""
+    """Show a case and its variants; return whether all have a result."""
     from rolamento.case.variant import read_variants
     from rolamento.pages.report import comparison_page
     from rolamento.tasks.report import compare_variants
@@ -104,7 +104,7 @@ def demo(
 
 
 def _analysed(case: rolamento.Case, lang: Language | None) -> rolamento.Analysis:
-    """Solve a case; whoever waits at a terminal for long is told why."""
+    """Solve a case; whoever waits at a terminal for long is shown why."""
     from rolamento.analysis import analyse
 
     with waiting(lang):

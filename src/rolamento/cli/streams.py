@@ -115,7 +115,7 @@ def _encoded(text: str, stream: TextIO) -> bytes:
 
 
 def _write(stream: TextIO | None, content: Callable[[], bytes], name: str) -> None:
-    """Write bytes and see them off: what is left in a buffer fails where nobody can tell."""
+    """Write bytes and see them off: what is left in a buffer fails where nobody can report it."""
     if stream is None:
         raise FileError(said("is closed"), source=name)
     try:

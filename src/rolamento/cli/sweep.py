@@ -126,7 +126,7 @@ def sweep(
 
 
 def _tell_what_is_kept(stop: KeyboardInterrupt) -> NoReturn:
-    """End an interrupted study; before the first case there is nothing to tell."""
+    """End an interrupted study; before the first case there is nothing to show."""
     from rolamento.studies import Interrupted
 
     if not isinstance(stop, Interrupted):

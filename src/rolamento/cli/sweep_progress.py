@@ -39,7 +39,7 @@ def told(stream: TextIO | None = None) -> Iterator[Progress]:
 
 
 class Rate:
-    """Cases per second since it was first told, and the seconds that are left."""
+    """Cases per second since the first report, and the seconds that are left."""
 
     def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
         self._clock = clock

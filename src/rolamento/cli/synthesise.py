@@ -110,7 +110,7 @@ _OPTIONS: Final = {
     "deviation": "--wander",
     "memory": "--wander",
 }
-"""Of fields that the recipe and the synthesis check, the options that give them."""
+"""Options of fields that the recipe and the synthesis check, the options that give them."""
 
 
 _LOADS: Final = ("uniform", "radial", "solved")

@@ -146,7 +146,7 @@ with_life_columns = with_record("columns", LifeColumns)
 
 @contextmanager
 def told_in_options(**options: str) -> Iterator[None]:
-    """Tell what is wrong with a table, or with an argument, in the words of the command.
+    """Say what is wrong with a table, or with an argument, in the words of the command.
 
     options: those that arguments come from, by their names: ``times="--time"``.
     """

@@ -27,7 +27,7 @@ PATIENCE: Final = 1.0
 """Seconds after which a person wants to know why nothing comes."""
 
 Progress = Callable[[int, int], None]
-"""Is told how much is done, and of how much."""
+"""Called with how much is done, and of how much."""
 
 
 class _Word:
@@ -64,7 +64,7 @@ _AT_WORK: Final[list[_Word | None]] = []
 
 @contextmanager
 def working() -> Iterator[None]:
-    """Tell whoever waits at a terminal for long that something is done; around every command."""
+    """Show at a terminal after a while that something is done; around every command."""
     if not _is_terminal() or _is_typed():
         yield
         return
@@ -76,7 +76,7 @@ def working() -> Iterator[None]:
 def waiting(
     lang: Language | None, text: str | None = None, after: float = PATIENCE
 ) -> Iterator[None]:
-    """Tell whoever waits at a terminal for long why; by default, that something is solved."""
+    """Show at a terminal after a while why; by default, that something is solved."""
     if not _is_terminal():
         yield
         return

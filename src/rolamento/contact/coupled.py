@@ -69,14 +69,14 @@ _POINTS: Final = 14 * _STEPS_PER_UNIT + 1
 """Up to b/w = e^6: 1001 slices of a roller half as long as thick, under twenty GPa."""
 _STEP: Final = 1.0 / _STEPS_PER_UNIT
 _NODES: Final = 5
-"""Of the integration over a step of the table: to rounding."""
+"""Number of nodes of the integration over a step of the table: to rounding."""
 
 _ROUNDS: Final = 60
 _BOLD: Final = 15
 """Rounds in which a slice that would pull is let go at once; afterwards it yields by steps."""
 _TOLERANCE: Final = 1e-6
-"""Of the gap, over the deepest interference, from which one last step of Newton is taken: it leaves
-1e-12 of the load."""
+"""Fraction of the gap, over the deepest interference, from which one last step of Newton is taken:
+it leaves 1e-12 of the load."""
 _NO_LOAD: Final = 1e-14
 """Load over the greatest at which a slice that goes on yielding is let go."""
 
@@ -129,7 +129,7 @@ def body_term(slices: int, width: float, roller_diameter: float, share: float) -
     -------
     (slices,), by the distance of two slices.
 
-    Johnson (1985), eq. 5.57, as told at the head of this module.
+    Johnson (1985), eq. 5.57, as stated at the head of this module.
     """
     edge = (np.arange(slices + 1) - 0.5) * (width * exp(1.0) / roller_diameter)
     return np.asarray(share * np.diff(np.arcsinh(edge)))

@@ -39,7 +39,7 @@ __all__ = [
 ]
 
 EXPONENT: Final = 10.0 / 9.0
-"""Of the deflection, in Q = c δ^(10/9)."""
+"""Exponent of the deflection, in Q = c δ^(10/9)."""
 
 PRESSURE_LIMIT: Final = 4.0e9
 """Pa: the pressure at which a roller and its race keep a permanent deformation of 0.0001 of the

@@ -26,16 +26,17 @@ from rolamento.words import said
 __all__ = ["ISO_FACTOR", "ISO_FACTOR_TAPERED", "drop"]
 
 ISO_FACTOR: Final = 0.00035
-"""Of cylindrical and needle rollers, L_we ≤ 2.5 D_we. ISO/TS 16281:2008. It is the drop that
-evens out some 3000 MPa of steel: Lundberg's amplitude 2q/(πE') is then 2 D p0²/E'² = 0.00035 D."""
+"""Profile factor of cylindrical and needle rollers, L_we ≤ 2.5 D_we. ISO/TS 16281:2008. It is the
+drop that evens out some 3000 MPa of steel: Lundberg's amplitude 2q/(πE') is then 2 D p0²/E'² =
+0.00035 D."""
 
 ISO_FACTOR_TAPERED: Final = 0.00045
-"""Of rollers of tapered and thrust bearings. ISO/TS 16281:2008."""
+"""Profile factor of rollers of tapered and thrust bearings. ISO/TS 16281:2008."""
 
 _LONG: Final = 2.5
 """L_we/D_we above which ISO/TS 16281:2008 leaves the middle of a cylindrical roller straight."""
 _LONG_FACTOR: Final = 0.0005
-"""Of the ends of such rollers."""
+"""Profile factor of the ends of such rollers."""
 
 
 def drop(

@@ -50,8 +50,8 @@ _ROLLING_ALONE = 0.243
 """Poisson's ratio above which the maximum shear lies in the plane of rolling, whatever the ellipse:
 the two planes are alike in a line contact at 0.2424, and in all others below that."""
 _PEAK_STEPS = 5
-"""Of Newton: from where `_start` begins, four bring the depth to rounding over all ellipses and
-materials."""
+"""Number of steps of Newton: from where `_start` begins, four bring the depth to rounding over all
+ellipses and materials."""
 _NEWTON_STEPS = 60
 _TOLERANCE = 1e-14
 

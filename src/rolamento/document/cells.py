@@ -116,12 +116,12 @@ def numbers_of(column: Column) -> list[float]:
 
 
 def is_numeric(column: Column) -> bool:
-    """Tell whether a column has numbers, and not only texts."""
+    """Return whether a column has numbers, and not only texts."""
     return any(isinstance(value, float | int | Number) for value in column.values)
 
 
 def peaks(column: Column) -> list[bool]:
-    """Tell which cells have the greatest or the least number, where that is to be marked."""
+    """Return which cells have the greatest or the least number, where that is to be marked."""
     numbers = [abs(v) if isinstance(v, float) else nan for v in column.values]
     choose = min if column.peak == "minimum" else max
     extreme = choose((n for n in numbers if isfinite(n)), default=nan)
@@ -198,12 +198,12 @@ def table_of_bars(block: Bars) -> Table:
 
 
 def has_unit_line(block: Table) -> bool:
-    """Tell whether units stand in a line of their own below the heads."""
+    """Return whether units stand in a line of their own below the heads."""
     return block.units == "below" and any(c.unit for c in block.columns if not c.bar)
 
 
 def stands_left(column: Column) -> bool:
-    """Tell whether the cells of a column stand on the left: texts, if nothing else is said."""
+    """Return whether the cells of a column stand on the left: texts, if nothing else is said."""
     texts = any(isinstance(value, str) for value in column.values)
     return column.align == "left" or (not column.align and texts and not is_numeric(column))
 

@@ -66,7 +66,7 @@ class Medium:
         return self.shows(_GRAPHICS)
 
     def shows(self, text: str) -> bool:
-        """Tell whether the encoding has all characters of a text."""
+        """Return whether the encoding has all characters of a text."""
         try:
             text.encode(self.encoding)
         except (UnicodeEncodeError, LookupError):

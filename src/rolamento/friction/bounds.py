@@ -19,7 +19,7 @@ from rolamento.numerics import BoolArray, FloatArray
 from rolamento.solved import RACES, Solved
 
 WORTH: Final = 0.05
-"""Of the torque: less is within what any model of it is good for."""
+"""Fraction of the torque: less is within what any model of it is good for."""
 
 
 def upper_bounds(

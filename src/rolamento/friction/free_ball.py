@@ -53,7 +53,7 @@ STEPS: Final = 60
 HALVINGS: Final = 30
 ARMIJO: Final = 1e-4
 TOLERANCE: Final = 1e-9
-"""Of the gradient, over the sum of what it is made of."""
+"""Fraction of the gradient, over the sum of what it is made of."""
 NEARLY: Final = 1e-3
 """The same on the coarse mesh."""
 ROUGHLY: Final = 5e-2

@@ -27,12 +27,13 @@ from rolamento.numerics.compiled import filling, inline_exact, kernel
 from rolamento.numerics.dense import solve_dense
 
 TOLERANCE: Final = 1e-8
-"""Of the balance of forces, over friction itself: what stands of a closed form in doubles."""
+"""Residual of the balance of forces, over friction itself: what stands of a closed form in
+doubles."""
 STEPS: Final = 60
 MINIMUM_DAMPING: Final = 1e-14
 MAXIMUM_DAMPING: Final = 1e6
 REACH: Final = 1e6
-"""Of the ring's speed: no ball turns faster."""
+"""Multiple of the ring's speed: no ball turns faster."""
 
 Two: TypeAlias = tuple[float, float]
 Three: TypeAlias = tuple[float, float, float]

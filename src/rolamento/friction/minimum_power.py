@@ -33,7 +33,7 @@ ROUNDINGS = (0.1, 0.01)
 """v0 over the slip that rolling alone makes in the smaller contact, stage by stage."""
 
 GRADIENT_TOLERANCE = free_ball.TOLERANCE
-"""Of the sum of what the gradient is made of, without cancellation."""
+"""Fraction of the sum of what the gradient is made of, without cancellation."""
 
 FEW = 1000
 """Balls that take NumPy less time than loading the compiler."""

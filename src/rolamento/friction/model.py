@@ -34,7 +34,7 @@ INERTIA_SHARE: Final = 0.1
 """Share of friction, or of the ball's load, that forces of inertia may take at low speed."""
 
 COUNTED_LOAD: Final = 0.05
-"""Of the heaviest ball's load: balls with less are not judged for inertia."""
+"""Fraction of the heaviest ball's load: balls with less are not judged for inertia."""
 
 FULL_FILM: Final = 3.0
 """Film parameter λ above which the surfaces do not touch."""
@@ -67,7 +67,7 @@ class ContactLoss:
 
     @property
     def total(self) -> FloatArray:
-        """Of all contacts; (cases,)."""
+        """Sum of all contacts; (cases,)."""
         return np.asarray(np.sum(self.inner + self.outer, axis=-1))
 
     def scaled(self, factor: FloatArray) -> ContactLoss:
@@ -229,7 +229,7 @@ class Setting:
 
     @property
     def regime(self) -> NDArray[np.str_]:
-        """Of lubrication, (cases,): see `film_regime`."""
+        """Regime of lubrication, (cases,): see `film_regime`."""
         if self.film_parameter is None:
             return np.full(len(self), "unknown")
         return film_regime(self.film_parameter[:, 0])
@@ -334,7 +334,7 @@ def touches_both_arcs(solved: Solved) -> BoolArray:
 
 
 def limits_of_dry_friction(setting: Setting) -> dict[str, BoolArray]:
-    """Of models of dry or boundary friction without inertia."""
+    """Limits of models of dry or boundary friction without inertia."""
     film = setting.regime == "full_film"
     return {
         "inertia": inertia_counts(setting.solved, setting.friction_coefficient),
@@ -345,7 +345,7 @@ def limits_of_dry_friction(setting: Setting) -> dict[str, BoolArray]:
 
 
 def limits_of_lubricated_bearings(setting: Setting) -> dict[str, BoolArray]:
-    """Of models of lubricated machine bearings."""
+    """Limits of models of lubricated machine bearings."""
     return {"no_film": setting.regime == "boundary"}
 
 
@@ -425,7 +425,7 @@ def bearing_load(solved: Solved, machine: MachineBearing) -> tuple[FloatArray, F
 
 
 def controlling_race(solved: Solved, control: ControlChoice) -> NDArray[np.int64]:
-    """Tell which race each ball rolls on without spin: 1 outer, -1 inner; (cases, elements).
+    """Return which race each ball rolls on without spin: 1 outer, -1 inner; (cases, elements).
 
     control: "inner", "outer"; "state", as the state was solved; "jones", the race with the
     greater resistance to spin Q a E. Where the state's control is undecided, Jones's is taken.

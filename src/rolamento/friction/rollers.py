@@ -46,7 +46,7 @@ from rolamento.solved.rollers import Line
 from rolamento.words import marked
 
 SLIPS: Final = 1e-3
-"""Of the speed of entrainment: a line that slips more at its ends slips by its shape."""
+"""Fraction of the speed of entrainment: a line that slips more at its ends slips by its shape."""
 
 
 @frozen(eq=False)

@@ -37,7 +37,7 @@ Cylindrical roller bearings, and tapered ones with their axial factor Y = 0.4 co
 Source: SKF, Rolling bearings (catalogue 10000 EN, 2013), "The SKF model for calculating the
 frictional moment", equations and table 2a; the constants of deep-groove series and of single-row,
 double-row and four-point contact angular-contact bearings from table 2b, in data/skf_friction.toml,
-which tells what of the other kinds was at hand.
+which shows what of the other kinds was at hand.
 """
 
 from __future__ import annotations

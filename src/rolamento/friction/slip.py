@@ -301,7 +301,7 @@ class PressureSlip:
 
 
 _SHRINKING: Final = 0.1
-"""Of the grid from one zoom to the next."""
+"""Reduction of the grid from one zoom to the next."""
 
 
 def maximum_pressure_slip(patch: Patch, motion: RelativeMotion) -> PressureSlip:
@@ -366,7 +366,7 @@ def fast_maximum_pressure_slip(patch: Patch, motion: RelativeMotion) -> FloatArr
 
 
 def _maximum_without_tumbling(patch: Patch, motion: RelativeMotion) -> FloatArray:
-    """Of contacts (contacts,): a grid over u, then grids about its best."""
+    """Maxima of contacts (contacts,): a grid over u, then grids about its best."""
     points = patch.at_points()
     drift, roll, twist = (
         array[:, np.newaxis] for array in (motion.drift, motion.roll, motion.twist)

@@ -144,7 +144,7 @@ def numerals_of(
     mark: DecimalMark | None = None,
     ask_of_commas: bool = False,
 ) -> Numerals:
-    """Tell how the numbers of a table are written, by all of them together.
+    """Return how the numbers of a table are written, by all of them together.
 
     Parameters
     ----------

@@ -121,7 +121,7 @@ class Table:
     def numerals(
         self, columns: Sequence[int], mark: object = None, *, argument: bool = True
     ) -> Numerals:
-        """Tell how the numbers of some columns are written.
+        """Return how the numbers of some columns are written.
 
         Parameters
         ----------

@@ -50,7 +50,7 @@ _LARGEST_FILE: Final = 1_000_000
 # dotted key: 400 kB of "a.a.a…" fill a machine.
 _MOST_DOTS: Final = 100
 _MOST_KEYS: Final = 1000
-"""Of one table; a case has some two hundred fields."""
+"""Maximum number of keys of one table; a case has some two hundred fields."""
 _DEEPEST: Final = 100
 """Lists and tables in each other; what reads them may call itself for each."""
 _ENCODING_MARKS: Final = {b"\xff\xfe": "UTF-16", b"\xfe\xff": "UTF-16"}
@@ -95,14 +95,14 @@ def read_bytes(path: str | os.PathLike[str], most: int, what: str) -> bytes:
 
 
 def format_of_path(path: str | os.PathLike[str]) -> TextFormat | None:
-    """Return the format that a file name's ending tells of, if it does."""
+    """Return the format that a file name's ending names, if it does."""
     suffix = os.path.splitext(os.fspath(path))[1].lower()
     formats: dict[str, TextFormat] = {".toml": "toml", ".json": "json"}
     return formats.get(suffix)
 
 
 def format_of_text(text: str) -> TextFormat:
-    """Return the format that the first character tells of."""
+    """Return the format that the first character names."""
     return "json" if text.lstrip().startswith("{") else "toml"
 
 

@@ -69,7 +69,7 @@ With normal clearances of 6012, 6205 and 6305 it lies between 0.5 and 2 under lo
 more, axial or radial: so far X, Y and e of the table go.
 """
 _OTHERWISE_OF_ROLLERS: Final = 3.0
-"""Likewise of rollers, whose reference life has another exponent: with normal clearances of NU 205,
+"""The same for rollers, whose reference life has another exponent: at normal clearance of NU 205,
 2205, 308, 220 and 2316 the reference life is 0.9 to 2.2 times the rating life from C/50 to C/3.
 """
 _MINIMUM_LOAD: Final = 0.01
@@ -77,7 +77,7 @@ _MINIMUM_LOAD: Final = 0.01
 _CENTRIFUGAL: Final = 1.05
 """Mean outer over mean inner ball load, likewise."""
 _ROLLER_MINIMUM_LOAD: Final = 0.02
-"""Likewise of rollers."""
+"""The same for rollers."""
 _GROOVE_MARGIN: Final = 1e-3
 _REFUSING: Final = OUTSIDE - BOUNDS
 _MAXIMUM_OF_STEEL: Final = 120.0 + 273.15
@@ -502,7 +502,7 @@ def _limiting_speed(solved: Solved) -> float | None:
 
 
 def _speed(solved: Solved) -> FloatArray:
-    """Of the rings against each other, unsigned, (cases,), rad/s."""
+    """Speed of the rings against each other, unsigned, (cases,), rad/s."""
     return np.abs(solved.field("duty.inner_speed") - solved.field("duty.outer_speed"))
 
 

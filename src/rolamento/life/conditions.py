@@ -265,7 +265,7 @@ def _fatigue_load_method(case: Case) -> FatigueLoad:
     """How C_u is found where neither the user nor the maker gives it.
 
     From the contacts only where these are known: an interior that is inferred from the ratings
-    tells C and C_0, not the conformities on which the pressure depends. Ceramic balls have no C_0
+    shows C and C_0, not the conformities on which the pressure depends. Ceramic balls have no C_0
     to estimate it from.
     """
     bearing = case.bearing

@@ -50,10 +50,10 @@ if TYPE_CHECKING:
 SLOPE: Final = 10.0 / 9.0
 """Weibull's slope e of point contact."""
 ROLLER_SLOPE: Final = 9.0 / 8.0
-"""Of line contact."""
+"""Weibull slope of line contact."""
 EXPONENT: Final = 3.0
 _RISK: Final = EXPONENT * SLOPE
-"""Of the load, in the risk of failure."""
+"""Exponent of the load, in the risk of failure."""
 
 
 @frozen
@@ -97,7 +97,7 @@ class ReferenceLife:
 
     @property
     def race_slopes(self) -> FloatArray:
-        """Of the inner races, then of the outer ones; (2·rows,)."""
+        """Slopes of the inner races, then of the outer ones; (2·rows,)."""
         return np.concatenate([self.slope, self.slope])
 
     @classmethod

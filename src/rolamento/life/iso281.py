@@ -20,9 +20,9 @@ if TYPE_CHECKING:
     from rolamento.life.record import Life
 
 EXPONENT: Final = 3.0
-"""Of load, for point contact."""
+"""Exponent of load, for point contact."""
 ROLLER_EXPONENT: Final = 10.0 / 3.0
-"""Of load, for roller bearings, whose contact is between a point and a line."""
+"""Exponent of load, for roller bearings, whose contact is between a point and a line."""
 MAXIMUM_LOAD: Final = 0.5
 """P/C up to which the rating life is valid: above, the balls' contacts deform plastically."""
 MILLION: Final = 1e6

@@ -65,7 +65,7 @@ _LARGE: Final = 0.1
 """Pitch diameter above which fatigue strength falls with size; m."""
 _STATIC_SHARE: Final = 22.0
 _ROLLER_MEAN: Final = 0.2453
-"""Likewise of line contact."""
+"""The same for line contact."""
 _ROLLER_STATIC_SHARE: Final = 8.2
 _ROLLER_SIZE: Final = 0.3
 """Power of the pitch diameter, with which fatigue strength of roller bearings falls."""

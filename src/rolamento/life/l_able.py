@@ -144,7 +144,7 @@ def read_factor_table(
         Comma-separated values. The header has any word, then the load parameters (P - P_u)/(C a_c)
         of the columns, rising; every row below has κ, rising from row to row, and a_NSK.
     decimal_mark
-        ``"point"`` or ``"comma"``, where nothing in the table tells whether 1.500 is 1.5.
+        ``"point"`` or ``"comma"``, where nothing in the table shows whether 1.500 is 1.5.
 
     Raises
     ------

@@ -41,7 +41,7 @@ from rolamento.ratings.rollers import REDUCTION, THRUST_REDUCTION, roller_race_s
 from rolamento.words import said
 
 EXPONENT: Final = 4.0
-"""Of the load, in the life of a line contact."""
+"""Exponent of the load, in the life of a line contact."""
 _RISK: Final = EXPONENT * ROLLER_SLOPE
 _SLICE_SHARE: Final = 7.0 / 9.0
 

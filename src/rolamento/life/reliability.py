@@ -78,7 +78,7 @@ def reliability_of(life_ratio: ArrayLike, edition: Edition = "2007") -> FloatArr
 
 
 def outside_print(reliability: ArrayLike, edition: Edition = "2007") -> BoolArray:
-    """Tell whether a reliability lies outside the standard's table, so that a_1 is continued."""
+    """Return whether a reliability lies outside the standard's table, so that a_1 is continued."""
     s = numbers(reliability, "reliability")
     most = _PRINTED_TO[_checked(edition)]
     return np.asarray((s < RATING_RELIABILITY - _ROUNDING) | (s > most + _ROUNDING))

@@ -96,7 +96,7 @@ class Ratings:
 
     @property
     def exponents(self) -> FloatArray:
-        """Of the load in the rating life of each row, 3 or 10/3; (rows,)."""
+        """Exponents of the load in the rating life of each row, 3 or 10/3; (rows,)."""
         return np.where(self.rollers, ROLLER_EXPONENT, EXPONENT)
 
     @property
@@ -266,7 +266,7 @@ def has_steel_elements(solved: Solved) -> bool:
 
 
 def _roller_kind(place: RowPlace) -> RollerKind:
-    """What b_m depends on: drawn cups are told by their designation."""
+    """What b_m depends on: drawn cups are recognised by their designation."""
     published = place.bearing.published
     if published is not None and str(published.kind) == "drawn_cup":
         return "drawn_cup"

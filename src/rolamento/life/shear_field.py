@@ -28,14 +28,14 @@ MAXIMUM_ELLIPTICITY: Final = 60.0
 """a/b up to which the field is tabulated; flatter ones count as this one."""
 _SHAPES: Final = 12
 _WIDTH: Final = 1.5
-"""Of the region, over a: beyond it the shear is below a tenth of the greatest."""
+"""Half-width of the region, over a: beyond it the shear is below a tenth of the greatest."""
 _DEPTH: Final = 6.0
-"""Of the region, over b."""
+"""Depth of the region, over b."""
 _NEAREST: Final = 1e-3
 _FURTHEST: Final = 100.0
 """Where the peak of the shear is looked for: λ - λ_0 over ζ, and over k (1 + ζ)²."""
 _HALVINGS: Final = 36
-"""Of the logarithm: the place to 1e-9, the peak itself to rounding."""
+"""Number of halvings of the logarithm: the place to 1e-9, the peak itself to rounding."""
 _BLOCK: Final = 1024
 
 
@@ -49,7 +49,7 @@ class FieldMesh:
 
 @frozen
 class ShearIntegrals:
-    """Of each contact: I, and the mean depth over b by the same weight ⟨g - t⟩^c; one shape."""
+    """Risk integral I and weighted mean depth over b of each contact, both of one shape."""
 
     local: FloatArray
     plain: FloatArray

@@ -31,7 +31,8 @@ from rolamento.words import Note, said
 from rolamento.words.headlines import qualifies
 
 _ALIKE: Final = 1e-12
-"""Of a life: races that differ by less do so by rounding, and the first of them is named."""
+"""Fraction of a life: races that differ by less do so by rounding, and the first of them is
+named."""
 _MILLION: Final = 1e6
 _WORTH: Final = 1.5
 """Gain of the modified life below which neither oil nor cleanliness is what limits it."""

@@ -158,7 +158,7 @@ class Film:
 
     @property
     def lubricant(self) -> str:
-        """Its name."""
+        """Name of the lubricant."""
         return lubricant_of(self.case).name
 
     @property
@@ -437,7 +437,7 @@ def _starvation_factors(
     model: FilmModel,
     refill: FloatArray,
 ) -> tuple[FloatArray, FloatArray]:
-    """Of the central and of the minimum film; the films over R_x without starvation are given.
+    """Starvation factors of central and minimum film, from the fully flooded films over R_x.
 
     The inlet distance is of ellipses only: lines are flooded, and a note says so.
     """

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 MINIMUM_RATIO: Final = 1.0
 """κ below which the standard calls for additives that protect the surface."""
 STRONG_REDUCTION: Final = 0.5
-"""Of the film: where heat or lack of oil takes more, the estimate is rough."""
+"""Fraction of the film: where heat or lack of oil takes more, the estimate is rough."""
 _GROUPS: Final = {
     "U": "speed_parameter",
     "W": "load_parameter",

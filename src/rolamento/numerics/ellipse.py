@@ -19,18 +19,18 @@ _NEWTON_STEPS = 30
 _LAST_STEP = 3e-8
 _LARGEST_FITTED = 8.0
 _ROUND = 1e-8
-"""Of m, below which a slope is that of the circle: a difference over m would be rounding."""
+"""Value of m, below which a slope is that of the circle: a difference over m would be rounding."""
 _START = (
     1.1698686464e-10, 0.666666530927, 2.42237504431e-06, -0.0030994631522, 3.28192735224e-05,
     8.21878367412e-05, 4.04784986688e-05, -2.93028322031e-05, 8.14136554243e-06,
     -1.33967322637e-06, 1.41421304054e-07, -9.47309419259e-09, 3.68731080548e-10,
     -6.37469260254e-12,
 )  # fmt: skip
-"""Of a polynomial in -ln ratio, fitted to ln k at Chebyshev's nodes from 0 to 8."""
+"""Coefficients of a polynomial in -ln ratio, fitted to ln k at Chebyshev's nodes from 0 to 8."""
 
 
 class Ellipse(NamedTuple):
-    """Of an ellipse: k and the complete integrals K and E of m = 1 - 1/k²."""
+    """Parameters of an ellipse: k and the complete integrals K and E of m = 1 - 1/k²."""
 
     ellipticity: FloatArray
     first: FloatArray

@@ -23,10 +23,12 @@ from rolamento.numerics.elementwise import of_each
 
 _NEAR = 1e-8  # of both means: the next step would square it
 STEPS: Final = 5
-"""Of the arithmetic-geometric mean, enough from 1 - m = 1e-5 on, an ellipse of 300 to 1."""
+"""Number of steps of the arithmetic-geometric mean, enough from 1 - m = 1e-5 on, an ellipse of 300
+to 1."""
 _DUPLICATIONS: Final = 11
-"""Of Carlson's integrals: some four bring arguments of 1e-16 and 1 near each other, and each of the
-others divides their spread by 4, of which the series below leaves out the sixth order."""
+"""Number of duplications of Carlson's integrals: some four bring arguments of 1e-16 and 1 near each
+other, and each of the others divides their spread by 4, of which the series below leaves out the
+sixth order."""
 
 
 def complete(complement: ArrayLike) -> tuple[FloatArray, FloatArray]:

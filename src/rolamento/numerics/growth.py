@@ -12,7 +12,7 @@ that band (Fieller's theorem): the roots of
 Where the slope is not significant at the same confidence the set has no end, and the honest answer
 is "perhaps never"; where it falls, "not while it falls".
 
-Which law fits better is told by the likelihood of the values themselves, that of the exponential
+Which law fits better is decided by the likelihood of the values themselves, that of the exponential
 law with the Jacobian of the logarithm, -Σ ln y.
 
 Sources: Draper and Smith, Applied Regression Analysis (1998), sections 1.4 and 3.2; Fieller,
@@ -44,7 +44,7 @@ __all__ = [
 Law = Literal["linear", "exponential"]
 LAWS: Final = get_args(Law)
 LEAST_POINTS: Final = 3
-"""Of different times: fewer leave no residual to judge the slope by."""
+"""Smallest number of different times: fewer leave no residual to judge the slope by."""
 
 
 @frozen
@@ -61,7 +61,7 @@ class Crossing:
     time
         at which the line reaches it; NaN without an answer
     lower, upper
-        of that time, at the confidence; upper infinite where no end can be told
+        of that time, at the confidence; upper infinite where no end can be judged
     confidence
         of both limits together
     """
@@ -234,12 +234,12 @@ class Forecast:
 
     @property
     def growth(self) -> Growth:
-        """Of the chosen law."""
+        """Growth of the chosen law."""
         return self.growths[self.chosen]
 
     @property
     def crossing(self) -> Crossing:
-        """Of the chosen law."""
+        """Crossing of the chosen law."""
         return self.crossings[self.chosen]
 
     def to_mapping(self) -> dict[str, Any]:

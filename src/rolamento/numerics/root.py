@@ -16,7 +16,7 @@ ValueAndSlope = Callable[[FloatArray], tuple[FloatArray, FloatArray]]
 
 _GUARDED_STEPS: Final = 100
 _HALVINGS: Final = 70
-"""64 tell any two numbers apart, the others look at the ends."""
+"""64 separate any two numbers, the others look at the ends."""
 MOST_EVALUATIONS: Final = _GUARDED_STEPS + _HALVINGS
 _GREATEST: Final = float(np.finfo(np.float64).max)
 _LEAST_BITS: Final = np.iinfo(np.int64).min
@@ -104,7 +104,7 @@ class _Bracket(NamedTuple):
         return cls(low, low, high, unseen, unseen)
 
     def is_outside(self, x: FloatArray, value: FloatArray) -> BoolArray:
-        """Tell whether a value at an end says that the root lies beyond it."""
+        """Return whether a value at an end says that the root lies beyond it."""
         before = (value > 0.0) & (x <= self.low) & ~self.low_seen
         return np.asarray(before | (value < 0.0) & (x >= self.high) & ~self.high_seen)
 
@@ -132,7 +132,7 @@ class _Bracket(NamedTuple):
         return _ordinal(between.view(np.float64)).view(np.float64)
 
     def is_tight(self, middle: FloatArray, tolerance: float) -> BoolArray:
-        """Tell whether the ends lie as near as they should, or nothing is between them."""
+        """Return whether the ends lie as near as they should, or nothing is between them."""
         width = self.high - self.low
         near = width <= tolerance * np.abs(middle)
         return np.asarray(near | (middle <= self.low) | (middle >= self.high))

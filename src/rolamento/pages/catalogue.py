@@ -59,7 +59,7 @@ _OF_TAPERED: Final = {
     "width": marked("assembled width T"),
     "contact_angle": marked("contact angle α of the outer raceway"),
 }
-"""Likewise of a tapered roller bearing."""
+"""The same for a tapered roller bearing."""
 _NAMES: Final = {
     "bore": marked("bore d"),
     "outside_diameter": marked("outside diameter D"),

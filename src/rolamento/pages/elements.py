@@ -405,7 +405,7 @@ _ROLLER_CONTACTS: Final = {
     "orthogonal_shear": "orthogonal_shear",
     "orthogonal_shear_depth": "orthogonal_shear_depth",
 }
-"""Of the contacts of rollers, what files have, and under which name."""
+"""Columns of the contacts of rollers, what files have, and under which name."""
 _ROLLER_COLUMNS: Final = (
     ("centrifugal_force", "centrifugal_force", "N"),
     ("gyroscopic_moment", "gyroscopic_moment", "N·mm"),

@@ -189,12 +189,12 @@ def _rating(name: str, source: str) -> Used:
 
 
 def _radial(used: Used) -> Used:
-    """Of bearings that are rated for radial load."""
+    """Equations of bearings that are rated for radial load."""
     return lambda case: used(case) and not _is_axial(case)
 
 
 def _axial(used: Used) -> Used:
-    """Of thrust bearings."""
+    """Equations of thrust bearings."""
     return lambda case: used(case) and _is_axial(case)
 
 

@@ -30,7 +30,7 @@ __all__ = ["film_sections", "regime_name"]
 _ZERO: Final = 273.15
 """K, at 0 °C."""
 _WHOLE: Final = 0.9995
-"""Of a film: a reduction that leaves more is not shown."""
+"""Fraction of a film: a reduction that leaves more is not shown."""
 _REGIMES: Final = {
     "full_film": marked("full film"),
     "partial": marked("partial film"),

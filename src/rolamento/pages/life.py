@@ -80,7 +80,7 @@ _FACTORS: Final = (
     ("κ", "viscosity_ratio"),
     ("e_C", "contamination_factor"),
 )
-"""Of the table: heading, and name in the engine."""
+"""Columns of the table: heading, and name in the engine."""
 _CONDITIONS: Final = ("viscosity_ratio", "contamination_factor")
 """No factors of the life, and the same for all theories: they stand below the table."""
 _CHOSEN: Final = "▸"
@@ -92,7 +92,7 @@ _BEYOND_FATIGUE: Final = 100_000.0
 _FAR: Final = 1.5
 """The life over that of the catalogue, or the other way round, from which on it is explained."""
 _NOTABLE: Final = 1.1
-"""Likewise of a single factor."""
+"""The same for a single factor."""
 
 
 def life_page(

@@ -50,7 +50,7 @@ __all__ = ["life_spectrum_page", "shaft_spectrum_page"]
 
 _MOST_SHOWN: Final = 40
 _MOST_CHARACTERS: Final = 44
-"""Of the columns of fields that a page shows; files have all of them."""
+"""Width in characters of the columns of fields that a page shows; files have all of them."""
 _HEAD: Final = 12
 _CONVERGED: Final = "converged"
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 __all__ = ["limit_section", "limit_statement"]
 _FEW_DAYS: Final = 3.0
-"""Of a record, below which growth is shown by the day."""
+"""Length in days of a record, below which growth is shown by the day."""
 
 
 def limit_statement(

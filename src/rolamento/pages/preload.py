@@ -18,7 +18,7 @@ STAGE_NAMES: Final = {
     "rings_grown": marked("rings grown at speed"),
     "at_speed": marked("at speed"),
 }
-"""Of `PreloadStage.name`."""
+"""Headings of `PreloadStage.name`."""
 
 
 def stage_table(stages: Sequence[PreloadStage]) -> Table:

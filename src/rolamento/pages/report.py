@@ -1312,7 +1312,7 @@ _OF_FILMS: Final = (
     ("thermal_factor", marked("thermal factor"), ".3 %"),
     ("starvation_factor", marked("starvation factor"), ".3 %"),
 )
-"""Of the contacts of a race: name in the extremes, label, form."""
+"""Columns of the contacts of a race: name in the extremes, label, form."""
 
 
 _OF_LINES: Final = {
@@ -1701,7 +1701,7 @@ _CHECKS: Final[Mapping[str, tuple[str, str]]] = {
     "film_G": (marked("Hamrock–Dowson, material parameter G"), ".4"),
     "film_k": (marked("Hamrock–Dowson, ellipticity k"), ".3"),
 }
-"""Of the checks of a case: label, and form of the numbers."""
+"""Labels of the checks of a case: label, and form of the numbers."""
 
 
 def _validity(report: Report) -> list[Section]:

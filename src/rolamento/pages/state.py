@@ -55,7 +55,7 @@ __all__ = ["rosette", "state_page", "stiffness_section"]
 _SHIFTS: Final = 3
 """x, y, z come before the tilts, forces before moments."""
 _NEGLIGIBLE: Final = 1e-9
-"""Of the stiffnesses on the diagonal: what is less is rounding, and written 0."""
+"""Fraction of the stiffnesses on the diagonal: what is less is rounding, and written 0."""
 
 
 def state_page(solved: Solved, analysis: Analysis | None = None) -> Document:

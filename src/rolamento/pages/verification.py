@@ -84,7 +84,8 @@ _TERMS: Final = (
     marked("L_10h, all"),
     marked("quoted"),
 )
-"""Of citations and of quantities: what is not a name or a symbol. The longer ones come first."""
+"""Words of citations and of quantities: what is not a name or a symbol. The longer ones come
+first."""
 _TERM: Final = re.compile("|".join(map(re.escape, _TERMS)))
 
 

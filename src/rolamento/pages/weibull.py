@@ -422,7 +422,7 @@ def _described(model: LifeModel, unit: str) -> str:
 
 
 def _whole(found: LifeTestSummary) -> list[Section | Beside]:
-    """Say what comes of all modes together; nothing where modes are not told apart."""
+    """Say what comes of all modes together; nothing where modes are not distinguished."""
     system, wanted = found.system, found.wanted
     if system is None:
         return []
@@ -634,7 +634,7 @@ def _statements(group: GroupSummary, wanted: Wanted) -> list[Statement]:
 
 
 def _of_the_fit(group: GroupSummary) -> list[str]:
-    """Of the goodness of the fit, where the data do not contradict it."""
+    """Sentence of the goodness of the fit, where the data do not contradict it."""
     found = group.goodness
     if not found.converged or found.contradicted:
         return []
@@ -657,7 +657,7 @@ def _of_the_fit(group: GroupSummary) -> list[str]:
 
 
 def _of_the_models(group: GroupSummary) -> list[str]:
-    """Of a distribution that fits better, if the data contradict Weibull's."""
+    """Sentence of a distribution that fits better, if the data contradict Weibull's."""
     known = {model.name: model for model in group.models if isfinite(model.aicc)}
     plain = known.get("weibull")
     if plain is None or not group.goodness.contradicted:
@@ -686,7 +686,7 @@ def _bullets(sentences: Sequence[str]) -> list[Statement]:
 
 
 def _of_the_life(group: GroupSummary, wanted: Wanted) -> list[str]:
-    """Of the first life that is required."""
+    """Sentence of the first life that is required."""
     bound = group.bound(wanted.lives[0])
     text = None
     if bound is not None and bound.converged:
@@ -797,7 +797,7 @@ def _comparison(found: LifeTestSummary) -> list[Section | Beside]:
 
 
 def _sentence_of_difference(judged: Sequence[Comparison], confidence: float) -> list[str]:
-    """Of the hypotheses that have a p-value, the first that is rejected; else the last."""
+    """Sentence of the hypotheses that have a p-value, the first that is rejected; else the last."""
     if not judged:
         return []
     rejected = [one for one in judged if one.rejected(confidence)]

@@ -38,7 +38,8 @@ Floats = NDArray[np.float64]
 
 _MICROMETRE: Final = ReadableUnit("µm", 1e6)
 _BODY: Final = 0.7
-"""Of what is to be seen of profile and overlap: so much is left of half the roller's body."""
+"""Fraction of what is to be seen of profile and overlap: so much is left of half the roller's
+body."""
 _MARGIN: Final = 0.12
 _NO_TILT: Final = 1e-7
 """rad: what is less is rounding."""

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 __all__ = ["noise_bands", "noise_figure", "noise_trend_figure"]
 
 _PARTS: Final = 8
-"""Of a band: each a third of an octave."""
+"""Number of parts of a band: each a third of an octave."""
 _ROOM: Final = 1.6
 
 

@@ -118,7 +118,7 @@ def compared_states(
     -------
     Axes
         Those given. Both races, or the inner race alone where there would be more lines than can
-        be told apart; of a state without a result the legend says so.
+        be distinguished; of a state without a result the legend says so.
 
     Raises
     ------
@@ -166,7 +166,7 @@ def compared_states(
 
 
 def row_keywords(race: Race, row: int) -> dict[str, Any]:
-    """Colour and line tell the race, markers the row: filled ones, then hollow ones."""
+    """Colour and line show the race, markers the row: filled ones, then hollow ones."""
     race_series = INNER if race == "inner" else OUTER
     if row == 0:
         return race_series.keywords(markers=True)

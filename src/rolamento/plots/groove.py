@@ -31,7 +31,7 @@ class Slot:
     bottom: float
     """Contact angle of the groove's deepest point (rad)."""
     edge: float
-    """Of the ball's groove, from its bottom."""
+    """Angle of the edge of the ball's groove, from its bottom."""
     shoulder: bool
     """Whether the height of the shoulder is given; else the edge is that of a half circle."""
     along: float = 0.0

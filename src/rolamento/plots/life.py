@@ -71,7 +71,7 @@ _AISO_ROOM: Final = 1.4
 _LABELLED: Final = {4.0: 38.0, 3.0: 24.0, 2.0: 15.5, 1.5: 10.0, 1.0: 6.5}
 """a_ISO at which curves are named that crowd: down a slope, beside each other."""
 _HIGH: Final = 27.0
-"""Likewise of the others, where they run up that far."""
+"""The same for the others, where they run up that far."""
 _BAR: Final = 0.62
 _MARGIN: Final = 0.2
 _TICKS: Final = (0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0)

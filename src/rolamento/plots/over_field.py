@@ -22,7 +22,7 @@ __all__ = ["across", "decades", "is_geometric", "judged_line"]
 Floats = NDArray[np.float64]
 
 _FAINT: Final = 0.3
-"""Of a line where its model does not hold."""
+"""Opacity of a line where its model does not hold."""
 _DECADES: Final = 100.0
 """Greatest over least value from which on there is room for whole decades only."""
 _NARROW: Final = 10.0
@@ -70,7 +70,7 @@ def decades(axes: Axes, axis: str, limits: tuple[float, float]) -> None:
 def judged_line(
     axes: Axes, x: Floats, y: Floats, holds: NDArray[np.bool_], name: str, look: dict[str, Any]
 ) -> bool:
-    """Draw a line in full where its model holds and faintly where not; tell if there is such."""
+    """Draw a line, faintly where its model does not hold; return whether that is anywhere."""
     axes.plot(x, np.where(_widened(holds), y, np.nan), label=name, **look)
     fails = np.isfinite(y) & ~holds
     if fails.any():

@@ -26,7 +26,7 @@ _MILLI: Final = 1e3
 _COLOURS: Final = ("#BFE3C6", "#E7F0B5", "#FBD9A6", "#F3B0A1")
 _ZONES: Final = ("A", "B", "C", "D")
 _ROOM: Final = 1.45
-"""Of the axis beyond the boundary C/D, or beyond the greatest velocity."""
+"""Multiple of the axis beyond the boundary C/D, or beyond the greatest velocity."""
 _MOST_NAMED: Final = 6
 _ALARM: Final = marked("alarm")
 

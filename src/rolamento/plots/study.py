@@ -57,7 +57,7 @@ class Variable(Protocol):
 
     @property
     def dtype(self) -> Any:
-        """Of the values."""
+        """Type of the values."""
         ...
 
     @property
@@ -161,9 +161,9 @@ def output_of(study: StudyData, name: str) -> PlottedVariable:
 
 
 def axis_of(study: StudyData, name: str, size: int) -> PlottedVariable:
-    """Return the values along an axis; numbers from 0 where the study does not tell.
+    """Return the values along an axis; numbers from 0 where the study does not say.
 
-    An axis along which several inputs vary together is told by the first of them.
+    An axis along which several inputs vary together is named after the first of them.
     """
     along = [n for n in inputs(study) if n == name or str(study.coords[n].dims[0]) == name]
     coordinate = study.coords[name if name in along else along[0]] if along else None
@@ -203,7 +203,7 @@ def inputs(study: StudyData) -> list[str]:
 
 
 def has_result(study: StudyData, name: str) -> bool:
-    """Tell whether an output has a value in any case."""
+    """Return whether an output has a value in any case."""
     variable = study.data_vars[name]
     return bool(np.any(np.isfinite(variable.values) & ~_failed(study, variable)))
 
@@ -268,7 +268,7 @@ def _numeric(variable: Variable) -> bool:
 
 
 def _failed(study: StudyData, variable: Variable) -> NDArray[np.bool_]:
-    """Tell where a case has no result, along the axes of a variable."""
+    """Return where a case has no result, along the axes of a variable."""
     dims = [str(dim) for dim in variable.dims]
     nowhere = np.zeros((1,) * len(dims), dtype=np.bool_)
     status = study.data_vars.get(_STATUS)
@@ -285,7 +285,7 @@ def _failed(study: StudyData, variable: Variable) -> NDArray[np.bool_]:
 
 
 def _flags(status: Variable) -> dict[str, Any]:
-    """Return what the numbers of a status mean, as CF conventions tell it."""
+    """Return what the numbers of a status mean, as the CF conventions have it."""
     meanings = str(status.attrs.get("flag_meanings", "")).split()
     return dict(zip(meanings, np.ravel(status.attrs.get("flag_values", ())), strict=False))
 

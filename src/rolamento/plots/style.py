@@ -1,4 +1,4 @@
-"""How every figure looks: sizes for print, colours that colour-blind readers can tell apart.
+"""How every figure looks: sizes for print, colours that colour-blind readers can distinguish.
 
 The colours are those of Okabe and Ito (2008), "Color Universal Design"; each comes with a line
 style and a marker of its own, so that a figure can be read in black and white.

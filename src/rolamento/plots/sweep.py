@@ -98,7 +98,7 @@ def study_lines(
     study
         A Dataset of `rolamento.studies`.
     variable
-        Name of the output; the most telling one if not given.
+        Name of the output; the most specific one if not given.
     axes
         To draw on; of a new figure if not given.
     over
@@ -112,7 +112,7 @@ def study_lines(
     Raises
     ------
     InputError
-        If there is no such output or axis, or there would be more lines than can be told apart.
+        If there is no such output or axis, or there would be more lines than can be distinguished.
     """
     return compared_lines({"": study}, variable, axes, over=over)
 
@@ -226,7 +226,7 @@ class _Table(NamedTuple):
     """An output over the axis that runs across, and others.
 
     values: (along, …, samples if there are any); along: the axis; others: the ones that are
-    neither that nor samples; x: what it is told by; labels: of each place along the others.
+    neither that nor samples; x: what it is named by; labels: of each place along the others.
     """
 
     output: PlottedVariable
@@ -464,7 +464,7 @@ def _scale(axes: Axes, name: str, column: PlottedVariable) -> None:
 
 
 def _in_ratios(values: Floats) -> bool:
-    """Tell whether values grow by a steady ratio rather than by steady steps."""
+    """Return whether values grow by a steady ratio rather than by steady steps."""
     if len(values) < 4 or not (values > 0.0).all() or values.max() < _LOG_SPAN * values.min():
         return False
     ratios = np.diff(np.log(values))
@@ -472,7 +472,7 @@ def _in_ratios(values: Floats) -> bool:
 
 
 def _colour(axes: Axes, x: PlottedVariable, y: PlottedVariable, table: _Table) -> None:
-    """Draw the cells, in few colours that the bar tells apart."""
+    """Draw the cells, in few colours that the bar distinguishes."""
     order_x, order_y = np.argsort(x.values), np.argsort(y.values)
     values = table.values[np.ix_(order_x, order_y)].T
     least, greatest = np.nanmin(values), np.nanmax(values)
@@ -526,7 +526,7 @@ def study_histogram(
     study
         A Dataset of `rolamento.studies`.
     variable
-        Name of the output; the most telling one if not given.
+        Name of the output; the most specific one if not given.
     axes
         To draw on; of a new figure if not given.
 
@@ -559,7 +559,7 @@ def compared_histograms(
     Raises
     ------
     InputError
-        As `study_histogram`, or if there are more than can be told apart.
+        As `study_histogram`, or if there are more than can be distinguished.
     """
     first = next(iter(studies.values()))
     name = variable or most_telling(first)

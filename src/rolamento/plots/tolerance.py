@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 
 MOST_OUTPUTS: Final = 6
-"""Of a figure: the first of the study."""
+"""Maximum number of outputs of a figure: the first of the study."""
 
 _ROW: Final = 58.0
 _MOST_INPUTS: Final = 8

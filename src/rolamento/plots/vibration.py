@@ -39,9 +39,9 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 _COLUMNS: Final = 1500
-"""Of a long waveform; in each, the least and the greatest sample are drawn."""
+"""Number of columns of a long waveform; in each, the least and the greatest sample are drawn."""
 _PERIODS: Final = 12.0
-"""Of a fault that are shown of its waveform."""
+"""Number of periods of a fault that are shown of its waveform."""
 _MOST_MARKS: Final = 200
 _PHASES: Final = 64
 _QUANTITIES: Final = {
@@ -229,7 +229,8 @@ def _phase(
 
 
 MOST_SAMPLES: Final = 2**20
-"""Of a signal that a picture is made of: more narrow the scatter and cost seconds."""
+"""Maximum number of samples of a signal that a picture is made of: more narrow the scatter and cost
+seconds."""
 _LEAST_SAMPLES: Final = 256
 _BEST: Final = "#D55E00"
 _FAULT: Final = "#FFFFFF"

@@ -1,7 +1,7 @@
 """Basic load ratings of ball bearings by their internal geometry: ISO 281 and ISO 76.
 
 The standards give factors in a table; all tables have a closed form behind them, which also
-tells what other grooves would be worth. All functions take numbers or arrays that broadcast,
+shows what other grooves would be worth. All functions take numbers or arrays that broadcast,
 in SI, and give NaN where the standard gives no number.
 
 Radial bearings with grooved rings, one row or several, are rated by the printed tables; four-point
@@ -65,9 +65,9 @@ _UNEVEN: Final = 1.0 / 3.0
 SELF_ALIGNING_CONFORMITY: Final = 0.53
 """f_i behind the tables of self-aligning bearings."""
 THRUST_CONFORMITY: Final = 0.535
-"""Of both grooves, behind the table of ISO 281 for thrust bearings."""
+"""Conformity of both grooves, behind the table of ISO 281 for thrust bearings."""
 _THRUST_STATIC_CONFORMITY: Final = 0.54
-"""Likewise of ISO 76."""
+"""The same for ISO 76."""
 _PRESSURE: Final = 4200.0
 """MPa at the heaviest ball under the static rating (ISO 76, ball bearings but self-aligning)."""
 _PRESSURE_SELF_ALIGNING: Final = 4600.0

@@ -42,7 +42,8 @@ THRUST_REDUCTION: Final = 0.73
 _UNEVEN: Final = 0.15
 """1 - 0.15 sin α: what thrust bearings lose by their rollers' not sharing the load evenly."""
 _RISK: Final = 4.5
-"""Of the load, in the risk of failure: exponent 4 of line contact times Weibull's slope 9/8."""
+"""Exponent of the load, in the risk of failure: exponent 4 of line contact times Weibull's slope
+9/8."""
 _CURVATURE: Final = 143.0 / 108.0
 _STATIC: Final = 44.0
 """N/mm²: 4000 MPa at the heaviest of Z rollers that carries 5 F_r/Z; ISO 76, 7.1."""

@@ -33,15 +33,15 @@ PRECISION: Final = 1e-11
 RING_PRECISION: Final = 1e-11
 RING_STEPS: Final = 60
 ROUNDING: Final = 1e-13
-"""Of an arc's length L: a lesser approach is no contact."""
+"""Fraction of an arc's length L: a lesser approach is no contact."""
 POSITION_ROUNDING: Final = 4.0 * float(np.finfo(np.float64).eps)
-"""Of an arc's length L: how exactly a ball has a place beside it."""
+"""Fraction of an arc's length L: how exactly a ball has a place beside it."""
 EDGE: Final = 1e-9
 """Cosine: a contact at the very end of a half circle is past it."""
 GREATEST_APPROACH: Final = 0.02
-"""Of the ball's diameter: beyond is no elastic contact."""
+"""Fraction of the ball's diameter: beyond is no elastic contact."""
 FAR: Final = 0.3
-"""Of the groove centres' distance: the longest step."""
+"""Fraction of the groove centres' distance: the longest step."""
 DEGREES: Final = 5
 
 # --- a case; of each race: L, the shift of its arcs, the cosine of its edge, K and dK/d cos α -----

@@ -14,7 +14,7 @@ and press with Q = K(cos α) (|Y| - L)^1.5 along Y. A ball is in balance when
 Held F_c and K make that the minimum of a convex potential, with one or two flanks. Contact angles
 are counted from the radial plane and may pass 90°. The balls orbit with the cage, at its nominal
 speed; a ball with more than two contacts cannot roll without slip, so that raceway control says
-nothing of its gyroscopic moment: it is left out of the balance, and told (docs/adr/0018).
+nothing of its gyroscopic moment: it is left out of the balance, with a note (docs/adr/0018).
 
 Hertz (1881); Harris, Rolling Bearing Analysis, 3rd ed. (1991), chapters 2 and 8; Hamrock and
 Anderson (1973), Analysis of an arched outer-race ball bearing, for the arcs.
@@ -55,7 +55,8 @@ from rolamento.status import INVALID_INPUT
 __all__ = ["GrooveRow", "four_point_row", "thrust_row"]
 
 NEGLIGIBLE: Final = 1e-7
-"""Of the ball's diameter: an approach whose load is none, beside which balls are in balance."""
+"""Fraction of the ball's diameter: an approach whose load is none, beside which balls are in
+balance."""
 CHUNK: Final = 64
 LITTLE: Final = 100
 """Balls of one case that are solved without the compiler, if it is not loaded."""
@@ -147,7 +148,7 @@ class GrooveRow:
 
     @property
     def cases(self) -> int:
-        """How many."""
+        """Number of cases."""
         return len(self.sound)
 
     @property
@@ -157,7 +158,7 @@ class GrooveRow:
 
     @property
     def floats(self) -> bool:
-        """Its grooves hold it along the shaft."""
+        """Whether the row locates the shaft axially: its grooves do."""
         return False
 
     @property

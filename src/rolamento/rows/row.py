@@ -41,7 +41,7 @@ class RowSizes:
 
 @frozen
 class RowGeometry:
-    """What the result tells of a row's geometry; (cases,) each, as `rolamento.solved.Rows`."""
+    """What the result names a row's geometry; (cases,) each, as `rolamento.solved.Rows`."""
 
     ball_diameter: FloatArray
     pitch_diameter: FloatArray
@@ -105,7 +105,7 @@ class Row(Protocol):
 
     @property
     def cases(self) -> int:
-        """How many."""
+        """Number of cases."""
         ...
 
     @property
@@ -117,7 +117,7 @@ class Row(Protocol):
     def faces(self) -> tuple[float, ...]:
         """The rows of contacts that the elements make, each +1 or -1 against the row's own way.
 
-        One, but for elements that touch each ring twice: what is told of a row is told of each.
+        One, but for elements that touch each ring twice: what is known of a row is known of each.
         """
         ...
 

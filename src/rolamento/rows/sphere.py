@@ -77,7 +77,7 @@ class SphereRow:
 
     @property
     def cases(self) -> int:
-        """How many."""
+        """Number of cases."""
         return self.row.cases
 
     @property
@@ -92,7 +92,7 @@ class SphereRow:
 
     @property
     def floats(self) -> bool:
-        """Its grooves hold it along the shaft."""
+        """Whether the row locates the shaft axially: its grooves do."""
         return False
 
     @property

@@ -52,7 +52,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 NO_LOAD: Final = 1e-9
-"""Of the load at the other race: what is less is rounding, and no contact."""
+"""Fraction of the load at the other race: what is less is rounding, and no contact."""
 
 T = TypeVar("T")
 
@@ -116,7 +116,7 @@ class Solved:
     """Notes before those on the equilibrium: the clearance in operation."""
     written_notes: tuple[tuple[Note, ...], ...] | None = None
     written_advice: tuple[Note | None, ...] | None = None
-    """Of a result that was read: what was said of it then."""
+    """Advice of a result that was read: what was said of it then."""
 
     # --- cases ----------------------------------------------------------------------------------
 
@@ -277,7 +277,7 @@ class Solved:
 
     @cached_property
     def loaded_elements(self) -> IntArray:
-        """How many elements of each row the inner ring presses on; (cases, rows)."""
+        """Number of loaded elements in each row, (cases, rows)."""
         return np.add.reduceat(self.loaded.astype(np.int64), self.rows.starts, axis=1)
 
     # --- what is said of it ---------------------------------------------------------------------

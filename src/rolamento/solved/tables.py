@@ -397,7 +397,7 @@ class Contacts:
 
     @property
     def contact_angle(self) -> FloatArray:
-        """Of the contact (rad)."""
+        """Angle of the contact (rad)."""
         return self.angle.value
 
     @cached_property
@@ -480,7 +480,7 @@ class Contacts:
 
     @cached_property
     def max_shear_depth(self) -> FloatArray:
-        """Its depth (m)."""
+        """Depth (m)."""
         return self._maximum_shear.depth
 
     @cached_property
@@ -490,7 +490,7 @@ class Contacts:
 
     @cached_property
     def orthogonal_shear_depth(self) -> FloatArray:
-        """Its depth (m)."""
+        """Depth (m)."""
         return self._orthogonal_shear.depth
 
     @cached_property
@@ -500,7 +500,7 @@ class Contacts:
 
     @cached_property
     def surface_speeds(self) -> SurfaceSpeeds:
-        """Of ring and element along rolling, seen from the contact (m/s)."""
+        """Speeds of ring and element along rolling, seen from the contact (m/s)."""
         motion = self.elements
         return surface_speeds(
             self.race, self.ball_diameter, self.pitch_diameter, self.angle,
@@ -577,7 +577,7 @@ class Preloading:
     loss_factor: float | None = None
     lost_row: int | None = None
     stages: tuple[PreloadStage, ...] = ()
-    """Of a mounted set: what becomes of its preload, step by step."""
+    """Stages of a mounted set: what becomes of its preload, step by step."""
 
 
 def taken(record: T, index: Index, shared: tuple[str, ...] = ("row",)) -> T:

@@ -28,7 +28,7 @@ from rolamento.words import said
 __all__ = ["MOST_VALUES", "Axis", "Column", "DimensionName", "FieldName"]
 
 MOST_VALUES: Final = 1_000_000
-"""Of one axis."""
+"""Maximum number of values of one axis."""
 
 Column = NDArray[np.float64] | tuple[fields.Value, ...]
 """What a field takes along an axis: SI floats of a continuous field, else values as in a file."""
@@ -105,7 +105,7 @@ class Axis(Record):
 
     @property
     def size(self) -> int:
-        """How many values."""
+        """Number of values."""
         if self.zipped is not None:
             return len(next(iter(self.zipped.values())))
         return self.count or 1 if self.values is None else len(self.values)

@@ -118,7 +118,7 @@ def family(
 ) -> Iterator[Output]:
     """Make an output per ball, and what is taken of it over the balls; of some, over each row's.
 
-    race: whose loads tell which balls count, for outputs that mean nothing without load.
+    race: whose loads show which balls count, for outputs that mean nothing without load.
     """
     yield Output(name, unit, get, along="ball", needs=needs)
     among = race if name.endswith(_ONLY_LOADED) else None
@@ -192,7 +192,7 @@ _BY_ROW: Final = {
     "max": ("_load", "contact_angle", "max_pressure", "spin_to_roll"),
     "min": ("_load", "contact_angle", "spin_to_roll", "central_film_thickness", "film_parameter"),
 }
-"""What tells one row of a set from another."""
+"""What distinguishes one row of a set from another."""
 
 
 def _maximum_pressure(race: Race) -> Get:

@@ -36,7 +36,8 @@ load zone, and everything to rounding where all stay loaded: see
 docs/theory/variable-compliance.md."""
 
 ROUNDING: Final = 1e-9
-"""Of the maximum of its kind: a variation below is rounding of the solver, and given as zero."""
+"""Fraction of the maximum of its kind: a variation below is rounding of the solver, and given as
+zero."""
 
 _LOADED: Final = 0.01  # of the heaviest ball: one that carries less follows the cage
 _STANDSTILL: Final = 1e-9  # of the rings' speeds: below, the cage stands still
@@ -312,7 +313,7 @@ def cage_turn(
     InputError
         If the number of points is out of range.
 
-    A point without a result never raises: its status tells, its numbers are NaN, and with them
+    A point without a result never raises: its status says why, its numbers are NaN, and with them
     whatever describes the whole turn.
     """
     if not FEWEST_POINTS <= points <= MOST_POINTS:

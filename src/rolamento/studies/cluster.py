@@ -195,7 +195,7 @@ def _solve_tasks(tasks: Sequence[Task]) -> tuple[list[Part], float]:
 
 
 def _paced(chunks: int, seconds: float, size: int) -> int:
-    """How many chunks to send at once, after some took so many seconds; it grows slowly."""
+    """Number of chunks to send at once, adapted slowly to the time that earlier ones took."""
     wanted = round(chunks * _SECONDS / max(seconds, 1e-3))
     return min(max(wanted, 1), 2 * size, _MOST_CHUNKS)
 
@@ -274,7 +274,7 @@ def _within(seconds: float, action: Callable[[], T]) -> T:
 
 @contextmanager
 def _quiet() -> Iterator[None]:
-    """Silence the loggers of Dask: what they tell is told here, in a sentence."""
+    """Silence the loggers of Dask: what they log is reported here, in a sentence."""
     named = [logging.getLogger(name) for name in list(logging.root.manager.loggerDict)]
     loud = [
         logger

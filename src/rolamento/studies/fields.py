@@ -15,7 +15,7 @@ from rolamento.words import said
 __all__ = ["Field", "Value", "known_fields", "read_field", "refuse_rivals"]
 
 _MOST_NAMED: Final = 12
-"""Of the fields of a table, in a message."""
+"""Maximum number of the fields of a table, in a message."""
 _LABELS: Final = ("title", "name", "source")
 """Last parts of the names of fields that change nothing."""
 

@@ -103,7 +103,7 @@ class Output:
 
     @property
     def dtype(self) -> np.dtype[Any]:
-        """Of its arrays."""
+        """Type of its arrays."""
         return np.dtype(np.float64 if self.kind == "real" else np.int32)
 
     @property
@@ -224,7 +224,7 @@ def refuse_missing(outputs: Iterable[Output], case: Case, varied: Iterable[str])
 
 
 def supplied(output: Output, case: Case, varied: Iterable[str]) -> bool:
-    """Tell whether a case, or what varies, has all that an output rests on."""
+    """Return whether a case, or what varies, has all that an output rests on."""
     given = frozenset(varied)
     return all(_has(case, need, given) for need in output.needs)
 

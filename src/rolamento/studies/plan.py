@@ -4,7 +4,7 @@ Cases are counted with the last dimension the fastest. A chunk is a run of cases
 follows from the study alone, so that whoever solves it, and with however many threads, gets the
 same numbers. It is short enough that a run can be stopped after any of them.
 
-`Layout` tells how a result is laid out, whatever the file.
+`Layout` shows how a result is laid out, whatever the file.
 """
 
 from __future__ import annotations
@@ -96,7 +96,7 @@ class Part:
 
     @property
     def cases(self) -> int:
-        """How many it holds."""
+        """Number of cases in it."""
         return len(self.arrays["status"])
 
     @classmethod
@@ -158,12 +158,12 @@ class Plan:
 
     @property
     def cases(self) -> int:
-        """In all."""
+        """Number of cases."""
         return self.study.cases
 
     @property
     def chunks(self) -> int:
-        """In all."""
+        """Number of chunks."""
         return -(-self.cases // self.chunk)
 
     def bounds(self, index: int) -> tuple[int, int]:
@@ -358,7 +358,7 @@ class Plan:
         return min(bounded, _MOST_GROUPS * self._in_a_group)
 
     def _is_slow(self) -> bool:
-        """Whether a case takes milliseconds, as far as the study tells."""
+        """Whether a case takes milliseconds, as far as the study says."""
         controls: set[object] = {one.model.raceway_control for one in self.study.cases_compared}
         for columns in self.columns:
             controls.update(columns.get("model.raceway_control", ()))

@@ -44,11 +44,11 @@ Executor = Callable[[Plan, Sequence[int]], Iterator[Part]]
 """Solves chunks of a plan, given by number; parts come in any order."""
 
 Progress = Callable[[int, int, int], None]
-"""Is told of cases done, cases in all, and how many of those done have no result: once at the
+"""Called with cases done, cases in all, and how many of those done have no result: once at the
 beginning, then after every chunk."""
 
 _MOST_BYTES: Final = 4 * 2**30
-"""Of a result in memory."""
+"""Maximum size of a result in memory."""
 _LONGEST_UNWRITTEN: Final = 2.0
 """Seconds that a solved chunk waits for others before it is written."""
 _PATIENCE: Final = 2.0
@@ -241,7 +241,7 @@ def local_threads(threads: int | None = None) -> Executor:
 
 
 class _Team:
-    """Threads that solve chunks, which come in order, until they are told to stop.
+    """Threads that solve chunks, which come in order, until they are asked to stop.
 
     They are daemons: a program that ends does not wait for the chunks that they are at.
     """
@@ -372,7 +372,7 @@ def _solved(plan: Plan, kept: Iterable[int], executor: Executor) -> Iterator[Par
 
 
 class _Tally:
-    """Counts what is done, and tells of it."""
+    """Counts what is done, and names it."""
 
     def __init__(self, plan: Plan, progress: Progress | None) -> None:
         self._plan, self._progress = plan, progress
@@ -392,7 +392,7 @@ class _Tally:
         self.kept = self.done
 
     def tell(self) -> None:
-        """Tell of what is done."""
+        """Report what is done."""
         if self._progress is not None:
             self._progress(
                 self.done, self._plan.cases, self.done - self.counts[STATUS_NAMES[CONVERGED]]
@@ -555,7 +555,7 @@ class Spreads:
 
 
 def _few(values: NDArray[np.generic]) -> NDArray[np.generic]:
-    """Of an output per ball, the values of every ball in turn: one for each case."""
+    """Values of an output per ball, the values of every ball in turn: one for each case."""
     if values.ndim == 1:
         return values
     cases = np.arange(len(values))

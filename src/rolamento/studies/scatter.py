@@ -151,7 +151,8 @@ _KINDS: Final[Mapping[str, tuple[tuple[tuple[str, ...], ...], tuple[str, ...]]]]
     ),
     "weibull": ((("shape", "scale"),), ("threshold", "minimum", "maximum")),
 }
-"""Of each distribution the parameters that it needs, in one of these sets, and what it may have."""
+"""Parameters of each distribution the parameters that it needs, in one of these sets, and what it
+may have."""
 
 
 class Distribution(Record):

@@ -85,7 +85,7 @@ class RankCorrelations:
     among_inputs
         (inputs, inputs) rank correlation of the inputs
     correlated
-        whether any two inputs are, so that the partial coefficients tell which matters
+        whether any two inputs are, so that the partial coefficients show which matters
     confidence
         of the intervals
     outputs
@@ -106,7 +106,7 @@ class RankCorrelations:
         raise KeyError(name)
 
     def telling(self, name: str) -> tuple[Floats, Floats, Floats]:
-        """Return coefficient and interval that tell what matters: partial if inputs correlate."""
+        """Return coefficient and interval that show what matters: partial if inputs correlate."""
         one = self[name]
         if self.correlated:
             return one.partial, one.partial_low, one.partial_high

@@ -132,7 +132,7 @@ class Study(Record):
 
     @property
     def cases(self) -> int:
-        """How many there are."""
+        """Number of cases."""
         return math.prod(self.shape)
 
     @property
@@ -233,7 +233,7 @@ class Study(Record):
             )
 
     def is_grouped(self, axis: Axis) -> bool:
-        """Tell whether a field of an axis cannot vary within a batch."""
+        """Return whether a field of an axis cannot vary within a batch."""
         return any(name not in array_fields() for name in axis.fields)
 
     def _place(self, name: str) -> str:

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 
 FLAT: Final = 1e-10
-"""Of the greatest output in the same unit: what varies less is rounding."""
+"""Fraction of the greatest output in the same unit: what varies less is rounding."""
 
 FINEST: Final[Mapping[str, float]] = {
     "m": 1e-13,

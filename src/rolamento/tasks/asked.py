@@ -20,7 +20,7 @@ Kind = Literal[
     "text", "number", "count", "fraction", "frequency", "time", "switch", "choice", "choices",
     "list",
 ]  # fmt: skip
-"""Of a value: text with or without a unit, a number, one of several, several of them."""
+"""Kind of a value: text with or without a unit, a number, one of several, several of them."""
 _LONGEST: Final = 300
 _MOST: Final = 50
 
@@ -340,7 +340,7 @@ SIGNAL: Final[tuple[Group, ...]] = (
         ),
     ),
 )
-"""As of `rolamento.tasks.diagnose` and `severity_of`."""
+"""Inputs of `rolamento.tasks.diagnose` and `severity_of`."""
 
 LIFE_TEST: Final[tuple[Group, ...]] = (
     (
@@ -564,7 +564,7 @@ LIFE_TEST: Final[tuple[Group, ...]] = (
         ),
     ),
 )
-"""As of `rolamento.tasks.life_test_study`, and the columns of a table."""
+"""Inputs of `rolamento.tasks.life_test_study`, and the columns of a table."""
 
 DEMONSTRATION: Final[tuple[Group, ...]] = (
     (
@@ -631,7 +631,7 @@ DEMONSTRATION: Final[tuple[Group, ...]] = (
         ),
     ),
 )
-"""As of `rolamento.tasks.demonstration_study`."""
+"""Inputs of `rolamento.tasks.demonstration_study`."""
 
 
 def by_name(groups: Sequence[Group]) -> dict[str, Asked]:

@@ -86,7 +86,7 @@ def at_speeds(case: Case, inner_speed: float | None, outer_speed: float | None) 
 
 
 def has_load(case: Case) -> bool:
-    """Tell whether anything presses the balls: a load, a displacement or a preload."""
+    """Return whether anything presses the balls: a load, a displacement or a preload."""
     duty = case.duty
     given = [getattr(duty.load, name) for name in LOADS]
     given += [getattr(duty.displacement, name) for name in AXES]

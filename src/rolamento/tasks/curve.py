@@ -34,7 +34,7 @@ _LEAST, _MOST = 0.25, 2.0
 _DEGREES: Final = 40.0
 """and of temperatures so many kelvins up and down."""
 _INSIDE: Final = 1e-3
-"""Of the way between limits that are not in the range themselves."""
+"""Fraction of the way between limits that are not in the range themselves."""
 _OFFERED: Final = ("duty.", "bearing.", "lubricant.", "temperature.", "mounting.", "life.")
 _NOT_OFFERED: Final = frozenset({"residual", "weakest_row", "weakest_ball", "lift_row", "lost_row"})
 _ALWAYS: Final = ("duty.inner_speed", "duty.load.fx", "duty.load.fz", "duty.displacement.ry")

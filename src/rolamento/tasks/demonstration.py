@@ -12,7 +12,7 @@ from rolamento.io.writing import write_text
 __all__ = ["EXAMPLE", "example_case", "write_example"]
 
 EXAMPLE: Final = resources.files("rolamento") / "examples" / "218_combined.toml"
-"""Its case file."""
+"""Case file of the demonstration."""
 
 
 def example_case() -> Case:

@@ -64,13 +64,13 @@ _WIDEST: Final = 0.1
 
 @frozen
 class TooShort:
-    """Why a record has no diagnosis: by its length no race can be told, known before it is read.
+    """Why a record has no diagnosis: by its length no race can be judged, known before it is read.
 
     Attributes
     ----------
     revolutions, required_revolutions
         that it has, or that the longest stretch has which is judged at once; and from which on it
-        tells something
+        says something
     duration
         of that; s
     is_stretch
@@ -459,7 +459,7 @@ def diagnose(
     bearing
         Designation, case file or case: with a load, the loaded bearing's frequencies are sought.
     speed, outer_speed
-        Of the rings, steady: text such as "1797 rpm", or rad/s; by default as the file tells it,
+        Of the rings, steady: text such as "1797 rpm", or rad/s; by default as the file gives it,
         or else the case.
     speed_channel, speed_unit
         Channel of the same file with the speed, and its unit if the file is silent.
@@ -573,7 +573,7 @@ class UnknownResult:
 
     @property
     def verdict(self) -> Conclusion:
-        """Undecided over a comb as deep as damage: of which part only the bearing would tell."""
+        """Undecided over a comb as deep as damage: of which part only the bearing would decide."""
         deep = any(comb.depth >= DAMAGE for comb in self.found.combs)
         return "undecided" if deep else "nothing_found"
 
@@ -800,7 +800,7 @@ def _check_rate(frequencies: FaultFrequencies, speed: KnownSpeed, source: Signal
 def _too_short(
     frequencies: FaultFrequencies, speed: KnownSpeed, samples: int, rate: float
 ) -> TooShort | None:
-    """Tell whether both races lie in the spectrum where no level of noise is known."""
+    """Return whether both races lie in the spectrum where no level of noise is known."""
     orders = [frequencies.of_fault(race).order for race in ("outer_race", "inner_race")]
     least = (LOWEST_LINE + 1) / max(orders)
     block = min(samples, MOST_SAMPLES) / rate

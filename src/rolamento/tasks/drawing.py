@@ -184,7 +184,7 @@ def _labelled(paths: Sequence[str], titles: Sequence[str], labels: Sequence[str]
 
 
 def _is_study(path: str) -> bool:
-    """Tell a study's file by its first bytes, or by its name if there are none to read."""
+    """Recognise a study's file by its first bytes, or by its name if there are none to read."""
     if path == _STANDARD_INPUT:
         return False
     named = path.lower().endswith(_STUDY_ENDINGS)

@@ -38,7 +38,8 @@ _LEAST: Final = 0.5 * DAMAGE
 _LIKE_SPEED: Final = 0.1
 """Part by which the speed of two records may differ for their depths to be compared."""
 _NEAR: Final = 0.005
-"""Of a part's order, within which its depth is taken: the cage slips a little otherwise."""
+"""Fraction of a part's order, within which its depth is taken: the cage slips a little
+otherwise."""
 _MOST_RECORDS: Final = 20_000
 _LEAST_TURNS: Final = 50.0
 """Revolutions from which on a record has a depth of its own; shorter ones are taken together."""

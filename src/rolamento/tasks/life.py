@@ -242,7 +242,7 @@ def life_of_case(
         Or its file.
     nsk_table, decimal_mark
         a_NSK of L_able, or its file; and the decimal mark in it, ``"point"`` or ``"comma"``, where
-        nothing there tells.
+        nothing there says which.
 
     Raises
     ------
@@ -275,7 +275,7 @@ def life_of_shaft(
         may turn at different speeds.
     nsk_table, decimal_mark
         a_NSK of L_able, or its file; and the decimal mark in it, ``"point"`` or ``"comma"``, where
-        nothing there tells.
+        nothing there says which.
 
     Raises
     ------

@@ -230,7 +230,7 @@ def life_curve(
         What sets this case apart.
     nsk_table, decimal_mark
         a_NSK of L_able, or its file; and the decimal mark in it, ``"point"`` or ``"comma"``, where
-        nothing there tells.
+        nothing there says which.
 
     Raises
     ------

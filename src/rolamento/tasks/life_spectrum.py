@@ -72,7 +72,7 @@ _EXAMPLE: Final = "share,duty.load.fz,duty.inner_speed"
 _ROUNDING: Final = 0.01 + 1e-9
 """By which the shares may miss 1: 33 % three times."""
 _FIXED: Final = ("life.reliability", "life.edition", "life.required_life", "bearing.arrangement")
-"""Of the bearing and its life as a whole, not of a step."""
+"""Fields of the bearing and its life as a whole, not of a step."""
 
 
 @frozen(eq=False)
@@ -319,7 +319,7 @@ def life_under(
     nsk_table
         a_NSK of L_able, or its file.
     decimal_mark
-        ``"point"`` or ``"comma"``, where nothing in these files tells.
+        ``"point"`` or ``"comma"``, where nothing in these files says which.
 
     Raises
     ------
@@ -424,7 +424,7 @@ def _solved_steps(case: Case, steps: DutySteps, nsk_table: FactorTable | None) -
 
 
 def _refuse(case: Case, steps: DutySteps, row: int) -> None:
-    """Tell why a step is no valid case, by what it says when it is solved alone."""
+    """Return why a step is no valid case, by what it says when it is solved alone."""
     try:
         solve(base_case(case, {name: values[row] for name, values in steps.values.items()}))
     except InputError as found:
@@ -528,7 +528,7 @@ def read_spectrum(path: str | os.PathLike[str], *, decimal_mark: str | None = No
         fields, or as people call them: Speed (rpm), Fx (kN), Fr, Fa. Units stand in the heading or
         in the cells, as in a case file.
     decimal_mark
-        ``"point"`` or ``"comma"``, where nothing in the table tells whether 12.500 is 12.5.
+        ``"point"`` or ``"comma"``, where nothing in the table shows whether 12.500 is 12.5.
 
     Raises
     ------

@@ -199,7 +199,7 @@ class MachineDiagnosis:
 
     @property
     def verdict(self) -> Conclusion:
-        """Of the worst bearing: one part that is damaged alone is a fault."""
+        """Verdict of the worst bearing: one part that is damaged alone is a fault."""
         places = range(len(self.found))
         if any(self.alone(place) for place in places):
             return "fault"

@@ -101,7 +101,7 @@ def case_template(designation: str | None = None) -> str:
     Raises
     ------
     InputError
-        If there is no such bearing, or its designation tells too little.
+        If there is no such bearing, or its designation says too little.
     """
     bearing = None if designation is None else _named(designation)
     awake = _by_geometry() if bearing is None else _by_designation(bearing)
@@ -126,7 +126,7 @@ def file_name(designation: str | None) -> str:
 
 
 def _named(designation: str) -> Bearing | RollerBearing:
-    """The bearing of a designation: of balls, unless it tells of rollers."""
+    """The bearing of a designation: of balls, unless it names rollers."""
     record = BY_ELEMENT[element_told({"designation": designation}) or "ball"]
     return cast("Bearing | RollerBearing", record.named(designation))
 
@@ -282,7 +282,7 @@ def _by_designation(bearing: Bearing | RollerBearing) -> dict[str, Any]:
 
 
 def _examples_of(bearing: Bearing | RollerBearing) -> dict[str, Any]:
-    """Of what is asleep, the values that the bearing has."""
+    """Examples of what is asleep, the values that the bearing has."""
     published = bearing.published
     assert published is not None
     fields = Case.fields()

@@ -42,7 +42,7 @@ _MOST_SIGNALS: Final = 500
 _LONGEST_NAME: Final = 60
 
 NoiseVerdict = Literal["accepted", "rejected", "not_measured", "none"]
-"""Of a band; of a signal never "not_measured"."""
+"""Verdict of a band; of a signal never "not_measured"."""
 
 _CLEAR_OF_FILTER: Final = 2.56
 """Sampling rate over the highest frequency that recorders usually keep whole."""
@@ -147,7 +147,7 @@ class NoiseResult:
 
     @cached_property
     def acceptances(self) -> tuple[Acceptance | None, ...]:
-        """Of every signal; None without full scales."""
+        """Verdicts of every signal; None without full scales."""
         return tuple(
             accept(one.noise, self.scales_of(one), self.part) if self.full_scales else None
             for one in self.measured
@@ -158,7 +158,7 @@ class NoiseResult:
         return {name: self.part * scale for name, scale in self.scales_of(one).items()}
 
     def verdict_of(self, place: int, name: BandName) -> NoiseVerdict:
-        """Of a band of the signal at a place in the list."""
+        """Verdict of a band of the signal at a place in the list."""
         acceptance = self.acceptances[place]
         if acceptance is None or name not in acceptance.of_full_scale:
             return "none"
@@ -168,7 +168,7 @@ class NoiseResult:
 
     @cached_property
     def verdicts(self) -> tuple[NoiseVerdict, ...]:
-        """Of every signal."""
+        """Verdicts of every signal."""
         return tuple(
             "none" if found is None else "accepted" if found.accepted else "rejected"
             for found in self.acceptances

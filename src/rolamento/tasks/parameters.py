@@ -15,7 +15,7 @@ _IN_EXAMPLE: Final = re.compile(r"(?<![\w.])([a-z_][a-z_0-9]*)(?:=| = )" + _VALU
 _SPEED_EXAMPLE: Final = 'speed="1797 rpm"'
 
 Progress = Callable[[int, int], None]
-"""Is told how much is done, and of how much."""
+"""Called with how much is done, and of how much."""
 
 Refused = TypeVar("Refused", bound=InputError)
 

@@ -458,7 +458,7 @@ def _ahead(
 
 
 def _beyond(law: LifeDistribution, longest: float) -> tuple[Note, ...]:
-    """Tell that what is asked lies beyond the data."""
+    """Say that what is asked lies beyond the data."""
     if not longest > law.longest:
         return ()
     return (Note("decision_beyond_data", {"longest": law.longest, "unit": law.unit}),)

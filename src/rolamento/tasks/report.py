@@ -241,12 +241,12 @@ class CaseReport:
 
     @cached_property
     def _film(self) -> Mapping[str, Any]:
-        """Of the film's part what is not of its elements."""
+        """Numbers of the film's part what is not of its elements."""
         return {} if self.analysis.film is None else self.analysis.film.whole()
 
     @cached_property
     def _life(self) -> Mapping[str, Any]:
-        """Of the life's part what is not of a single theory."""
+        """Numbers of the life's part what is not of a single theory."""
         life = self.analysis.life
         found: Mapping[str, Any] = {} if life is None else plain(life.whole())
         return found
@@ -363,7 +363,7 @@ def report_on(
     changed
         Of each case the dotted names of what was set in it.
     progress
-        Is told how many cases are done, and of how many.
+        Called with how many cases are done, and of how many.
 
     Raises
     ------
@@ -614,7 +614,7 @@ def number_of_field(case: Case, name: str) -> float | None:
 
 
 def _matters(case: Case, name: str, told: Set[str]) -> bool:
-    """Whether a value counts; what is told is shown in any case."""
+    """Whether a value counts; what is given is shown in any case."""
     if name in told:
         return True
     table, _, leaf = name.rpartition(".")
@@ -791,7 +791,7 @@ def _paths(found: Any, path: str) -> Iterator[str]:
 
 
 def _compares(path: str) -> bool:
-    """Of balls and rollers, only the loads: the rest would be a table of its own."""
+    """Whether a number is compared; of balls and rollers only the loads are."""
     return not path.startswith(_OF_ELEMENTS) or path.endswith(".load.")
 
 

@@ -114,7 +114,7 @@ class SeverityResult:
 
     @property
     def time_unit(self) -> str:
-        """Of the trend: days where the signals have dates, hours otherwise."""
+        """Unit of the trend: days where the signals have dates, hours otherwise."""
         return "d" if self.start else "h"
 
     @property

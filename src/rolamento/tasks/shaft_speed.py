@@ -35,9 +35,9 @@ _SAME_SPEED: Final = 1e-3
 """Part by which two statements of a speed may differ: it is not known better."""
 _MOST_OFFERED: Final = 5
 MOST_TACHO_SAMPLES: Final = 20_000_000
-"""Of a tachometer's channel, which is held in memory."""
+"""Maximum number of samples of a tachometer's channel, which is held in memory."""
 MOST_STRETCH_SAMPLES: Final = 2**23
-"""Of vibration in which the speed is looked for at once."""
+"""Maximum number of samples of vibration in which the speed is looked for at once."""
 _STRETCH: Final = 1600.0
 """Revolutions; of many more, a path of the speed is less sure."""
 _MARGIN: Final = 48.0

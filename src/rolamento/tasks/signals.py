@@ -54,7 +54,7 @@ class Streamed:
 
     @property
     def duration(self) -> float:
-        """Of what was read so far; s."""
+        """Duration of what was read so far; s."""
         return self.samples / self.first.rate
 
 
@@ -178,7 +178,7 @@ def require_calibrated(source: SignalFile, path: str) -> None:
 
 
 def blocks_at(source: SignalFile, speed: float | None, progress: Progress) -> Iterator[Signal]:
-    """Read a file block by block, at a speed (rad/s) if one is given; tell how far that is."""
+    """Read a file block by block, at a speed (rad/s) if one is given; report the progress."""
     for place, block in enumerate(source.blocks(PIECE), start=1):
         yield block if speed is None else replace(block, speed=np.asarray(speed))
         progress(place, -(-source.length // PIECE))

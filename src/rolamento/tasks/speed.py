@@ -75,7 +75,7 @@ def _weight(note: Note) -> int:
 
 @frozen
 class Boundary:
-    """What of a bearing limits its speed; m, N, rad; None where nobody tells.
+    """What of a bearing limits its speed; m, N, rad; None where it is not published.
 
     Attributes
     ----------
@@ -184,7 +184,7 @@ class SpeedLimits:
     shares
         K_L and K_P of DIN 732-2; None without a permissible speed
     viscosity
-        of the oil at its temperature; m²/s, None where the case does not tell
+        of the oil at its temperature; m²/s, None where the case does not say
     minimum_loads
         what the rolling elements need at this speed
     notes
@@ -263,7 +263,7 @@ def speed_limits(
     changes
         What goes over the case, by dotted name, such as ``{"duty.load.fz": "5 kN"}``.
     series
-        Such as ``"70"`` or ``"NU2"``, in the place of what the designation or the size tells.
+        Such as ``"70"`` or ``"NU2"``, in place of what the designation or the size gives.
     width
         B, likewise; m.
     minimum_load_factor
@@ -402,12 +402,12 @@ class _Asked:
 
     @property
     def told_of(self) -> dict[str, Any]:
-        """What the sentences tell rollers by."""
+        """Words by which the sentences distinguish rollers."""
         return {} if self.element == "ball" else {"element": self.element}
 
     @property
     def speed(self) -> float:
-        """Of the rings against each other; rad/s."""
+        """Speed of the rings against each other; rad/s."""
         return abs(self.case.duty.inner_speed - self.case.duty.outer_speed)
 
     @property
@@ -417,7 +417,7 @@ class _Asked:
 
     @property
     def viscosity(self) -> float | None:
-        """ν at the lubricant's temperature, m²/s; None where the case does not tell."""
+        """ν at the lubricant's temperature, m²/s; None where the case does not say."""
         oil, warm = self.case.lubricant, self.case.lubricant_temperature
         if oil is None or oil.kind == "dry" or warm is None:
             return None

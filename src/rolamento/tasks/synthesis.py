@@ -51,7 +51,7 @@ SCHEMA: Final = 3
 _MOST_IMPACTS: Final = 1_000_000
 """In a file of truth."""
 MOST_SAMPLES: Final = 20_000_000
-"""Of a signal that is made at once: 1.6 GB of memory."""
+"""Maximum number of samples of a signal that is made at once: 1.6 GB of memory."""
 _MOST_FAULTS: Final = 20
 
 _MOST_RINGING: Final = 400_000_000
@@ -141,7 +141,7 @@ class SynthesisResult:
 
     @cached_property
     def rms(self) -> float:
-        """Of the signal; m/s²."""
+        """RMS of the signal; m/s²."""
         return sqrt(float(np.mean(np.square(self.made.signal.samples))))
 
     @cached_property

@@ -1,4 +1,4 @@
-"""Life tests from end to end: what one says, what a planned one will tell, what grew meanwhile."""
+"""Life tests from end to end: what one says, what a planned one will show, what grew meanwhile."""
 
 from __future__ import annotations
 
@@ -67,9 +67,9 @@ FITS: Final[Mapping[str, FitMethod]] = {
 """Methods of fitting by their short names."""
 
 RATIOS: Final = (0.5, 1.0, 1.5, 2.0, 3.0, 5.0, 10.0)
-"""True life over the one to be shown, of which the chances are told."""
+"""True life over the one to be shown, for which the chances are given."""
 SHAPES: Final = (0.8, 1.0, 1.2, 1.5, 2.0, 2.5, 3.0)
-"""Shapes of which it is told what the same test would show."""
+"""Shapes for which the result of the same test is given."""
 _OTHER_FAILURES: Final = (0, 1, 2)
 """Failures allowed in the tests that stand beside the one that is planned."""
 _LIMIT: Final = re.compile(r"([+-]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][+-]?\d{1,3})?)\s*(.{0,20})")
@@ -192,7 +192,7 @@ def notes_of_mode(test: LifeTest, name: str) -> tuple[Note, ...]:
 
 
 def _enough_samples(size: int) -> int:
-    """How many tests to draw: those of many bearings take long, and few of them do."""
+    """Number of simulated tests: fewer for large tests, which take longer."""
     return max(min(_SAMPLES, _MAXIMUM_DRAWN // size), _FEWEST_SAMPLES)
 
 
@@ -441,7 +441,7 @@ def precision_study(
     Parameters
     ----------
     ratio, failures
-        Wanted of upper to lower bound, for tests that bring it; or failures of a test, to be told
+        Wanted of upper to lower bound, for tests that bring it; or failures of a test, to be named
         what may be expected of it. One of the two.
     groups, group_sizes
         Of that test, or of the one that is sought; several sizes for several tests.

@@ -267,7 +267,7 @@ def _film_modulus(film: Mapping[str, Any]) -> float:
 
 
 def _film_curvatures(film: Mapping[str, Any]) -> tuple[float, float]:
-    """Of the inner contact, along and across rolling, in 1/m."""
+    """Curvatures of the inner contact, along and across rolling, in 1/m."""
     bearing = published("campanha_2008")["bearing_6305"]
     conformity = film["groove_radius_mm"] / bearing["ball_diameter_mm"]
     curvature = race_curvature(
@@ -357,7 +357,7 @@ _ROUNDED_GROOVE: Final = Note("verify_campanha_rounded_groove")
 _BALL_13_32: Final = 25.4 * 13.0 / 32.0
 """mm: 13/32 in, which the text rounds to 10.319 mm."""
 _GROOVE_ROUNDING: Final = 0.5
-"""Of f_c: what a hundredth of a millimetre of the groove makes."""
+"""Rounding of f_c: what a hundredth of a millimetre of the groove makes."""
 
 
 def life_checks() -> Iterator[Check]:
@@ -391,9 +391,9 @@ def life_checks() -> Iterator[Check]:
 
 
 SHAPE: Final = 1.5
-"""Of bearing fatigue where a test tells none: that of the factor a_1 in ISO 281:1990."""
+"""Shape of bearing fatigue where a test gives none: that of the factor a_1 in ISO 281:1990."""
 CONFIDENCE: Final = 0.95
-"""Of the lower bound where nothing failed."""
+"""Confidence of the lower bound where nothing failed."""
 
 _SURVIVORS: Final = 0.9
 _FAILED_ALONE: Final = (11, 12, 13, 14)
@@ -401,7 +401,8 @@ _FAILED_ALONE: Final = (11, 12, 13, 14)
 _WITH_FIVE: Final = (2, 3, 4, 5, *_FAILED_ALONE)
 _TESTS_OF_II: Final = (6, 7, 8, 9, 10)
 _DEVIATION: Final = 0.4
-"""Of the printed life: the most by which the explanations below say that it is too long."""
+"""Fraction of the printed life: the most by which the explanations below say that it is too
+long."""
 _FOUR: Final = Note("verify_campanha_four")
 _FIVE: Final = Note("verify_campanha_five")
 _AS_IF: Final = Note("verify_campanha_as_if")

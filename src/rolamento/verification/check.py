@@ -27,7 +27,8 @@ CheckVerdict = Literal["agrees", "explained", "fails"]
 VERDICTS: Final[tuple[CheckVerdict, ...]] = ("agrees", "explained", "fails")
 
 _ROUNDING: Final = 1e-9
-"""Of a tolerance: so that a number that ends in a five is not lost to binary arithmetic."""
+"""Fraction of a tolerance: so that a number that ends in a five is not lost to binary
+arithmetic."""
 
 
 @frozen(kw_only=True)
@@ -108,7 +109,7 @@ class Check:
         return {key: plain(value) for key, value in mapping.items()} | {"explanation": explanation}
 
     def _proved(self) -> bool:
-        """Tell whether the evidence, if there is any, gives the number that it must give."""
+        """Return whether the evidence, if there is any, gives the number that it must give."""
         if self.evidence is None:
             return True
         if self.corrected:
@@ -116,7 +117,7 @@ class Check:
         return _near(self.evidence, self.printed, self.tolerance)
 
     def _explained(self) -> bool:
-        """Tell whether a number that disagrees does so for the reason given, and as much."""
+        """Return whether a number that disagrees does so for the reason given, and as much."""
         if not self.explanation:
             return False
         if not self.corrected:
@@ -168,7 +169,7 @@ def _last_place(printed: str) -> int:
 
 
 def _near(value: float, printed: str, tolerance: float) -> bool:
-    """Tell whether a value is near enough; NaN never is."""
+    """Return whether a value is near enough; NaN never is."""
     return abs(value - float(printed)) <= tolerance * (1.0 + _ROUNDING)
 
 

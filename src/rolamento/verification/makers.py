@@ -43,7 +43,7 @@ _CONSTANT: Final = Note("verify_makers_constant")
 
 
 def bearing(designation: str, **changes: Any) -> Bearing:
-    """Return a GMN bearing, with what the catalogue does not tell as assumed.
+    """Return a GMN bearing, with what the catalogue does not give as assumed.
 
     Parameters
     ----------

@@ -6,7 +6,7 @@ rows that face each other, (1 - X_2)/(Y_2 - Y_1). ISO 76: the table of f_0, by H
 
 ISO/TS 16281 takes the stiffness of a ball between its races once, at the free contact angle,
 however far the angle rises under load. Under radial load at contact angle zero there is nothing to
-tell the two apart. Under axial load the bearing of the examples turns from 0° to 13.1°.
+distinguish the two. Under axial load the bearing of the examples turns from 0° to 13.1°.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _STEEP_LOAD: Final = 1.0
 """Relative axial load at steep angles, where it does not matter; MPa."""
 _OF_THE_FACTORS: Final = Note("verify_iso_of_the_factors")
 _HALF_DIGIT: Final = 0.005
-"""Of the printed factors."""
+"""Half a digit of the printed factors."""
 _OF_TWO_ROWS: Final = Note("verify_iso_of_two_rows")
 
 

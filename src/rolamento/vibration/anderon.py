@@ -46,16 +46,16 @@ BANDS: Final[dict[BandName, Band]] = {
 """Hz, at 1800 rpm. Low: errors of form and large damage; medium: dents and waviness; high:
 roughness (Campanha 2008, chapter 2.8)."""
 SPEED: Final = 60.0 * pi
-"""Of the inner ring: 1800 rpm; rad/s."""
+"""Speed of the inner ring: 1800 rpm; rad/s."""
 ACCEPTED: Final = 0.4
-"""Of the full scale; Campanha 2008, chapter 2.8."""
+"""Fraction of the full scale; Campanha 2008, chapter 2.8."""
 
 _MICROINCH: Final = 25.4e-9
 _SPEED_TOLERANCE: Final = (-0.02 - 1e-9, 0.01 + 1e-9)
 """ISO 15242-2:2015, clause 4.1, and rounding."""
 _MOST_PARTS: Final = 1000
 _RESOLUTION: Final = 2.0
-"""Of the spectrum; Hz: a twenty-fifth of the lowest edge."""
+"""Resolution of the spectrum; Hz: a twenty-fifth of the lowest edge."""
 
 
 @frozen

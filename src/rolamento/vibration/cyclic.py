@@ -49,14 +49,14 @@ from rolamento.vibration.spectrum import Spectrum, axis_of, bins_of_band
 from rolamento.words import marked, said
 
 _MOST_VALUES: Final = 2**26
-"""Of the map, carriers times modulations: half a gigabyte."""
+"""Maximum number of values of the map, carriers times modulations: half a gigabyte."""
 _AT_ONCE: Final = 2**16
 """Values that are transformed together: a megabyte, which stays in the processor's cache."""
 _STEPS_PER_WINDOW: Final = 8
 _LOBE: Final = 3
 """Lines on either side over which R_w of Hann's window reaches; it is zero there."""
 _ROUNDING: Final = 1e-24
-"""Of the square of the maximum sample: a carrier with less power has none."""
+"""Fraction of the square of the maximum sample: a carrier with less power has none."""
 
 
 @frozen(eq=False)

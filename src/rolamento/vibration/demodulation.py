@@ -201,14 +201,15 @@ Bands = NDArray[Any]
 Choice = Literal["kurtosis", "significance"]
 FILTER_ORDER: Final = 16
 CUTOFF: Final = 0.2
-"""Of the prototype that halves; cycles per sample."""
+"""Cut-off of the prototype that halves; cycles per sample."""
 _ROUNDING: Final = 1e-24
-"""Of the square of the maximum sample, which is 1: a band with less power has none."""
+"""Fraction of the square of the maximum sample, which is 1: a band with less power has none."""
 _LEAST_VALUES: Final = 64
 """In a band: with fewer a kurtosis means nothing."""
 _MOST_LEVELS: Final = 12
 _OUTPUTS: Final = 8
-"""Of a filter in one row of a product; even, as every second one of some filters is turned."""
+"""Number of outputs of a filter in one row of a product; even, as every second one of some filters
+is turned."""
 _AT_ONCE: Final = 2**17
 """Values that are split together: two megabytes."""
 _SHARED: Final = 2**18

@@ -1,4 +1,4 @@
-"""Which bearings of the catalogue share the lines of a diagnosis, and what tells them apart.
+"""Which bearings of the catalogue share the lines of a diagnosis, and what distinguishs them.
 
 A line of an envelope spectrum is that of a part of some bearing. Slip moves it by a part in a
 hundred, and many bearings lie closer together than that: the line shows damage, not the bearing.
@@ -22,7 +22,7 @@ _NAMED: Final = 3
 _LINES: Final = 2.0
 """Lines of a spectrum by which two peaks must lie apart to be seen as two."""
 _ALIKE: Final = 1e-6
-"""Part within which two orders are the same: no record tells them apart."""
+"""Part within which two orders are the same: no record distinguishs them."""
 
 
 _LINE_OF: Final[Mapping[Component, LineName]] = {
@@ -100,7 +100,7 @@ class Lookalikes:
 
     @property
     def shared(self) -> Note:
-        """How many bearings share the lines, and which are nearest."""
+        """Number of bearings that share the lines, and the nearest ones."""
         if not self.found:
             return Note("lines_of_no_other_bearing", {"compared": self.compared})
         return Note(
@@ -119,7 +119,7 @@ class Lookalikes:
 
     @property
     def telling(self) -> Note:
-        """What would tell the bearing that was sought from the nearest other one."""
+        """What would distinguish the bearing that was sought from the nearest other one."""
         nearest = self.found[0]
         main = self.parts[0]
         apart = abs(nearest.differences[main])

@@ -25,7 +25,7 @@ from rolamento.records import frozen
 from rolamento.vibration.signal import real_numbers
 
 _LEAST: Final = 1e-12
-"""Of the ball's axis along the tangents: what is less is rounding."""
+"""Component of the ball's axis along the tangents: what is less is rounding."""
 
 
 @frozen

@@ -48,11 +48,11 @@ _FAR: Final = 50
 _DENSER: Final = 7
 """Steps between two places, filled in by a spline, for quick look-up."""
 _CELLS_PER_UNIT: Final = 200.0
-"""Of ln(1 + T), in each of which it is known where a table's places begin."""
+"""Cells per unit of ln(1 + T), in each of which it is known where a table's places begin."""
 _NODES: Final = 50
 _FEW: Final = 64
 _ENDS: Final = 1e-13
-"""Of the distribution of the median, left out at either side."""
+"""Probability at the ends of the distribution of the median, left out at either side."""
 
 
 def line_scores(power: FloatArray, *, averages: int) -> FloatArray:

@@ -24,7 +24,7 @@ from rolamento.words import said
 
 _TURN: Final = 2.0 * pi
 _SLOWEST: Final = 1e-3
-"""Of the fastest: below, the shaft stands still for the purpose of this page."""
+"""Fraction of the fastest: below, the shaft stands still for the purpose of this page."""
 _MOST_SAMPLES: Final = 2**28
 _SPLINE: Final = 5
 _ROUNDING: Final = 1e-9
@@ -53,7 +53,7 @@ class AngularSignal:
 
     @property
     def revolutions(self) -> float:
-        """How many revolutions of the shaft it spans."""
+        """Number of shaft revolutions."""
         return len(self.samples) / self.samples_per_revolution
 
 

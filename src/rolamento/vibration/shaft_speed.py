@@ -43,11 +43,11 @@ from rolamento.words import marked, said
 
 Edge = Literal["rising", "falling"]
 _HYSTERESIS: Final = 0.2
-"""Of the span of the signal; to either side of the level half of it."""
+"""Fraction of the span of the signal; to either side of the level half of it."""
 _LEAST_PULSES: Final = 4
 _MOST_PER_REVOLUTION: Final = 100_000
 _JUMP: Final = 1.6
-"""Of neighbouring intervals: a pulse too many halves one, one missed doubles it."""
+"""Ratio of neighbouring intervals: a pulse too many halves one, one missed doubles it."""
 
 
 def pulse_times(tacho: Signal, level: float | None = None, edge: Edge = "rising") -> FloatArray:
@@ -180,11 +180,11 @@ _PADDING: Final = 4
 _CLEAR: Final = 20.0
 """Power over noise at which a phase is good to a few hundredths of a revolution."""
 _SHARE: Final = 0.9
-"""Of a clear harmonic's power on the path; below, the path has been lost."""
+"""Fraction of a clear harmonic's power on the path; below, the path has been lost."""
 _CLEAR_HARMONIC: Final = 100.0
 """Power about a harmonic over the noise in a line, from which on it can be asked where it lies."""
 _BESIDE: Final = 0.25
-"""Of an order, to either side of a harmonic: what lies there is of that harmonic."""
+"""Fraction of an order, to either side of a harmonic: what lies there is of that harmonic."""
 _ON_PATH: Final = 3
 """Lines to either side, within which it lies on the path."""
 _MOST_BLOCKS: Final = 20_000
@@ -407,7 +407,7 @@ def _decimated(signal: Signal, highest: float) -> Signal:
 
 
 def _corrected(signal: Signal, harmonics: int) -> FloatArray:
-    """Speed with what the phase of the clearest harmonic still tells, if one is clear; rad/s."""
+    """Speed with what the phase of the clearest harmonic still shows, if one is clear; rad/s."""
     assert signal.speed is not None
     per_turn = 4.0 * (harmonics + 1)
     tracked = order_tracked(signal, per_turn)

@@ -73,8 +73,8 @@ class Spectrum:
 
 
 EDGE: Final = 1e-6
-"""Of the distance of the lines: one that is so little outside a band lies on its edge. Of 2²⁸
-samples, rounding moves a line by 10⁻⁷."""
+"""Fraction of the distance of the lines: one that is so little outside a band lies on its edge. Of
+2²⁸ samples, rounding moves a line by 10⁻⁷."""
 _LEAST: Final = 2
 
 

@@ -43,11 +43,11 @@ _LOWEST: Final = 0.3
 """A cage turns at 0.33 to 0.5 of the shaft's speed where the outer ring stands still."""
 _MOST_LINES: Final = 24
 _SAME: Final = 0.006
-"""Of an order: as near, a line is a multiple or a sideband of a comb."""
+"""Fraction of an order: as near, a line is a multiple or a sideband of a comb."""
 _MULTIPLES: Final = 8
 _SIDEBANDS: Final = 2
 _SAME_CAGE: Final = 0.005
-"""Of the cage's speed, by which the parts of one bearing may differ."""
+"""Fraction of the cage's speed, by which the parts of one bearing may differ."""
 
 
 @frozen

@@ -134,7 +134,7 @@ def _life(asked: LifeRequest) -> str:
 
 
 def _of_list(asked: CaseRequest, name: str, place: int) -> rolamento.Case:
-    """Return one case of several; what is wrong is told of with its place."""
+    """Return one case of several; what is wrong is reported with its place."""
     try:
         return asked.to_case()
     except InputError as error:
@@ -540,7 +540,7 @@ async def _diagnose(request: Request) -> Response:
 
 
 async def _ready(request: Request) -> Response:
-    """Tell whether the first request need not wait."""
+    """Return whether the first request need not wait."""
     return answer(request.app.state.warmth.to_mapping())
 
 

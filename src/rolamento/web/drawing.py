@@ -32,7 +32,7 @@ __all__ = [
 ]
 
 NUMBER: Final = ",.4~r"
-"""How numbers are told where a pointer is: four figures."""
+"""How numbers are shown where a pointer is: four figures."""
 FAINT: Final = 0.45
 """Opacity of what is shown though it does not hold."""
 _STEPS: Final = (1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)
@@ -82,7 +82,7 @@ def numbers(values: ArrayLike) -> list[float | None]:
 
 
 def look(race: Race, case: int = 0, row: int = 0, count: int = 0) -> dict[str, Any]:
-    """Return how the line of a race is drawn: colour and dashes tell race and case, marks the row.
+    """Return how the line of a race is drawn: colour and dashes show race and case, marks the row.
 
     case: 0 or 1, of two that are compared. count: of marks; many are smaller.
     """
@@ -94,7 +94,7 @@ def look(race: Race, case: int = 0, row: int = 0, count: int = 0) -> dict[str, A
 
 
 def line(x: ArrayLike, y: ArrayLike, name: str, hover: str, **more: Any) -> dict[str, Any]:
-    """Return a line; hover: how a point of it is told, a template of Plotly.js."""
+    """Return a line; hover: how a point of it is labelled, a template of Plotly.js."""
     return {
         "type": "scatter",
         "mode": "lines",

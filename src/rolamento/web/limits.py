@@ -132,7 +132,7 @@ def _queue(_thread: int) -> Limits:
 
 @cache
 def _turns(_thread: int) -> Turns:
-    """Likewise of what is slow."""
+    """The queue of slow work, one for each event loop."""
     return Turns(SLOW_AT_ONCE, _MOST_WAITING["slow"])
 
 

@@ -63,7 +63,7 @@ def live(request: Mapping[str, Any]) -> dict[str, Any]:
     Raises
     ------
     InputError
-        If it is no such request; a case that is wrong is told of in its place.
+        If it is no such request; a case that is wrong is reported in its place.
     """
     began = perf_counter()
     entries = request.get("cases")

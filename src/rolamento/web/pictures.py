@@ -1,6 +1,6 @@
 """The app's pictures: what solved cases show, one or two over one another, for Plotly.js.
 
-Each is read from the records and told in the units that people read; none computes anything.
+Each is read from the records and shown in the units that people read; none computes anything.
 """
 
 from __future__ import annotations
@@ -88,15 +88,15 @@ _MOST_ELLIPSES: Final = 120
 _TURN: Final = 360.0
 _MARGIN: Final = 8.0
 _NEAR: Final = 0.5
-"""Of a limit: from there on it is drawn."""
+"""Fraction of a limit: from there on it is drawn."""
 _HARMONICS: Final = 5
 _DIRECTIONS: Final = (112.5, 247.5, 157.5, 202.5, 67.5, 292.5, 22.5, 337.5)
 _LITTLE: Final = 0.3
-"""Of the greatest circle."""
+"""Fraction of the greatest circle."""
 _WRAPPED: Final[dict[str, Any]] = {"mode": "lines+markers", "meta": {"from": 1, "to": -1}}
-"""Of a line that goes all round: its ends are there once more."""
+"""Style of a line that goes all round: its ends are there once more."""
 _DRAWING: Final = {"drawing": True}
-"""Of a picture whose lines are outlines: a table of their points says nothing."""
+"""Style of a picture whose lines are outlines: a table of their points says nothing."""
 
 
 class _Shown(NamedTuple):
@@ -376,7 +376,7 @@ def _over_azimuth(
 
 
 def _chosen(cases: Cases, of: Of) -> tuple[Sequence[Race], dict[int, list[int]]]:
-    """Which races and rows are drawn: no more lines than can be told apart; by row most first."""
+    """Races and rows to draw, most loaded row first: no more lines than can be distinguished."""
     rows = {one.place: list(range(len(one.solved.rows))) for one in cases}
     count = sum(map(len, rows.values()))
     races: Sequence[Race] = RACES if count * len(RACES) <= _MOST_LINES else ("inner",)

@@ -60,7 +60,7 @@ class TablesOf:
     def __get_pydantic_core_schema__(
         self, source: object, handler: GetCoreSchemaHandler
     ) -> CoreSchema:
-        """Take any mapping: whoever reads it tells what is wrong, by the names of its fields."""
+        """Take any mapping: whoever reads it says what is wrong, by the names of its fields."""
         return handler(source)
 
     def __get_pydantic_json_schema__(

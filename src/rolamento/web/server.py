@@ -253,7 +253,7 @@ class Files(StaticFiles):
 
 
 def _packs(kind: str) -> bool:
-    """Tell whether a file becomes smaller when it is packed."""
+    """Return whether a file becomes smaller when it is packed."""
     return kind.startswith("text/") or "svg" in kind or "json" in kind
 
 
@@ -468,6 +468,6 @@ _ENCODED: Final = [(name.encode(), value.encode()) for name, value in _HEADERS.i
 
 
 def _broken(number: str) -> Response:
-    """Say that something is wrong here; what, the log tells under the number."""
+    """Say that something is wrong here; what, the log says under the number."""
     rule = said("an error in the program; its log tells more under {number}", number=number)
     return refused(RequestError(rule, 500))

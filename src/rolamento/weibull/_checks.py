@@ -17,7 +17,7 @@ from rolamento.words import said
 MAXIMUM_SAMPLES: Final = 1_000_000
 MAXIMUM_SHAPE: Final = 1000.0
 LONGEST_TIME: Final = 1e12
-"""Of an age or a mission, in any unit."""
+"""Maximum of an age or a mission, in any unit."""
 
 
 def numbers(values: Any, field: str, example: str) -> FloatArray:

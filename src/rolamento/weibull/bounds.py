@@ -96,7 +96,7 @@ class Bounds(Outcome):
 
     @property
     def one_sided_confidence(self) -> float:
-        """Of each limit by itself: of two sides each leaves out half of what they do together."""
+        """Confidence of each limit alone: each of two sides excludes half of what both exclude."""
         return 0.5 * (1.0 + self.confidence) if self.sides == "two" else self.confidence
 
     @property

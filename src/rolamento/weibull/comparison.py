@@ -663,7 +663,7 @@ def _two_sided_p_value(
     samples: int,
     shape: float | None,
 ) -> float:
-    """Of two sides, by the method of the bounds."""
+    """p-value of two sides, by the method of the bounds."""
     if found.method == "fixed_shape" and shape is not None:
         return min(2.0 * min(fixed_shape_tails(test, shape, quantity, life)), 1.0)
     fit = maximum_likelihood(test)

@@ -45,7 +45,7 @@ __all__ = ["Interval", "LifeDistribution"]
 
 _SAMPLES: Final = 10_000
 _LEAST_SHAPE: Final = 0.1
-"""Of a distribution that is given: below it the mean is beyond all use."""
+"""Smallest shape of a distribution that is given: below it the mean is beyond all use."""
 
 
 @frozen

@@ -7,7 +7,7 @@ it would have been suspended, and that time is drawn from those seen, beyond its
 Kaplan-Meier distribution, in which failures and suspensions change parts. Inspected bearings are
 all taken to be inspected at all the times of the data.
 
-Of a real test one failure tells too little of a shape to be worth a number. A drawn test with one
+Of a real test one failure shows too little of a shape to be worth a number. A drawn test with one
 failure has a likelihood with a maximum, if some bearing ran longer, and it counts: without those
 tests the limits would take it for granted that two fail, and be too narrow.
 

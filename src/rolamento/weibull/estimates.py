@@ -12,7 +12,7 @@ on the safe side for the lower bound. So it bounds the life from below even if n
 
 *Three parameters*: with a time γ before which nothing fails. For every γ below the first failure
 the two-parameter fit of the times beyond it gives the profile of the likelihood. As γ nears a first
-failure that is known exactly, with β < 1, the profile grows without bound: that spike tells
+failure that is known exactly, with β < 1, the profile grows without bound: that spike shows
 nothing. What is taken is the greatest of the maxima before it and of the value at γ = 0, since no
 bearing fails before it runs. If the profile rises all the way to the spike there is no estimate.
 
@@ -367,7 +367,7 @@ def _shape_and_scale(test: LifeTest, location: float) -> tuple[float, float]:
 
 
 def _unbounded(test: LifeTest, first: float) -> bool:
-    """Tell whether the first failure is known exactly, so that the spike is there."""
+    """Return whether the first failure is known exactly, so that the spike is there."""
     exact = test.failed & np.isnan(test.lower)
     return bool(np.any(exact & (test.times == first)))
 

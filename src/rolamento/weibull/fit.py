@@ -101,7 +101,7 @@ class WeibullFit(Outcome):
 
     @classmethod
     def without(cls, test: LifeTest, method: str, code: str) -> Self:
-        """Tell that a test has no fit, and why."""
+        """Say that a test has no fit, and why."""
         return cls(
             method, code, location=np.nan, failures=test.failures, size=test.size, unit=test.unit
         )
@@ -240,7 +240,7 @@ class Estimand:
 
     @property
     def log_risk(self) -> float:
-        """Of a life: ln(-ln R), the ordinate of the Weibull plot."""
+        """Logarithm of the risk of a life: ln(-ln R), the ordinate of the Weibull plot."""
         return float(np.log(-np.log(self.value)))
 
     @property

@@ -68,7 +68,7 @@ _MOST_DRAWN: Final = 20_000_000
 """Lives, or counts of rows, that are drawn at most."""
 _FEWEST_DRAWS: Final = 200
 _MOST_RENEWALS: Final = 200.0
-"""Of one bearing on the mean; beyond it a simulation is not worth its time."""
+"""Number of renewals of one bearing on the mean; beyond it a simulation is not worth its time."""
 _SPREAD: Final = 12.0
 _STEPS: Final = 12
 
@@ -129,7 +129,7 @@ class Fleet:
 
     @property
     def size(self) -> int:
-        """How many bearings there are."""
+        """Number of bearings."""
         return int(self.counts.sum())
 
     def part(self, share_: float) -> Fleet:

@@ -197,17 +197,17 @@ class LifeTest:
 
     @property
     def size(self) -> int:
-        """How many bearings were tested."""
+        """Number of bearings tested."""
         return int(self.counts.sum())
 
     @property
     def failures(self) -> int:
-        """How many of them failed."""
+        """Number of failures."""
         return int(self.counts[self.failed].sum())
 
     @property
     def suspensions(self) -> int:
-        """How many of them did not."""
+        """Number of suspensions."""
         return self.size - self.failures
 
     @property
@@ -352,7 +352,7 @@ class LifeTest:
         }
 
     def _rigs_all_failed(self) -> bool:
-        """Tell whether every suspended bearing was suspended by a failure in its rig."""
+        """Return whether every suspended bearing was suspended by a failure in its rig."""
         stopped = set(self.rig[self.failed])
         return all(name != "" and name in stopped for name in self.rig[~self.failed])
 

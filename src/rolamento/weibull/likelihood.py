@@ -95,7 +95,7 @@ class Likelihood:
     def of(cls, test: LifeTest, location: float = 0.0) -> Self:
         """Likelihood of a test whose lives begin at a location.
 
-        Suspensions before the location tell nothing; a failure before it cannot be.
+        Suspensions before the location show nothing; a failure before it cannot be.
         """
         with np.errstate(divide="ignore", invalid="ignore"):
             y = np.log(test.times - location)
@@ -128,7 +128,7 @@ class Likelihood:
 
     @property
     def failures(self) -> FloatArray:
-        """How many failed; 0-d, or (lanes,)."""
+        """Number of failures; 0-d, or (lanes,)."""
         return np.asarray(self.failed_counts.sum(axis=-1) + self.interval_counts.sum(axis=-1))
 
     def at(self, a: FloatArray, b: FloatArray) -> Derivatives:

@@ -433,7 +433,7 @@ class LikelihoodRegion:
     quantity
         that stands beside the shape: the scale, or a life
     shape, life
-        (shapes,), (lives,) over which the fall is told; life in the unit of the test
+        (shapes,), (lives,) over which the fall is given; life in the unit of the test
     fall
         (lives, shapes) twice the fall of the logarithm of the likelihood
     probabilities, levels

@@ -112,7 +112,8 @@ class _Law(NamedTuple):
 
 
 _Shape = Callable[[FloatArray, FloatArray], _Law]
-"""Of ln t, (times, 1), and of the searched parameters, (parameters, points): (times, points)."""
+"""Function of ln t, (times, 1), and of the searched parameters, (parameters, points): (times,
+points)."""
 
 
 def life_models(test: LifeTest | ArrayLike, names: Iterable[str] = MODELS) -> tuple[LifeModel, ...]:

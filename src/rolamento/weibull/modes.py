@@ -9,7 +9,7 @@ tests, so that each mode is fitted by itself, and the reliabilities multiply:
 Bounds of the whole come from draws of the modes: one draw of each mode's distributions that could
 have given the data makes one of the whole, as the factors of the likelihood share no parameter.
 
-Whether modes are independent the data cannot tell (Tsiatis): a cause that brings on both makes the
+Whether modes are independent the data cannot show (Tsiatis): a cause that brings on both makes the
 lives without one of them come out wrong. Failures of an *unknown* mode are a mode by themselves
 here. Then the whole is right, but each known mode comes out too long; `latest` and `earliest` of
 `ModeResult` are what it is if none, and all, of them were of that mode.

@@ -227,7 +227,7 @@ def posterior(test: LifeTest | ArrayLike, prior: ShapePrior) -> Posterior:
 
 @frozen(eq=False)
 class GivenByGamma:
-    """Of a right-censored test: given β, η^(-β) has a gamma distribution.
+    """Posterior of a right-censored test: given β, η^(-β) has a gamma distribution.
 
     z: logarithms of the times, from the longest, which is at `middle`. log_total: ln Σ v t^β of the
     shapes that count. search: points of ln β that are looked at to find where the density lies.
@@ -278,7 +278,7 @@ class GivenByGamma:
 
 @frozen(eq=False)
 class GivenByGrid:
-    """Of an inspected test: given β, the likelihood over a grid of b = -β ln η.
+    """Posterior of an inspected test: given β, the likelihood over a grid of b = -β ln η.
 
     grid, cumulated: (shapes, nodes), b from `middle`, and the probability that b is greater.
     """

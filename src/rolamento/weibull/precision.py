@@ -159,7 +159,7 @@ class LifeTestPlan:
 
     @property
     def bearings(self) -> int:
-        """How many bearings it takes."""
+        """Number of bearings needed."""
         return self.groups * self.group_size
 
     @property
@@ -196,7 +196,7 @@ def plan_of(
     samples: int = 10_000,
     seed: int = 0,
 ) -> LifeTestPlan:
-    """Tell what may be expected of a test.
+    """Say what may be expected of a test.
 
     Parameters
     ----------
@@ -374,7 +374,7 @@ class _Expected:
         )
 
     def without(self, code: str, groups: int) -> LifeTestPlan:
-        """Tell that there is no plan, and why."""
+        """Say that there is no plan, and why."""
         return LifeTestPlan(
             code, groups, self.group_size, 0, self.life, self.reliability, self.shape,
             self.confidence,

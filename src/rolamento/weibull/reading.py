@@ -307,7 +307,7 @@ def published_text(name: str) -> str:
 class Header:
     """Which cell holds what, by column.
 
-    titles: of all cells. names: titles by column. unit: that the header tells, or an empty text.
+    titles: of all cells. names: titles by column. unit: that of the header, or an empty text.
     passed_over: titles of what is not known. machines: title of the rigs if they are machines,
     which need not end as one.
     """
@@ -356,7 +356,7 @@ def header_of(
     """Find the columns by the cells of the header.
 
     wanted: titles of the columns ``time``, ``status``, ``group``, ``count`` and ``mode``, over the
-    usual names. rows: of the table; of two columns that may be the status they tell which one is.
+    usual names. rows: of the table; of two columns that may be the status they decide which one is.
     ignored: titles of columns that are not read, whatever their names say.
     """
     chosen = _chosen_columns(cells, wanted)

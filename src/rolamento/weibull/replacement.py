@@ -46,12 +46,12 @@ __all__ = [
 ]
 
 _FACTORS: Final = (0.8, 0.9, 1.0, 1.1, 1.25)
-"""Of the shape, of which it is told what the same policy would cost."""
+"""Multiples of the shape, for which the cost of the same policy is given."""
 _NEAR: Final = 0.05
-"""Of the least cost, within which other ages are as good."""
+"""Fraction of the least cost, within which other ages are as good."""
 _GREATEST_COST: Final = 1e12
 _LEAST_SAVING: Final = 1e-3
-"""Of the cost per hour, below which an optimum is not worth the name."""
+"""Fraction of the cost per hour, below which an optimum is not worth the name."""
 _SHORTEST, _LONGEST = 1e-12, 1e6
 """T/η between which it is looked for."""
 

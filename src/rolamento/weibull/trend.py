@@ -4,9 +4,9 @@ A record comes from a CSV file: a column of running times or of dates, one that 
 the machine, which a record of a single one can do without, and one for each quantity: with its unit
 in brackets, or under a usual name. A note names the columns that were passed over. ``x`` stands for
 a measurement that was off the scale or rejected, an empty cell for none. Tables are read as
-`rolamento.io.tables` tells: any separator, either decimal mark; names and dates as
-`rolamento.io.columns` and `rolamento.io.dates` tell. Dates may have a time of day, in the same cell
-or in a column beside. Of the comments ``# title:``, ``# source:``, ``# dates: day first``.
+`rolamento.io.tables` reads them: any separator, either decimal mark; names and dates as
+`rolamento.io.columns` and `rolamento.io.dates` read them. Dates may have a time of day, in the same
+cell or in a column beside. Of the comments ``# title:``, ``# source:``, ``# dates: day first``.
 
     # title: Radial clearance of two bearings
     time (h),bearing,radial clearance (µm)
@@ -64,7 +64,7 @@ _BEARINGS: Final = ("bearing", "tag", "rig", "machine")
 """Columns that name what was measured, the nearest to a bearing first."""
 _ORDER: Final = "dates"
 _UNITS: Final = ("mm/s", "m/s²", "m/s2", "g", "µm", "μm", "um", "mm", "°C", "dB", "A", "gE")
-"""Of a quantity, where they stand behind its name without brackets."""
+"""Units of a quantity, where they stand behind its name without brackets."""
 
 
 @frozen(eq=False)

@@ -33,7 +33,7 @@ ENDLESS: Final = "∞"
 """What stands for a number beyond all others, such as a life that fatigue does not end."""
 
 MOST_ITEMS: Final = 8
-"""Of a sequence in a text."""
+"""Maximum number of items of a sequence in a text."""
 
 UNITS: Final[dict[str, tuple[float, float]]] = {
     # written in SI × factor + offset
@@ -198,7 +198,7 @@ class Manner(Formatter):
         return f"{value:.{decimals}e}".replace(".", self.mark)
 
     def significant(self, value: float, figures: int) -> str:
-        """Write one number with so many figures, such as a life: no more are worth telling."""
+        """Write one number with so many figures, such as a life: no more are worth printing."""
         if value == inf:
             return ENDLESS
         if not isfinite(value) or value == 0.0:

@@ -33,7 +33,7 @@ class Note:
 
     @property
     def text(self) -> str:
-        """Its sentence, in the language that is spoken (`rolamento.words.speaking`)."""
+        """The sentence in the current language (`rolamento.words.speaking`)."""
         from rolamento.words.sentences import sentence
 
         return sentence(self.key, self.values)

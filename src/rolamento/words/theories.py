@@ -84,7 +84,7 @@ _SCOPES_OF_ROLLERS: Final = {
         "roller; P_ref up to C/2 and C_0. Lubrication and contamination are not considered."
     ),
 }
-"""Where they are told otherwise."""
+"""Where their names differ."""
 
 
 def theory_scope(theory: str, element: str = "ball") -> str:

@@ -265,7 +265,7 @@ _TIME: Final = said("time_h")
 
 
 def noise_section(title: Text) -> Section:
-    """Show the noise records, and what they tell."""
+    """Show the noise records, and what they show."""
     return Section(title, (_after_test(), _test_5()))
 
 

@@ -1,9 +1,9 @@
 """The lives that the dissertation draws from its tests, and what all of the bearings say instead.
 
-Limits are those of 90 %, both sides together, where no other confidence is told. On the probability
-paper of figures 4.1.1 and 4.1.2 log₁₀ t stands across, ln ln 1/(1 − F) upright, so that lives of
-Weibull's distribution lie on a straight line; failures stand at their median ranks, suspended
-bearings at the foot.
+Limits are two-sided at 90 % where no other confidence is stated. On the probability paper of
+figures 4.1.1 and 4.1.2 log₁₀ t stands across, ln ln 1/(1 − F) upright, so that lives of Weibull's
+distribution lie on a straight line; failures stand at their median ranks, suspended bearings at the
+foot.
 """
 
 from __future__ import annotations

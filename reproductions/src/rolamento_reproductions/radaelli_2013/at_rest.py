@@ -123,7 +123,7 @@ def _claims_on_clearance(solved: dict[float, RadialSolution]) -> tuple[Claim, ..
 
 
 def _note_on_integral() -> Text:
-    """Tell what counting the balls gives instead."""
+    """Return what counting the balls gives instead."""
     load = inputs_of("radial_distribution")["radial_load_N"]
     states = [
         radial_load(bearing("209"), load, distribution=distribution)

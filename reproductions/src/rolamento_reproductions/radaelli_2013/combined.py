@@ -251,7 +251,7 @@ def _completed(
 
 
 def _who_carries(whole: Round) -> Claim:
-    """Tell what part of the radial load the balls within ±45° carry."""
+    """Return what part of the radial load the balls within ±45° carry."""
     balls = whole.placed
     force = whole.inner_load * np.cos(np.radians(whole.inner_angle))
     radial = (force * np.cos(np.radians(whole.azimuth)))[balls]
@@ -432,7 +432,7 @@ def _moved_angles(still: Round, moved: Round) -> Claim:
 
 
 def _moved_ring(still: Round, moved: Round) -> Text:
-    """Tell how little the ring itself notices."""
+    """Return how little the ring itself notices."""
     return said(
         "moved_ring",
         shift_1=still.shift[2],

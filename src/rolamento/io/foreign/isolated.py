@@ -33,7 +33,7 @@ _LEFT_ALONE: Final = round(PATIENCE) + 5
 """Seconds of one answer, after which the process ends itself: who asked may have been ended first,
 and a library that goes round in circles never hears of that."""
 _LONGEST_SECONDS: Final = 3600
-"""Of work, should nobody be left to end it."""
+"""Seconds of work, should nobody be left to end it."""
 
 
 class Isolated:

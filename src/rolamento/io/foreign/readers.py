@@ -46,7 +46,7 @@ _MOST_ATTRIBUTES: Final = 100
 _NUMBER_AS_TEXT: Final = re.compile(r"[+-]?[\d.,]*[.,][\d.,]*")
 _MOST_NAMED: Final = 6
 _LINES_LOOKED_AT: Final = 1000
-"""Of a sheet, to see whether it holds anything."""
+"""Number of lines of a sheet, to see whether it holds anything."""
 
 
 @frozen

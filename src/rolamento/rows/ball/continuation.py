@@ -25,7 +25,7 @@ from rolamento.rows.ball.types import Array
 HEAVY: Final = 0.05
 """Approach over the grooves' offsets under the heavy load."""
 FIRST: Final = 1e-3
-"""Of the heaviest ball's load at rest: the inertia load to begin with."""
+"""Fraction of the heaviest ball's load at rest: the inertia load to begin with."""
 BOLDEST: Final = 2.5
 TIMIDEST: Final = 1.002
 MOST_STEPS: Final = 80

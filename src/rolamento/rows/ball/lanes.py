@@ -94,12 +94,12 @@ LOOSE_CAGE: Final = 0.1
 """Unbalanced load, over the ring's loads, below which the cage's speed is free: it follows what the
 balls do, and far from balance they do what they will not."""
 NEAR_CAGE: Final = 0.02
-"""Of the rings' speeds: the longest step of the cage, and what it may lag if the ring's step is to
-reckon with it."""
+"""Fraction of the rings' speeds: the longest step of the cage, and what it may lag if the ring's
+step is to reckon with it."""
 LEAST_APPROACH: Final = 1e-9
 """Over the grooves' offsets: a ring has at least the stiffness of a contact so lightly pressed."""
 LONGEST_STEP: Final = 0.3
-"""Of the ring, over the grooves' offsets."""
+"""Longest step of the ring, over the grooves' offsets."""
 PATIENCE: Final = 6.0
 """Steps after which a ball that goes astray is no longer put where it began, and ring and ball take
 none that is longer than"""
@@ -108,7 +108,8 @@ LATE_STEP: Final = 0.03
 SHORT_STEP: Final = 0.25
 """Part of its step that such a ball takes at most."""
 LEAST_PRESSED: Final = 0.1
-"""Of the approach under its own centrifugal force, at the outer race: no ball is pressed less."""
+"""Fraction of the approach under its own centrifugal force, at the outer race: no ball is pressed
+less."""
 DRIVE: Final = -1e-30
 """A cage that turns faster lags less, or all that is known of it is the direction to go."""
 

@@ -26,8 +26,9 @@ FIRM: Final = 0.8
 to hold it firmly. With less, balls that it hardly touches could have more than one place where the
 outer ring turns: their F_c falls by up to 1.5 / FIRM newtons for each that the ring presses."""
 CAGE_WEIGHT: Final = 1e-2
-"""Of a ball's centrifugal force: the load with which the nominal speed counts in the cage's.
-Where balls are held, that changes it by some 1e-5; with much less, a breath on one drives it."""
+"""Fraction of a ball's centrifugal force: the load with which the nominal speed counts in the
+cage's. Where balls are held, that changes it by some 1e-5; with much less, a breath on one drives
+it."""
 
 
 @frozen
@@ -43,12 +44,12 @@ class Columns:
 
     @property
     def cases(self) -> int:
-        """How many."""
+        """Number of cases."""
         return int(self.duty.shape[1])
 
     @property
     def length(self) -> int:
-        """How many numbers a column has."""
+        """Number of entries in a column."""
         return len(self.duty) + len(self.bearing)
 
     def __getitem__(self, row: int | slice) -> Floats:
@@ -181,7 +182,7 @@ def bearing_columns(bearing: Any, count: int) -> Floats:
 
 
 def _terms(ratio: Any) -> Floats:
-    """How many coefficients K takes at a D/d_m; NaN is taken as the least."""
+    """Number of coefficients of K at a D/d_m; NaN counts as the smallest."""
     limits, counts = zip(*TERMS, strict=True)
     place = np.searchsorted(limits, np.nan_to_num(np.asarray(ratio, dtype=np.float64), posinf=0.0))
     return np.asarray(counts, dtype=np.float64)[np.minimum(place, len(counts) - 1)]

@@ -39,15 +39,17 @@ CAGE_STEPS: Final = 40
 LEAST_DAMPING: Final = 1e-10
 MOST_DAMPING: Final = 1e4
 NEAR_BALANCE: Final = 1e-3
-"""Of the loads: what is unbalanced where the ring's step need not be downhill. Where the rings turn
-against each other, or the balls push the ring off, an equilibrium need not be a minimum."""
+"""Fraction of the loads: what is unbalanced where the ring's step need not be downhill. Where the
+rings turn against each other, or the balls push the ring off, an equilibrium need not be a
+minimum."""
 NEAR_CAGE: Final = 1e-4
 """Residual of the cage that is left to its step along with the ring's."""
 BALANCED_CAGE: Final = 1e-6
 """And at the end: the step squares it."""
 FOLLOWS, FOLLOWS_TIMIDLY = 0.2, 0.02
-"""Of the ring's longest step: a ball that would go farther is settled from where it was. Where the
-rings turn against each other there are several equilibria, and it might end up in another."""
+"""Fractions of the ring's longest step: a ball that would go farther is settled from where it was.
+Where the rings turn against each other there are several equilibria, and it might end up in
+another."""
 
 
 @shared

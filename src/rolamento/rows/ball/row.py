@@ -46,7 +46,7 @@ __all__ = ["BallRow", "Traction", "ball_row"]
 
 PRESS_STEPS: Final = 60
 PRESS_PRECISION: Final = 1e-15
-"""Of the distance between groove centres: the last step of a row that is pressed in."""
+"""Fraction of the distance between groove centres: the last step of a row that is pressed in."""
 
 
 @frozen
@@ -132,7 +132,7 @@ class BallRow:
 
     @property
     def cases(self) -> int:
-        """How many."""
+        """Number of cases."""
         return self.p.cases
 
     @property
@@ -148,7 +148,7 @@ class BallRow:
 
     @property
     def floats(self) -> bool:
-        """Its grooves hold it along the shaft."""
+        """Whether the row locates the shaft axially: its grooves do."""
         return False
 
     @property

@@ -32,7 +32,7 @@ MOVING_STEPS: Final = 30
 START_TOLERANCE: Final = 1e-2  # of a static start for moving balls
 TOLERANCE: Final = 1e-8  # before the last step, which squares it
 PRECISION: Final = 1e-10
-"""Of the ring's exact balance, as `rolamento.assembly.ring` asks for it."""
+"""Precision of the ring's exact balance, as `rolamento.assembly.ring` asks for it."""
 
 PRESS: Final = STAND_ROWS  # how far the clamped rings press a row in
 STANDING: Final = STAND_ROWS + 1  # numbers that say how a row stands on the ring

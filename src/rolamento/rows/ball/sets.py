@@ -33,7 +33,7 @@ __all__ = ["Proposal", "balls_only", "settle", "standing"]
 CHUNK: Final = 1000
 """Cases of a call: their numbers lie together, no power of two apart."""
 LITTLE: Final = 1e-6
-"""Of the stiffness under load: what a ring that touches nothing is held by on its way."""
+"""Fraction of the stiffness under load: what a ring that touches nothing is held by on its way."""
 _HEAVIEST: Final = 4.5
 """How much more the heaviest ball of a row carries than the mean."""
 

@@ -114,7 +114,7 @@ def motion(p: Array, case: int) -> Motion:
 
 @inline_exact
 def race_control(control: float) -> float:
-    """Which race controls the ball, +1 or -1; the size of `control` tells whether it is off."""
+    """Which race controls the ball, +1 or -1; the size of `control` shows whether it is off."""
     return 1.0 if control > 0.0 else -1.0
 
 

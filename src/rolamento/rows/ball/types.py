@@ -21,7 +21,7 @@ Seven: TypeAlias = tuple[float, float, float, float, float, float, float]
 Eight: TypeAlias = tuple[float, float, float, float, float, float, float, float]
 
 Coefficients: TypeAlias = Seven
-"""Of a contact's stiffness, a polynomial in cos a."""
+"""Coefficients of a contact's stiffness, a polynomial in cos a."""
 StoredPolynomial: TypeAlias = tuple[Array, int, int]
 """Where such a polynomial stands: parameters, first row, case."""
 Race: TypeAlias = tuple[float, Any]

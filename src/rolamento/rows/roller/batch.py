@@ -29,7 +29,7 @@ from rolamento.rows.roller.roller import (
 RING_STEPS: Final = 60
 RING_PRECISION: Final = 1e-11
 FAR: Final = 0.3
-"""Of the roller's diameter: the longest step of the ring."""
+"""Fraction of the roller's diameter: the longest step of the ring."""
 DEGREES: Final = 5
 
 Output = tuple[NDArray[Any], ...]

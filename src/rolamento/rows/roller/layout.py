@@ -27,14 +27,14 @@ INNER_CONSTANT: Final = 10
 """K of a whole contact in Q = K δ^(10/9)."""
 OUTER_CONSTANT: Final = 11
 GAP: Final = 12
-"""Of each contact without load: a quarter of the diametral clearance."""
+"""Gap of each contact without load: a quarter of the diametral clearance."""
 CENTRIFUGAL: Final = 13
 """F_c of a roller (N)."""
 CENTRIFUGAL_SHIFT: Final = 14
 """How far outward the roller's centre goes for η = 1."""
 CENTRIFUGAL_TURN: Final = 15
 MOMENT: Final = 16
-"""Of a roller's inertia about its middle, as θ turns (N·m)."""
+"""Moment of a roller's inertia about its middle, as θ turns (N·m)."""
 RIB_AHEAD: Final = 17
 """Stiffness of the pair of ribs that carries load toward +x (N/m); 0 without such ribs."""
 RIB_BEHIND: Final = 18

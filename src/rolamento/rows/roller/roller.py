@@ -30,30 +30,33 @@ ACCEPTED: Final = 1e-10
 """Residual of a roller over its loads, beyond rounding, at which it counts as balanced."""
 EPSILON: Final = 2.3e-16
 PLACED: Final = 0.02
-"""Of the roller's diameter: size of the places whose differences are approaches."""
+"""Fraction of the roller's diameter: size of the places whose differences are approaches."""
 HEAVY_DEPTH: Final = 1e-4
-"""Of the roller's diameter: approach under its inertia where it is heaviest: as profiles drop."""
+"""Fraction of the roller's diameter: approach under its inertia where it is heaviest: as profiles
+drop."""
 LIGHTER: Final = 100.0
 """From one stage to the next."""
 NEGLIGIBLE: Final = 1e-7
-"""Of the roller's diameter: an approach whose load is none, beside which rollers are in balance."""
+"""Fraction of the roller's diameter: an approach whose load is none, beside which rollers are in
+balance."""
 GREATEST_APPROACH: Final = 0.02
-"""Of the roller's diameter: beyond is no elastic contact."""
+"""Fraction of the roller's diameter: beyond is no elastic contact."""
 ADDED: Final = 1e-9
 """Over the stiffness of a contact: added to a roller's own, so that what nothing holds stays."""
 LONGEST: Final = 0.05
-"""Of the roller's diameter: a step of Newton's method."""
+"""Fraction of the roller's diameter: a step of Newton's method."""
 
 INNER, OUTER = 0, 1
 SUMS: Final = 6
-"""Of a contact: Q, M, and their derivatives by u, w, u, w; as `rolamento.contact.slices`."""
+"""Number of sums of a contact: Q, M, and their derivatives by u, w, u, w; as
+`rolamento.contact.slices`."""
 
 Line: TypeAlias = tuple[bool, Array, Array, Array, Array, Array, Array]
 """A case's contacts along the roller: whether slices are coupled; x_k (n,); of the inner and the
 outer contact, (2, n) each, drops of roller and race, curvatures, and the compression of the roller
 itself; the influence table and scratch of `rolamento.contact.coupled`."""
 Pressed: TypeAlias = tuple[Array, Array]
-"""Of both contacts: sums (2, SUMS), and loads per length (2, n)."""
+"""Sums of both contacts: sums (2, SUMS), and loads per length (2, n)."""
 Forces: TypeAlias = tuple[float, float, float, float, float, float, float]
 """Unbalanced force on η and ω, their derivatives ηη, ηω, ωη, ωω, and the size of their parts."""
 

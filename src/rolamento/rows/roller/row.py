@@ -32,7 +32,8 @@ __all__ = ["RollerRow", "roller_row"]
 
 
 RUN_OFF: Final = 0.2
-"""Of the roller's diameter: a ring that has gone so far without rest is likely to go on."""
+"""Fraction of the roller's diameter: a ring that has gone so far without rest is likely to go
+on."""
 
 
 @dataclass(slots=True)
@@ -94,7 +95,7 @@ class RollerRow:
 
     @property
     def cases(self) -> int:
-        """How many."""
+        """Number of cases."""
         return int(self.numbers.p.shape[1])
 
     @property
@@ -360,7 +361,7 @@ class RollerAnswer:
         inner: FloatArray,
         outer: FloatArray,
     ) -> FloatArray:
-        """Of tapered rollers from their balance along the rib's normal, else of the ribs' law."""
+        """Rib force of tapered rollers from the balance along the rib's normal, else by its law."""
         n, g, p = self.numbers, self.numbers.geometry, self.numbers.p[:, :, np.newaxis]
         if n.tapered:
             epsilon, half, axis = (a[:, np.newaxis] for a in (g.rib_angle, g.half_angle, g.axis))

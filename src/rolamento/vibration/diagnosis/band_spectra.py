@@ -49,7 +49,7 @@ from rolamento.vibration.order_tracking import interpolated
 from rolamento.words import said
 
 _LEFT_OUT_TO: Final = 0.3
-"""Of the noise: what a line may add to its neighbours before they are left out."""
+"""Fraction of the noise: what a line may add to its neighbours before they are left out."""
 _CONNECTED: Final = 3.0
 """Orders between which a modulation carries noise; farther, less than a hundredth of it."""
 _LEAST_SPREAD: Final = 2
@@ -194,14 +194,14 @@ _MARGIN: Final = 1.3
 _STEPS: Final = 4
 """Steps of an envelope, over the lines that are needed of it."""
 _LEAST: Final = 0.1
-"""Of the mean: lower the regular part is not taken, or a few samples would be blown up."""
+"""Fraction of the mean: lower the regular part is not taken, or a few samples would be blown up."""
 _NEIGHBOURS: Final = 50
 _CHANCE: Final = 0.01
 """That noise has any line which is taken for regular."""
 _FOR_TAPER: Final = 4096
 """Places at which the taper's moments are taken."""
 _SPREAD_TO: Final = 0.3
-"""Of the noise: down to there the lines about a regular one are taken with it."""
+"""Fraction of the noise: down to there the lines about a regular one are taken with it."""
 
 
 class ModulationPowers(NamedTuple):
@@ -412,7 +412,8 @@ _LONG: Final = 2**17
 _AT_ONCE: Final = 2
 """Bands: SciPy transforms as many as two side by side in vector instructions."""
 _BANDWIDTH: Final = 2.5
-"""Of the narrowest band, over the highest modulation frequency that is looked at in it."""
+"""Bandwidth of the narrowest band, over the highest modulation frequency that is looked at in
+it."""
 
 
 @frozen
@@ -595,7 +596,7 @@ class _Sums:
 
     @property
     def kurtosis(self) -> float:
-        """Of all samples that were used."""
+        """Kurtosis of all samples that were used."""
         mean, second, third, fourth = self._raw / max(self.samples, 1)
         variance = second - mean**2
         if variance <= 0.0:
@@ -605,7 +606,7 @@ class _Sums:
 
     @property
     def band_kurtosis(self) -> FloatArray:
-        """Of each band: of a narrow band 1.5 E|a|⁴/(E|a|²)², with its envelope |a|."""
+        """Kurtosis of each band: of a narrow band 1.5 E|a|⁴/(E|a|²)², with its envelope |a|."""
         first, second = self._squares / max(self.number, 1)
         window = np.square(taper(even_places(_FOR_TAPER)))
         of_taper = np.mean(np.square(window)) / np.mean(window) ** 2

@@ -23,7 +23,7 @@ from rolamento.vibration.signal import Signal
 from rolamento.words import marked, said
 
 MOST_SAMPLES: Final = 2**21
-"""Of a block: keeps the memory of slow shafts bounded."""
+"""Maximum number of samples of a block: keeps the memory of slow shafts bounded."""
 _LEAST_SAMPLES: Final = 1024
 _STEADY: Final = 1e-12
 

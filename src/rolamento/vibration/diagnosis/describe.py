@@ -215,7 +215,7 @@ def _sidebands(
 
 
 def _spacing(component: Component, finding: Finding, field: Field) -> float:
-    """Of the sidebands that were matched, or else that are expected; orders."""
+    """Spacing of the sidebands that were matched, or else that are expected; orders."""
     return finding.spacing / field.turns or field.orders.spacing(component)
 
 

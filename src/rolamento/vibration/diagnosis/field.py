@@ -48,7 +48,7 @@ from rolamento.vibration.diagnosis.size import DAMAGE, depth_error, depth_of, is
 from rolamento.vibration.noise_floor import mean_over_median, running_medians
 
 SEEN: Final = 0.8
-"""Of a band's width: up to there the noise of its squared envelope falls slowly."""
+"""Fraction of a band's width: up to there the noise of its squared envelope falls slowly."""
 _HIGHEST_MAINS: Final = 360.0
 """Hz; higher harmonics of a supply are hardly felt, and every line is near one of them."""
 _DISCRETE: Final = 0.95
@@ -204,7 +204,7 @@ _SHAFT: Final = 5
 _CAGE: Final = 2
 """And of the cage about each."""
 _NEAR: Final = 0.004
-"""Of an order: as near, a line is the same."""
+"""Fraction of an order: as near, a line is the same."""
 _LINES: Final = 2.5
 
 
@@ -258,15 +258,15 @@ _MOST: Final = 3
 _BEYOND_SLOW: Final = 2.5
 """Times the slow orders: nearer, the level about a line is theirs, which was divided out."""
 _APART: Final = 0.01
-"""Of a line's order: nearer ones are of the same origin."""
+"""Fraction of a line's order: nearer ones are of the same origin."""
 _MULTIPLES: Final = 20
-"""Of a fault's order, and sidebands of them, that are not unexplained."""
+"""Number of multiples of a fault's order, and sidebands of them, that are not unexplained."""
 _SIDEBAND: Final = 2.0
 """Depth of a sideband over that of the deepest multiple, at most."""
 _LOWER: Final = (2, 3, 4)
 """Multiples of another comb that a part's line may be; of a ball's the half is its spin's."""
 _SAME: Final = 0.004
-"""Of an order: as near, a line is a multiple."""
+"""Fraction of an order: as near, a line is a multiple."""
 _NEAR_SPEED: Final = 0.25
 """By which a speed may be wrong for a line to be named as a part's at another speed."""
 

@@ -11,8 +11,8 @@ from scipy import fft
 from rolamento.numerics import BoolArray, ComplexArray, FloatArray, IntArray
 
 _TAPERED: Final = 0.1
-"""Of a block, half at either end: enough that strong tones do not spread far, and little enough
-that the lines of noise stay independent of their neighbours."""
+"""Fraction of a block, half at either end: enough that strong tones do not spread far, and little
+enough that the lines of noise stay independent of their neighbours."""
 _LENGTH: Final = 4096
 _OVERSAMPLING: Final = 8
 _FINE: Final = 64

@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from rolamento.vibration.frequencies import RollingElement
 
 Verdict = Literal["fault", "undecided", "watch", "nothing_found", "not_tested"]
-"""Of a part: damaged; undecided, as the evidence against it is as strong; peaks as in many healthy
-bearings; none, or none of its own; could not be tested."""
+"""Verdict of a part: damaged; undecided, as the evidence against it is as strong; peaks as in many
+healthy bearings; none, or none of its own; could not be tested."""
 SpeedSource = Literal["given", "shaft_lines", "fault_lines"]
 """Where the speed of the shaft comes from: as given, its own peaks, or those of the fault."""
 Cause = Literal["outer_race", "inner_race", "ball", "cage", "ball_or_cage"]
@@ -344,7 +344,7 @@ class Diagnosis:
 
     @property
     def grade(self) -> Grade:
-        """Of the worst part that is stated."""
+        """Grade of the worst part that is stated."""
         stated = [part.grade for part in self.components if part.verdict in ("fault", "watch")]
         return max(stated, key=GRADES.index, default="nothing")
 

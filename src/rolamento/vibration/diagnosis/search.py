@@ -37,7 +37,7 @@ from rolamento.vibration.diagnosis.settings import Component, FaultOrders
 from rolamento.vibration.noise_floor import log_gamma_tail, mean_scores, reaches
 
 WIDTHS: Final = (1, 2, 4, 8, 16)
-"""Of the highest multiple; in lines."""
+"""Widths of the highest multiple; in lines."""
 _WIDTHS_WITH_SIDEBANDS: Final = WIDTHS[:4]
 """Sidebands lie close enough to share the noise that they are compared with; wide ones would feel
 its scatter together."""

@@ -61,13 +61,13 @@ _CLEAR: Final = 3.0
 """L from which on a comb is clear. In noise it takes five of ten lines of a chance of 1 % each to
 be above 0 at all: some 1e-4, all speeds that are tried counted."""
 _MARGIN: Final = 1.2
-"""Of L over that of any other speed."""
+"""Ratio of L over that of any other speed."""
 _FAR_MARGIN: Final = 2.0
 """Likewise over that of all speeds within what was allowed, where the comb is beyond them."""
 _APART: Final = 0.006
 """Part from which on a speed is another one."""
 _AGREES: Final = 0.6
-"""Of the clearest comb: from there on the lines do not speak against the given speed."""
+"""Fraction of the clearest comb: from there on the lines do not speak against the given speed."""
 _FEW_CLEAR: Final = 6.0
 """L of three multiples from which on they speak for the given speed."""
 _FIRST_CLEAR: Final = 10.0**1.5
@@ -251,7 +251,7 @@ def _of_parts(factors: FloatArray, parts: Sequence[tuple[float, float, float]]) 
 
 
 def _powers(whitening: Whitening) -> tuple[FloatArray, FloatArray]:
-    """Of the lines of a block's samples, and of the squared envelope of what is whitened."""
+    """Powers of the lines of a block's samples, and of the squared envelope of what is whitened."""
     white = whitening.white(remove_tones=True)
     if white is None:
         return whitening.power, np.zeros(len(whitening.power))

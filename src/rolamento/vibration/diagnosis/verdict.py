@@ -53,7 +53,7 @@ from rolamento.words import Note, said
 from rolamento.words.naming import of_element
 
 _SLOW: Final = 0.25
-"""Of the lowest order that is looked for: modulations up to there are of the load."""
+"""Fraction of the lowest order that is looked for: modulations up to there are of the load."""
 _SPARE: Final = 1.0
 """Orders beyond the highest that is looked for, in which the noise about that is seen."""
 
@@ -131,9 +131,10 @@ def _combs(
 
 
 _FAIR_SHARE: Final = 0.5
-"""Of the first part's depth, which a second one needs."""
+"""Fraction of the first part's depth, which a second one needs."""
 _SAME_CAGE: Final = 0.005
-"""Of the cage's speed, by which two parts may differ: slip on two races need not be the same."""
+"""Fraction of the cage's speed, by which two parts may differ: slip on two races need not be the
+same."""
 _CLEAR_BAND: Final = 0.5
 """Evidence in a band over that in the clearest one, from which on the depth there counts."""
 _ABOVE_SHAFT: Final = 2.0
@@ -156,7 +157,7 @@ _OVER_SKIRTS: Final = 4.0
 _WIDEST_SLIP: Final = 0.05
 """Part by which a cage may be off for an unexplained peak to be named as a part's."""
 _MULTIPLES: Final = 5
-"""Of a first part's order, near which a second part's lines mean nothing."""
+"""Number of multiples of a first part's order, near which a second part's lines mean nothing."""
 _CLOSE_CALL: Final = 1.3
 """Depth over the limit of damage, up to which the verdict is a close one."""
 _SURE: Final = 1.64
@@ -386,7 +387,7 @@ def _kept_step(one: _Candidate, with_shaft: Field) -> _Candidate:
     """Mark a candidate whose line is discrete and lies on a multiple of the shaft.
 
     What turns with the shaft (blades, lobes, teeth) never gains or loses against it; a bearing's
-    cage does, unless the slip happens to be that of the multiple. Sidebands of the cage tell then.
+    cage does, unless the slip happens to be that of the multiple. Then its sidebands decide.
     """
     number, turns = round(one.order), with_shaft.turns
     if number < 1 or one.part == "cage":
@@ -521,7 +522,7 @@ def _cage_slip(one: _Candidate) -> float:
 def _verdict_of(
     first: _Candidate | None, unexplained: Sequence[UnexplainedLine], dropouts: bool
 ) -> Verdict:
-    """Of the cause: what is stronger and not of it, or the mains, or noise leave it undecided."""
+    """Verdict on the cause; stronger lines of other origin, mains or noise leave it undecided."""
     if first is None:
         return "nothing_found"
     stronger = any(line.depth >= first.depth for line in unexplained)

@@ -136,7 +136,7 @@ def _near_comb(tones: IntArray, fundamental: float, spacing: float) -> BoolArray
 
 
 def _best_fundamental(tones: IntArray, comb: Comb) -> float:
-    """Of which most tones are multiples; tried in steps of a line at the last tone."""
+    """Fundamental of which most tones are multiples; tried in steps of a line at the last tone."""
     steps = int((comb.high - comb.low) * float(tones[-1]) / comb.low) + 2
     candidates = np.linspace(comb.low, comb.high, min(steps, _MOST_CANDIDATES))
     hits = [
@@ -163,9 +163,9 @@ def _are_multiples(
 
 
 _NOTHING: Final = 1e-20
-"""Of the maximum level: rounding."""
+"""Fraction of the maximum level: rounding."""
 _BARE: Final = 1e-9
-"""Of the power: what noise has less of beside tones may be the rounding of 16 bits."""
+"""Fraction of the power: what noise has less of beside tones may be the rounding of 16 bits."""
 _LARGEST: Final = log(50.0)
 """Power of a line over the noise's, which one of fifty lines of noise exceeds."""
 _MEDIAN_OF_NOISE: Final = 0.6745
@@ -218,7 +218,7 @@ class Whitening:
 
     @cached_property
     def power(self) -> FloatArray:
-        """Of the lines of the tapered samples, great shocks and all; (lines,)."""
+        """Power of the lines of the tapered samples, great shocks and all; (lines,)."""
         samples, without_shocks = self._samples
         if without_shocks is samples:
             return self._lines.power

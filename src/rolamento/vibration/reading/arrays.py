@@ -50,7 +50,7 @@ from rolamento.words import marked, said
 __all__ = ["ArraysSource", "IsolatedSource", "NumpySource"]
 
 _MOST_COLUMNS: Final = 64
-"""Of a matrix whose columns, or rows, are channels."""
+"""Maximum number of columns of a matrix whose columns, or rows, are channels."""
 _PIECE: Final = 1_000_000
 """Samples that are asked for, or times that are looked at, together."""
 _LONGEST_HEADER: Final = 10_000

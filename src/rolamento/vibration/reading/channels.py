@@ -48,7 +48,7 @@ __all__ = [
 ]
 
 MOST_SAMPLES: Final = 100_000_000
-"""Of one channel in memory at once: 0.8 GB."""
+"""Maximum number of samples of one channel in memory at once: 0.8 GB."""
 MOST_CHANNELS: Final = 1000
 
 _HIGHEST_RATE: Final = 1e9

@@ -354,7 +354,7 @@ _MOST_HEADS: Final = 6
 _MOST_LINES_READ: Final = 200
 _SAME_STEP: Final = 1e-2
 _STAMPS_OFF: Final = 0.05
-"""Of a step: what rounding to the digits of time stamps may do to one."""
+"""Fraction of a step: what rounding to the digits of time stamps may do to one."""
 _ONE_COMMA: Final = re.compile(r"[+-]?\d+,\d+(?:[eE][+-]?\d+)?")
 _COMMENT_WORDS: Final = frozenset(NAMES["remark"].split())
 _GROUPED: Final = {

@@ -314,9 +314,10 @@ SAME_RATE: Final = 1e-3
 """Part by which two statements of a sampling rate may differ: files round the step of time."""
 
 _STEP_OFF: Final = 0.3
-"""Of a step: what rounding to the file's digits may do to one. A sample left out does more."""
+"""Fraction of a step: what rounding to the file's digits may do to one. A sample left out does
+more."""
 _PLACE_OFF: Final = 1.0
-"""Of a step: how far an instant may lie from the straight line of its number."""
+"""Fraction of a step: how far an instant may lie from the straight line of its number."""
 
 
 @frozen

@@ -286,7 +286,7 @@ def _worth(text: str) -> Scale | None:
 
 
 def _in_samples(raw: str, unit: str, text: str) -> float:
-    """How many of a scale's raw unit go into one unit of the samples."""
+    """Conversion factor from the raw unit of a scale to the unit of the samples."""
     if raw == unit or (raw == "counts" and not unit):
         return 1.0
     if raw in _VOLTS and unit in _VOLTS:

@@ -129,7 +129,7 @@ class LoadDistribution:
 
     @classmethod
     def of_solved(cls, solved: Solved, *, row: int = 0, positions: int = 8) -> Self:
-        """Of a solved case, solved again for so many positions of the cage.
+        """Load distribution of a solved case, solved again for so many positions of the cage.
 
         Parameters
         ----------
@@ -189,7 +189,7 @@ def _solved_between(solved: Solved, row: int, positions: int) -> Solved:
 
 _MOST_IMPACTS: Final = 5_000_000
 _LEAST_INTERVAL: Final = 0.05
-"""Of the mean: no impact overtakes the one before."""
+"""Fraction of the mean: no impact overtakes the one before."""
 
 
 @frozen(kw_only=True)

@@ -21,7 +21,7 @@ LIMIT_NAMES: Final = {
     "oil_bath": marked("limiting speed, oil bath"),
     "high_speed": marked("limiting speed, oil-air, mist or jet"),
 }
-"""Of `rolamento.tasks.speed.SpeedLimit.name`."""
+"""Names of `rolamento.tasks.speed.SpeedLimit.name`."""
 
 
 def _above(values: Mapping[str, Any]) -> str:
@@ -36,7 +36,7 @@ FACTOR_NAMES: Final = {
     "rigid_pair": marked("pair with {level} rigid preload ×{value:.3} (GMN)"),
     "rigid_set": marked("set with {level} rigid preload ×{value:.3} or more (GMN)"),
 }
-"""Of `rolamento.speeds.SpeedFactor.name`."""
+"""Names of `rolamento.speeds.SpeedFactor.name`."""
 _LEVELS: Final = {"light": marked("light"), "medium": marked("medium"), "heavy": marked("heavy")}
 
 

@@ -47,7 +47,7 @@ MESHES: Final = {"coarse": (40, 5), "fine": (120, 9)}
 COARSEST: Final = (40, 3)
 """Until the friction is sharp."""
 MOST_IMBALANCE: Final = 1e-6
-"""Of the power: what may be missing between the rings' work and the losses."""
+"""Fraction of the power: what may be missing between the rings' work and the losses."""
 
 
 def solve_rolling(
