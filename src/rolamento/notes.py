@@ -420,10 +420,10 @@ def _rolling(solved: Solved) -> Iterator[Note]:
 def _estimated_geometry(solved: Solved) -> Iterator[Note]:
     """An internal geometry that stands in for one that the catalogue does not have."""
     bearing = solved.case.bearing
-    name, told = bearing.designation, bearing.told
-    if told is None or "inferred" not in bearing.origins.values():
+    name, resolved = bearing.designation, bearing.resolved
+    if resolved is None or "inferred" not in bearing.origins.values():
         return
-    alike = sum(one.reproduces for one in told.candidates)
+    alike = sum(one.reproduces for one in resolved.candidates)
     if bearing.from_given_ratings:
         yield Note("geometry_estimated_from_given", {"designation": name, "count": alike})
     elif alike > 1:
@@ -436,14 +436,14 @@ def _other_than_said(solved: Solved) -> Iterator[Note]:
     """What the designation says and the solved bearing is not: they lead."""
     case = solved.case
     bearing = case.bearing
-    told = bearing.told
-    if told is None:
+    resolved = bearing.resolved
+    if resolved is None:
         return
-    preload, own = told.designation.letters.preload, case.life
+    preload, own = resolved.designation.letters.preload, case.life
     if preload is not None and bearing.preload is None:
         values = {"part": preload.text, "meaning": preload.meaning}
         yield Note("designation_preload", {"designation": bearing.designation, **values})
-    for note in told.notes:
+    for note in resolved.notes:
         rated = own is not None and own.dynamic_rating is not None
         if note.key == "stainless_rating" and rated:
             continue
@@ -457,15 +457,15 @@ def _other_than_said(solved: Solved) -> Iterator[Note]:
 def _letters(solved: Solved) -> Iterator[Note]:
     """What of a designation changes nothing, or is not understood."""
     bearing = solved.case.bearing
-    name, told = bearing.designation, bearing.told
-    if told is None:
+    name, resolved = bearing.designation, bearing.resolved
+    if resolved is None:
         return
-    letters, listed = told.designation.letters, told.bearing
-    if told.stands_in:
+    letters, listed = resolved.designation.letters, resolved.bearing
+    if resolved.stands_in:
         known = {"maker": listed.maker, "listed": listed.designation}
         yield Note("designation_listed_as", {"designation": name, **known})
-    if told.idle:
-        parts = [list(part) for part in told.idle]
+    if resolved.idle:
+        parts = [list(part) for part in resolved.idle]
         yield Note("designation_without_effect", {"designation": name, "parts": parts})
     if letters.unknown:
         unknown = list(letters.unknown)

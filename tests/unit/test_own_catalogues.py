@@ -58,7 +58,7 @@ def test_what_was_found_stays_with_the_bearing(own: str, designation: str) -> No
     assert override(case, ["duty.load.fz=1 kN"]).bearing == bearing
     again = pickle.loads(pickle.dumps(case))
     assert again == case
-    assert again.bearing.told == bearing.told
+    assert again.bearing.resolved == bearing.resolved
     with pytest.raises(InputError, match="in no catalogue"):
         parse_case(case_to_toml(case), format="toml")
 

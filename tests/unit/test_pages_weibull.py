@@ -19,10 +19,10 @@ from rolamento.weibull import (
     FIT_METHODS,
     METHODS,
     LifeTest,
+    LifeTestRequest,
     LifeTestSummary,
     Scheme,
     ShapePrior,
-    Wanted,
     against_calculated_life,
     all_bounds,
     published_life_test,
@@ -38,7 +38,7 @@ EVERY = pytest.mark.parametrize("language", ["en", "pt"])
 
 def summary(name: str = "campanha_2008", **keywords: Any) -> LifeTestSummary:
     by_group = keywords.pop("by_group", True)
-    wanted = Wanted(samples=SAMPLES, **keywords)
+    wanted = LifeTestRequest(samples=SAMPLES, **keywords)
     return summarise(published_life_test(name), wanted, by_group=by_group)
 
 
@@ -135,10 +135,12 @@ def test_the_shape_is_judged_by_its_bounds() -> None:
     random = np.random.default_rng(8)
     for shape, said in ((0.5, "Shape below 1"), (4.0, "Shape above 1")):
         test = LifeTest(100.0 * random.weibull(shape, 40))
-        text = shown(weibull_page, summarise(test, Wanted(samples=SAMPLES)))
+        text = shown(weibull_page, summarise(test, LifeTestRequest(samples=SAMPLES)))
         assert said in text
         assert "lies outside the bounds" in text
-    text = shown(weibull_page, summarise(LifeTest([10.0, 20.0, 60.0]), Wanted(samples=SAMPLES)))
+    text = shown(
+        weibull_page, summarise(LifeTest([10.0, 20.0, 60.0]), LifeTestRequest(samples=SAMPLES))
+    )
     assert "Shape 1 lies within the bounds" in text
     assert "Fewer than five failures" in text
 
@@ -147,7 +149,8 @@ def test_numbers_far_out_stay_short() -> None:
     for scale in (1e-25, 1e25):
         test = LifeTest(scale * np.array([1.0, 2.0, 5.0, 9.0]))
         text = shown(
-            weibull_page, summarise(test, Wanted(samples=SAMPLES, calculated={"it": scale}))
+            weibull_page,
+            summarise(test, LifeTestRequest(samples=SAMPLES, calculated={"it": scale})),
         )
         assert max(map(len, text.splitlines())) <= 80
         assert ("e+25" if scale > 1.0 else "e-25") in text
@@ -159,7 +162,7 @@ def test_groups_that_differ_are_told_apart() -> None:
         np.concatenate([random.weibull(1.5, 15), 20.0 * random.weibull(1.5, 15)]),
         group=["short"] * 15 + ["long"] * 15,
     )
-    found = summarise(test, Wanted(samples=SAMPLES))
+    found = summarise(test, LifeTestRequest(samples=SAMPLES))
     text = shown(weibull_page, found)
     assert "The groups differ (equal lives, at a common shape: p = " in text
     assert "L10 of short over long: 0.0" in text

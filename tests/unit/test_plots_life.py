@@ -50,7 +50,7 @@ from rolamento.tasks.life_over import (
 )
 from rolamento.words import speaking
 
-DIRT = {"cleanliness": "-/17/14", "oil_supply": "circulating"}
+CONTAMINATION_FIELDS = {"cleanliness": "-/17/14", "oil_supply": "circulating"}
 THEORIES = {"iso281", "iso281_modified", "iso16281", "iso16281_modified", "ioannides_harris"}
 
 
@@ -62,7 +62,7 @@ def case() -> Case:
         duty=Duty(inner_speed=209.44, load=Load(fz=4000.0)),
         lubricant="ISO VG 68",
         temperature={"lubricant": 343.15},
-        life={**DIRT, "required_life": 2000.0 * 3600.0},
+        life={**CONTAMINATION_FIELDS, "required_life": 2000.0 * 3600.0},
     )
 
 

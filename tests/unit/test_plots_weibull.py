@@ -23,9 +23,9 @@ from rolamento.weibull import (
     FIT_METHODS,
     Band,
     LifeTest,
+    LifeTestRequest,
     LifeTestSummary,
     LikelihoodRegion,
-    Wanted,
     alternatives,
     confidence_band,
     demonstrate,
@@ -42,7 +42,7 @@ SAMPLES = 300
 
 
 def summary(test: LifeTest, by_group: bool = True, **keywords: Any) -> LifeTestSummary:
-    return summarise(test, Wanted(samples=SAMPLES, **keywords), by_group=by_group)
+    return summarise(test, LifeTestRequest(samples=SAMPLES, **keywords), by_group=by_group)
 
 
 def bands(found: LifeTestSummary) -> dict[str, Band]:

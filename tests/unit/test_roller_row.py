@@ -50,7 +50,7 @@ def row_of(case: Case) -> RollerRow:
 
 
 def held_at(row: RollerRow, place: Array) -> Any:
-    return row.held(place[np.newaxis], np.array([0]), np.ones((1, row.element_count)))
+    return row.respond(place[np.newaxis], np.array([0]), np.ones((1, row.element_count)))
 
 
 # --- an independent roller: points and normals in the plane, nothing eliminated -------------------

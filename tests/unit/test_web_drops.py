@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from rolamento.errors import InputError
-from rolamento.tasks.asked import DEMONSTRATION, LIFE_TEST, SIGNAL, by_name, given
+from rolamento.tasks.inputs import DEMONSTRATION, LIFE_TEST, SIGNAL, by_name, given
 from rolamento.web import drops, limits
 from rolamento.web.server import Settings, create_app
 

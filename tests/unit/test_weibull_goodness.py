@@ -10,7 +10,7 @@ from scipy.integrate import quad
 
 from rolamento.weibull import (
     LifeTest,
-    Wanted,
+    LifeTestRequest,
     goodness_of_fit,
     maximum_likelihood,
     published_life_test,
@@ -225,11 +225,11 @@ def test_few_failures_have_no_dog_leg() -> None:
 def test_other_distributions_stand_beside_what_is_contradicted() -> None:
     random = np.random.default_rng(4)
     times = np.minimum(60_000.0 * random.weibull(0.8, 80), 22_000.0 * random.weibull(4.0, 80))
-    (bad,) = summarise(times, Wanted(samples=300)).groups
+    (bad,) = summarise(times, LifeTestRequest(samples=300)).groups
     assert bad.models
-    (good,) = summarise(random.weibull(2.0, 20), Wanted(samples=300)).groups
+    (good,) = summarise(random.weibull(2.0, 20), LifeTestRequest(samples=300)).groups
     assert not good.models
-    (asked,) = summarise(random.weibull(2.0, 20), Wanted(samples=300, models=True)).groups
+    (asked,) = summarise(random.weibull(2.0, 20), LifeTestRequest(samples=300, models=True)).groups
     assert len(asked.models) == 6
 
 

@@ -21,7 +21,7 @@ from rolamento.tasks.weibull import life_test_study
 from rolamento.weibull import (
     Estimand,
     LifeTest,
-    Wanted,
+    LifeTestRequest,
     maximum_likelihood,
     parse_life_test,
     series_life,
@@ -130,7 +130,7 @@ def test_modes_of_suspended_bearings_are_named() -> None:
 
 def test_group_names_are_never_empty() -> None:
     test = LifeTest([1.0, 2, 3, 4, 5, 6], group=["a", "a", "a", "", "", ""])
-    found = summarise(test, Wanted(samples=200))
+    found = summarise(test, LifeTestRequest(samples=200))
     assert [group.name for group in found.groups] == ["a", "(blank)"]
     only = life_test_study(test, only=["(blank)"], samples=200)
     assert only.test.size == 3
@@ -166,7 +166,7 @@ def test_each_mode_is_fitted_with_the_others_suspended() -> None:
 
 def test_the_trap_of_pooled_modes() -> None:
     """Pooled, β is near 1 and says nothing; each mode has the shape that it was drawn with."""
-    found = summarise(field_data(), Wanted(samples=1000, confidence=0.98))
+    found = summarise(field_data(), LifeTestRequest(samples=1000, confidence=0.98))
     assert found.system is not None
     by_name = {group.name: group for group in found.groups}
     assert found.system.pooled.shape == pytest.approx(1.055, abs=0.001)
@@ -250,7 +250,7 @@ def test_groups_and_modes_at_once_are_asked_about() -> None:
     test = field_data()
     lots = LifeTest(test.times, test.failed, mode=test.mode, group=["A", "B"] * 20)
     with pytest.raises(InputError, match="2 groups and 2 failure modes"):
-        summarise(lots, Wanted(samples=200))
+        summarise(lots, LifeTestRequest(samples=200))
     compared = life_test_study(lots, only_mode="FATIGUE", samples=200)
     assert [group.name for group in compared.groups] == ["A", "B"]
     assert compared.test.failures == 12
@@ -266,19 +266,19 @@ def test_groups_and_modes_at_once_are_asked_about() -> None:
 
 def test_lower_bounds_of_a_page_have_one_confidence() -> None:
     test = LifeTest([1.0, 2, 3, 4, 5, 5], [True] * 4 + [False] * 2, group=["a"] * 4 + ["b"] * 2)
-    found = summarise(test, Wanted(samples=200))
+    found = summarise(test, LifeTestRequest(samples=200))
     both = [found.groups[0].bounds[0], found.groups[1].assumed[0].bounds[0]]
     assert [bound.one_sided_confidence for bound in both] == [0.95, 0.95]
 
 
 def test_a_known_shape_is_used_by_every_method() -> None:
     test = field_data().for_mode("fatigue")
-    (group,) = summarise(test, Wanted(shape=2.0, samples=200)).groups
+    (group,) = summarise(test, LifeTestRequest(shape=2.0, samples=200)).groups
     assert [fit.method for fit in group.fits] == ["fixed_shape", "rank_regression_x_on_y"]
     assert [fit.shape for fit in group.fits] == [2.0, 2.0]
     for method in ("unbiased", "three_parameter"):
         with pytest.raises(InputError, match="fits the shape too"):
-            Wanted(shape=2.0, methods=(method,))  # type: ignore[arg-type]
+            LifeTestRequest(shape=2.0, methods=(method,))  # type: ignore[arg-type]
 
 
 # --- pages and commands ------------------------------------------------------------------------
@@ -340,10 +340,10 @@ def test_probability_paper_has_modes_and_the_whole(run: Run, tmp_path: Path) -> 
 
     assert run("weibull", "field.csv", *FEW, "--plot", "modes.svg")[0] == 0
     assert (tmp_path / "modes.svg").stat().st_size > 5000
-    found = summarise(field_data(), Wanted(samples=200))
+    found = summarise(field_data(), LifeTestRequest(samples=200))
     labels = {text.get_text() for text in weibull_figure(found).axes[0].get_legend().get_texts()}
     assert {"all failures", "all modes together"} <= labels
-    pooled = summarise(field_data(), Wanted(samples=1000), by_mode=False)
+    pooled = summarise(field_data(), LifeTestRequest(samples=1000), by_mode=False)
     labels = {text.get_text() for text in weibull_figure(pooled).axes[0].get_legend().get_texts()}
     assert any(label.startswith("dog-leg") for label in labels)
 

@@ -11,8 +11,8 @@ from rolamento.errors import InputError
 from rolamento.weibull import (
     Estimand,
     LifeTest,
+    LifeTestRequest,
     ShapePrior,
-    Wanted,
     against_calculated_life,
     all_bounds,
     compare,
@@ -43,7 +43,7 @@ def inspected() -> LifeTest:
 
 
 def test_a_group_is_told_as_the_engine_tells_it(campanha: LifeTest) -> None:
-    wanted = Wanted(samples=SAMPLES, times=(100.0,), calculated={"ISO 281": 58.0})
+    wanted = LifeTestRequest(samples=SAMPLES, times=(100.0,), calculated={"ISO 281": 58.0})
     found = summarise(campanha, wanted)
     first, second = found.groups
     part = campanha.by_group()["I"]
@@ -61,7 +61,7 @@ def test_a_group_is_told_as_the_engine_tells_it(campanha: LifeTest) -> None:
 
 
 def test_a_group_without_failures_is_told_for_usual_shapes(campanha: LifeTest) -> None:
-    group = summarise(campanha, Wanted(samples=SAMPLES)).groups[1]
+    group = summarise(campanha, LifeTestRequest(samples=SAMPLES)).groups[1]
     assert not group.bounded
     for assumed in group.assumed:
         (bound,) = all_bounds(
@@ -72,7 +72,7 @@ def test_a_group_without_failures_is_told_for_usual_shapes(campanha: LifeTest) -
 
 
 def test_a_known_shape_bounds_a_test_without_failures(campanha: LifeTest) -> None:
-    found = summarise(campanha, Wanted(shape=1.5, samples=SAMPLES))
+    found = summarise(campanha, LifeTestRequest(shape=1.5, samples=SAMPLES))
     for group in found.groups:
         assert group.main.method == "fixed_shape"
         assert group.has_result
@@ -85,7 +85,7 @@ def test_a_known_shape_bounds_a_test_without_failures(campanha: LifeTest) -> Non
 
 
 def test_groups_are_compared_as_the_engine_compares_them(campanha: LifeTest) -> None:
-    found = summarise(campanha, Wanted(samples=SAMPLES))
+    found = summarise(campanha, LifeTestRequest(samples=SAMPLES))
     assert [one.hypothesis for one in found.comparisons] == [
         "common_shape",
         "same_life",
@@ -94,7 +94,7 @@ def test_groups_are_compared_as_the_engine_compares_them(campanha: LifeTest) -> 
     same = compare(campanha, "same_life", samples=SAMPLES)
     assert found.comparisons[1].p_value == same.p_value
     assert found.ratios[0].code == "group_without_fit"
-    pooled = summarise(campanha, Wanted(samples=SAMPLES), by_group=False)
+    pooled = summarise(campanha, LifeTestRequest(samples=SAMPLES), by_group=False)
     assert len(pooled.groups) == 1
     assert pooled.comparisons == pooled.ratios == ()
 
@@ -105,20 +105,20 @@ def test_the_ratio_takes_a_common_shape_unless_the_data_deny_it() -> None:
         np.concatenate([random.weibull(1.5, 12), 3.0 * random.weibull(1.5, 12)]),
         group=["a"] * 12 + ["b"] * 12,
     )
-    (ratio,) = summarise(alike, Wanted(samples=SAMPLES)).ratios
+    (ratio,) = summarise(alike, LifeTestRequest(samples=SAMPLES)).ratios
     assert ratio.common_shape
     assert ratio.ratio == life_ratio(alike, samples=SAMPLES).ratio
     unlike = LifeTest(
         np.concatenate([random.weibull(0.7, 30), random.weibull(8.0, 30)]),
         group=["a"] * 30 + ["b"] * 30,
     )
-    (ratio,) = summarise(unlike, Wanted(samples=SAMPLES)).ratios
+    (ratio,) = summarise(unlike, LifeTestRequest(samples=SAMPLES)).ratios
     assert not ratio.common_shape
 
 
 def test_progress_counts_every_step(campanha: LifeTest) -> None:
     steps: list[tuple[int, int]] = []
-    summarise(campanha, Wanted(samples=100), progress=lambda *step: steps.append(step))
+    summarise(campanha, LifeTestRequest(samples=100), progress=lambda *step: steps.append(step))
     assert steps == [(i, 6) for i in range(1, 7)]
 
 
@@ -127,7 +127,7 @@ def test_inspected_tests_have_no_ranks_and_no_comparison() -> None:
     grouped = LifeTest(
         test.times, test.failed, lower=test.lower, counts=test.counts, group=list("aabbb")
     )
-    found = summarise(grouped, Wanted(samples=SAMPLES))
+    found = summarise(grouped, LifeTestRequest(samples=SAMPLES))
     assert found.comparisons == ()
     assert {fit.method for fit in found.groups[0].fits} == {"maximum_likelihood", "unbiased"}
     assert found.groups[0].to_mapping()["points"] == []
@@ -135,18 +135,18 @@ def test_inspected_tests_have_no_ranks_and_no_comparison() -> None:
 
 def test_a_prior_makes_one_failure_enough() -> None:
     test = LifeTest([50.0, 100.0, 100.0], [True, False, False])
-    plain = summarise(test, Wanted(samples=SAMPLES))
+    plain = summarise(test, LifeTestRequest(samples=SAMPLES))
     assert plain.groups[0].main.code == "one_failure"
     assert len(plain.groups[0].assumed) == 3
     assert not plain.has_result
     prior = ShapePrior(1.0, 2.5)
-    (group,) = summarise(test, Wanted(samples=SAMPLES, prior=prior)).groups
+    (group,) = summarise(test, LifeTestRequest(samples=SAMPLES, prior=prior)).groups
     assert group.has_result
     assert group.assumed == ()
     life = next(one for one in group.credible if one.quantity == "L10")
     assert 0.0 < life.lower < life.median < life.upper
     none = LifeTest([50.0, 100.0], False)
-    (group,) = summarise(none, Wanted(samples=SAMPLES, prior=prior)).groups
+    (group,) = summarise(none, LifeTestRequest(samples=SAMPLES, prior=prior)).groups
     assert (group.prior_code, group.credible) == ("no_failures", ())
 
 
@@ -160,7 +160,7 @@ def test_a_prior_makes_one_failure_enough() -> None:
 )
 def test_wrong_wishes_are_refused(keywords: dict[str, Any], field: str) -> None:
     with pytest.raises(InputError) as caught:
-        Wanted(**keywords)
+        LifeTestRequest(**keywords)
     assert caught.value.field == field
 
 
@@ -168,7 +168,7 @@ def test_too_many_groups_are_refused() -> None:
     test = LifeTest(np.arange(1.0, 22.0), group=[str(i) for i in range(21)])
     with pytest.raises(InputError, match="groups = 21: must be at most 20"):
         summarise(test)
-    assert summarise(test, Wanted(samples=100), by_group=False).has_result
+    assert summarise(test, LifeTestRequest(samples=100), by_group=False).has_result
 
 
 # --- band ------------------------------------------------------------------------------------

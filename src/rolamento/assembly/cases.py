@@ -222,7 +222,7 @@ def spread(
         press = _own_press(case, place, row, cases) if states is None else states[index].press
         placed.append(PlacedRow(row, place.sign, position, press))
     for part in placed:
-        part.row.refuse(~valid)
+        part.row.invalidate(~valid)
     friction, drag = _friction(case, arrays)
     found = Cases(
         case=case,

@@ -144,7 +144,7 @@ def _mounted_groups(
         found = spread(plain, own, threads=threads, states=states)
         lost = refused[index]
         for part in found.rows:
-            part.row.refuse(lost)
+            part.row.invalidate(lost)
         varied = {name: array for name, array in found.varied.items() if name in arrays}
         yield index, replace(found, varied=varied, valid=found.valid & ~lost)
 

@@ -28,7 +28,7 @@ from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.newton import Balance, balance
 from rolamento.records import frozen
 from rolamento.rows.ball import sets
-from rolamento.rows.row import Held, Indices, IntArray, Knowing
+from rolamento.rows.row import Indices, IntArray, Response, SelfBalancing
 from rolamento.rows.sphere import SphereRow, from_outside, from_ring
 from rolamento.status import (
     CONVERGED,
@@ -65,7 +65,7 @@ class RingSolution:
     unsupported: IntArray
     iterations: IntArray
     safe_path: BoolArray
-    rows: list[Held]
+    rows: list[Response]
 
     def put(self, cases: Indices, part: RingSolution) -> None:
         """Copy the solution of some of the cases to their places."""
@@ -84,7 +84,7 @@ class _View:
     stiffness: FloatArray
     scale: FloatArray
     sound: BoolArray
-    rows: list[Held]
+    rows: list[Response]
 
 
 @frozen
@@ -248,7 +248,7 @@ def _proposed(system: RowsOnRing, control: FloatArray, asked: _Asked) -> RingSol
     )
 
 
-def _summed(answers: Sequence[Held], transforms: Sequence[FloatArray]) -> _View:
+def _summed(answers: Sequence[Response], transforms: Sequence[FloatArray]) -> _View:
     """The rows' answers seen from the ring, summed up; transforms: (cases, 5, 6), scaled."""
     n = len(transforms[0])
     force, stiffness = np.zeros((n, UNKNOWNS)), np.zeros((n, UNKNOWNS, UNKNOWNS))
@@ -320,13 +320,13 @@ class _Problem:
     def _view(self, which: Indices, u: FloatArray) -> _View:
         """Hold every row where the ring holds it, and sum up what they answer."""
         chosen, arms = self.asked.chosen[which], self.asked.arms[which]
-        answers: list[Held] = []
+        answers: list[Response] = []
         transforms = [t[which] / arms[:, np.newaxis, :] for t in self.transforms]
         parts = zip(self.system.cases.rows, transforms, self.asked.press, self.control, strict=True)
         for placed, t, press, control in parts:
             place = (t @ u[..., np.newaxis])[..., 0]
             place[:, 0] += press[which]
-            answers.append(placed.row.held(place, chosen, control[which]))
+            answers.append(placed.row.respond(place, chosen, control[which]))
         return _summed(answers, transforms)
 
     def _solution(
@@ -346,7 +346,7 @@ class _Problem:
             unsupported=np.full(n, -1),
             iterations=np.zeros(n, np.int64),
             safe_path=np.zeros(n, np.bool_),
-            rows=[placed.row.nothing(n) for placed in self.system.cases.rows],
+            rows=[placed.row.no_response(n) for placed in self.system.cases.rows],
         )
         if not len(which):
             return solution
@@ -374,14 +374,14 @@ def _propose(
     Only rows whose kernels know the ring have one; it is judged as any other start.
     """
     placed, steps = cases.rows[0], np.zeros(len(chosen), np.int64)
-    if len(cases.rows) > 1 or placed.sign < 0.0 or not isinstance(placed.row, Knowing):
+    if len(cases.rows) > 1 or placed.sign < 0.0 or not isinstance(placed.row, SelfBalancing):
         return steps
     known = cases.valid[chosen] & placed.row.valid[chosen] & (press == 0.0)
     known &= placed.lever[chosen] == 0.0
     if not known.any():
         return steps
     which = chosen[known]
-    place, settled, taken = placed.row.near(
+    place, settled, taken = placed.row.equilibrium(
         cases.free[which], cases.load[which], start[known, :5] / arms[known, :5], which
     )
     rows = np.flatnonzero(known)[settled]
@@ -436,7 +436,7 @@ def _judged(found: Balance, view: _View) -> tuple[IntArray, IntArray]:
     return number, unsupported
 
 
-def _gravest(rows: Sequence[Held], cases: int) -> tuple[IntArray, IntArray]:
+def _gravest(rows: Sequence[Response], cases: int) -> tuple[IntArray, IntArray]:
     """The gravest verdict on the rows of each case, and the unknown that nothing holds, or -1."""
     number, unsupported = np.full(cases, CONVERGED), np.full(cases, -1)
     for verdict in (OVERLOADED, UNCONSTRAINED_BALL, OVER_SHOULDER, NO_EQUILIBRIUM, NOT_CONVERGED):
@@ -468,7 +468,7 @@ def pressed_in(cases: Cases) -> tuple[FloatArray, ...]:
             press.append(touch + cases.preload_value)
         elif cases.preload in ("force", "pair"):
             force = cases.preload_value / (shares[placed.sign] if cases.preload == "force" else 1)
-            press.append(np.where(force > 0.0, placed.row.pressed_in(force), touch))
+            press.append(np.where(force > 0.0, placed.row.press_in(force), touch))
         else:
             press.append(touch if cases.preload == "spring" else np.zeros(len(cases)))
     return tuple(press)

@@ -13,8 +13,8 @@ from rolamento.assembly.cases import Cases
 from rolamento.assembly.guidance import S, System, solve_by_jones
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
-from rolamento.rows.ball.row import BallRow, HeldBalls
-from rolamento.rows.row import Held, Indices, IntArray, RowGeometry
+from rolamento.rows.ball.row import BallResponse, BallRow
+from rolamento.rows.row import Indices, IntArray, Response, RowGeometry
 from rolamento.solved import (
     Answer,
     Index,
@@ -45,7 +45,7 @@ class Balanced:
     place: FloatArray
     force: FloatArray
     stiffness: FloatArray
-    rows: tuple[Held, ...]
+    rows: tuple[Response, ...]
     control: FloatArray
     shown: IntArray
 
@@ -104,12 +104,12 @@ class _Alone:
         """Cases and balls."""
         return self.row.cases, self.row.element_count
 
-    def solve(self, control: FloatArray, which: Indices | None = None) -> HeldBalls:
+    def solve(self, control: FloatArray, which: Indices | None = None) -> BallResponse:
         """Solve all cases, or some."""
         return self.row.alone(control, which)
 
     def verdict(
-        self, solution: HeldBalls, control: FloatArray, which: Indices | None = None
+        self, solution: BallResponse, control: FloatArray, which: Indices | None = None
     ) -> IntArray:
         """Jones's criterion for every ball of all cases, or some; (cases, balls)."""
         return self.row.verdict(solution, control, slice(None) if which is None else which)

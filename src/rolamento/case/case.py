@@ -24,7 +24,7 @@ from rolamento.case.quantity import Line, at_the_border
 from rolamento.case.record import ByElement, Record
 from rolamento.case.report import ReportHead
 from rolamento.case.roller_bearing import RollerBearing
-from rolamento.case.rolling_bearing import RollingBearing, element_told
+from rolamento.case.rolling_bearing import RollingBearing, element_named
 from rolamento.case.surface import Surface
 from rolamento.case.temperature import Temperature
 from rolamento.errors import FileError, InputError, nearest
@@ -100,7 +100,7 @@ class Case(Record):
     """
 
     title: Line = Field("", examples=["218 angular-contact ball bearing"])
-    bearing: Annotated[Bearing | RollerBearing, ByElement(element_told)] = Field(
+    bearing: Annotated[Bearing | RollerBearing, ByElement(element_named)] = Field(
         examples=["[bearing] as a table"]
     )
     duty: Duty = Field(examples=["[duty] as a table"])

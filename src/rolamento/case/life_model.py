@@ -14,7 +14,7 @@ from rolamento.io.columns import folded_name
 from rolamento.iso4406 import cleanliness_numbers
 from rolamento.words import said
 
-__all__ = ["DIRT", "LifeModel", "TallianFactors"]
+__all__ = ["CONTAMINATION_FIELDS", "LifeModel", "TallianFactors"]
 
 LEVELS: Final = {
     "extreme": "extreme_cleanliness limpeza_extrema extrema",
@@ -32,7 +32,7 @@ LEVELS: Final = {
 _LEVEL_OF: Final = {
     name: level for level, names in LEVELS.items() for name in (level, *names.split())
 }
-DIRT: Final = ("contamination", "cleanliness", "filter_size", "grease_cleanliness")
+CONTAMINATION_FIELDS: Final = ("contamination", "cleanliness", "filter_size", "grease_cleanliness")
 """Ways to say how dirty the lubricant is: a case takes one of them."""
 
 _Rating = Annotated[float, Quantity("force", above="0 N", at_most="1e9 N", varies=True)]
@@ -185,15 +185,16 @@ class LifeModel(Record):
     fatigue_load_method: Literal["contacts", "estimate"] | None = Field(None, examples=["contacts"])
     contamination: Annotated[
         Annotated[float, Ratio(at_least=0.0, at_most=1.0, varies=True)] | None,
-        Replaces(*DIRT, "oil_supply", "filter_ratio"),
+        Replaces(*CONTAMINATION_FIELDS, "oil_supply", "filter_ratio"),
     ] = Field(None, examples=[0.5])
     cleanliness: Annotated[
-        Annotated[Line, AfterValidator(_a_code_or_level)] | None, Replaces(*DIRT, "filter_ratio")
+        Annotated[Line, AfterValidator(_a_code_or_level)] | None,
+        Replaces(*CONTAMINATION_FIELDS, "filter_ratio"),
     ] = Field(None, examples=["-/17/14"])
     oil_supply: Literal["circulating", "bath"] | None = Field(None, examples=["bath"])
     filter_size: Annotated[
         Annotated[float, Quantity("length", at_least="0.1 um", at_most="1 mm")] | None,
-        Replaces(*DIRT, "oil_supply"),
+        Replaces(*CONTAMINATION_FIELDS, "oil_supply"),
     ] = Field(None, examples=["12 um"])
     filter_ratio: Annotated[float, Ratio(above=1.0, at_most=1e6)] | None = Field(
         None, examples=[200]
@@ -201,7 +202,7 @@ class LifeModel(Record):
     grease_cleanliness: Annotated[
         Literal["high", "normal", "slight", "severe", "very_severe"] | None,
         BeforeValidator(_level),
-        Replaces(*DIRT, "oil_supply", "filter_ratio"),
+        Replaces(*CONTAMINATION_FIELDS, "oil_supply", "filter_ratio"),
     ] = Field(None, examples=["normal"])
     additives: bool = Field(False, strict=True, examples=[False])
     viscosity_ratio: Annotated[float, Ratio(above=0.0, at_most=1e6, varies=True)] | None = Field(

@@ -164,16 +164,16 @@ class Record(BaseModel):
 
 
 class ByElement:
-    """Annotation of a record, or a union of records, that distinguish themselves by `element`.
+    """Annotation of a record, or a union of records, that `element` distinguishes.
 
     Parameters
     ----------
-    stated
-        Gives the element of a table without one; else it is of the first record.
+    element_of
+        Returns the element of a table without one; None for that of the first record.
     """
 
-    def __init__(self, told: Callable[[Mapping[str, Any]], str | None] | None = None) -> None:
-        self.told = told
+    def __init__(self, element_of: Callable[[Mapping[str, Any]], str | None] | None = None) -> None:
+        self.element_of = element_of
 
     def __get_pydantic_core_schema__(
         self, source: object, handler: GetCoreSchemaHandler
@@ -187,8 +187,8 @@ class ByElement:
 
         def tag(given: Any) -> str | None:
             if isinstance(given, Mapping):
-                told = self.told(given) if self.told and "element" not in given else None
-                element = given.get("element", told)
+                named = self.element_of and "element" not in given and self.element_of(given)
+                element = given.get("element", named or None)
                 return first if element is None else f"{_TAG}{element}"
             return f"{_TAG}{given.element}" if isinstance(given, members) else None
 
@@ -350,8 +350,9 @@ def record_for(info: FieldInfo, given: object) -> type[Record] | None:
     """Return the record of a field, or of its entries, that a table would be read as; or None."""
     found = [record for record in records_of(info.annotation) if issubclass(record, Record)]
     if len(found) > 1 and isinstance(given, Mapping):
-        told = next((mark.told for mark in info.metadata if isinstance(mark, ByElement)), None)
-        element = given.get("element") or (told(given) if told else None)
+        marks = (mark.element_of for mark in info.metadata if isinstance(mark, ByElement))
+        element_of = next(marks, None)
+        element = given.get("element") or (element_of(given) if element_of else None)
         found.sort(key=lambda record: element not in elements_of(record))  # stable
     return found[0] if found else None
 

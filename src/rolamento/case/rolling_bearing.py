@@ -64,7 +64,7 @@ __all__ = [
     "Designation",
     "RollingBearing",
     "RowPlace",
-    "element_told",
+    "element_named",
     "elements_fit",
 ]
 
@@ -199,18 +199,18 @@ class RollingBearing(Record):
         ``"given"`` by the user, ``"published"`` by a maker, ``"inferred"`` from the ratings,
         or ``"assumed"``: an ordinary conformity, the middle of the clearance class.
         """
-        if self.told is None:
+        if self.resolved is None:
             return {}
-        own, told = self.model_fields_set, self.told.origins
+        own, resolved = self.model_fields_set, self.resolved.origins
         return {
-            name: "given" if name in own else told.get(name) or _ELSE_FROM[name]
+            name: "given" if name in own else resolved.get(name) or _ELSE_FROM[name]
             for name in self.FILLED_IN
             if getattr(self, name) is not None
-            and (name in own or name in told or name in _ELSE_FROM)
+            and (name in own or name in resolved or name in _ELSE_FROM)
         }
 
     @property
-    def told(self) -> InternalGeometry | None:
+    def resolved(self) -> InternalGeometry | None:
         """What the designation says, and the catalogue of it; None without one.
 
         Without balls where the user gave them all.
@@ -228,14 +228,14 @@ class RollingBearing(Record):
     @property
     def published(self) -> CatalogueBearing | None:
         """What the catalogue holds of the designation; None without one."""
-        return None if self.told is None else self.told.bearing
+        return None if self.resolved is None else self.resolved.bearing
 
     @property
     def clearance_class(self) -> str | None:
         """Class of ISO 5753-1 that the clearance is the middle of; None of any other clearance."""
-        if self.told is None or self.origins.get("diametral_clearance") != "assumed":
+        if self.resolved is None or self.origins.get("diametral_clearance") != "assumed":
             return None
-        return self.told.clearance_class
+        return self.resolved.clearance_class
 
     def replace(self, **changes: Any) -> Self:
         """Return a new bearing with the given fields changed; see `Record.replace`."""
@@ -245,7 +245,7 @@ class RollingBearing(Record):
     @property
     def from_given_ratings(self) -> bool:
         """Whether the balls are inferred from ratings of the case, not of a list."""
-        return self.told is not None and self.told.from_given_ratings
+        return self.resolved is not None and self.resolved.from_given_ratings
 
     def looked_up_again(self) -> Self:
         """Return the bearing of the same designation in the catalogue that now is asked."""
@@ -484,7 +484,7 @@ def elements_fit(count: int, diameter: Any, pitch_diameter: Any) -> Any:
     return diameter / pitch_diameter <= math.sin(math.pi / count)
 
 
-def element_told(given: Mapping[str, Any]) -> str | None:
+def element_named(given: Mapping[str, Any]) -> str | None:
     """Return what rolls in a bearing of a table without `element`: by designation, rows or fields.
 
     Balls, if any row is of balls: a set of both has their record.
@@ -567,13 +567,13 @@ def _places_of(bearing: RollingBearing, given: frozenset[str]) -> tuple[RowPlace
     if rows is None:
         return (_placed(bearing, 1.0, 0.0, 0.0),)
     plain: dict[str, Any] = dict.fromkeys(SET_FIELDS)
-    told = bearing.told
-    if told is not None and "arrangement" in told.fields and bearing.rows is None:
+    resolved = bearing.resolved
+    if resolved is not None and "arrangement" in resolved.fields and bearing.rows is None:
         # a row alone is no such bearing, and the designation would fill the arrangement in again
         one = bearing.model_copy(update=plain)
         signs = ((row, 1.0 if row.orientation == "+" else -1.0) for row in rows)
         return tuple(_placed(one, sign, row.position, row.phase) for row, sign in signs)
-    if told is None or "arrangement" in told.fields:
+    if resolved is None or "arrangement" in resolved.fields:
         names = bearing.FILLED_IN.keys() - bearing.model_fields_set - plain.keys()
         if bearing.elements_follow_rings:
             names.discard(bearing.MATERIAL)

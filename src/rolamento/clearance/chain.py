@@ -576,7 +576,7 @@ def initial_band(assembly: Assembly, bearing: Bearing | RollerBearing) -> tuple[
 
 def check_two_rings(bearing: Bearing | RollerBearing) -> None:
     """Refuse needle bearings whose inner raceway is the shaft: nothing is fitted on it."""
-    if bearing.element == "needle" and bearing.told and not bearing.told.has_inner_ring:
+    if bearing.element == "needle" and bearing.resolved and not bearing.resolved.has_inner_ring:
         raise InputError(
             said("is for bearings with two rings: here the shaft is the inner raceway"),
             field="mounting",

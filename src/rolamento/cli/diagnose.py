@@ -26,7 +26,7 @@ from rolamento.cli.options import (
 from rolamento.cli.outputs import NOWHERE, OUTPUT_OPTIONS, Outputs, with_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put_json
 from rolamento.cli.table_options import DecimalMarkOption
-from rolamento.tasks.asked import SIGNAL, by_name
+from rolamento.tasks.inputs import SIGNAL, by_name
 from rolamento.words import marked, said
 
 if TYPE_CHECKING:

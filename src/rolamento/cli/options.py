@@ -7,7 +7,7 @@ from typing import Annotated, Any, Final
 import typer
 
 from rolamento.cli.common import Language
-from rolamento.tasks.asked import SIGNAL, by_name
+from rolamento.tasks.inputs import SIGNAL, by_name
 
 __all__ = [
     "BearingArgument",

@@ -25,7 +25,7 @@ from rolamento.cli.outputs import NOWHERE, OUTPUT_OPTIONS, Outputs, with_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, put, put_json
 from rolamento.cli.table_options import DecimalMarkOption
 from rolamento.errors import InputError
-from rolamento.tasks.asked import SIGNAL, by_name
+from rolamento.tasks.inputs import SIGNAL, by_name
 from rolamento.words import marked, said
 
 if TYPE_CHECKING:

@@ -13,7 +13,7 @@ import typer
 from rolamento.cli.option_records import with_record
 from rolamento.errors import InputError
 from rolamento.records import frozen
-from rolamento.tasks.asked import LIFE_TEST, by_name
+from rolamento.tasks.inputs import LIFE_TEST, by_name
 
 __all__ = [
     "ALL_COLUMNS",

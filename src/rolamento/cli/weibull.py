@@ -25,7 +25,7 @@ from rolamento.cli.table_options import (
     with_life_columns,
 )
 from rolamento.errors import InputError
-from rolamento.tasks.asked import LIFE_TEST, by_name
+from rolamento.tasks.inputs import LIFE_TEST, by_name
 from rolamento.words import marked, said
 
 if TYPE_CHECKING:

@@ -18,7 +18,7 @@ from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, put_json
 from rolamento.cli.table_options import told_in_options
 from rolamento.errors import InputError
-from rolamento.tasks.asked import DEMONSTRATION, by_name
+from rolamento.tasks.inputs import DEMONSTRATION, by_name
 from rolamento.words import said
 
 __all__ = ["app"]

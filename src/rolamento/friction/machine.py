@@ -135,10 +135,10 @@ def machines_of(
 def _machine(
     case: Case, bearing: RollingBearing, film: Film, rating: FloatArray, load: FloatArray
 ) -> MachineBearing | None:
-    told, lubricant = bearing.told, case.lubricant
-    if told is None or lubricant is None:
+    resolved, lubricant = bearing.resolved, case.lubricant
+    if resolved is None or lubricant is None:
         return None
-    published, designation = told.bearing, told.designation
+    published, designation = resolved.bearing, resolved.designation
     angle = published.contact_angle or getattr(designation, "contact_angle", None) or 0.0
     supply = case.film.supply if case.film is not None else None
     shared: dict[str, Any] = {
@@ -169,8 +169,8 @@ def _machine(
 
 def _of_rollers(bearing: RollingBearing, angle: float, shared: dict[str, Any]) -> MachineBearing:
     """A roller bearing, which needs no rating."""
-    assert bearing.told is not None
-    published, designation = bearing.told.bearing, bearing.told.designation
+    assert bearing.resolved is not None
+    published, designation = bearing.resolved.bearing, bearing.resolved.designation
     element = bearing.places[0].bearing.element
     angle = angle or bearing.places[0].bearing.row_angle
     kind: BearingKind = element if element in ("cylindrical", "tapered") else "needle"

@@ -491,8 +491,8 @@ def _roller_ratings(solved: Solved, angle: FloatArray, ratings: Ratings, own: in
 
 def _is_wide(solved: Solved) -> bool:
     """Whether a bearing is of a wide series, by its designation: the second digit of NU 22."""
-    told = solved.case.bearing.told
-    series = None if told is None else getattr(told.designation, "series", None)
+    resolved = solved.case.bearing.resolved
+    series = None if resolved is None else getattr(resolved.designation, "series", None)
     return series in ("12", "20", "22", "23", "28", "29", "30", "39")
 
 

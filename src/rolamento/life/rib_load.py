@@ -59,8 +59,8 @@ class RibLoad:
             return None
         if published is None or published.width is None:
             return None
-        told = bearing.told
-        series = str(getattr(getattr(told, "designation", None), "series", "") or "")
+        resolved = bearing.resolved
+        series = str(getattr(getattr(resolved, "designation", None), "series", "") or "")
         lubricant = _lubricant(solved.case)
         load = solved.load
         return cls(

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection
 from typing import TYPE_CHECKING, Final
 
-from rolamento.case.life_model import DIRT
+from rolamento.case.life_model import CONTAMINATION_FIELDS
 from rolamento.records import frozen
 from rolamento.words import marked
 
@@ -81,7 +81,7 @@ CLEANLINESS: Final = Need(
     "cleanliness",
     marked("the cleanliness of the lubricant"),
     '[life] with cleanliness = "-/17/14" and oil_supply = "circulating" in the case',
-    DIRT,
+    CONTAMINATION_FIELDS,
 )
 REQUIRED_LIFE: Final = Need(
     "life.required_life",

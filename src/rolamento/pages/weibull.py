@@ -36,9 +36,9 @@ from rolamento.weibull import (
     LifeModel,
     LifeRatio,
     LifeTest,
+    LifeTestRequest,
     LifeTestSummary,
     Sides,
-    Wanted,
     bands_of,
     regions_of,
 )
@@ -331,7 +331,7 @@ def _limits(bound: Bounds) -> list[float]:
     return [getattr(bound, name) for name in _limit_heads(bound)]
 
 
-def _at_assumed_shapes(group: GroupSummary, wanted: Wanted) -> _Headed:
+def _at_assumed_shapes(group: GroupSummary, wanted: LifeTestRequest) -> _Headed:
     """One line a shape: bounds on every life and reliability."""
     if not group.assumed:
         return ()
@@ -536,7 +536,7 @@ def _warning(text: str) -> Statement:
     return Statement(text, "warning", indent=2, mark="!", mark_tone="warning")
 
 
-def _table_of_posterior(group: GroupSummary, wanted: Wanted) -> _Headed:
+def _table_of_posterior(group: GroupSummary, wanted: LifeTestRequest) -> _Headed:
     prior = wanted.prior
     if not group.credible or prior is None:
         return ()
@@ -568,7 +568,7 @@ def _table_of_posterior(group: GroupSummary, wanted: Wanted) -> _Headed:
     return ((heading, Table(columns=columns, key="posterior")),)
 
 
-def _table_of_calculated(group: GroupSummary, wanted: Wanted) -> _Headed:
+def _table_of_calculated(group: GroupSummary, wanted: LifeTestRequest) -> _Headed:
     found = group.calculated
     if not any(one.code == "converged" for one in found.values()):
         return ()
@@ -615,7 +615,7 @@ def _table_of_calculated(group: GroupSummary, wanted: Wanted) -> _Headed:
 # --- sentences -------------------------------------------------------------------------------
 
 
-def _statements(group: GroupSummary, wanted: Wanted) -> list[Statement]:
+def _statements(group: GroupSummary, wanted: LifeTestRequest) -> list[Statement]:
     """Say in sentences what one group says."""
     lines = [_warning(note.text) for note in group.goodness.contradictions(group.test.unit)]
     lines += [_warning(text) for text in _of_the_models(group)]
@@ -685,7 +685,7 @@ def _bullets(sentences: Sequence[str]) -> list[Statement]:
     return [Statement(text, indent=2, mark="•", mark_tone="good") for text in sentences]
 
 
-def _of_the_life(group: GroupSummary, wanted: Wanted) -> list[str]:
+def _of_the_life(group: GroupSummary, wanted: LifeTestRequest) -> list[str]:
     """Sentence of the first life that is required."""
     bound = group.bound(wanted.lives[0])
     text = None
@@ -694,7 +694,7 @@ def _of_the_life(group: GroupSummary, wanted: Wanted) -> list[str]:
     return [text] if text else []
 
 
-def _life_sentence(bound: Bounds, wanted: Wanted, unit: str, lead: str = "") -> str | None:
+def _life_sentence(bound: Bounds, wanted: LifeTestRequest, unit: str, lead: str = "") -> str | None:
     """Say what is known of the first life; None where that is nothing."""
     life = wanted.lives[0]
     lower, upper = (written(one) for one in alike([bound.lower, bound.upper]))

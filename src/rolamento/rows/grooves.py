@@ -11,10 +11,10 @@ and press with Q = K(cos α) (|Y| - L)^1.5 along Y. A ball is in balance when
 
     Σ_k (F_i - F_o) + (0, F_c) = 0.
 
-Held F_c and K make that the minimum of a convex potential, with one or two flanks. Contact angles
-are counted from the radial plane and may pass 90°. The balls orbit with the cage, at its nominal
-speed; a ball with more than two contacts cannot roll without slip, so that raceway control says
-nothing of its gyroscopic moment: it is left out of the balance, with a note (docs/adr/0018).
+With F_c and K constant that is the minimum of a convex potential, with one or two flanks. Contact
+angles are counted from the radial plane and may pass 90°. The balls orbit with the cage, at its
+nominal speed; a ball with more than two contacts cannot roll without slip, so that raceway control
+says nothing of its gyroscopic moment: it is left out of the balance, with a note (docs/adr/0018).
 
 Hertz (1881); Harris, Rolling Bearing Analysis, 3rd ed. (1991), chapters 2 and 8; Hamrock and
 Anderson (1973), Analysis of an arched outer-race ball bearing, for the arcs.
@@ -47,7 +47,7 @@ from rolamento.records import frozen
 from rolamento.rows import flanks as kernels
 from rolamento.rows.ball.problem import directions
 from rolamento.rows.flanks import ROUNDING, TERMS
-from rolamento.rows.row import Held, Indices, IntArray, RowGeometry, RowSizes
+from rolamento.rows.row import Indices, IntArray, Response, RowGeometry, RowSizes
 from rolamento.solved import Elements, Index, Pressed, Tables
 from rolamento.static import race_stiffness
 from rolamento.status import INVALID_INPUT
@@ -58,7 +58,7 @@ NEGLIGIBLE: Final = 1e-7
 """Fraction of the ball's diameter: an approach whose load is none, beside which balls are in
 balance."""
 CHUNK: Final = 64
-LITTLE: Final = 100
+FEW_CONTACTS: Final = 100
 """Balls of one case that are solved without the compiler, if it is not loaded."""
 
 
@@ -108,7 +108,7 @@ class _Contact:
 
 
 @dataclass(slots=True)
-class HeldOnGrooves:
+class GroovesResponse:
     """Balls in their places; position (cases, balls, 2), place (cases, 5)."""
 
     place: FloatArray
@@ -189,15 +189,15 @@ class GrooveRow:
         """Whether a centrifugal force acts on the balls; (cases,)."""
         return np.asarray(self.numbers.force > 0.0)
 
-    def refuse(self, cases: BoolArray) -> None:
+    def invalidate(self, cases: BoolArray) -> None:
         """Take some cases for invalid: they are left alone."""
         self.sound[cases] = False
 
     # --- solving --------------------------------------------------------------------------------
 
-    def held(self, place: FloatArray, which: Indices, control: FloatArray) -> HeldOnGrooves:
+    def respond(self, place: FloatArray, which: Indices, control: FloatArray) -> GroovesResponse:
         """Hold some of the cases at a place; (len(which), 5)."""
-        held = self.nothing(len(which))
+        held = self.no_response(len(which))
         held.place[:] = place
         out = (
             held.position, held.face_forces, held.stiffness, held.scale, held.residual, held.number
@@ -210,10 +210,10 @@ class GrooveRow:
         self._share_out(kernels.hold_cases, run, len(which))
         return held
 
-    def near(
+    def equilibrium(
         self, free: BoolArray, load: FloatArray, place: FloatArray, which: Indices
     ) -> tuple[FloatArray, BoolArray, IntArray]:
-        """Where the ring of a bearing that is this row comes to rest, as `rows.row.Knowing`."""
+        """Equilibrium of the ring of a bearing that is this row, as of `rows.row.SelfBalancing`."""
         p, flanks, cosines, sines = self._arrays(which)
         rings = np.ascontiguousarray(place)
         settled, steps = np.zeros(len(which), np.bool_), np.zeros(len(which), np.int64)
@@ -230,12 +230,12 @@ class GrooveRow:
         return (p, np.array(self.flanks), *directions(self.element_count))
 
     def _share_out(self, kernel: Kernel[..., None], run: Callable[..., None], cases: int) -> None:
-        little = cases == 1 and self.element_count * len(self.flanks) <= LITTLE
+        little = cases == 1 and self.element_count * len(self.flanks) <= FEW_CONTACTS
         share_out(kernel, run, cases, chunk=CHUNK, threads=self.threads, little=little)
 
-    def nothing(self, cases: int) -> HeldOnGrooves:
+    def no_response(self, cases: int) -> GroovesResponse:
         """Make room for so many cases without a result."""
-        return HeldOnGrooves(
+        return GroovesResponse(
             place=np.full((cases, 5), np.nan),
             position=np.full((cases, self.element_count, 2), np.nan),
             face_forces=np.full((cases, len(self.flanks), 5), np.nan),
@@ -253,19 +253,19 @@ class GrooveRow:
         aside = np.sqrt(np.maximum(reach**2 - n.radial_offset**2, 0.0))
         return np.asarray(aside - n.inner.shift - n.outer.shift)
 
-    def pressed_in(self, force: FloatArray) -> FloatArray:
+    def press_in(self, force: FloatArray) -> FloatArray:
         """No preload is put on such rows; (cases,), NaN."""
         return np.full(self.cases, np.nan)
 
-    def verdict(self, held: Held, control: FloatArray, which: Index) -> IntArray:
+    def verdict(self, held: Response, control: FloatArray, which: Index) -> IntArray:
         """Return the control as it is: what guides a ball has no part in this balance."""
         return control.astype(np.int64)
 
     def answer(
-        self, held: Held, control: FloatArray, shown: IntArray, lost: BoolArray
+        self, held: Response, control: FloatArray, shown: IntArray, lost: BoolArray
     ) -> GrooveAnswer:
         """Keep what the tables are made from, of cases that are not lost."""
-        balls = cast(HeldOnGrooves, held)
+        balls = cast(GroovesResponse, held)
         balls.position[lost], balls.place[lost] = np.nan, np.nan
         codes = np.broadcast_to(shown, (self.cases, self.element_count))
         return GrooveAnswer(self.numbers, self.flanks, balls.place, balls.position, codes)

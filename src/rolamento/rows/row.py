@@ -57,7 +57,7 @@ def alike_in_all_cases(numbers: FloatArray) -> bool:
     return numbers.shape[-1] > 1 and bool((numbers == numbers[..., :1]).all())
 
 
-class Held(Protocol):
+class Response(Protocol):
     """A row held in many cases, and what it answers."""
 
     @property
@@ -141,11 +141,11 @@ class Row(Protocol):
         """Which cases have numbers that can be solved; (cases,)."""
         ...
 
-    def refuse(self, cases: BoolArray) -> None:
+    def invalidate(self, cases: BoolArray) -> None:
         """Take some cases for invalid: they are left alone."""
         ...
 
-    def held(self, place: FloatArray, which: Indices, control: FloatArray) -> Held:
+    def respond(self, place: FloatArray, which: Indices, control: FloatArray) -> Response:
         """Hold some of the cases at a place; (len(which), 5).
 
         control: the race that guides each element, +1 outer or -1 inner, (len(which), elements);
@@ -153,7 +153,7 @@ class Row(Protocol):
         """
         ...
 
-    def nothing(self, cases: int) -> Held:
+    def no_response(self, cases: int) -> Response:
         """Make room for so many cases without a result."""
         ...
 
@@ -161,18 +161,20 @@ class Row(Protocol):
         """Place along x where the unloaded elements touch; (cases,), m."""
         ...
 
-    def pressed_in(self, force: FloatArray) -> FloatArray:
+    def press_in(self, force: FloatArray) -> FloatArray:
         """Place along x under an axial force at rest; (cases,), m, NaN where there is none."""
         ...
 
-    def verdict(self, held: Held, control: FloatArray, which: Index) -> IntArray:
+    def verdict(self, held: Response, control: FloatArray, which: Index) -> IntArray:
         """Which race would guide each element by its own criterion; (cases, elements).
 
         which: the cases that are held.
         """
         ...
 
-    def answer(self, held: Held, control: FloatArray, shown: IntArray, lost: BoolArray) -> Answer:
+    def answer(
+        self, held: Response, control: FloatArray, shown: IntArray, lost: BoolArray
+    ) -> Answer:
         """Keep what the tables are made from, of cases that are not lost.
 
         shown: the guiding race that they name.
@@ -181,10 +183,10 @@ class Row(Protocol):
 
 
 @runtime_checkable
-class Knowing(Protocol):
+class SelfBalancing(Protocol):
     """A row whose kernels find the place of a ring that holds nothing else."""
 
-    def near(
+    def equilibrium(
         self, free: BoolArray, load: FloatArray, place: FloatArray, which: Indices
     ) -> tuple[FloatArray, BoolArray, IntArray]:
         """Where the ring comes to rest, whether it did, and in how many steps.

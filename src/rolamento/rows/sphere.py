@@ -20,8 +20,8 @@ import numpy as np
 
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
-from rolamento.rows.ball.row import BallAnswer, BallRow, HeldBalls
-from rolamento.rows.row import Held, Indices, IntArray, RowGeometry, RowSizes
+from rolamento.rows.ball.row import BallAnswer, BallResponse, BallRow
+from rolamento.rows.row import Indices, IntArray, Response, RowGeometry, RowSizes
 from rolamento.solved import Index
 
 __all__ = ["SphereRow", "from_outside", "from_ring"]
@@ -31,10 +31,10 @@ _SMALL: float = 1e-3
 
 
 @dataclass(slots=True)
-class HeldOnSphere:
+class SphereResponse:
     """Balls in their places, seen from the tilted ring, and what they answer to the outer one."""
 
-    balls: HeldBalls
+    balls: BallResponse
     force: FloatArray
     stiffness: FloatArray
 
@@ -110,17 +110,17 @@ class SphereRow:
         """Which cases have numbers that can be solved; (cases,)."""
         return self.row.valid
 
-    def refuse(self, cases: BoolArray) -> None:
+    def invalidate(self, cases: BoolArray) -> None:
         """Take some cases for invalid: they are left alone."""
-        self.row.refuse(cases)
+        self.row.invalidate(cases)
 
-    def held(self, place: FloatArray, which: Indices, control: FloatArray) -> HeldOnSphere:
+    def respond(self, place: FloatArray, which: Indices, control: FloatArray) -> SphereResponse:
         """Hold some of the cases at a place; (len(which), 5)."""
         seen = np.zeros_like(place)
         seen[:, :3] = from_ring(place[:, 3:], place[:, :3])
-        return self.turned(self.row.held(seen, which, control), place)
+        return self.turned(self.row.respond(seen, which, control), place)
 
-    def turned(self, balls: HeldBalls, place: FloatArray) -> HeldOnSphere:
+    def turned(self, balls: BallResponse, place: FloatArray) -> SphereResponse:
         """What balls that are held where a tilted ring has them answer to the outer ring."""
         rotation, turns = _rotation(place[:, 3], place[:, 4])
         back = np.swapaxes(rotation, 1, 2)
@@ -132,30 +132,30 @@ class SphereRow:
             moved = _times(np.swapaxes(turn, 1, 2), place[:, :3])
             change = _times(turn, own) + _times(rotation, _times(tangent, moved))
             stiffness[:, :3, axis] = change
-        return HeldOnSphere(balls, force, stiffness)
+        return SphereResponse(balls, force, stiffness)
 
-    def nothing(self, cases: int) -> HeldOnSphere:
+    def no_response(self, cases: int) -> SphereResponse:
         """Make room for so many cases without a result."""
         empty = np.full((cases, 5), np.nan)
-        return HeldOnSphere(self.row.nothing(cases), empty, np.full((cases, 5, 5), np.nan))
+        return SphereResponse(self.row.no_response(cases), empty, np.full((cases, 5, 5), np.nan))
 
     def first_contact(self) -> FloatArray:
         """Place along x where the unloaded balls touch; (cases,), m."""
         return self.row.first_contact()
 
-    def pressed_in(self, force: FloatArray) -> FloatArray:
+    def press_in(self, force: FloatArray) -> FloatArray:
         """No preload is put on such rows; (cases,), NaN."""
         return np.full(self.cases, np.nan)
 
-    def verdict(self, held: Held, control: FloatArray, which: Index) -> IntArray:
+    def verdict(self, held: Response, control: FloatArray, which: Index) -> IntArray:
         """Jones's criterion for every ball; (cases, balls)."""
-        return self.row.verdict(cast(HeldOnSphere, held).balls, control, which)
+        return self.row.verdict(cast(SphereResponse, held).balls, control, which)
 
     def answer(
-        self, held: Held, control: FloatArray, shown: IntArray, lost: BoolArray
+        self, held: Response, control: FloatArray, shown: IntArray, lost: BoolArray
     ) -> BallAnswer:
         """Keep what the tables are made from, of cases that are not lost."""
-        return self.row.answer(cast(HeldOnSphere, held).balls, control, shown, lost)
+        return self.row.answer(cast(SphereResponse, held).balls, control, shown, lost)
 
 
 def from_ring(tilt: FloatArray, vector: FloatArray) -> FloatArray:

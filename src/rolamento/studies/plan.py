@@ -314,8 +314,8 @@ class Plan:
     def _own_bearings(self) -> Iterator[CatalogueBearing]:
         """The records outside the built-in catalogue by which the designations are found."""
         for case in (self.study.case, *self.study.cases_compared):
-            told = case.bearing.told
-            yield from () if told is None else told.records
+            resolved = case.bearing.resolved
+            yield from () if resolved is None else resolved.records
         for columns in self.columns:
             for designation in dict.fromkeys(columns.get("bearing.designation", ())):
                 with suppress(InputError):  # its cases will say so

@@ -23,7 +23,7 @@ from rolamento.numerics import FloatArray
 from rolamento.records import frozen
 from rolamento.tasks.bearing import BearingLike, angle_of, at_speeds, case_of, has_load, name_of
 from rolamento.tasks.parameters import Progress, quietly, speed_of
-from rolamento.tasks.shaft_speed import AskedSpeed, KnownSpeed, ShaftSpeed, known_speed
+from rolamento.tasks.shaft_speed import KnownSpeed, ShaftSpeed, SpeedInputs, known_speed
 from rolamento.tasks.signals import Reading, part_of, streamed
 from rolamento.units import rpm_of
 from rolamento.vibration import diagnosis as engine
@@ -505,7 +505,7 @@ def diagnose(
     if isinstance(path, Signal) and path.speed is not None and path.speed.ndim:
         told = speed is None and outer_speed is None and tacho is None and not track
         speed_channel = SPEED if told and speed_channel is None else speed_channel
-    asked = AskedSpeed(
+    asked = SpeedInputs(
         inner=speed_of(speed, "speed"),
         outer=speed_of(outer_speed, "outer_speed"),
         channel=speed_channel,
@@ -630,7 +630,7 @@ def rank_bearings(
     """
     if isinstance(path, np.ndarray):
         path = _in_memory(path, reading.get("rate"))
-    asked = AskedSpeed(inner=speed_of(speed, "speed"))
+    asked = SpeedInputs(inner=speed_of(speed, "speed"))
     with open_signal(path, **reading) as source:
         part = part_of(source, start, duration)
         known = known_speed(asked, (None, None), source, part, quietly)

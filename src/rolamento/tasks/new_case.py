@@ -12,7 +12,7 @@ from rolamento.case import Case, parse_case
 from rolamento.case.bearing import Bearing
 from rolamento.case.fields import Field, changed, in_file_form, of_elements
 from rolamento.case.roller_bearing import RollerBearing
-from rolamento.case.rolling_bearing import BY_ELEMENT, element_told
+from rolamento.case.rolling_bearing import BY_ELEMENT, element_named
 from rolamento.errors import InputError
 from rolamento.units import from_si, readable
 from rolamento.words import marked, said
@@ -127,7 +127,7 @@ def file_name(designation: str | None) -> str:
 
 def _named(designation: str) -> Bearing | RollerBearing:
     """The bearing of a designation: of balls, unless it names rollers."""
-    record = BY_ELEMENT[element_told({"designation": designation}) or "ball"]
+    record = BY_ELEMENT[element_named({"designation": designation}) or "ball"]
     return cast("Bearing | RollerBearing", record.named(designation))
 
 
@@ -294,8 +294,8 @@ def _examples_of(bearing: Bearing | RollerBearing) -> dict[str, Any]:
         field = fields[f"bearing.{leaf}"]
         found[field.name] = _written(field, getattr(bearing, leaf))
     found.update(_sizes(published, fields))
-    if isinstance(bearing, RollerBearing) and bearing.told is not None:
-        spacing = bearing.spacing or bearing.told.spacing("DB")
+    if isinstance(bearing, RollerBearing) and bearing.resolved is not None:
+        spacing = bearing.spacing or bearing.resolved.spacing("DB")
         if spacing:
             found["bearing.spacing"] = _written(fields["bearing.spacing"], spacing)
     return found

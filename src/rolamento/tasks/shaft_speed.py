@@ -145,7 +145,7 @@ class ShaftSpeed:
 
 
 @frozen
-class AskedSpeed:
+class SpeedInputs:
     """What is said of the speed; None where nothing is.
 
     Attributes
@@ -240,7 +240,7 @@ class KnownSpeed:
 
 
 def known_speed(
-    asked: AskedSpeed, of_case: Rings, source: SignalFile, part: range, progress: Progress
+    asked: SpeedInputs, of_case: Rings, source: SignalFile, part: range, progress: Progress
 ) -> KnownSpeed:
     """Find out how fast the rings turn along a part of a signal.
 
@@ -278,7 +278,7 @@ def known_speed(
     return _of_turning_ring(shaft, (steady.inner, steady.outer), _interpolated(along))
 
 
-def _steady(asked: AskedSpeed, of_case: Rings, source: SignalFile) -> KnownSpeed:
+def _steady(asked: SpeedInputs, of_case: Rings, source: SignalFile) -> KnownSpeed:
     """Return the rings' speeds as given, of the signal's file, of the case.
 
     What the file gives is the shaft's: the inner ring's, unless the outer one alone is given.
@@ -334,7 +334,7 @@ def _of_numbers(by: SpeedSource, inner: float, outer: float) -> KnownSpeed:
 
 
 def _of_channel(
-    asked: AskedSpeed, of_case: Rings, source: SignalFile, part: range, progress: Progress
+    asked: SpeedInputs, of_case: Rings, source: SignalFile, part: range, progress: Progress
 ) -> KnownSpeed:
     """Take the speed that the signal has beside it, gone through once for its mean and range."""
     total, lowest, highest = 0.0, np.inf, -np.inf
@@ -352,7 +352,7 @@ def _of_channel(
 
 
 def _of_tacho(
-    asked: AskedSpeed, channel: str | int, of_case: Rings, source: SignalFile, part: range
+    asked: SpeedInputs, channel: str | int, of_case: Rings, source: SignalFile, part: range
 ) -> KnownSpeed:
     rings = _one_ring(of_case, "tacho")
     pulses = 1 if asked.pulses is None else asked.pulses

@@ -289,7 +289,7 @@ def speed_limits(
 
 def _boundary(case: Case) -> Boundary:
     """Sizes, series and ratings, from the designation, the mounting, the film and the life."""
-    bearing, told = case.bearing, case.bearing.told
+    bearing, resolved = case.bearing, case.bearing.resolved
     elements = {place.bearing.element for place in bearing.places}
     if len(elements) > 1:
         raise InputError(
@@ -298,18 +298,18 @@ def _boundary(case: Case) -> Boundary:
             value=", ".join(sorted(elements)),
             example='rolamento speed "NU 205"',
         )
-    published = None if told is None else told.bearing
+    published = None if resolved is None else resolved.bearing
     sizes: dict[str, float | None] = {}
     for name in ("bore", "outside_diameter", "width"):
         given = [getattr(table, name, None) for table in (case.mounting, case.film, published)]
         sizes[name] = next((one for one in given if one is not None), None)
     row = bearing.places[0].bearing
     angle = None
-    if told is not None:
-        angle = told.bearing.contact_angle or told.designation.contact_angle
+    if resolved is not None:
+        angle = resolved.bearing.contact_angle or resolved.designation.contact_angle
     if angle is None and row.contact_angle:
         angle = row.contact_angle
-    series = _series(bearing, told, sizes["bore"], sizes["outside_diameter"], angle is not None)
+    series = _series(bearing, resolved, sizes["bore"], sizes["outside_diameter"], angle is not None)
     together = bearing.rows_of_one_bearing
     ratings = []
     for name in ("dynamic_rating", "static_rating"):
@@ -573,10 +573,10 @@ class _Asked:
     @property
     def _parts(self) -> list[list[str]]:
         """Letters of the designation that bear on its limiting speed, with their meanings."""
-        told = self.case.bearing.told
-        if told is None:
+        resolved = self.case.bearing.resolved
+        if resolved is None:
             return []
-        return [list(part) for part in told.designation.letters.at_speed]
+        return [list(part) for part in resolved.designation.letters.at_speed]
 
     # --- minimum load ---------------------------------------------------------------------------
 

@@ -22,11 +22,11 @@ from rolamento.weibull import (
     FitMethod,
     LifeTest,
     LifeTestPlan,
+    LifeTestRequest,
     LifeTestSummary,
     Method,
     ShapePrior,
     Trend,
-    Wanted,
     alternatives,
     demonstrate,
     plan_for_ratio,
@@ -122,7 +122,7 @@ def life_test_study(
     progress
         Called with steps done and steps in all.
     **wanted
-        As of `Wanted`.
+        As of `LifeTestRequest`.
 
     Raises
     ------
@@ -136,7 +136,7 @@ def life_test_study(
     test = only_groups(test, only)
     if only_mode is not None:
         test = of_mode(test, only_mode).noted(*notes_of_mode(test, only_mode))
-    asked = Wanted(
+    asked = LifeTestRequest(
         times=tuple(life_in(time, test.unit, "times") for time in times),
         calculated={
             name: life_in(life, test.unit, "calculated")
@@ -441,8 +441,8 @@ def precision_study(
     Parameters
     ----------
     ratio, failures
-        Wanted of upper to lower bound, for tests that bring it; or failures of a test, to be named
-        what may be expected of it. One of the two.
+        Required ratio of upper to lower bound, for which tests are planned; or failures of a test,
+        of which the expected ratio is returned. One of the two.
     groups, group_sizes
         Of that test, or of the one that is sought; several sizes for several tests.
     life

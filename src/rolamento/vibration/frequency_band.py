@@ -318,12 +318,12 @@ class _Inside(NamedTuple):
 
 def _candidates(bearing: Bearing | RollerBearing) -> list[_Inside]:
     """Return which other balls or rollers are possible, if inferred and not the user's own."""
-    told = bearing.told
-    if told is None or "inferred" not in bearing.origins.values():
+    resolved = bearing.resolved
+    if resolved is None or "inferred" not in bearing.origins.values():
         return []
     found = []
     given = bearing.origins.get("roller_count") == "given"
-    for one in told.candidates:
+    for one in resolved.candidates:
         if isinstance(one, RollerCandidate):
             if given and one.roller_count != bearing.element_count:
                 continue

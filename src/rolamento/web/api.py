@@ -18,7 +18,7 @@ from rolamento.case.record import Record
 from rolamento.errors import InputError, UnknownKeyError, guess
 from rolamento.io.json import dumps
 from rolamento.records import frozen
-from rolamento.tasks.asked import SIGNAL, Asked, Group
+from rolamento.tasks.inputs import SIGNAL, Group, Input
 from rolamento.web.answers import MOST_COLUMNS, MOST_JSON, answer, read_json, received
 from rolamento.web.drops import LARGEST, SEARCH, ending_of, file_of, label_of, response_of
 from rolamento.web.limits import by_weight, slow
@@ -241,7 +241,7 @@ def _version(_: Mapping[str, str]) -> str:
 def _diagnosed(path: str, label: str, given: Mapping[str, str]) -> str:
     """Diagnose a record; what runs in a process."""
     from rolamento.tasks import diagnose
-    from rolamento.tasks.asked import given as read
+    from rolamento.tasks.inputs import given as read
     from rolamento.vibration.diagnosis import DiagnosisSettings
 
     asked = dict(given)
@@ -281,7 +281,7 @@ _SIGNAL: Final[tuple[Group, ...]] = tuple(
 # --- what there is --------------------------------------------------------------------------------
 
 
-def _of_asked(one: Asked) -> Parameter:
+def _of_asked(one: Input) -> Parameter:
     """Return what may be typed beside a signal as a parameter of the address."""
     schema: dict[str, Any] = {"type": "string", "maxLength": _LONGEST}
     if one.kind == "switch":

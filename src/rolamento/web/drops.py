@@ -1,6 +1,6 @@
 """Files that are dropped on the page, and reports that are taken from it.
 
-What is asked for beside a file stands in `rolamento.tasks.asked`. The work is done by functions
+What is asked for beside a file stands in `rolamento.tasks.inputs`. The work is done by functions
 that a process of its own can be sent (`signal_page`, `life_test_page`, `plan_page`, `report_file`):
 they take texts and the name of a private file, and give back plain data. What the user calls the
 file is only said; it is never part of a path.
@@ -28,7 +28,7 @@ from starlette.routing import Route
 from rolamento.document import Document, Figure, Section, Statement
 from rolamento.errors import InputError
 from rolamento.records import frozen
-from rolamento.tasks.asked import DEMONSTRATION, LIFE_TEST, SIGNAL, Group, by_name, given
+from rolamento.tasks.inputs import DEMONSTRATION, LIFE_TEST, SIGNAL, Group, by_name, given
 from rolamento.vibration.reading.formats import ENDINGS
 from rolamento.web.answers import answer, read_json, received
 from rolamento.web.limits import slow
@@ -248,7 +248,7 @@ def life_test_page(path: str, label: str, typed: Typed, form: str = "") -> dict[
     """Say what a life test says; parameters as of `signal_page`."""
     from rolamento.io.tables import table_text
     from rolamento.pages.weibull import weibull_page
-    from rolamento.tasks.asked import number_in
+    from rolamento.tasks.inputs import number_in
     from rolamento.tasks.weibull import (
         bounds_named,
         fits_named,

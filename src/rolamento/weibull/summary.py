@@ -63,7 +63,7 @@ Progress = Callable[[int, int], None]
 
 
 @frozen(kw_only=True)
-class Wanted:
+class LifeTestRequest:
     """What is to be found of a life test.
 
     Attributes
@@ -303,7 +303,7 @@ class LifeTestSummary:
     """
 
     test: LifeTest
-    wanted: Wanted
+    wanted: LifeTestRequest
     groups: tuple[GroupSummary, ...]
     comparisons: tuple[Comparison, ...] = ()
     ratios: tuple[LifeRatio, ...] = ()
@@ -360,7 +360,7 @@ def _plotted_points(test: LifeTest) -> list[dict[str, float]]:
 
 def summarise(
     test: LifeTest | ArrayLike,
-    wanted: Wanted | None = None,
+    wanted: LifeTestRequest | None = None,
     *,
     by_group: bool = True,
     by_mode: bool = True,
@@ -373,7 +373,7 @@ def summarise(
     test
         With any kind of censoring, with or without groups.
     wanted
-        What to find; the default of `Wanted` if not given.
+        What to find; the default of `LifeTestRequest` if not given.
     by_group
         Whether to take each group by itself and to compare them; all together otherwise.
     by_mode
@@ -389,7 +389,7 @@ def summarise(
         what bounds and fits refuse.
     """
     test = LifeTest.of(test)
-    asked = Wanted() if wanted is None else wanted
+    asked = LifeTestRequest() if wanted is None else wanted
     tests = test.by_group() if by_group else {"": test}
     modes = test.modes
     notes: tuple[Note, ...] = ()
@@ -464,7 +464,7 @@ def _check_groups_and_modes(groups: Mapping[str, LifeTest], modes: tuple[str, ..
         )
 
 
-def _summary_of(name: str, test: LifeTest, asked: Wanted) -> GroupSummary:
+def _summary_of(name: str, test: LifeTest, asked: LifeTestRequest) -> GroupSummary:
     fits = _fits_by(test, asked)
     sides, confidence = asked.bounds_of(test)
     bounds = all_bounds(
@@ -498,7 +498,7 @@ def _summary_of(name: str, test: LifeTest, asked: Wanted) -> GroupSummary:
     )
 
 
-def _fits_by(test: LifeTest, asked: Wanted) -> tuple[WeibullFit, ...]:
+def _fits_by(test: LifeTest, asked: LifeTestRequest) -> tuple[WeibullFit, ...]:
     """Fits by every method, the one that the bounds are about first."""
     fits = [] if asked.shape is None else [fixed_shape(test, asked.shape)]
     wanted = dict.fromkeys(("maximum_likelihood", *asked.methods))  # the bounds' own is the first
@@ -546,7 +546,7 @@ def fit_by(
     return rank_regression(test, regression, shape=shape)
 
 
-def _at_assumed_shapes(test: LifeTest, asked: Wanted) -> tuple[AssumedShape, ...]:
+def _at_assumed_shapes(test: LifeTest, asked: LifeTestRequest) -> tuple[AssumedShape, ...]:
     quantities = (*asked.lives, *asked.shares)
     sides, confidence = asked.bounds_of(test)
     return tuple(
@@ -558,7 +558,7 @@ def _at_assumed_shapes(test: LifeTest, asked: Wanted) -> tuple[AssumedShape, ...
     )
 
 
-def _against_calculation(test: LifeTest, life: float, asked: Wanted) -> CalculatedLife:
+def _against_calculation(test: LifeTest, life: float, asked: LifeTestRequest) -> CalculatedLife:
     return against_calculated_life(
         test,
         life,
@@ -571,7 +571,7 @@ def _against_calculation(test: LifeTest, life: float, asked: Wanted) -> Calculat
     )
 
 
-def _credible_intervals(test: LifeTest, asked: Wanted) -> tuple[str, tuple[Credible, ...]]:
+def _credible_intervals(test: LifeTest, asked: LifeTestRequest) -> tuple[str, tuple[Credible, ...]]:
     """Status of the posterior, and what it says."""
     if asked.prior is None:
         return "", ()
@@ -588,7 +588,7 @@ def _credible_intervals(test: LifeTest, asked: Wanted) -> tuple[str, tuple[Credi
 
 
 def _ratio_to_first(
-    tests: Mapping[str, LifeTest], other: str, comparisons: list[Comparison], asked: Wanted
+    tests: Mapping[str, LifeTest], other: str, comparisons: list[Comparison], asked: LifeTestRequest
 ) -> LifeRatio:
     """Ratio of the first group's life to another's; at a common shape unless the data deny it."""
     first = next(iter(tests))

@@ -21,10 +21,11 @@ Floats = NDArray[np.float64]
 
 TERMS: Final = ((0.22, layout.COEFFICIENTS), (0.55, 12), (0.78, 20), (1.0, layout.MOST_TERMS))
 """Up to which D/d_m how many coefficients in cos α give K to 1e-10 of its value, 0 ≤ α ≤ 90°."""
-FIRM: Final = 0.8
+HOLD_SHARE: Final = 0.8
 """Part of the centrifugal force in the nominal orbit by which the inner ring has to press on a ball
 to hold it firmly. With less, balls that it hardly touches could have more than one place where the
-outer ring turns: their F_c falls by up to 1.5 / FIRM newtons for each that the ring presses."""
+outer ring turns: their F_c falls by up to 1.5 / HOLD_SHARE newtons for each
+that the ring presses."""
 CAGE_WEIGHT: Final = 1e-2
 """Fraction of a ball's centrifugal force: the load with which the nominal speed counts in the
 cage's. Where balls are held, that changes it by some 1e-5; with much less, a breath on one drives
@@ -100,7 +101,7 @@ def apply_model(p: Columns | Floats, model: Model) -> None:
     p[layout.HOLD_OFFSET] = model.cage == "none"
     if model.cage != "none":
         with np.errstate(divide="ignore"):
-            p[layout.HOLD_RATE] = np.where(force > 0.0, 1.0 / (FIRM * force), 0.0)
+            p[layout.HOLD_RATE] = np.where(force > 0.0, 1.0 / (HOLD_SHARE * force), 0.0)
     p[layout.OWN_ORBIT] = model.cage != "rigid"
     p[layout.CENTRIFUGAL] *= model.centrifugal_force
     p[layout.GYROSCOPIC] *= model.gyroscopic_moment

@@ -26,7 +26,7 @@ from rolamento.rows.ball.problem import (
 )
 from rolamento.rows.ball.rolling import Rolling as Motion
 from rolamento.rows.ball.run import Solution, ball_azimuths, row_verdict, solve_columns
-from rolamento.rows.row import Held, Indices, RowGeometry, RowSizes
+from rolamento.rows.row import Indices, Response, RowGeometry, RowSizes
 from rolamento.solved import (
     Elements,
     Index,
@@ -60,7 +60,7 @@ class Traction:
 
 
 @dataclass(slots=True)
-class HeldBalls:
+class BallResponse:
     """Balls in their places: the kernels' arrays, and the lengths that turn places into SI.
 
     arms: (cases or 1, 5).
@@ -160,7 +160,7 @@ class BallRow:
         own = (p[layout.ARM], p[layout.BALL_DIAMETER], reach, p[layout.SERIES_STIFFNESS], sine)
         return RowSizes(*(np.broadcast_to(numbers, p.cases) for numbers in own))
 
-    def refuse(self, cases: BoolArray) -> None:
+    def invalidate(self, cases: BoolArray) -> None:
         """Take some cases for invalid: they are left alone."""
         self.p.duty[:, cases] = np.nan
 
@@ -187,14 +187,14 @@ class BallRow:
         p[layout.IMPOSED : layout.IMPOSED + 5] = place.T * arms
         return self
 
-    def alone(self, control: FloatArray, which: Indices | None = None) -> HeldBalls:
+    def alone(self, control: FloatArray, which: Indices | None = None) -> BallResponse:
         """Balance ring and balls of a bearing that is this row: the monolithic fast path.
 
         control: (cases or 1, balls), of the chosen cases; the row has been `asked`.
         """
         return self._solved(self.p if which is None else self.p.of(which), control)
 
-    def held(self, place: FloatArray, which: Indices, control: FloatArray) -> HeldBalls:
+    def respond(self, place: FloatArray, which: Indices, control: FloatArray) -> BallResponse:
         """Hold some of the cases at a place; (len(which), 5)."""
         p = self.p.of(which)
         p[layout.FREE : layout.FREE + 5] = 0.0
@@ -202,15 +202,15 @@ class BallRow:
         p[layout.IMPOSED : layout.IMPOSED + 5] = place.T * ring_arms(p)
         return self._solved(p, control)
 
-    def nothing(self, cases: int) -> HeldBalls:
+    def no_response(self, cases: int) -> BallResponse:
         """Make room for so many cases without a result."""
-        return HeldBalls(Solution.empty(cases, self.element_count), ring_arms(self.p).T)
+        return BallResponse(Solution.empty(cases, self.element_count), ring_arms(self.p).T)
 
-    def _solved(self, p: Columns, control: FloatArray) -> HeldBalls:
+    def _solved(self, p: Columns, control: FloatArray) -> BallResponse:
         solution = solve_columns(
             p, control, self.element_count, threads=self.threads, fast=self.fast
         )
-        return HeldBalls(solution, ring_arms(p).T)
+        return BallResponse(solution, ring_arms(p).T)
 
     def first_contact(self) -> FloatArray:
         """Place along x where the unloaded balls touch; (cases,), m."""
@@ -220,7 +220,7 @@ class BallRow:
         touching = np.sqrt(square) - p[layout.AXIAL_OFFSET]
         return np.broadcast_to(np.where(p[layout.ONE_SIDED] > 0.0, 0.0, touching), p.cases)
 
-    def pressed_in(self, force: FloatArray) -> FloatArray:
+    def press_in(self, force: FloatArray) -> FloatArray:
         """Place along x under an axial force at rest; (cases,), m, NaN where there is none.
 
         All balls are alike: one equation, Z Q sin α = F, whose force grows with x.
@@ -245,11 +245,11 @@ class BallRow:
             held &= (cosine > p[layout.INNER_EDGE]) & (cosine > p[layout.OUTER_EDGE])
             return np.asarray(np.where(held, a1 - p[layout.AXIAL_OFFSET], np.nan))
 
-    def verdict(self, held: Held, control: FloatArray, which: Index) -> IntArray:
+    def verdict(self, held: Response, control: FloatArray, which: Index) -> IntArray:
         """Jones's criterion for every ball; (cases, balls)."""
-        return row_verdict(self.p.of(which), control, cast(HeldBalls, held).solution)
+        return row_verdict(self.p.of(which), control, cast(BallResponse, held).solution)
 
-    def rolled(self, start: HeldBalls, traction: Traction) -> HeldBalls:
+    def rolled(self, start: BallResponse, traction: Traction) -> BallResponse:
         """Let friction alone move the balls of a bearing that is this row.
 
         start: under outer raceway control, of all cases.
@@ -260,13 +260,13 @@ class BallRow:
             self.p, start.solution, self.element_count, traction.friction, traction.cage_drag,
             mesh=traction.mesh, film=traction.film, threads=self.threads,
         )  # fmt: skip
-        return HeldBalls(solution, start.arms, motion)
+        return BallResponse(solution, start.arms, motion)
 
     def answer(
-        self, held: Held, control: FloatArray, shown: IntArray, lost: BoolArray
+        self, held: Response, control: FloatArray, shown: IntArray, lost: BoolArray
     ) -> BallAnswer:
         """Keep what the tables are made from, of cases that are not lost."""
-        balls = cast(HeldBalls, held)
+        balls = cast(BallResponse, held)
         solution = balls.solution
         solution.position[lost], solution.displacement[lost] = np.nan, np.nan
         if balls.motion is not None:

@@ -57,7 +57,7 @@ class Rows(NamedTuple):
     ends: NDArray[np.int64]
 
 
-class Asked(NamedTuple):
+class BalanceRequest(NamedTuple):
     """What is asked of the rings, and where they begin; (n, UNKNOWNS) each, scaled.
 
     reach: of the longest step of a ring without inertia; firm: a stiffness that is small against
@@ -71,7 +71,7 @@ class Asked(NamedTuple):
     firm: Array
 
 
-class Found(NamedTuple):
+class Balance(NamedTuple):
     """What the kernel writes, over all cases.
 
     Of the ring: place, force (cases, UNKNOWNS), stiffness (cases, UNKNOWNS, UNKNOWNS), scaled;
@@ -151,10 +151,12 @@ def _standing(stand: Array, row: int, k: int, u: Array, own: Array) -> None:
 
 
 @filling
-def _fill(work: Work, lane: int, rows: Rows, asked: Asked, k: int, u: Array, bound: bool) -> None:
+def _fill(
+    work: Work, lane: int, rows: Rows, asked: BalanceRequest, k: int, u: Array, bound: bool
+) -> None:
     """Put a case into a lane, its ring at u; bound: whether steps have an end."""
     own = work.own
-    work.s[set_lanes.FIRM * _LANES + lane] = asked.firm[k] if bound else 0.0
+    work.s[set_lanes.SMALL_STIFFNESS * _LANES + lane] = asked.firm[k] if bound else 0.0
     work.s[set_lanes.REACH * _LANES + lane] = asked.reach[k] if bound else FAR
     for i in range(UNKNOWNS):
         work.s[(set_lanes.FREE + i) * _LANES + lane] = asked.free[k, i]
@@ -202,7 +204,12 @@ def _lost(work: Work, lane: int) -> bool:
 
 @filling
 def _settle_static(
-    work: Work, rows: Rows, asked: Asked, chosen: NDArray[np.int64], moving: bool, found: Found
+    work: Work,
+    rows: Rows,
+    asked: BalanceRequest,
+    chosen: NDArray[np.int64],
+    moving: bool,
+    found: Balance,
 ) -> None:
     """Newton's method on the rings alone, every ball on the line of the groove centres.
 
@@ -251,7 +258,7 @@ def _settle_static(
 
 @filling
 def _settle_moving(
-    work: Work, rows: Rows, asked: Asked, chosen: NDArray[np.int64], found: Found
+    work: Work, rows: Rows, asked: BalanceRequest, chosen: NDArray[np.int64], found: Balance
 ) -> None:
     """Newton's method on rings and balls together, from the static places.
 
@@ -351,7 +358,7 @@ def _add_row(
 
 @filling
 def _judge(
-    work: Work, rows: Rows, asked: Asked, k: int, case: int, moving: bool, found: Found
+    work: Work, rows: Rows, asked: BalanceRequest, k: int, case: int, moving: bool, found: Balance
 ) -> None:
     """Hold every row where the proposal has it, and measure rows and ring in exact arithmetic."""
     ring, column = work.ring, work.column
@@ -388,7 +395,12 @@ def _judge(
 
 @filling_kernel
 def solve_sets(
-    rows: Rows, asked: Asked, moving: bool, chosen: NDArray[np.int64], work: Work, found: Found
+    rows: Rows,
+    asked: BalanceRequest,
+    moving: bool,
+    chosen: NDArray[np.int64],
+    work: Work,
+    found: Balance,
 ) -> None:
     """Propose the equilibrium of some cases, with or without inertia, and judge it.
 

@@ -27,8 +27,8 @@ PLACE: Final = TARGET + UNKNOWNS
 MOVE: Final = PLACE + UNKNOWNS  # its step
 FORCE: Final = MOVE + UNKNOWNS
 MATRIX: Final = FORCE + UNKNOWNS
-FIRM: Final = MATRIX + UNKNOWNS * UNKNOWNS  # a little stiffness of every free unknown
-REACH: Final = FIRM + 1  # the longest step
+SMALL_STIFFNESS: Final = MATRIX + UNKNOWNS * UNKNOWNS  # a little stiffness of every free unknown
+REACH: Final = SMALL_STIFFNESS + 1  # the longest step
 SET_ROWS: Final = REACH + 1
 
 # --- how a row stands on the ring -------------------------------------------------------------
@@ -41,7 +41,7 @@ STAND_ROWS: Final = 4
 _N: Final = np.uintp(layout.LANES)
 _FREE, _TARGET, _PLACE, _MOVE = lanes(FREE), lanes(TARGET), lanes(PLACE), lanes(MOVE)
 _FORCE, _MATRIX = lanes(FORCE), lanes(MATRIX)
-_FIRM, _REACH = lanes(FIRM), lanes(REACH)
+_FIRM, _REACH = lanes(SMALL_STIFFNESS), lanes(REACH)
 _WAY, _LEVER, _TILT, _SLIDE = (lanes(row) for row in (WAY, LEVER, TILT, SLIDE))
 _SIX, _FIVE = np.uintp(UNKNOWNS), np.uintp(layout.DEGREES_OF_FREEDOM)
 _ZERO, _ONE, _TWO, _THREE, _FOUR = (np.uintp(row) for row in range(5))

@@ -14,13 +14,13 @@ from rolamento.records import frozen
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.accept import NEEDS_INERTIA
 from rolamento.rows.ball.problem import Columns, directions, ring_arms
-from rolamento.rows.ball.row import BallRow, HeldBalls
+from rolamento.rows.ball.row import BallResponse, BallRow
 from rolamento.rows.ball.run import Solution, has_inertia, turns
 from rolamento.rows.ball.set_blocks import (
     PRESS,
     STANDING,
-    Asked,
-    Found,
+    Balance,
+    BalanceRequest,
     Rows,
     Work,
     solve_sets,
@@ -32,7 +32,7 @@ __all__ = ["Proposal", "balls_only", "settle", "standing"]
 
 CHUNK: Final = 1000
 """Cases of a call: their numbers lie together, no power of two apart."""
-LITTLE: Final = 1e-6
+SMALL_STIFFNESS: Final = 1e-6
 """Fraction of the stiffness under load: what a ring that touches nothing is held by on its way."""
 _HEAVIEST: Final = 4.5
 """How much more the heaviest ball of a row carries than the mean."""
@@ -51,7 +51,7 @@ class Proposal:
     residual: FloatArray
     steps: IntArray
     sound: BoolArray
-    rows: list[HeldBalls]
+    rows: list[BallResponse]
 
 
 def balls_only(rows: Sequence[Row]) -> Sequence[BallRow] | None:
@@ -123,7 +123,7 @@ def _bounded(
     free: FloatArray,
     target: FloatArray,
     start: FloatArray,
-) -> Asked:
+) -> BalanceRequest:
     """Say how far a ring may go at a time: through its play, and somewhat into its balls."""
     balls = [row.element_count for row in rows]
     stiffness = np.sum(
@@ -137,8 +137,8 @@ def _bounded(
         square = np.maximum(reach**2 - p[layout.RADIAL_OFFSET] ** 2, 0.0)
         axial = np.sqrt(square) - p[layout.AXIAL_OFFSET]
         play = np.maximum(play, np.abs(axial) + np.abs(own[PRESS]))
-    firm = LITTLE * stiffness * np.sqrt(into)
-    return Asked(free, target, start, 3.0 * into + play, firm)
+    firm = SMALL_STIFFNESS * stiffness * np.sqrt(into)
+    return BalanceRequest(free, target, start, 3.0 * into + play, firm)
 
 
 @frozen
@@ -149,8 +149,8 @@ class _Run:
     columns: list[Columns]
     control: FloatArray
     stand: FloatArray
-    asked: Asked
-    found: Found
+    asked: BalanceRequest
+    found: Balance
 
     @classmethod
     def of(
@@ -166,7 +166,7 @@ class _Run:
         count, n = len(rows), len(which)
         balls = sum(row.element_count for row in rows)
         five = layout.DEGREES_OF_FREEDOM
-        found = Found(
+        found = Balance(
             place=np.full((n, UNKNOWNS), np.nan),
             force=np.full((n, UNKNOWNS), np.nan),
             stiffness=np.full((n, UNKNOWNS, UNKNOWNS), np.nan),
@@ -203,7 +203,7 @@ class _Run:
             # one order in memory: the kernels are compiled for each that they meet
             stand, control = map(np.ascontiguousarray, (self.stand[:, :, some], control))
             rows = Rows(p, stand, control, cosines, sines, self._ends)
-            asked = Asked(*(np.ascontiguousarray(one[some]) for one in self.asked))
+            asked = BalanceRequest(*(np.ascontiguousarray(one[some]) for one in self.asked))
             work = Work.of(len(self.rows), len(cosines), longest)
             kernel(rows, asked, moving, some, work, self.found)
 
@@ -223,7 +223,7 @@ class _Run:
             rows=list(self._held()),
         )
 
-    def _held(self) -> Iterator[HeldBalls]:
+    def _held(self) -> Iterator[BallResponse]:
         found, n = self.found, len(self.found.steps)
         for row, (p, a, z) in enumerate(
             zip(self.columns, self._ends[:-1], self._ends[1:], strict=True)
@@ -240,4 +240,4 @@ class _Run:
                 iterations=np.zeros(n, np.int64),
                 safe=np.zeros(n, np.bool_),
             )
-            yield HeldBalls(solution, ring_arms(p).T)
+            yield BallResponse(solution, ring_arms(p).T)

@@ -2,7 +2,7 @@
 
     δ_k = u + w x_k - P_k,      Q_k = (K/n) max(δ_k, 0)^(10/9)
 
-along each contact, with u and w linear in where ring and roller are. Held, the roller has the
+along each contact, with u and w linear in where ring and roller are. Response, the roller has the
 energy of its springs less the work of its inertia: convex in η and ω, so that a guarded Newton's
 method comes down to its only least value. Slices by ISO/TS 16281:2008, 5.3; docs/theory/rollers.md.
 """

@@ -18,9 +18,9 @@ from rolamento.rows.roller import layout
 from rolamento.rows.roller.columns import Numbers, numbers_of
 from rolamento.rows.roller.run import Solution, hold, settle
 from rolamento.rows.row import (
-    Held,
     Indices,
     IntArray,
+    Response,
     RowGeometry,
     RowSizes,
     alike_in_all_cases,
@@ -37,7 +37,7 @@ on."""
 
 
 @dataclass(slots=True)
-class HeldRollers:
+class RollerResponse:
     """Rollers in their places; place (cases, 5), m and rad."""
 
     place: FloatArray
@@ -134,26 +134,26 @@ class RollerRow:
             sine=p[layout.OUTER_SINE],
         )
 
-    def refuse(self, cases: BoolArray) -> None:
+    def invalidate(self, cases: BoolArray) -> None:
         """Take some cases for invalid: they are left alone."""
         self.numbers.p[:, cases] = np.nan
 
     # --- solving --------------------------------------------------------------------------------
 
-    def held(self, place: FloatArray, which: Indices, control: FloatArray) -> HeldRollers:
+    def respond(self, place: FloatArray, which: Indices, control: FloatArray) -> RollerResponse:
         """Hold some of the cases at a place; (len(which), 5). Nothing guides a roller but races."""
         p = self.numbers.p[:, which]
         p[layout.IMPOSED : layout.IMPOSED + 5] = place.T
         found = hold(p, self.numbers.cut.part(which), self.element_count, self.threads)
-        return HeldRollers(place.copy(), found)
+        return RollerResponse(place.copy(), found)
 
-    def nothing(self, cases: int) -> HeldRollers:
+    def no_response(self, cases: int) -> RollerResponse:
         """Make room for so many cases without a result."""
         cut = self.numbers.cut
         empty = Solution.empty(cases, self.element_count, cut.slices, cut.coupled)
-        return HeldRollers(np.full((cases, 5), np.nan), empty)
+        return RollerResponse(np.full((cases, 5), np.nan), empty)
 
-    def near(
+    def equilibrium(
         self, free: BoolArray, load: FloatArray, place: FloatArray, which: Indices
     ) -> tuple[FloatArray, BoolArray, IntArray]:
         """Where the ring of a bearing that is this row comes to rest; (len(which), 5), m and rad.
@@ -177,7 +177,7 @@ class RollerRow:
         """Place along x where the unloaded rollers touch, from which x counts; (cases,), m."""
         return np.zeros(self.cases)
 
-    def pressed_in(self, force: FloatArray) -> FloatArray:
+    def press_in(self, force: FloatArray) -> FloatArray:
         """Place along x under an axial force at rest; (cases,), m, NaN where there is none."""
         p = self.numbers.p.copy()
         p[[layout.CENTRIFUGAL, layout.MOMENT]] = 0.0
@@ -188,21 +188,21 @@ class RollerRow:
         which = which[:1] if alike else which
         free, load = np.zeros((len(which), 5), np.bool_), np.zeros((len(which), 5))
         free[:, 0], load[:, 0] = True, force[which]
-        place, _, _ = still.near(free, load, np.zeros_like(load), which)
-        force_there = still.held(place, which, np.ones((1, 1))).force[:, 0]
+        place, _, _ = still.equilibrium(free, load, np.zeros_like(load), which)
+        force_there = still.respond(place, which, np.ones((1, 1))).force[:, 0]
         near = np.abs(force_there - force[which]) <= 1e-9 * np.abs(force[which])
         found[which] = np.where(near, place[:, 0], np.nan)
         return np.full(self.cases, found[0]) if alike else found
 
-    def verdict(self, held: Held, control: FloatArray, which: Index) -> IntArray:
+    def verdict(self, held: Response, control: FloatArray, which: Index) -> IntArray:
         """Return the control as it is: rollers roll on both races; (cases, elements)."""
         return control.astype(np.int64)
 
     def answer(
-        self, held: Held, control: FloatArray, shown: IntArray, lost: BoolArray
+        self, held: Response, control: FloatArray, shown: IntArray, lost: BoolArray
     ) -> RollerAnswer:
         """Keep what the tables are made from, of cases that are not lost."""
-        rollers = cast(HeldRollers, held)
+        rollers = cast(RollerResponse, held)
         solution = rollers.solution
         solution.state[lost], rollers.place[lost] = np.nan, np.nan
         if len(solution.loads):

@@ -18,7 +18,7 @@ from rolamento.rows.roller.batch import hold_cases, settle_cases
 from rolamento.rows.roller.columns import Cut
 
 CHUNK: Final = 64
-LITTLE: Final = 2000
+FEW_LAMINAE: Final = 2000
 """Slices of all rollers of one case that are solved without the compiler, if it is not loaded."""
 
 
@@ -111,4 +111,4 @@ def settle(
 
 def _little(p: FloatArray, rollers: int, cut: Cut) -> bool:
     """Whether it is less work than loading the compiler."""
-    return p.shape[1] == 1 and not cut.coupled and rollers * cut.slices <= LITTLE
+    return p.shape[1] == 1 and not cut.coupled and rollers * cut.slices <= FEW_LAMINAE

@@ -14,7 +14,7 @@ from rolamento.errors import InputError
 from rolamento.records import frozen
 from rolamento.words import marked, said
 
-__all__ = ["DEMONSTRATION", "LIFE_TEST", "SIGNAL", "Asked", "Group", "by_name", "given"]
+__all__ = ["DEMONSTRATION", "LIFE_TEST", "SIGNAL", "Group", "Input", "by_name", "given"]
 
 Kind = Literal[
     "text", "number", "count", "fraction", "frequency", "time", "switch", "choice", "choices",
@@ -26,7 +26,7 @@ _MOST: Final = 50
 
 
 @frozen
-class Asked:
+class Input:
     """One thing that may be given.
 
     Attributes
@@ -75,7 +75,7 @@ class Asked:
         }
 
 
-Group = tuple[str, tuple[Asked, ...]]
+Group = tuple[str, tuple[Input, ...]]
 """A heading, marked, and what stands below it."""
 
 
@@ -105,7 +105,7 @@ def _bounds() -> Mapping[str, str]:
     return {name: BOUND_METHODS[name.replace("-", "_")] for name in bounds_known()}
 
 
-_DECIMAL_MARK: Final = Asked(
+_DECIMAL_MARK: Final = Input(
     "decimal_mark",
     marked("Decimal mark"),
     marked("Decimal mark, point or comma, for a table in which 12.500 may be 12.5 or 12500."),
@@ -117,7 +117,7 @@ SIGNAL: Final[tuple[Group, ...]] = (
     (
         marked("Bearing"),
         (
-            Asked(
+            Input(
                 "bearing",
                 marked("Bearing"),
                 marked(
@@ -126,13 +126,13 @@ SIGNAL: Final[tuple[Group, ...]] = (
                 example="6205",
                 essential=True,
             ),
-            Asked(
+            Input(
                 "nominal",
                 marked("Without the load"),
                 marked("Search the frequencies of the geometry, whatever the load."),
                 "switch",
             ),
-            Asked(
+            Input(
                 "angle",
                 marked("Contact angle"),
                 marked(
@@ -147,7 +147,7 @@ SIGNAL: Final[tuple[Group, ...]] = (
     (
         marked("Speed"),
         (
-            Asked(
+            Input(
                 "speed",
                 marked("Shaft speed"),
                 marked(
@@ -157,13 +157,13 @@ SIGNAL: Final[tuple[Group, ...]] = (
                 example="1797 rpm",
                 essential=True,
             ),
-            Asked(
+            Input(
                 "outer_speed",
                 marked("Speed of the outer ring"),
                 marked("Speed of the outer ring, with its sign."),
                 example="0 rpm",
             ),
-            Asked(
+            Input(
                 "speed_channel",
                 marked("Channel of the speed"),
                 marked(
@@ -172,14 +172,14 @@ SIGNAL: Final[tuple[Group, ...]] = (
                 ),
                 example="2",
             ),
-            Asked(
+            Input(
                 "speed_unit",
                 marked("Unit of that channel"),
                 marked("Unit of that channel: rpm, rad/s, deg/s or Hz, if the file gives none."),
                 "choice",
                 choices=lambda: {"rpm": "", "rad/s": "", "deg/s": "", "Hz": ""},
             ),
-            Asked(
+            Input(
                 "tacho",
                 marked("Channel of the tachometer"),
                 marked(
@@ -188,14 +188,14 @@ SIGNAL: Final[tuple[Group, ...]] = (
                 ),
                 example="2",
             ),
-            Asked(
+            Input(
                 "pulses",
                 marked("Pulses per revolution"),
                 marked("Tachometer pulses per revolution (default 1)."),
                 "count",
                 example="1",
             ),
-            Asked(
+            Input(
                 "track",
                 marked("Track the speed"),
                 marked(
@@ -204,7 +204,7 @@ SIGNAL: Final[tuple[Group, ...]] = (
                 ),
                 "switch",
             ),
-            Asked(
+            Input(
                 "within",
                 marked("Greatest deviation of the speed"),
                 marked("Of a tracked speed from the one given: up to 30 % (default 10 %)."),
@@ -216,7 +216,7 @@ SIGNAL: Final[tuple[Group, ...]] = (
     (
         marked("Signal"),
         (
-            Asked(
+            Input(
                 "unit",
                 marked("Unit of the samples"),
                 marked(
@@ -226,7 +226,7 @@ SIGNAL: Final[tuple[Group, ...]] = (
                 example="m/s^2",
                 essential=True,
             ),
-            Asked(
+            Input(
                 "rate",
                 marked("Sampling rate"),
                 marked("Sampling rate, such as '50 kHz', instead of that in the file."),
@@ -234,27 +234,27 @@ SIGNAL: Final[tuple[Group, ...]] = (
                 example="50 kHz",
                 essential=True,
             ),
-            Asked(
+            Input(
                 "channel",
                 marked("Channel or variable"),
                 marked("Channel, by name or by number from 1."),
                 example="1",
                 essential=True,
             ),
-            Asked(
+            Input(
                 "scale",
                 marked("Sensitivity of the sensor"),
                 marked("Sensitivity of the sensor, such as '100 mV/g'."),
                 example="100 mV/g",
             ),
-            Asked(
+            Input(
                 "start",
                 marked("Start"),
                 marked("Start of the part to analyse, such as '2 s'."),
                 "time",
                 example="2 s",
             ),
-            Asked(
+            Input(
                 "duration",
                 marked("Duration"),
                 marked("Duration of the part to analyse; by default to the end."),
@@ -267,14 +267,14 @@ SIGNAL: Final[tuple[Group, ...]] = (
     (
         marked("Machine"),
         (
-            Asked(
+            Input(
                 "power",
                 marked("Rated power"),
                 marked("Rated power of the machine, such as '45 kW' or '60 cv': gives its group."),
                 example="45 kW",
                 essential=True,
             ),
-            Asked(
+            Input(
                 "support",
                 marked("Support"),
                 marked("Support: rigid or flexible."),
@@ -282,21 +282,21 @@ SIGNAL: Final[tuple[Group, ...]] = (
                 choices=_supports,
                 essential=True,
             ),
-            Asked(
+            Input(
                 "group",
                 marked("Group of ISO 20816-3"),
                 marked("Group of ISO 20816-3, 1 or 2, instead."),
                 "choice",
                 choices=lambda: {"1": "", "2": ""},
             ),
-            Asked(
+            Input(
                 "machine_class",
                 marked("Class of ISO 10816-1"),
                 marked("Class of ISO 10816-1, I to IV, instead of a group."),
                 "choice",
                 choices=lambda: {"I": "", "II": "", "III": "", "IV": ""},
             ),
-            Asked(
+            Input(
                 "baseline",
                 marked("Usual velocity"),
                 marked("Usual RMS velocity of the machine, such as '1.2 mm/s': sets the alarm."),
@@ -307,7 +307,7 @@ SIGNAL: Final[tuple[Group, ...]] = (
     (
         marked("Search"),
         (
-            Asked(
+            Input(
                 "tolerance",
                 marked("Slip of the cage"),
                 marked("Maximum deviation of the cage from its expected speed, 0 to 0.1."),
@@ -315,7 +315,7 @@ SIGNAL: Final[tuple[Group, ...]] = (
                 example="2 %",
                 default="2 %",
             ),
-            Asked(
+            Input(
                 "speed_tolerance",
                 marked("Uncertainty of the speed"),
                 marked(
@@ -326,7 +326,7 @@ SIGNAL: Final[tuple[Group, ...]] = (
                 example="3 %",
                 default="3 %",
             ),
-            Asked(
+            Input(
                 "false_alarm",
                 marked("False alarms"),
                 marked(
@@ -346,7 +346,7 @@ LIFE_TEST: Final[tuple[Group, ...]] = (
     (
         marked("Results"),
         (
-            Asked(
+            Input(
                 "reliabilities",
                 marked("Reliabilities"),
                 marked(
@@ -358,7 +358,7 @@ LIFE_TEST: Final[tuple[Group, ...]] = (
                 default="0.9; 0.5",
                 essential=True,
             ),
-            Asked(
+            Input(
                 "times",
                 marked("Times"),
                 marked("Time to give the reliability at, such as '100 h'. Repeatable."),
@@ -366,7 +366,7 @@ LIFE_TEST: Final[tuple[Group, ...]] = (
                 example="100 h; 500 h",
                 essential=True,
             ),
-            Asked(
+            Input(
                 "calculated",
                 marked("Calculated life"),
                 marked(
@@ -382,7 +382,7 @@ LIFE_TEST: Final[tuple[Group, ...]] = (
     (
         marked("Bounds"),
         (
-            Asked(
+            Input(
                 "confidence",
                 marked("Confidence of bounds"),
                 marked("Confidence of the bounds, such as 0.9."),
@@ -391,7 +391,7 @@ LIFE_TEST: Final[tuple[Group, ...]] = (
                 default="0.9",
                 essential=True,
             ),
-            Asked(
+            Input(
                 "sides",
                 marked("Sides of the bounds"),
                 marked("Sides of the bounds: two, lower or upper."),
@@ -403,7 +403,7 @@ LIFE_TEST: Final[tuple[Group, ...]] = (
                 },
                 default="two",
             ),
-            Asked(
+            Input(
                 "bounds",
                 marked("Method of the bounds"),
                 marked("Left empty, a method that is exact with few failures."),
@@ -415,14 +415,14 @@ LIFE_TEST: Final[tuple[Group, ...]] = (
     (
         marked("Fit"),
         (
-            Asked(
+            Input(
                 "method",
                 marked("Methods of fitting"),
                 marked("By default the first four; the bounds refer to the first one chosen."),
                 "choices",
                 choices=_fits,
             ),
-            Asked(
+            Input(
                 "models",
                 marked("Other distributions beside"),
                 marked(
@@ -431,14 +431,14 @@ LIFE_TEST: Final[tuple[Group, ...]] = (
                 ),
                 "switch",
             ),
-            Asked(
+            Input(
                 "shape",
                 marked("Shape from experience"),
                 marked("Shape from experience: only the scale is fitted (Weibayes)."),
                 "number",
                 example="1.5",
             ),
-            Asked(
+            Input(
                 "prior",
                 marked("Range of the shape"),
                 marked("90 % range of the shape: gives a posterior as well."),
@@ -449,7 +449,7 @@ LIFE_TEST: Final[tuple[Group, ...]] = (
     (
         marked("Data"),
         (
-            Asked(
+            Input(
                 "by_group",
                 marked("Compare the groups"),
                 marked("Each group by itself, and compared; or all together."),
@@ -457,7 +457,7 @@ LIFE_TEST: Final[tuple[Group, ...]] = (
                 default="true",
                 essential=True,
             ),
-            Asked(
+            Input(
                 "by_mode",
                 marked("Separate the failure modes"),
                 marked(
@@ -468,56 +468,56 @@ LIFE_TEST: Final[tuple[Group, ...]] = (
                 default="true",
                 essential=True,
             ),
-            Asked(
+            Input(
                 "only_mode",
                 marked("Only this failure mode"),
                 marked("Only this failure mode: failures by others are suspensions."),
                 example="fatigue",
             ),
-            Asked(
+            Input(
                 "only",
                 marked("Only these groups"),
                 marked("Only this group. Repeatable."),
                 "list",
                 example="I; II",
             ),
-            Asked(
+            Input(
                 "unit",
                 marked("Unit of the times"),
                 marked("Unit of the times, if the file says another."),
                 example="h",
             ),
-            Asked(
+            Input(
                 "time",
                 marked("Column of the times"),
                 marked("Column of the times, if named otherwise."),
                 example="hours",
             ),
-            Asked(
+            Input(
                 "status",
                 marked("Column of the status"),
                 marked("Column that says what failed, if named otherwise."),
                 example="status",
             ),
-            Asked(
+            Input(
                 "count",
                 marked("Column of the counts"),
                 marked("Column of how many bearings a row stands for, if named otherwise."),
                 example="count",
             ),
-            Asked(
+            Input(
                 "group",
                 marked("Column of the groups"),
                 marked("Column of the groups, if named otherwise."),
                 example="group",
             ),
-            Asked(
+            Input(
                 "mode",
                 marked("Column of the failure modes"),
                 marked("Column of the failure modes, if named otherwise."),
                 example="mode",
             ),
-            Asked(
+            Input(
                 "start",
                 marked("Column of the first day in service"),
                 marked(
@@ -526,7 +526,7 @@ LIFE_TEST: Final[tuple[Group, ...]] = (
                 ),
                 example="installed",
             ),
-            Asked(
+            Input(
                 "end",
                 marked("Column of the last day in service"),
                 marked(
@@ -535,7 +535,7 @@ LIFE_TEST: Final[tuple[Group, ...]] = (
                 ),
                 example="failure date",
             ),
-            Asked(
+            Input(
                 "use_per_day",
                 marked("Use per day"),
                 marked(
@@ -544,7 +544,7 @@ LIFE_TEST: Final[tuple[Group, ...]] = (
                 ),
                 example="16 h",
             ),
-            Asked(
+            Input(
                 "as_of",
                 marked("Day of the data"),
                 marked(
@@ -553,7 +553,7 @@ LIFE_TEST: Final[tuple[Group, ...]] = (
                 ),
                 example="2026-12-31",
             ),
-            Asked(
+            Input(
                 "date_order",
                 marked("Order of the dates"),
                 marked("Order of dates, for a table in which 03/04/2024 may be either."),
@@ -570,14 +570,14 @@ DEMONSTRATION: Final[tuple[Group, ...]] = (
     (
         marked("Plan a test"),
         (
-            Asked(
+            Input(
                 "life",
                 marked("Life to demonstrate"),
                 marked("Life to demonstrate, such as '1000 h'."),
                 example="1000 h",
                 essential=True,
             ),
-            Asked(
+            Input(
                 "bearings",
                 marked("Bearings"),
                 marked("Available bearings: the test time is calculated."),
@@ -585,14 +585,14 @@ DEMONSTRATION: Final[tuple[Group, ...]] = (
                 example="10",
                 essential=True,
             ),
-            Asked(
+            Input(
                 "time",
                 marked("Test time"),
                 marked("Test time of each bearing: their number is calculated."),
                 example="500 h",
                 essential=True,
             ),
-            Asked(
+            Input(
                 "failures_allowed",
                 marked("Failures allowed"),
                 marked("Failures with which the test is still passed."),
@@ -601,7 +601,7 @@ DEMONSTRATION: Final[tuple[Group, ...]] = (
                 default="0",
                 essential=True,
             ),
-            Asked(
+            Input(
                 "shape",
                 marked("Shape"),
                 marked("Expected shape of the Weibull distribution."),
@@ -610,7 +610,7 @@ DEMONSTRATION: Final[tuple[Group, ...]] = (
                 default="1.5",
                 essential=True,
             ),
-            Asked(
+            Input(
                 "reliability",
                 marked("Reliability"),
                 marked("Reliability of the life: 0.9 for L10."),
@@ -619,7 +619,7 @@ DEMONSTRATION: Final[tuple[Group, ...]] = (
                 default="0.9",
                 essential=True,
             ),
-            Asked(
+            Input(
                 "confidence",
                 marked("Confidence"),
                 marked("Confidence level, such as 0.9."),
@@ -634,7 +634,7 @@ DEMONSTRATION: Final[tuple[Group, ...]] = (
 """Inputs of `rolamento.tasks.demonstration_study`."""
 
 
-def by_name(groups: Sequence[Group]) -> dict[str, Asked]:
+def by_name(groups: Sequence[Group]) -> dict[str, Input]:
     """Return what is asked for by its names."""
     return {one.name: one for _, many in groups for one in many}
 
@@ -677,7 +677,7 @@ def given(groups: Sequence[Group], typed: Mapping[str, Sequence[str]]) -> dict[s
     return found
 
 
-def _value(one: Asked, texts: list[str]) -> Any:
+def _value(one: Input, texts: list[str]) -> Any:
     if one.kind == "list":
         parts = [part.strip() for text in texts for part in text.split(";")]
         return tuple(dict.fromkeys(filter(None, parts)))
@@ -724,7 +724,7 @@ def _with_point(text: str) -> str:
     return text.replace(",", ".") if text.count(",") == 1 and "." not in text else text
 
 
-def _chosen(one: Asked, text: str) -> str:
+def _chosen(one: Input, text: str) -> str:
     known = {} if one.choices is None else one.choices()
     if text not in known:
         rule = said("must be one of {known}", known=", ".join(known))
