@@ -46,7 +46,7 @@ def summary(test: LifeTest, by_group: bool = True, **keywords: Any) -> LifeTestS
 
 
 def bands(found: LifeTestSummary) -> dict[str, Band]:
-    shape = found.wanted.shape
+    shape = found.request.shape
     return {g.name: confidence_band(g.test, samples=SAMPLES, shape=shape) for g in found.groups}
 
 

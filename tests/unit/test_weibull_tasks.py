@@ -72,8 +72,8 @@ def test_large_tests_are_drawn_less_often() -> None:
         life_test_study([1.0, 2.0, 4.0], methods=["maximum_likelihood"]),
         LifeTest([1.0, 2.0, 4.0], [True, True, False], counts=[1, 1, 1998]),
     )
-    assert few.wanted.samples == 10_000
-    assert life_test_study(many, methods=["maximum_likelihood"]).wanted.samples == 2500
+    assert few.request.samples == 10_000
+    assert life_test_study(many, methods=["maximum_likelihood"]).request.samples == 2500
 
 
 def test_a_demonstration_as_long_as_its_life() -> None:

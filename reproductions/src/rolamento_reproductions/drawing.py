@@ -74,7 +74,7 @@ _MAP_LEVELS: Final = 14
 _SIGNED: Final = "RdBu_r"
 _UNSIGNED: Final = "cividis"
 _ARROWS: Final = (9, 5)
-"""How many, across and along."""
+"""Number of panels, across and along."""
 _MAP_INK: Final = "#202020"
 _MAP_HEIGHT: Final = 53.0
 _ARROW_REACH: Final = (0.6, 2.0 / 3.0)
@@ -166,7 +166,7 @@ _METADATA: Final[dict[str, dict[str, Any]]] = {
 _COLOURS: Final = 128
 _DOTS: Final = 200.0
 _MAX_LEGEND_COLUMNS: Final = 5
-"""Of a legend over a single panel."""
+"""Height of a legend over a single panel."""
 _INK: Final = "#303030"
 _TURN: Final = 360.0
 _SEEN: Final = 0.5 * _TURN + 5.0

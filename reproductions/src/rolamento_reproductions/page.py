@@ -329,7 +329,7 @@ def _misprints_sentence(errata: Errata) -> Text:
 
 
 def _gap_sentence(figure: Figure) -> Text:
-    """Tell of the rows of a figure that have no result, and why."""
+    """Name the rows of a figure that have no result, and why."""
     codes = [code for _, code in figure.gaps]
     reasons = [
         str(said("counted_reason", reason=said(f"reason.{code}"), count=codes.count(code)))

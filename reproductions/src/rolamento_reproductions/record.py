@@ -22,7 +22,7 @@ from rolamento_reproductions.text import Text
 Agreement = Literal["printed", "tie", "cut", "differs"]
 
 _TIE: Final = 0.01
-"""Of half a unit of the last digit: how near a tie rounding may go either way."""
+"""Fraction of half a unit of the last digit: how near a tie rounding may go either way."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -208,7 +208,7 @@ STATUS: Final = "status"
 Ending = Literal["svg", "png"]
 Pictures = Literal["svg", "png", "both"]
 Progress = Callable[[int, int, Text], None]
-"""Told how much is done, of how much, and what comes next."""
+"""Called with how much is done, of how much, and what comes next."""
 ClaimVerdict = Literal["holds", "partly", "fails"]
 
 _PLAIN_UNITS: Final = {

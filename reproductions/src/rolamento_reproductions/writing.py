@@ -146,7 +146,7 @@ def reproduce(
     pictures
         Which formats to write.
     progress
-        Told about every part and picture.
+        Called with every part and picture.
 
     Returns
     -------
@@ -192,7 +192,7 @@ def write(
     pictures
         Which formats to write.
     progress
-        Told about every picture.
+        Called with every picture.
 
     Raises
     ------

@@ -114,7 +114,7 @@ class Cases:
         how much; (cases,), SI
     valid
         which cases the records would take; (cases,)
-    unheld
+    unconstrained
         which cases nothing can hold along x: a thrust bearing without axial load; (cases,)
     traction
         what friction control takes
@@ -132,7 +132,7 @@ class Cases:
     preload: str
     preload_value: FloatArray
     valid: BoolArray
-    unheld: BoolArray
+    unconstrained: BoolArray
     traction: Traction
     start: FloatArray | None = None
 
@@ -234,7 +234,7 @@ def spread(
         preload=kind,
         preload_value=amount,
         valid=valid,
-        unheld=_unheld(case.bearing, placed[0].row, free, load),
+        unconstrained=_unconstrained(case.bearing, placed[0].row, free, load),
         traction=Traction(np.full(cases, friction), np.full(cases, drag), case.model.mesh),
     )
     if found.alone is not None:
@@ -242,21 +242,23 @@ def spread(
     return found
 
 
-def _unheld(bearing: RollingBearing, row: Row, free: BoolArray, load: FloatArray) -> BoolArray:
+def _unconstrained(
+    bearing: RollingBearing, row: Row, free: BoolArray, load: FloatArray
+) -> BoolArray:
     """Cases whose washers are pushed apart, or pushed together by nothing; (cases,).
 
     Every contact of a thrust bearing pushes toward -x. Only where nothing else acts, at rest, may
     the axial load be zero.
     """
-    unheld = np.zeros(len(free), np.bool_)
+    unconstrained = np.zeros(len(free), np.bool_)
     if bearing.kind != "thrust":
-        return unheld
+        return unconstrained
     from rolamento.rows.grooves import GrooveRow
 
     if isinstance(row, GrooveRow):
         acts = (load[:, 1:] != 0.0).any(axis=1) | row.driven
-        unheld = free[:, 0] & ((load[:, 0] < 0.0) | ((load[:, 0] == 0.0) & acts))
-    return unheld
+        unconstrained = free[:, 0] & ((load[:, 0] < 0.0) | ((load[:, 0] == 0.0) & acts))
+    return unconstrained
 
 
 def _maker(of_kind: tuple[str, str]) -> Any:

@@ -148,7 +148,7 @@ class _Asked:
 
     press: of each row, (cases,). arms (cases, 6), and scaled: free, target (what is asked of a free
     unknown) and start (where a held one is), (cases, 6). sound: whether a case can be solved,
-    unheld: whether nothing can hold it, (cases,).
+    unconstrained: whether nothing can hold it, (cases,).
     """
 
     chosen: Indices
@@ -158,7 +158,7 @@ class _Asked:
     target: FloatArray
     start: FloatArray
     sound: BoolArray
-    unheld: BoolArray
+    unconstrained: BoolArray
 
     @classmethod
     def of(cls, system: RowsOnRing, chosen: Indices, *, near: bool = True) -> _Asked:
@@ -186,8 +186,8 @@ class _Asked:
         finite = cases.valid[chosen] & np.isfinite(target).all(axis=1)
         finite &= np.isfinite(start).all(axis=1) & np.isfinite(np.sum(press, axis=0))
         finite &= np.all([row.valid[chosen] for row in rows], axis=0)
-        unheld = finite & cases.unheld[chosen]
-        return cls(chosen, press, arms, free, target, start, finite & ~unheld, unheld)
+        unconstrained = finite & cases.unconstrained[chosen]
+        return cls(chosen, press, arms, free, target, start, finite & ~unconstrained, unconstrained)
 
 
 def _proposed(system: RowsOnRing, control: FloatArray, asked: _Asked) -> RingSolution | None:
@@ -234,7 +234,7 @@ def _proposed(system: RowsOnRing, control: FloatArray, asked: _Asked) -> RingSol
     number, unsupported = _gravest(view.rows, len(chosen))
     number[~found.sound] = NOT_CONVERGED
     number[~asked.sound] = INVALID_INPUT
-    number[asked.unheld], unsupported[asked.unheld] = NO_EQUILIBRIUM, 0
+    number[asked.unconstrained], unsupported[asked.unconstrained] = NO_EQUILIBRIUM, 0
     return RingSolution(
         place=place / arms,
         force=view.force * arms,
@@ -314,7 +314,10 @@ class _Problem:
             reference=1.5e-6 * sizes.stiffness[of_ring],
         )
         solution = self._solution(which, found, seen)
-        solution.number[asked.unheld], solution.unsupported[asked.unheld] = NO_EQUILIBRIUM, 0
+        solution.number[asked.unconstrained], solution.unsupported[asked.unconstrained] = (
+            NO_EQUILIBRIUM,
+            0,
+        )
         return solution
 
     def _view(self, which: Indices, u: FloatArray) -> _View:

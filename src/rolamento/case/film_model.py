@@ -1,4 +1,4 @@
-"""How the lubricant film is reckoned: the [film] table of a case."""
+"""How the lubricant film is calculated: the [film] table of a case."""
 
 from __future__ import annotations
 

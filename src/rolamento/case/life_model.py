@@ -1,4 +1,4 @@
-"""What the life is reckoned with beside the solved balls: the [life] table of a case."""
+"""Inputs of the life calculation: the [life] table of a case."""
 
 from __future__ import annotations
 

@@ -11,7 +11,7 @@ Y_0 = 0.44 cot α. Thrust bearings have an axial P_a = X F_r + F_a with X = 1.25
 (1 - 2/3 sin α) beyond e = 1.25 tan α, below which one direction does not do; at 90° P_a = F_a.
 
 Roller bearings have factors by the angle alone, e = 1.5 tan α; see `_factors_of_rollers`. At 0° the
-standard has P = F_r and no axial load; what ribs carry of it is reckoned as the maker does.
+standard has P = F_r and no axial load; what ribs carry of it is calculated as the maker does.
 
 Where a maker lists e, Y and Y_0 of a tapered roller bearing (`ListedFactors`), these lead: they are
 rounded, and P is what the maker's customers find. Rows that face each other have the factors of one

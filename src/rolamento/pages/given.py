@@ -95,7 +95,7 @@ def _grooves(bearing: Bearing) -> str:
 
 
 def _rollers(bearing: RollerBearing) -> str:
-    """How many rollers of which size, and on which circle."""
+    """Number and size of the rollers, and their pitch circle."""
     values = {
         "count": bearing.roller_count,
         "diameter": quantity(_short(bearing.roller_diameter), "length"),

@@ -192,7 +192,7 @@ def _parts_of_group(
     found: LifeTestSummary, group: GroupSummary, *, alone: bool
 ) -> list[Section | Beside]:
     """Say what one group or mode says: in sentences, then in tables."""
-    name, wanted = one_line(group.name), found.wanted
+    name, wanted = one_line(group.name), found.request
     blocks: list[Block] = list(_statements(group, wanted))
     heading = ""
     if found.system is not None:
@@ -423,7 +423,7 @@ def _described(model: LifeModel, unit: str) -> str:
 
 def _whole(found: LifeTestSummary) -> list[Section | Beside]:
     """Say what comes of all modes together; nothing where modes are not distinguished."""
-    system, wanted = found.system, found.wanted
+    system, wanted = found.system, found.request
     if system is None:
         return []
     unit = one_line(found.test.unit)
@@ -450,7 +450,7 @@ def _whole(found: LifeTestSummary) -> list[Section | Beside]:
 def _table_of_modes(found: LifeTestSummary) -> Table:
     system = found.system
     assert system is not None
-    life, unit = found.wanted.lives[0], one_line(found.test.unit)
+    life, unit = found.request.lives[0], one_line(found.test.unit)
     bounds = [group.bound(life) for group in found.groups]
     heads = _limit_heads(bounds[0]) if bounds[0] is not None else {}
     fits = [one.fit for one in system.modes]
@@ -780,7 +780,7 @@ def _comparison(found: LifeTestSummary) -> list[Section | Beside]:
     if not found.comparisons:
         return []
     judged = [one for one in found.comparisons if one.converged]
-    sentences = _sentence_of_difference(judged, found.wanted.confidence)
+    sentences = _sentence_of_difference(judged, found.request.confidence)
     sentences += [_sentence_of_ratio(ratio) for ratio in found.ratios]
     blocks: list[Block] = [*_bullets(sentences)]
     if judged:
@@ -874,16 +874,16 @@ def _pictures(found: LifeTestSummary) -> list[Section | Beside]:
     def regions() -> Picture:
         from rolamento.plots.weibull import contour_figure
 
-        return contour_figure(found, regions_of(found, found.wanted.lives[0].name))
+        return contour_figure(found, regions_of(found, found.request.lives[0].name))
 
     if not found.has_result:
         return []
     caption = said("Weibull probability plot: failures, fitted lines and their bounds")
     figures = [Figure(caption=caption, draw=paper, key="weibull_paper")]
-    if any(group.main.converged and found.wanted.shape is None for group in found.groups):
+    if any(group.main.converged and found.request.shape is None for group in found.groups):
         caption = said(
             "Shape and {quantity}: regions of equal likelihood",
-            quantity=life_name(found.wanted.lives[0]),
+            quantity=life_name(found.request.lives[0]),
         )
         figures.append(Figure(caption=caption, draw=regions, key="likelihood_regions"))
     return [Section(blocks=tuple(figures), key="figures")]

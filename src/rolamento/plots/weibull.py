@@ -83,7 +83,7 @@ _RATING_SHAPE: Final = EXPONENTS["ball"]
 
 def weibull_figure(summary: LifeTestSummary, bands: Mapping[str, Band] | None = None) -> Figure:
     """Draw probability paper, as `weibull_paper`, with the title of the data."""
-    entries = len(summary.groups) + len(summary.wanted.calculated) + 4
+    entries = len(summary.groups) + len(summary.request.calculated) + 4
     entries += 2 * (summary.system is not None)
     entries += any(group.goodness.bent is not None for group in summary.groups)
     with styled():
@@ -301,7 +301,7 @@ def _once(axes: Axes, label: str) -> str | None:
 
 def _mark_calculated(axes: Axes, summary: LifeTestSummary) -> None:
     """Mark calculated lives at the share that is to have failed by then."""
-    ordinate = summary.wanted.lives[0].log_risk
+    ordinate = summary.request.lives[0].log_risk
     for index, (label, value) in enumerate(_calculated_lives(summary)):
         axes.plot(
             value, ordinate, marker=_MARKS[index % len(_MARKS)], markersize=9.0, linestyle="",
@@ -313,7 +313,7 @@ def _limits(
     summary: LifeTestSummary, bands: Mapping[str, Band]
 ) -> tuple[tuple[float, float], tuple[float, float]]:
     """Ends of both axes: all data, the lives asked for and their bounds within reason."""
-    shares = [_LEAST, _MOST, *(1.0 - r for r in summary.wanted.reliabilities)]
+    shares = [_LEAST, _MOST, *(1.0 - r for r in summary.request.reliabilities)]
     times: list[float] = [float(summary.test.times.min()), float(summary.test.times.max())]
     low, high = times[0] / _FARTHEST, times[1] * _FARTHEST
     whole = [summary.test] if summary.system is not None else []
@@ -322,7 +322,7 @@ def _limits(
             positions = plotting_positions(test)
             shares += [float(positions.failed_share.min()), float(positions.failed_share.max())]
     for group in summary.groups:
-        lives = [summary.wanted.lives[0].name]
+        lives = [summary.request.lives[0].name]
         for bound in group.bounds:
             if bound.quantity in lives:
                 times += [bound.lower, bound.upper]
@@ -330,7 +330,7 @@ def _limits(
             times += [float(x) for x in group.main.life_at([1.0 - _LEAST, 1.0 - _MOST])]
     inside = [float(np.clip(time, low, high)) for time in times if np.isfinite(time) and time > 0.0]
     # a calculated life is what the reader asks about, however far
-    inside += summary.wanted.calculated.values()
+    inside += summary.request.calculated.values()
     upright = plot_ordinate(np.array([min(shares) / 1.15, 1.0 - (1.0 - max(shares)) / 1.15]))
     return (0.8 * min(inside), 1.25 * max(inside)), (float(upright[0]), float(upright[1]))
 
@@ -348,8 +348,8 @@ def _percent_axis(axes: Axes, upright: tuple[float, float]) -> None:
 
 def _calculated_lives(summary: LifeTestSummary) -> Iterator[tuple[str, float]]:
     """Give the calculated lives with their labels."""
-    life = summary.wanted.lives[0].name.replace(".", manner().mark)
-    for name, value in summary.wanted.calculated.items():
+    life = summary.request.lives[0].name.replace(".", manner().mark)
+    for name, value in summary.request.calculated.items():
         shown = f"{number(value)} {shown_text(summary.test.unit)}"
         shown = f"{shown_text(name, 24)}, {shown}" if name else shown
         yield said("calculated {life}: {name}", life=life, name=shown), value
@@ -360,7 +360,9 @@ def _calculated_lives(summary: LifeTestSummary) -> Iterator[tuple[str, float]]:
 
 def contour_figure(summary: LifeTestSummary, regions: Mapping[str, LikelihoodRegion]) -> Figure:
     """Draw regions, as `likelihood_contour`, with the title of the data."""
-    entries = len(summary.groups) + len(summary.groups[0].fits) + len(summary.wanted.calculated) + 3
+    entries = (
+        len(summary.groups) + len(summary.groups[0].fits) + len(summary.request.calculated) + 3
+    )
     with styled():
         figure, axes = new_figure(height=_CONTOUR_HEIGHT + _LEGEND_LINE * (entries // 2))
         likelihood_contour(summary, regions, axes)
@@ -478,7 +480,7 @@ def _lines_of_calculated(
     region: LikelihoodRegion,
 ) -> list[Line2D]:
     """Draw calculated lives, where the regions are of the life that they are for."""
-    if summary.wanted.lives[0].name != region.quantity.name:
+    if summary.request.lives[0].name != region.quantity.name:
         return []
     handles: list[Line2D] = []
     for index, (label, value) in enumerate(_calculated_lives(summary)):

@@ -1,4 +1,4 @@
-"""How much axial load the ribs of a cylindrical roller bearing may carry, as two makers reckon it.
+"""Permissible axial load of the ribs of a cylindrical roller bearing, by two makers.
 
 Rollers slide with their ends on the ribs: what limits the load is the heat of that friction, and at
 low speed the strength of the rib. There is no standard for it; the makers' rules differ by a factor

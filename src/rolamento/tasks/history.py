@@ -216,14 +216,14 @@ def diagnose_since(
     path: str | os.PathLike[str],
     bearing: BearingLike,
     baseline: Sequence[str | os.PathLike[str]],
-    **asked: Any,
+    **inputs: Any,
 ) -> History:
     """Diagnose a record beside records of the same machine in good order.
 
     Parameters
     ----------
-    path, bearing, asked
-        As of `rolamento.tasks.diagnose`; what is asked holds for all records.
+    path, bearing, inputs
+        As of `rolamento.tasks.diagnose`; what is inputs holds for all records.
     baseline
         Files, or folders of them, of the same place on the machine.
 
@@ -232,7 +232,7 @@ def diagnose_since(
     FileError, InputError
         As of `rolamento.tasks.diagnose`, or if there is no record.
     """
-    now = diagnose(path, bearing, **asked)
+    now = diagnose(path, bearing, **inputs)
     if now.too_short is not None:
         return History(now, (), (), ())
     files = records_of(baseline)
@@ -240,7 +240,7 @@ def diagnose_since(
         raise InputError(
             said("must name at least one record"), field="baseline", example='baseline=["good.wav"]'
         )
-    alike = {key: value for key, value in asked.items() if key != "progress"}
+    alike = {key: value for key, value in inputs.items() if key != "progress"}
     found = [(file, diagnose(file, bearing, **alike)) for file in files]
     then = [(file, one) for file, one in found if one.too_short is None]
     speed = now.diagnosis.shaft_frequency
@@ -447,7 +447,7 @@ def _pettitt(values: FloatArray) -> tuple[int, float]:
 
 
 def trend_of_records(
-    paths: Sequence[str | os.PathLike[str]], bearing: BearingLike, **asked: Any
+    paths: Sequence[str | os.PathLike[str]], bearing: BearingLike, **inputs: Any
 ) -> Records:
     """Follow depth, RMS and kurtosis over many records of one machine.
 
@@ -455,7 +455,7 @@ def trend_of_records(
     ----------
     paths
         Files, or folders of them; in the order of their names, 2 before 10.
-    bearing, asked
+    bearing, inputs
         As of `rolamento.tasks.diagnose`. Short records, such as of 0.1 s, need one speed for all:
         those that follow each other are joined, each a block of the spectra, which are averaged.
 
@@ -467,14 +467,14 @@ def trend_of_records(
     files = records_of(paths)
     if not files:
         raise InputError(said("must name at least one record"), field="records")
-    reading = {key: asked[key] for key in _READING if key in asked}
-    search = asked.pop("search", None) or DiagnosisSettings()
-    asked = {key: value for key, value in asked.items() if key not in ("progress", *_READING)}
+    reading = {key: inputs[key] for key in _READING if key in inputs}
+    search = inputs.pop("search", None) or DiagnosisSettings()
+    inputs = {key: value for key, value in inputs.items() if key not in ("progress", *_READING)}
     names, counts, rms, kurtosis, found = [], [], [], [], []
     unit, place = "", 0
     while place < len(files):
         group = [read_signal(files[place], **reading)]
-        turns = _turns(group[0], asked)
+        turns = _turns(group[0], inputs)
         if turns < _LEAST_TURNS:
             alike = files[place + 1 : place + int(_GROUPED_TURNS / max(turns, 1e-9)) + 1]
             for file in alike:
@@ -487,7 +487,7 @@ def trend_of_records(
         if len(group) > 1:
             settings = replace(search, block_revolutions=max(2.0, turns), speed_tolerance=0.0)
         sizes = [indicators(one) for one in group]
-        one = diagnose(joined, bearing, search=settings, **asked)
+        one = diagnose(joined, bearing, search=settings, **inputs)
         names.append(files[place].name)
         counts.append(len(group))
         rms.append(float(np.sqrt(np.mean([size.rms**2 for size in sizes]))))
@@ -503,11 +503,11 @@ def trend_of_records(
 _READING: Final = ("channel", "rate", "unit", "scale", "decimal_mark")
 
 
-def _turns(signal: Signal, asked: dict[str, Any]) -> float:
+def _turns(signal: Signal, inputs: dict[str, Any]) -> float:
     """Revolutions of a record, by the speed that is given or in it; many if nobody knows."""
     from rolamento.tasks.parameters import speed_of
 
-    given = speed_of(asked.get("speed"), "speed")
+    given = speed_of(inputs.get("speed"), "speed")
     speed = signal.mean_speed if given is None else given
     if not isfinite(speed) or speed == 0.0:
         return 2.0 * _LEAST_TURNS

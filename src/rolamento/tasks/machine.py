@@ -248,7 +248,7 @@ class MachineDiagnosis:
 
 
 def diagnose_machine(
-    path: str | os.PathLike[str], machine: Machine | str | os.PathLike[str], **asked: Any
+    path: str | os.PathLike[str], machine: Machine | str | os.PathLike[str], **inputs: Any
 ) -> MachineDiagnosis:
     """Diagnose all bearings of a machine by one record.
 
@@ -258,7 +258,7 @@ def diagnose_machine(
 
     Parameters
     ----------
-    path, asked
+    path, inputs
         As of `rolamento.tasks.diagnose`; the speed is that of the main shaft, and steady.
     machine
         Or the name of its file.
@@ -273,7 +273,7 @@ def diagnose_machine(
 
     if not isinstance(machine, Machine):
         machine = read_machine(machine)
-    speed = speed_of(asked.pop("speed", None), "speed")
+    speed = speed_of(inputs.pop("speed", None), "speed")
     if speed is None:
         raise InputError(
             said("must be given with a machine: that of its main shaft"),
@@ -298,7 +298,7 @@ def diagnose_machine(
             speed=f"{rpm_of(speed * bearing.ratio)} rpm",
             turning=machine.turning(bearing.ratio),
             elsewhere=others,
-            **asked,
+            **inputs,
         )
         found.append(replace(one, bearing_name=f"{bearing.name} ({one.bearing_name})"))
     return MachineDiagnosis(machine, tuple(found), _shared(found))

@@ -103,7 +103,7 @@ class ReplacementStudy(_Study):
 
 @frozen
 class FleetStudy(_Study):
-    """How many of a fleet will fail; found is None where there is no distribution.
+    """Number of failures expected in a fleet; found is None where there is no distribution.
 
     Attributes
     ----------

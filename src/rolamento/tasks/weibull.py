@@ -6,7 +6,7 @@ import os
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict
-from typing import TYPE_CHECKING, Any, Final, cast
+from typing import TYPE_CHECKING, Any, Final, TypedDict, Unpack, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -26,6 +26,7 @@ from rolamento.weibull import (
     LifeTestSummary,
     Method,
     ShapePrior,
+    Sides,
     Trend,
     alternatives,
     demonstrate,
@@ -80,6 +81,20 @@ _MAXIMUM_DRAWN: Final = 5_000_000
 """Bearings in all drawn tests together, if it is left to the program."""
 
 
+class RequestFields(TypedDict, total=False):
+    """Fields of a `LifeTestRequest` that need no conversion."""
+
+    methods: tuple[FitMethod, ...]
+    bounds: Method | None
+    confidence: float
+    sides: Sides
+    reliabilities: tuple[float, ...]
+    shape: float | None
+    prior: ShapePrior | None
+    models: bool | None
+    seed: int
+
+
 # --- what a life test says -------------------------------------------------------------------
 
 
@@ -95,7 +110,7 @@ def life_test_study(
     samples: int | None = None,
     columns: Mapping[str, Any] | None = None,
     progress: Progress | None = None,
-    **wanted: Any,
+    **request: Unpack[RequestFields],
 ) -> LifeTestSummary:
     """Find all that a life test says: fits, bounds, comparisons of its groups.
 
@@ -121,8 +136,8 @@ def life_test_study(
         Of a file, as of `read_life_test`.
     progress
         Called with steps done and steps in all.
-    **wanted
-        As of `LifeTestRequest`.
+    request
+        Methods, bounds and what is known beforehand, as of `rolamento.weibull.LifeTestRequest`.
 
     Raises
     ------
@@ -143,7 +158,7 @@ def life_test_study(
             for name, life in (calculated or {}).items()
         },
         samples=_enough_samples(test.size) if samples is None else samples,
-        **wanted,
+        **request,
     )
     return summarise(test, asked, by_group=by_group, by_mode=by_mode, progress=progress)
 

@@ -1,6 +1,6 @@
 """What bearing makers print: rigidity and preload of pairs and sets, rating lives, load factors.
 
-Makers reckon with a contact angle that stays: then the force grows with the 3/2 power of the
+Makers calculate with a contact angle that stays: then the force grows with the 3/2 power of the
 axial approach, and the factors of sets are plain numbers, the same for every bearing. The angle
 does grow, so that a real pair is stiffer and holds its second bearing longer. Where the preload
 vanishes the two meet: that is the proof of what the explanations say. What they print as

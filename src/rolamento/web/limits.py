@@ -43,7 +43,7 @@ _NICENESS: Final = 10
 
 
 VISITOR: Final[ContextVar[Receive | None]] = ContextVar("visitor", default=None)
-"""Tells when whoever made the request that is answered has left; its body has been read then."""
+"""Reports that whoever made the current request has left; its body has been read then."""
 
 
 class Limits:

@@ -1,4 +1,4 @@
-"""How many bearings of a fleet will fail: expected, and between which numbers.
+"""Failures expected in a fleet, with prediction bounds.
 
 Bearing i has run t_i and will run x_i more. Left where it fails, it fails once at most, with the
 probability p_i = 1 - R(x_i | t_i), and the number of failures has the Poisson-binomial distribution
@@ -159,7 +159,7 @@ class FleetStep:
 
 @frozen(eq=False)
 class FleetForecast:
-    """How many bearings of a fleet will fail.
+    """Forecast the failures in a fleet.
 
     Attributes
     ----------

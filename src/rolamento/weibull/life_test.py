@@ -241,7 +241,7 @@ class LifeTest:
 
     @property
     def unknown_modes(self) -> int:
-        """How many bearings failed by a mode that is not given, where that of others is."""
+        """Number of failures whose mode is not given, where that of others is."""
         return int(self.counts[self.failed & (self.mode == "")].sum()) if self.modes else 0
 
     @property

@@ -128,12 +128,12 @@ class LifeTestRequest:
 
     @property
     def lives(self) -> tuple[Estimand, ...]:
-        """Lives that are wanted."""
+        """Lives to be found."""
         return tuple(Estimand.life(r) for r in self.reliabilities)
 
     @property
     def shares(self) -> tuple[Estimand, ...]:
-        """Reliabilities that are wanted."""
+        """Reliabilities to be found."""
         return tuple(Estimand.reliability(time) for time in self.times)
 
     def bounded(self, with_shape: bool) -> tuple[Estimand, ...]:
@@ -287,7 +287,7 @@ class LifeTestSummary:
     ----------
     test
         the data, all groups together
-    wanted
+    request
         what was asked for
     groups
         in the order of the data; one without a name where they are not parted. The failure modes
@@ -303,7 +303,7 @@ class LifeTestSummary:
     """
 
     test: LifeTest
-    wanted: LifeTestRequest
+    request: LifeTestRequest
     groups: tuple[GroupSummary, ...]
     comparisons: tuple[Comparison, ...] = ()
     ratios: tuple[LifeRatio, ...] = ()
@@ -317,7 +317,7 @@ class LifeTestSummary:
 
     def to_mapping(self) -> dict[str, Any]:
         """Give the summary as plain values, times in the unit of the data; None for no number."""
-        test, wanted = self.test, self.wanted
+        test, request = self.test, self.request
         return {
             "schema": 2,
             "kind": "weibull",
@@ -329,9 +329,9 @@ class LifeTestSummary:
             "size": test.size,
             "failures": test.failures,
             "suspensions": test.suspensions,
-            "confidence": wanted.confidence,
-            "samples": wanted.samples,
-            "seed": wanted.seed,
+            "confidence": request.confidence,
+            "samples": request.samples,
+            "seed": request.seed,
             "groups": [group.to_mapping() for group in self.groups],
             "comparisons": [one.to_mapping() for one in self.comparisons],
             "life_ratios": [one.to_mapping() for one in self.ratios],
@@ -360,7 +360,7 @@ def _plotted_points(test: LifeTest) -> list[dict[str, float]]:
 
 def summarise(
     test: LifeTest | ArrayLike,
-    wanted: LifeTestRequest | None = None,
+    request: LifeTestRequest | None = None,
     *,
     by_group: bool = True,
     by_mode: bool = True,
@@ -372,7 +372,7 @@ def summarise(
     ----------
     test
         With any kind of censoring, with or without groups.
-    wanted
+    request
         What to find; the default of `LifeTestRequest` if not given.
     by_group
         Whether to take each group by itself and to compare them; all together otherwise.
@@ -389,7 +389,7 @@ def summarise(
         what bounds and fits refuse.
     """
     test = LifeTest.of(test)
-    asked = LifeTestRequest() if wanted is None else wanted
+    asked = LifeTestRequest() if request is None else request
     tests = test.by_group() if by_group else {"": test}
     modes = test.modes
     notes: tuple[Note, ...] = ()
@@ -501,8 +501,8 @@ def _summary_of(name: str, test: LifeTest, asked: LifeTestRequest) -> GroupSumma
 def _fits_by(test: LifeTest, asked: LifeTestRequest) -> tuple[WeibullFit, ...]:
     """Fits by every method, the one that the bounds are about first."""
     fits = [] if asked.shape is None else [fixed_shape(test, asked.shape)]
-    wanted = dict.fromkeys(("maximum_likelihood", *asked.methods))  # the bounds' own is the first
-    for method in wanted:
+    methods = dict.fromkeys(("maximum_likelihood", *asked.methods))  # the bounds' own is the first
+    for method in methods:
         if method.startswith("rank_regression") and not has_ranks(test):
             continue
         if method == "maximum_likelihood" and asked.shape is not None:
@@ -605,7 +605,7 @@ def _ratio_to_first(
 
 def bands_of(summary: LifeTestSummary) -> dict[str, Band]:
     """Bounds of the lives over all reliabilities, by the groups that have any, as was asked for."""
-    asked = summary.wanted
+    asked = summary.request
     return {
         group.name: confidence_band(
             group.test,
@@ -623,7 +623,7 @@ def bands_of(summary: LifeTestSummary) -> dict[str, Band]:
 
 def regions_of(summary: LifeTestSummary, quantity: str = "L10") -> dict[str, LikelihoodRegion]:
     """Regions of equal likelihood of shape and a life, by the groups."""
-    asked = summary.wanted
+    asked = summary.request
     return {
         group.name: likelihood_region(group.test, quantity, samples=asked.samples, seed=asked.seed)
         for group in summary.groups

@@ -32,7 +32,7 @@ _EQUATIONS: dict[Race, tuple[str, str, str]] = {
 }
 _ROUNDING = 1e-9
 _STILL = 0.01
-"""Of the maximum slip in the contact: less counts as pure rolling."""
+"""Fraction of the maximum slip in the contact: less counts as pure rolling."""
 _LITTLE_LEFT = 0.1
 """A part of a motion that counts as practically gone."""
 

@@ -59,12 +59,12 @@ class Ball:
 
     @property
     def speed(self) -> float:
-        """Of the inner ring; rad/s."""
+        """Speed of the inner ring; rad/s."""
         return self.solved.case.duty.inner_speed
 
     @property
     def orbit(self) -> float:
-        """Of the cage; rad/s."""
+        """Speed of the cage; rad/s."""
         return float(self.solved.elements.orbital_speed[0, 0])
 
     @property

@@ -38,7 +38,7 @@ from rolamento_reproductions.record import (
 from rolamento_reproductions.text import Text, same
 
 BEARINGS = (9, 10)
-"""Of test 5."""
+"""Hours of test 5."""
 CLEARANCE = said("clearance.radial_clearance")
 TIME = said("time.running_time")
 
@@ -210,7 +210,7 @@ def _measuring_load() -> Table:
 
 
 def _ends(numbers: list[str]) -> tuple[str, ...]:
-    """Of a class with one number for the minimum clearance and one for the maximum."""
+    """Clearances of a class with one number for the minimum clearance and one for the maximum."""
     return ("least", "greatest") if len(numbers) == 2 else ("um",)
 
 

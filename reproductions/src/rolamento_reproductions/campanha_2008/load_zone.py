@@ -153,7 +153,7 @@ def _heaviest() -> Claim:
 
 
 _OTHER_LOADS = (0.1, 0.01)
-"""Of the test load: where the mistaken clearance is shown to cost as much as there."""
+"""Fraction of the test load: where the mistaken clearance is shown to cost as much as there."""
 _BEST = (0.7, 0.8)
 """ε between which life is longest, by the maker's own table."""
 
@@ -168,7 +168,7 @@ def load_zone_section(title: Text) -> Section:
 
 @cache
 def _ratings() -> RaceRatings:
-    """Of the races, with the catalogue's C and the conformities that it stands for."""
+    """Ratings of the races, with the catalogue's C and the conformities that it stands for."""
     return race_ratings(
         printed("life")["dynamic_rating_N"],
         ball_count(),

@@ -130,7 +130,7 @@ def _caption() -> Text:
 
 
 def _beyond() -> Text:
-    """Tell the ratios at loads outside the range drawn, where the expectations end."""
+    """State the ratios at loads outside the range drawn, where the expectations end."""
     given = GIVEN.inputs_of("torque")
     loads, mu = [float(load) for load in given["beyond_N"]], given["friction_coefficient"]
     solved = solve(case(loads[0], given["speed_rpm"]), fx=np.array(loads))

@@ -1,4 +1,4 @@
-"""The fast path: Newton's method on ring and balls together, many cases abreast.
+"""The fast path: Newton's method on ring and balls together, many cases in lanes.
 
 Each function is one pass over the lanes and compiles to vector code: no branch, no call that
 is not inlined, every array index unsigned. A lane that fails turns to NaN or does not settle;
@@ -95,7 +95,7 @@ LOOSE_CAGE: Final = 0.1
 balls do, and far from balance they do what they will not."""
 NEAR_CAGE: Final = 0.02
 """Fraction of the rings' speeds: the longest step of the cage, and what it may lag if the ring's
-step is to reckon with it."""
+step is to account for it."""
 LEAST_APPROACH: Final = 1e-9
 """Over the grooves' offsets: a ring has at least the stiffness of a contact so lightly pressed."""
 LONGEST_STEP: Final = 0.3

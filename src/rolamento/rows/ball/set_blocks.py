@@ -1,6 +1,6 @@
 """Rows of balls on one ring: Newton's method on ring, cages and balls of all rows together.
 
-As `blocks` does for one row, many cases abreast; then each row is held in exact arithmetic where
+As `blocks` does for one row, many cases in lanes; then each row is held in exact arithmetic where
 the proposal has it, and judged there. What comes out with a verdict on every row and the ring in
 balance is final; everything else is left to `rolamento.assembly.ring`.
 """

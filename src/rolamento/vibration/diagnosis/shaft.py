@@ -63,7 +63,7 @@ be above 0 at all: some 1e-4, all speeds that are tried counted."""
 _MARGIN: Final = 1.2
 """Ratio of L over that of any other speed."""
 _FAR_MARGIN: Final = 2.0
-"""Likewise over that of all speeds within what was allowed, where the comb is beyond them."""
+"""The same ratio over that of all speeds within what was allowed, where the comb is beyond them."""
 _APART: Final = 0.006
 """Part from which on a speed is another one."""
 _AGREES: Final = 0.6

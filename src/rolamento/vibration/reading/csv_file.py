@@ -212,7 +212,7 @@ class CsvSource(Source):
 
 
 def _seconds_of_stamps(rows: Sequence[Sequence[str]], places: Sequence[int]) -> FloatArray | None:
-    """Seconds from the first row to each, by cells with days, times of day, or both abreast."""
+    """Seconds from the first row to each, by cells with days, times of day, or both."""
     texts = [" ".join(row[n] for n in places if n < len(row)).strip() for row in rows]
     if all(is_time_of_day(text) for text in texts):
         texts = [f"2000-01-01 {text}" for text in texts]
