@@ -185,7 +185,7 @@ def test_page_of_the_real_one_is_whole() -> None:
     assert reader.tags.count("img") == 32
     assert reader.tags.count("table") == 4
     inside = {target for target in reader.targets if not target.startswith("#")}
-    assert inside == set(file_names(source)) - {"index.html", "index.md"}
+    assert inside == set(file_names(source)) - {"index.html", "index.md", "document.css"}
 
 
 # --- pictures ---------------------------------------------------------------
@@ -414,6 +414,7 @@ def test_options() -> None:
     assert result.exit_code == 0
     assert "Figuras: 1;" in result.stdout
     assert sorted(os.listdir("x")) == [
+        "document.css",
         "figure-1.01.csv",
         "figure-1.01.png",
         "index.html",

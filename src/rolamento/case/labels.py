@@ -6,7 +6,7 @@ from typing import Final
 
 from rolamento.words import marked, said
 
-__all__ = ["LABELS", "label_of"]
+__all__ = ["CHOICES", "LABELS", "choice_label", "label_of"]
 
 LABELS: Final = {
     "title": marked("title"),
@@ -243,3 +243,124 @@ def label_of(name: str) -> str:
             "{quantity} ({part})", quantity=said(_QUANTITIES[leaf]), part=said(_PARTS[table])
         )
     return said(_OF_ENTRIES[name]) if name in _OF_ENTRIES else leaf.replace("_", " ")
+
+
+_PROFILES: Final = {
+    "none": marked("straight"),
+    "iso": marked("ISO/TS 16281"),
+    "logarithmic": marked("logarithmic"),
+    "crowned": marked("crowned"),
+    "tangential": marked("crowned at the ends"),
+    "table": marked("by a table"),
+}
+_RIBS: Final = {
+    "none": marked("none"),
+    "+": marked("at +x"),
+    "-": marked("at -x"),
+    "both": marked("on both sides"),
+}
+_FINISHES: Final = {"ground": marked("ground"), "turned": marked("turned")}
+
+CHOICES: Final = {
+    "bearing.kind": {
+        "four_point": marked("four-point"),
+        "self_aligning": marked("self-aligning"),
+        "thrust": marked("thrust"),
+    },
+    "bearing.preload.level": {
+        "extra_light": marked("extra light"),
+        "light": marked("light"),
+        "medium": marked("medium"),
+        "heavy": marked("heavy"),
+    },
+    "bearing.inner_ribs": _RIBS,
+    "bearing.outer_ribs": _RIBS,
+    "bearing.roller_profile.kind": _PROFILES,
+    "bearing.inner_profile.kind": _PROFILES,
+    "bearing.outer_profile.kind": _PROFILES,
+    "model.raceway_control": {
+        "outer": marked("outer raceway"),
+        "inner": marked("inner raceway"),
+        "jones": marked("by Jones's criterion"),
+        "none": marked("no control"),
+        "friction": marked("by friction"),
+    },
+    "model.cage": {
+        "loose": marked("loose"),
+        "rigid": marked("rigid"),
+        "none": marked("without a cage"),
+    },
+    "model.mesh": {"coarse": marked("coarse"), "fine": marked("fine")},
+    "model.traction": {"coulomb": marked("Coulomb friction"), "film": marked("of the film")},
+    "model.roller_contact": {
+        "slices": marked("independent slices"),
+        "coupled": marked("coupled slices"),
+    },
+    "lubricant.kind": {"oil": marked("oil"), "grease": marked("grease"), "dry": marked("dry")},
+    "lubricant.oil_type": {
+        "mineral": marked("mineral oil"),
+        "synthetic": marked("synthetic oil"),
+        "transmission_fluid": marked("transmission fluid"),
+    },
+    "lubricant.pressure_viscosity_method": {
+        "wooster": marked("Wooster"),
+        "so_klaus": marked("So and Klaus"),
+    },
+    "mounting.tolerance_class": {"normal": marked("normal")},
+    "mounting.shaft_finish": _FINISHES,
+    "mounting.housing_finish": _FINISHES,
+    "mounting.limit": {
+        "minimum": marked("minimum"),
+        "mean": marked("mean"),
+        "maximum": marked("maximum"),
+    },
+    "film.thermal": {
+        "murch_wilson": marked("Murch and Wilson"),
+        "gupta_cheng": marked("Gupta and Cheng"),
+        "none": marked("none"),
+    },
+    "film.starvation": {
+        "none": marked("none"),
+        "inlet_distance": marked("by the inlet distance"),
+        "replenishment": marked("by replenishment"),
+    },
+    "film.supply": {
+        "bath": marked("oil bath"),
+        "jet": marked("oil jet"),
+        "grease": marked("grease"),
+        "oil_air": marked("oil-air"),
+    },
+    "film.line": {
+        "pan_hamrock": marked("Pan and Hamrock"),
+        "dowson_toyoda": marked("Dowson and Toyoda"),
+    },
+    "life.fatigue_load_method": {
+        "contacts": marked("from the contact stress"),
+        "estimate": marked("estimated from C0"),
+    },
+    "life.oil_supply": {
+        "circulating": marked("circulating oil"),
+        "bath": marked("oil bath"),
+    },
+    "life.grease_cleanliness": {
+        "high": marked("high cleanliness"),
+        "normal": marked("normal cleanliness"),
+        "slight": marked("slight contamination"),
+        "severe": marked("severe contamination"),
+        "very_severe": marked("very severe contamination"),
+    },
+    "life.depth": {"local": marked("of each contact"), "mean": marked("mean")},
+}
+"""What the choices of a field are called; those that are no words of a language call themselves."""
+
+
+def choice_label(name: str, value: str) -> str:
+    """Return what a choice of a field is called, in the language that is spoken.
+
+    Parameters
+    ----------
+    name, value
+        Dotted name of the field, and what its file has.
+    """
+    label = CHOICES.get(name, {}).get(value)
+    return value if label is None else said(label)

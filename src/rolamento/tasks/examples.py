@@ -13,7 +13,7 @@ from rolamento.io.writing import write_text
 from rolamento.records import frozen
 from rolamento.words import marked, said
 
-__all__ = ["EXAMPLES", "Example", "copy_examples"]
+__all__ = ["EXAMPLES", "TITLES", "Example", "copy_examples"]
 
 _PACKAGE: Final = resources.files("rolamento")
 _FOLDER: Final = "examples/"
@@ -186,6 +186,27 @@ EXAMPLES: Final = {
     ),
 }
 """By name, in the order in which they are listed."""
+
+
+TITLES: Final = {
+    "209_radial": marked("209 deep-groove ball bearing, radial load"),
+    "218_combined": marked("218 angular-contact ball bearing, combined load"),
+    "218_hybrid": marked("218 hybrid bearing with silicon nitride balls, combined load"),
+    "218_tilted": marked("218 angular-contact ball bearing on a misaligned shaft"),
+    "30206_pinion": marked("Pinion shaft: 30206, a pair back to back"),
+    "51210_turntable": marked("51210 thrust ball bearing of a turntable"),
+    "6012_pair": marked("Spindle bearings S 6012 C, a pair back to back"),
+    "6012_triple": marked("Spindle bearings S 6012, two in tandem against one"),
+    "6305_film": marked("6305 deep-groove ball bearing with oil, radial load"),
+    "6305_life": marked("6305/C3 in a gearbox, oil bath"),
+    "6310_motor": marked("6310/C3 at the drive end of an electric motor"),
+    "gear_left": marked("Gear shaft, left: 6308, fixed"),
+    "gear_right": marked("Gear shaft, right: 6307, floating"),
+    "nu205_gear": marked("Gear shaft, right: NU 205, free, tilted by 3 mrad"),
+    "qj210_both_ways": marked("QJ 210 four-point-contact bearing, axial load"),
+    "ricci_fleury": marked("30 × 55 mm angular-contact bearing of a space mechanism, thrust"),
+}
+"""Titles of the cases, as their files have them: a page says them in its own language."""
 
 
 def copy_examples(

@@ -32,7 +32,7 @@ from rolamento.tasks.inputs import DEMONSTRATION, LIFE_TEST, SIGNAL, Group, by_n
 from rolamento.vibration.reading.formats import ENDINGS
 from rolamento.web.answers import answer, read_json, received
 from rolamento.web.limits import slow
-from rolamento.words import calling, language, marked, said
+from rolamento.words import calling, manner, marked, said
 
 if TYPE_CHECKING:
     from rolamento.case import Case
@@ -527,7 +527,7 @@ def _file(document: Document, mapping: dict[str, Any], form: str) -> bytes:
     if form == "csv":
         from rolamento.document.tables import to_csv
 
-        decimal = "," if language() == "pt" else "."
+        decimal = manner().mark
         text = to_csv(document, separator=";" if decimal == "," else ",", decimal=decimal)
         return b"\xef\xbb\xbf" + text.encode()
     if form == "xlsx":

@@ -13,6 +13,7 @@ from typing import Any, Final
 from rolamento.case import Case
 from rolamento.case.bearing import Bearing
 from rolamento.case.fields import Field, fields_of, of_elements
+from rolamento.case.labels import choice_label
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.pages.report import TABLES
 from rolamento.tasks.report import Input
@@ -91,7 +92,9 @@ def _described(name: str, field: Field, table: str = "") -> dict[str, Any]:
         "kind": field.kind,
         "dimension": field.dimension or "",
         "unit": _MICROMETRES.get(field.shown_unit, field.shown_unit),
-        "choices": list(field.choices),
+        "choices": [
+            {"value": one, "label": choice_label(f"{table}{name}", one)} for one in field.choices
+        ],
         "suggestions": list(_named_like(name, field).names),
         "limits": {} if field.bounds is None else field.bounds.limits_in_si,
         "limits_text": field.limits,

@@ -18,7 +18,7 @@ from rolamento.errors import InputError
 from rolamento.io.text import format_of_text, parse_mapping
 from rolamento.pages.catalogue import KINDS
 from rolamento.pages.report import ORIGINS, PARTS
-from rolamento.tasks.examples import EXAMPLES
+from rolamento.tasks.examples import EXAMPLES, TITLES
 from rolamento.tasks.report import inputs_of, names_in
 from rolamento.web import drops
 from rolamento.web.answers import answer, read_json
@@ -59,7 +59,7 @@ def _start(code: str) -> dict[str, Any]:
         return {
             "version": __version__,
             "lang": code,
-            "languages": list(languages()),
+            "languages": {one: tag.replace("_", "-") for one, tag in languages().items()},
             "words": page_words(),
             "form": {"groups": form()},
             "units": units(),
@@ -141,7 +141,8 @@ def _example(name: str) -> dict[str, Any]:
     if name not in _example_cases() or own is None:
         known = ", ".join(_example_cases())
         raise InputError(said("must be one of {known}", known=known), field="example", value=name)
-    return parse_mapping(own.source(file).read_text(encoding="utf-8"), "toml", file)
+    case = parse_mapping(own.source(file).read_text(encoding="utf-8"), "toml", file)
+    return {**case, "title": said(TITLES[name])}
 
 
 def saved(request: Mapping[str, Any]) -> dict[str, str]:

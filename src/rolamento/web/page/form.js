@@ -235,14 +235,15 @@ class CountControl extends Control {
 class ChoiceControl extends Control {
   makeControl() {
     this.unsaid = make("option", { value: "" });
-    const choices = this.field.choices.map((one) => make("option", { value: one, textContent: one }));
+    const choices = this.field.choices.map(({ value, label }) => make("option", { value, textContent: label }));
     return make("select", {
       onchange: () => this.commit(this.control.value || null),
     }, this.unsaid, ...choices);
   }
 
   showValue(raw, counted) {
-    const unsaid = counted && !this.isGiven ? counted.text : "";
+    const chosen = this.field.choices.find(({ value }) => value === counted?.text);
+    const unsaid = counted && !this.isGiven ? chosen?.label ?? counted.text : "";
     this.unsaid.textContent = unsaid ? say("form.unsaid", { value: unsaid }) : "–";
     this.control.value = raw ?? (this.isGiven ? (counted?.text ?? "") : "");
   }

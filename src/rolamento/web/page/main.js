@@ -15,7 +15,6 @@ import { useUnits } from "./units.js";
 
 const AGAIN = 1000; // ms until a server that does not answer is asked again
 const LEFT_OUT = { friction_models: "friction", stress_volume: "lives", preload_loss: "rows" };
-const TAGS = { pt: "pt-BR" };
 
 const $ = (id) => document.getElementById(id);
 const store = new Store();
@@ -53,16 +52,16 @@ async function started(lang) {
 /** Put everything that has words in place; again after a change of the language. */
 function arrange() {
   const root = document.documentElement;
-  root.lang = TAGS[start.lang] ?? start.lang;
+  root.lang = start.languages[start.lang];
   useUnits(start.units, start.words["decimal.mark"]);
   useOrigins(start.origins);
   fillIn(document);
   document.title = "Rolamento";
   $("version").textContent = `Rolamento ${start.version}`;
   const names = new Intl.DisplayNames([root.lang], { type: "language" });
-  $("language").replaceChildren(...start.languages.map((code) => make("option", {
-    value: code, selected: code === start.lang, lang: TAGS[code] ?? code,
-    textContent: new Intl.DisplayNames([TAGS[code] ?? code], { type: "language" }).of(code) ?? names.of(code),
+  $("language").replaceChildren(...Object.entries(start.languages).map(([code, tag]) => make("option", {
+    value: code, selected: code === start.lang, lang: tag,
+    textContent: new Intl.DisplayNames([tag], { type: "language" }).of(code) ?? names.of(code),
   })));
   if (!store.current) $("title").textContent = say("untitled");
   opening.arrange(start.examples);
