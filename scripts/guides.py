@@ -47,7 +47,11 @@ PAGES: Final = (
         for name in ("spindle", "gearbox", "maintenance", "test-engineer", "researcher")
     ),
     DOCS / "faq.md",
+    DOCS / "start.pt-BR.md",
+    DOCS / "tutorials" / "maintenance.pt-BR.md",
 )
+_LOCALES: Final = {".pt-BR": "pt_BR.UTF-8"}
+"""Of a page in another language, by the end of its name."""
 DIFFERENT: Final = 8.0
 """Root mean square of the difference of two pictures, in shades of 256, that is one in content."""
 
@@ -122,7 +126,11 @@ def run(path: Path, *, outputs: int | None = None, strict: bool = True) -> Page:
             printed = None
         elif kind in ("sh", "python"):
             try:
-                printed = "".join(commands(body)) if kind == "sh" else script(body, names)
+                printed = (
+                    "".join(commands(body, locale_of(path)))
+                    if kind == "sh"
+                    else script(body, names)
+                )
             except Exception as error:
                 raise DriftError(f"{where}: {type(error).__name__}: {error}") from error
             page.printed.append(printed)
@@ -132,7 +140,12 @@ def run(path: Path, *, outputs: int | None = None, strict: bool = True) -> Page:
     return page
 
 
-def commands(block: str) -> Iterator[str]:
+def locale_of(path: Path) -> str:
+    """Return the locale that the commands of a page run in."""
+    return _LOCALES.get(Path(path.stem).suffix, "C.UTF-8")
+
+
+def commands(block: str, locale: str = "C.UTF-8") -> Iterator[str]:
     """Run the commands of a block, and return what each prints."""
     expected = 0
     for line in block.replace("\\\n", " ").splitlines():
@@ -143,19 +156,19 @@ def commands(block: str) -> Iterator[str]:
             continue
         if words[0] != "rolamento":
             raise ValueError(f"a command that is none of rolamento: {line}")
-        code, printed = command(words[1:])
+        code, printed = command(words[1:], locale)
         if code != expected:
             raise ValueError(f"exit code {code}, not {expected}: {line}\n{printed}")
         expected = 0
         yield printed
 
 
-def command(words: Sequence[str]) -> tuple[int, str]:
-    """Run a command, and return its exit code and what it prints, in English at 80 columns."""
+def command(words: Sequence[str], locale: str = "C.UTF-8") -> tuple[int, str]:
+    """Run a command, and return its exit code and what it prints at 80 columns."""
     output = io.TextIOWrapper(io.BytesIO(), encoding="utf-8", newline="\n")
     code = 0
     with (
-        mock.patch.dict(os.environ, {"LC_ALL": "C.UTF-8", "COLUMNS": "80"}),
+        mock.patch.dict(os.environ, {"LC_ALL": locale, "COLUMNS": "80"}),
         mock.patch.object(sys, "argv", ["rolamento", *words]),
         contextlib.redirect_stdout(output),
         contextlib.redirect_stderr(output),
@@ -281,6 +294,8 @@ def unfounded(page: Page) -> list[str]:
     prose = _KNOWN.sub("", _BLOCK.sub("", page.text))
     prose = re.sub(r"`[^`]*`|\]\([^)]*\)|^#.*$", "", prose, flags=re.MULTILINE)
     given = "\n".join([*page.printed, *(body for _, body in _BLOCK.findall(page.text))])
+    if locale_of(page.path) != "C.UTF-8":  # decimal commas
+        prose, given = (re.sub(r"(?<=\d),(?=\d)", ".", text) for text in (prose, given))
     numbers = {
         float(_joined(text)) for text in re.findall(r"\d{1,3}(?: \d{3})+|\d+(?:\.\d+)?", given)
     } | {float(text) for text in re.findall(r"\d+(?:\.\d+)?", given)}

@@ -334,7 +334,9 @@ def test_the_gallery_shows_what_the_program_gives(
 ) -> None:
     """Else: python -m rolamento reproduce …, as docs/gallery/index.md says."""
     page = (GALLERY / "index.md").read_text(encoding="utf-8")
-    names = {"index.md", "index.html", "document.css"} | {f"{item.stem}.csv" for item in tables.values()}
+    names = {"index.md", "index.html", "document.css"} | {
+        f"{item.stem}.csv" for item in tables.values()
+    }
     for figure in figures.values():
         names |= {f"{figure.stem}.csv", f"{figure.stem}.png"}
         assert f"### Figure {figure.number}\n" in page
