@@ -151,6 +151,9 @@ def total_curvature(inner_conformity: ArrayLike, outer_conformity: ArrayLike) ->
     """Total curvature B = f_i + f_o - 1; dimensionless. Radaelli (2013) eq. 22.
 
     Parameters: arrays that broadcast. Returns the broadcast shape.
+
+    >>> print(f"{total_curvature(0.52, 0.52):.2f}")
+    0.04
     """
     return np.asarray(np.add(inner_conformity, outer_conformity, dtype=np.float64) - 1.0)
 
@@ -162,6 +165,9 @@ def groove_centre_distance(
 
     Parameters: arrays that broadcast, the diameter in m. Returns the broadcast shape.
     Radaelli (2013) eq. 22.
+
+    >>> print(f"{1e3 * groove_centre_distance(0.02223, 0.5232, 0.5232):.4f} mm")
+    1.0315 mm
     """
     return np.asarray(ball_diameter) * total_curvature(inner_conformity, outer_conformity)
 
@@ -195,6 +201,9 @@ def clearance_of_angle(contact_angle: ArrayLike, centre_distance: ArrayLike) -> 
 
     Parameters: arrays that broadcast; rad, m. Returns the broadcast shape.
     Harris (1991), chapter 2.
+
+    >>> print(f"{1e3 * clearance_of_angle(np.radians(40.0), 1.0315e-3):.4f} mm")
+    0.4827 mm
     """
     half_sine = np.sin(0.5 * np.asarray(contact_angle, dtype=np.float64))
     return np.asarray(4.0 * np.asarray(centre_distance) * half_sine**2)
@@ -259,6 +268,9 @@ def apex_distance(
         All broadcast against each other.
 
     Along the roller's axis: D/(2 tan φ) + L/2.
+
+    >>> print(f"{1e3 * apex_distance(0.01, 0.012, np.radians(2.0)):.1f} mm")
+    149.2 mm
     """
     slope = np.tan(np.asarray(half_angle, np.float64))
     return np.asarray(0.5 * np.asarray(roller_diameter) / slope + 0.5 * np.asarray(length))
@@ -301,6 +313,10 @@ def race_curvature(
     RaceCurvature of the broadcast shape; 1/m.
 
     Harris (1991), chapter 2.
+
+    >>> found = race_curvature(0.02223, 0.12526, 0.5232, np.radians(40.0), "inner").rolling
+    >>> print(f"{found:.2f} 1/m")
+    104.12 1/m
     """
     d, pitch, f = (
         np.asarray(one, dtype=np.float64) for one in (ball_diameter, pitch_diameter, conformity)

@@ -27,6 +27,9 @@ def cleanliness_numbers(code: str) -> tuple[int | None, int, int]:
     ------
     InputError
         If the code is malformed, a number beyond 28, or the numbers rise.
+
+    >>> cleanliness_numbers("-/17/14")
+    (None, 17, 14)
     """
     found = _CODE.fullmatch(str(code)[:_LONGEST].strip())
     if found is None:

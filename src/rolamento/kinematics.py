@@ -214,7 +214,11 @@ def orbital_speed(
     outer_speed: ArrayLike = 0.0,
     control: ControlName | ArrayLike = "outer",
 ) -> FloatArray:
-    """Speed ω_m of a ball about the shaft (of the cage); rad/s. As in `ball_motion`."""
+    """Speed ω_m of a ball about the shaft (of the cage); rad/s. As in `ball_motion`.
+
+    >>> print(f"{orbital_speed(0.0, 0.0, 0.2, 100.0):.1f} rad/s")
+    40.0 rad/s
+    """
     inner, outer = Angle.of(inner_contact_angle), Angle.of(outer_contact_angle)
     rings = (np.asarray(inner_speed), np.asarray(outer_speed))
     ratio, sigma = np.asarray(diameter_ratio, dtype=np.float64), _sigma(control)
@@ -255,6 +259,9 @@ def nominal_orbit(ratio: ArrayLike, inner_speed: ArrayLike, outer_speed: ArrayLi
 
     Parameters: arrays that broadcast; γ = (D/d_m) cos α, and the rings' speeds in rad/s.
     Harris (1991), eqs. 8.9 and 8.10.
+
+    >>> print(f"{nominal_orbit(0.2, 100.0, 0.0):.1f} rad/s")
+    40.0 rad/s
     """
     ratio = np.asarray(ratio, dtype=np.float64)
     inner, outer = np.asarray(inner_speed), np.asarray(outer_speed)
@@ -300,7 +307,11 @@ def cage_speed(
 
 
 def ball_mass(ball_diameter: ArrayLike, density: ArrayLike) -> FloatArray:
-    """Mass of a solid ball, ρ π D³/6; kg. Parameters: arrays that broadcast; m, kg/m³."""
+    """Mass of a solid ball, ρ π D³/6; kg. Parameters: arrays that broadcast; m, kg/m³.
+
+    >>> print(f"{1e3 * ball_mass(0.0127, 7810.0):.3f} g")
+    8.376 g
+    """
     diameter = np.asarray(ball_diameter, dtype=np.float64)
     return np.asarray(np.asarray(density) * np.pi / 6.0 * diameter**3)
 
@@ -312,6 +323,9 @@ def centrifugal_force(
 
     Parameters: arrays that broadcast; kg, m, rad/s. Returns the broadcast shape.
     Radaelli (2013) eq. 47.
+
+    >>> print(f"{centrifugal_force(0.008, 0.065, 400.0):.1f} N")
+    41.6 N
     """
     speed = np.asarray(orbital_speed, dtype=np.float64)
     return np.asarray(0.5 * np.asarray(mass) * np.asarray(pitch_diameter) * speed**2)
@@ -518,6 +532,9 @@ def rolling_entrainment_speed(
     """Entrainment speed of pure rolling at one contact angle, (d_m/4)(1 - γ²)|ω_i - ω_o|; m/s.
 
     Parameters: arrays that broadcast; m, D cos α / d_m, rad/s. Returns the broadcast shape.
+
+    >>> print(f"{rolling_entrainment_speed(0.065, 0.2, 100.0, 0.0):.3f} m/s")
+    1.560 m/s
     """
     difference = np.abs(np.subtract(inner_speed, outer_speed, dtype=np.float64))
     return np.asarray(0.25 * np.asarray(pitch_diameter) * (1.0 - np.square(gamma)) * difference)

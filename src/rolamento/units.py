@@ -267,6 +267,10 @@ def to_si(text: str, dimension: Dimension) -> float:
     ------
     UnitError
         If the text is not a finite number followed by a unit of that quantity.
+
+    >>> found = to_si("30 rpm", "angular_speed")
+    >>> print(f"{found:.6f} rad/s")
+    3.141593 rad/s
     """
     if len(text) > _LONGEST_TEXT:
         raise UnitError(

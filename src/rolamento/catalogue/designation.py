@@ -303,6 +303,10 @@ def parse_designation(text: str) -> Designation:
     ------
     InputError
         If it is empty, too long, or names a clearance class that does not exist.
+
+    >>> found = parse_designation("6310/C3").number
+    >>> print(f"{found}")
+    6310
     """
     if not text.strip() or len(text) > _LONGEST:
         raise InputError(

@@ -238,6 +238,10 @@ def geometry_of(
     InputError
         If the designation is not known, its balls are neither published nor to be inferred, or
         there is no such rank.
+
+    >>> found = geometry_of("6310/C3").fields["ball_count"]
+    >>> print(f"{found:d} balls")
+    8 balls
     """
     return _geometry_in(catalogue_of or catalogue(), designation, rank, with_balls)
 

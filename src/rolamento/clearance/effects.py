@@ -193,7 +193,11 @@ def clearance_change_of_rings(
 
 
 def catalogue_outer_raceway(bore: float, outside_diameter: float) -> float:
-    """Diameter of the outer raceway by the makers' rule for ball bearings, (4 D + d)/5; m."""
+    """Diameter of the outer raceway by the makers' rule for ball bearings, (4 D + d)/5; m.
+
+    >>> print(f"{1e3 * catalogue_outer_raceway(0.05, 0.11):.1f} mm")
+    98.0 mm
+    """
     return (4.0 * outside_diameter + bore) / 5.0
 
 

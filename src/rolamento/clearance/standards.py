@@ -236,6 +236,9 @@ def standard_tolerance(diameter: float, grade: int) -> float:
     ------
     InputError
         If there is no such grade here, or the diameter (m) is outside over 3 mm to 500 mm.
+
+    >>> print(f"{1e6 * standard_tolerance(0.045, 6):.0f} um")
+    16 um
     """
     grades = toml_of("iso286", "rolamento.clearance")["grades"]
     if str(grade) not in grades:

@@ -105,6 +105,9 @@ def ellipticity(curvature_difference: ArrayLike) -> FloatArray:
     rounding matters: `elliptical_contact` starts from the curvatures and does not lose it.
 
     Radaelli (2013) eq. 4.
+
+    >>> print(f"{ellipticity(0.0):.1f}")
+    1.0
     """
     f = np.asarray(curvature_difference, dtype=np.float64)
     f = np.where((f >= 0.0) & (f < 1.0), f, np.nan)
@@ -125,6 +128,9 @@ def brewe_hamrock_ellipticity(curvature_ratio: ArrayLike) -> FloatArray:
     k of that shape.
 
     Brewe and Hamrock (1977); fitted for 1 ≤ R_y/R_x ≤ 100.
+
+    >>> print(f"{brewe_hamrock_ellipticity(10.0):.3f}")
+    4.472
     """
     return np.asarray(1.0339 * np.asarray(curvature_ratio, dtype=np.float64) ** 0.636)
 
@@ -141,6 +147,9 @@ def hertz_coefficients(curvature_difference: ArrayLike) -> HertzCoefficients:
     HertzCoefficients of that shape; NaN outside the range.
 
     Harris (1991), chapter 5; δ* is Radaelli (2013) eq. 7.
+
+    >>> print(f"{hertz_coefficients(0.9).semi_major:.2f}")
+    3.09
     """
     k = ellipticity(curvature_difference)
     first, second = complete(1.0 / (k * k))
@@ -163,6 +172,9 @@ def contact_stiffness(
     K; N/m^1.5, the broadcast shape; NaN where a curvature is not positive.
 
     Radaelli (2013) eq. 11, for any materials: K = √8/3 · E' Σρ^-½ δ*^-3/2.
+
+    >>> print(f"{1e-9 * contact_stiffness(200.0, 10.0, 2.27e11):.2f} GN/m^1.5")
+    26.79 GN/m^1.5
     """
     total, shape = _shape(curvature_rolling, curvature_across)
     strain, e = total / shape.second, np.asarray(modulus, dtype=np.float64)
@@ -174,6 +186,9 @@ def series_stiffness(inner: ArrayLike, outer: ArrayLike) -> FloatArray:
 
     Parameters: arrays that broadcast; N/m^1.5. Returns the broadcast shape.
     Radaelli (2013) eq. 10.
+
+    >>> print(f"{series_stiffness(1e10, 1e10):.3e}")
+    3.536e+09
     """
     third = -2.0 / 3.0
     compliance = np.asarray(inner, np.float64) ** third + np.asarray(outer, np.float64) ** third
@@ -201,6 +216,9 @@ def elliptical_contact(
     a negative or NaN load, or a curvature that is not positive, gives NaN.
 
     Johnson (1985), section 4.2; Harris (1991), chapter 5.
+
+    >>> print(f"{1e-6 * elliptical_contact(1000.0, 200.0, 10.0, 2.27e11).max_pressure:.0f} MPa")
+    2098 MPa
     """
     total, shape = _shape(curvature_rolling, curvature_across)
     e = np.asarray(modulus, dtype=np.float64)

@@ -97,6 +97,9 @@ def half_width(load_per_length: ArrayLike, curvature: ArrayLike, modulus: ArrayL
     b of the broadcast shape; m. NaN for a negative load or curvature.
 
     Johnson (1985), eq. 4.43.
+
+    >>> print(f"{1e6 * half_width(1e5, 200.0, 2.3e11):.1f} um")
+    74.4 um
     """
     q, rho, e = (np.asarray(v, np.float64) for v in (load_per_length, curvature, modulus))
     with np.errstate(invalid="ignore", divide="ignore"):
@@ -111,6 +114,9 @@ def max_pressure(
     Parameters and Returns: as `half_width`, in Pa.
 
     Johnson (1985), eq. 4.45.
+
+    >>> print(f"{1e-6 * max_pressure(1e5, 200.0, 2.3e11):.0f} MPa")
+    856 MPa
     """
     q, rho, e = (np.asarray(v, np.float64) for v in (load_per_length, curvature, modulus))
     with np.errstate(invalid="ignore"):

@@ -154,6 +154,9 @@ def maximum_shear(
     An unloaded contact gives zeros.
 
     Line contact: 0.300 p0 at 0.786 b. Circle, ν = 0.3: 0.310 p0 at 0.481 b.
+
+    >>> print(f"{1e-6 * maximum_shear(1e9, 1e-4, 1e-4, 0.3).shear:.0f} MPa")
+    310 MPa
     """
     p0, a, b, nu = np.broadcast_arrays(
         *(np.asarray(v, np.float64) for v in (max_pressure, semi_major, semi_minor, poisson_ratio))
@@ -191,6 +194,9 @@ def orthogonal_shear(
     OrthogonalShear of the broadcast shape; zeros for an unloaded contact.
 
     Lundberg and Palmgren (1947). Line contact: 0.25 p0 at 0.5 b.
+
+    >>> print(f"{1e-6 * orthogonal_shear(1e9, 1e-3, 1e-4).amplitude:.0f} MPa")
+    249 MPa
     """
     k, b = _shape(semi_major, semi_minor)
     t = _orthogonal_parameter(1.0 / k)
@@ -337,6 +343,9 @@ def line_maximum_shear(
     MaximumShear of the broadcast shape.
 
     Johnson (1985), eq. 4.47.
+
+    >>> print(f"{1e-6 * line_maximum_shear(1e9, 1e-4, 0.3).shear:.0f} MPa")
+    300 MPa
     """
     p0, b, nu = np.broadcast_arrays(
         *(np.asarray(v, np.float64) for v in (max_pressure, half_width, poisson_ratio))
@@ -366,6 +375,9 @@ def line_orthogonal_shear(max_pressure: ArrayLike, half_width: ArrayLike) -> Ort
     It is there at x = ±√3/2 b. Parameters: p0 (Pa) and b (m), arrays that broadcast.
 
     Lundberg and Palmgren (1947); Johnson (1985), section 4.2(c).
+
+    >>> print(f"{1e-6 * line_orthogonal_shear(1e9, 1e-4).amplitude:.0f} MPa")
+    250 MPa
     """
     p0, b = np.broadcast_arrays(
         np.asarray(max_pressure, np.float64), np.asarray(half_width, np.float64)

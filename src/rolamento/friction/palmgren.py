@@ -107,6 +107,9 @@ def lubricant_torque(
     Returns
     -------
     M0 of the broadcast shape.
+
+    >>> print(f"{1e3 * lubricant_torque(20e-6, 150.0, 0.08, 2.0):.1f} N mm")
+    95.9 N mm
     """
     product = 1e6 * np.asarray(kinematic_viscosity) * _RPM * np.abs(speed)
     factor = np.where(product >= _KNEE, 1e-7 * product ** (2.0 / 3.0), _SLOW)

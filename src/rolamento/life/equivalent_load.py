@@ -172,6 +172,9 @@ def static_equivalent_load(
     0.5 and Y_0 0.22 cot α, or as listed, of two rows 1 and twice that; at 0° P_0 = F_r. Of thrust
     bearings P_0a = 2.3 F_r tan α + F_a, at 90° F_a. ISO 76:2006, tables 2 and 4, 5.1.2, 5.2.2, 7.2
     and 8.2.
+
+    >>> print(f"{static_equivalent_load(1000.0, 2000.0, 0.0):.0f} N")
+    1600 N
     """
     radial = positive(radial_load, "radial_load", zero=True)
     axial = positive(axial_load, "axial_load", zero=True)
@@ -331,7 +334,11 @@ def _finite(tangent: FloatArray) -> FloatArray:
 
 
 def static_safety(static_rating: ArrayLike, static_equivalent: ArrayLike) -> FloatArray:
-    """Static safety S_0 = C_0/P_0; infinite without load. Parameters: arrays; N. ISO 76:2006."""
+    """Static safety S_0 = C_0/P_0; infinite without load. Parameters: arrays; N. ISO 76:2006.
+
+    >>> print(f"{static_safety(38e3, 19e3):.1f}")
+    2.0
+    """
     rating = positive(static_rating, "static_rating")
     with np.errstate(divide="ignore"):
         return np.asarray(rating / positive(static_equivalent, "static_equivalent", zero=True))

@@ -178,6 +178,9 @@ def equivalent_ball_load(load: ArrayLike, *, turning: ArrayLike) -> FloatArray:
     Array (…); N.
 
     ISO/TS 16281:2008, 4.4: cubic mean if turning, else the mean of power 10/3.
+
+    >>> print(f"{equivalent_ball_load([1000.0, 1000.0], turning=True):.0f} N")
+    1000 N
     """
     q = np.maximum(numbers(load, "load"), 0.0)
     scale = q.max(axis=-1, keepdims=True)
@@ -189,7 +192,11 @@ def equivalent_ball_load(load: ArrayLike, *, turning: ArrayLike) -> FloatArray:
 
 
 def race_life(rating: ArrayLike, equivalent: ArrayLike) -> FloatArray:
-    """Life (Q_c/Q_e)³ of a race; arrays, N; millions of revolutions, infinite without load."""
+    """Life (Q_c/Q_e)³ of a race; arrays, N; millions of revolutions, infinite without load.
+
+    >>> print(f"{race_life(10e3, 1e3):.0f} million revolutions")
+    1000 million revolutions
+    """
     with np.errstate(divide="ignore"):
         return np.asarray(
             (numbers(rating, "rating") / numbers(equivalent, "equivalent")) ** EXPONENT
@@ -212,6 +219,9 @@ def system_life(lives: ArrayLike, *, axis: int = -1, slope: ArrayLike = SLOPE) -
         If there are neither one nor as many slopes as parts.
 
     Lundberg and Palmgren (1947).
+
+    >>> print(f"{system_life([1000.0, 1000.0]):.0f} million revolutions")
+    536 million revolutions
     """
     life = numbers(lives, "lives")
     exponents = positive(slope, "slope")

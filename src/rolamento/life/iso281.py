@@ -44,6 +44,9 @@ def basic_rating_life(
     Array of the broadcast shape; infinite without load.
 
     ISO 281:2007, 5.1.3 and 7.3.
+
+    >>> print(f"{basic_rating_life(62e3, 6.2e3):.0f} million revolutions")
+    1000 million revolutions
     """
     rating = positive(dynamic_rating, "dynamic_rating")
     load = positive(equivalent_load, "equivalent_load", zero=True)
@@ -58,6 +61,9 @@ def hours(life: ArrayLike, speed: ArrayLike) -> FloatArray:
     ----------
     life : array; millions of revolutions of one ring against the other.
     speed : array that broadcasts with it, of the rings against each other; rad/s, its size counts.
+
+    >>> print(f"{hours(60.0, 1000.0 * np.pi / 30.0):.0f} h")
+    1000 h
     """
     turns_per_hour = np.abs(numbers(speed, "speed")) * 1800.0 / np.pi
     with np.errstate(divide="ignore", invalid="ignore"):

@@ -43,6 +43,9 @@ def adjusted_life(
     reliability_factor, material_factor, operation_factor : arrays that broadcast, a_1, a_2, a_3.
 
     ISO 281:1990, 8.1.
+
+    >>> print(f"{adjusted_life(100.0, 0.62, 2.0, 0.5):.0f} million revolutions")
+    62 million revolutions
     """
     return np.asarray(
         positive(basic_life, "basic_life", zero=True)

@@ -84,6 +84,9 @@ def fatigue_load_limit(
 
     ISO 281:2007, B.3.3: C_0/22, times (100/D_pw)^0.5 above 100 mm; of roller bearings C_0/8.2,
     times (100/D_pw)^0.3; steel only.
+
+    >>> print(f"{1e-3 * fatigue_load_limit(22e3, 0.05):.1f} kN")
+    1.0 kN
     """
     rating = positive(static_rating, "static_rating")
     if rollers:
@@ -223,6 +226,9 @@ def life_modification_factor(
     a_ISO of the broadcast shape, at most 50; NaN where κ < 0.1.
 
     ISO 281:2007, 9.3.3.
+
+    >>> print(f"{life_modification_factor(2.0, 0.5, 1000.0, 5000.0):.2f}")
+    4.20
     """
     ratio = positive(viscosity_ratio, "viscosity_ratio", zero=True)
     clean = numbers(contamination_factor, "contamination_factor")

@@ -52,6 +52,9 @@ def reliability_factor(reliability: ArrayLike, edition: Edition = "2007") -> Flo
     ------
     InputError
         For a reliability out of range (a percentage, perhaps), or an unknown edition.
+
+    >>> print(f"{reliability_factor(0.95):.2f}")
+    0.64
     """
     s = within(reliability, "reliability", _MINIMUM, _MAXIMUM, "reliability = 0.95")
     least = _MINIMUM_LIFE[_checked(edition)]
@@ -70,6 +73,9 @@ def reliability_of(life_ratio: ArrayLike, edition: Edition = "2007") -> FloatArr
     Returns
     -------
     S of that shape: 1 up to the minimum life of the edition.
+
+    >>> print(f"{reliability_of(1.0):.2f}")
+    0.90
     """
     ratio = positive(life_ratio, "life_ratio", zero=True)
     least = _MINIMUM_LIFE[_checked(edition)]

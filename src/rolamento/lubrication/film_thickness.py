@@ -123,6 +123,11 @@ def central_film(groups: FilmGroups) -> FloatArray:
     """Central film over R_x: 2.69 U^0.67 G^0.53 W^-0.067 (1 - 0.61 e^(-0.73 k)).
 
     NaN without load. Hamrock and Dowson (1977), part III.
+
+    >>> groups = film_groups(3.0, 1000.0, 200.0, 8.0, 2.27e11, 0.017, 1.8e-8)
+    >>> found = 1e6 * central_film(groups) / 200.0  # of R_x = 5 mm
+    >>> print(f"{found:.3f} um")
+    0.229 um
     """
     shape = 1.0 - 0.61 * np.exp(-0.73 * groups.ellipticity)
     return 2.69 * groups.powers(0.67, 0.53, -0.067) * shape
@@ -132,6 +137,11 @@ def minimum_film(groups: FilmGroups) -> FloatArray:
     """Minimum film over R_x: 3.63 U^0.68 G^0.49 W^-0.073 (1 - e^(-0.68 k)).
 
     NaN without load. Hamrock and Dowson (1977), part III.
+
+    >>> groups = film_groups(3.0, 1000.0, 200.0, 8.0, 2.27e11, 0.017, 1.8e-8)
+    >>> found = 1e6 * minimum_film(groups) / 200.0  # of R_x = 5 mm
+    >>> print(f"{found:.3f} um")
+    0.184 um
     """
     shape = 1.0 - np.exp(-0.68 * groups.ellipticity)
     return 3.63 * groups.powers(0.68, 0.49, -0.073) * shape
@@ -150,6 +160,9 @@ def thermal_loading(
 
     Parameters: arrays that broadcast; Pa·s, 1/K, m/s, W/(m·K). Returns the broadcast shape.
     Raises InputError if a number is negative, not finite, or far beyond any oil.
+
+    >>> print(f"{thermal_loading(0.017, 0.03, 3.0, 0.13):.4f}")
+    0.0353
     """
     eta = in_reach(viscosity, "viscosity", "Pa·s", 0.0, 1e9)
     falling = in_reach(
@@ -164,6 +177,9 @@ def murch_wilson(loading: ArrayLike) -> FloatArray:
     """Share of the film that is left, 3.94/(3.94 + L^0.62); at most 1.
 
     Parameters: L, array, at least 0. Returns its shape. Murch and Wilson (1975), for rolling.
+
+    >>> print(f"{murch_wilson(0.5):.3f}")
+    0.858
     """
     return np.asarray(3.94 / (3.94 + in_reach(loading, "loading", "", 0.0, 1e40) ** 0.62))
 
@@ -197,6 +213,9 @@ def aihara(loading: ArrayLike) -> FloatArray:
     Parameters: L, array, at least 0. Returns its shape. Aihara (1987), equation 27, a fit to the
     thermal inlet of Goksem and Hargreaves (1978) for lines; NSK's ball bearing program D-BRAIN has
     it for points as well.
+
+    >>> print(f"{aihara(0.5):.3f}")
+    0.856
     """
     return np.asarray(1.0 / (1.0 + 0.29 * in_reach(loading, "loading", "", 0.0, 1e40) ** 0.78))
 

@@ -94,7 +94,11 @@ def viscosity_temperature_coefficient(temperature: ArrayLike, line: ViscosityLin
 
 
 def dynamic_viscosity(kinematic_viscosity: ArrayLike, density: ArrayLike) -> FloatArray:
-    """Dynamic viscosity η = ρ ν; Pa·s. Parameters: arrays that broadcast; m²/s, kg/m³."""
+    """Dynamic viscosity η = ρ ν; Pa·s. Parameters: arrays that broadcast; m²/s, kg/m³.
+
+    >>> print(f"{1e3 * dynamic_viscosity(1e-5, 850.0):.1f} mPa s")
+    8.5 mPa s
+    """
     nu = in_reach(kinematic_viscosity, "kinematic_viscosity", "m²/s", 0.0, 1e6)
     return np.asarray(nu * in_reach(density, "density", "kg/m^3", 0.0, 1e6))
 
@@ -142,6 +146,9 @@ def viscosity_index(viscosity_40: float, viscosity_100: float) -> float:
 
     NaN below 2 mm²/s at 100 °C. ISO 2909, ASTM D2270, with the polynomials that the latter gives
     for its table: good to about a unit of the index.
+
+    >>> print(f"{viscosity_index(68e-6, 8.7e-6):.0f}")
+    99
     """
     u = float(in_reach(viscosity_40, "viscosity_40", "m²/s", 1e-9, 1.0)) * _MM2
     y = float(in_reach(viscosity_100, "viscosity_100", "m²/s", 1e-9, 1.0)) * _MM2
@@ -208,6 +215,9 @@ def barus(
     Parameters: arrays that broadcast; Pa, Pa·s at ambient pressure, 1/Pa. Returns the broadcast
     shape, infinite where it passes all numbers. Useless above about 0.5 GPa. Barus (1893);
     Campanha (2008) eq. 2.4.4.
+
+    >>> print(f"{barus(1e8, 0.01, 2e-8) / 0.01:.3f}")
+    7.389
     """
     p, eta, alpha = _checked_arguments(pressure, viscosity, pressure_viscosity_coefficient, 0.0)
     with np.errstate(over="ignore"):
@@ -222,6 +232,9 @@ def roelands(
     Parameters: arrays that broadcast; Pa, Pa·s at ambient pressure, 1/Pa. Returns the broadcast
     shape. Roelands (1966): ln η_p = ln η + (ln η + 9.67) [(1 + 5.1e-9 p)^Z - 1], with the Z that
     gives the slope α: Z = α / (5.1e-9 (ln η + 9.67)). For η above the pole, 6.3e-5 Pa·s.
+
+    >>> print(f"{roelands(1e8, 0.01, 2e-8) / 0.01:.2f}")
+    6.71
     """
     pole = float(np.exp(-_POLE_VISCOSITY))
     p, eta, alpha = _checked_arguments(pressure, viscosity, pressure_viscosity_coefficient, pole)
@@ -249,6 +262,9 @@ def wooster(dynamic_viscosity: ArrayLike) -> FloatArray:
 
     Parameters: dynamic viscosity at the temperature in question, array; Pa·s. Returns its shape.
     Wooster, in Hutchings (1992); Campanha (2008) eq. 4.4.1.
+
+    >>> print(f"{1e9 * wooster(0.01):.1f} 1/GPa")
+    15.7 1/GPa
     """
     eta = in_reach(dynamic_viscosity, "dynamic_viscosity", "Pa·s", 1e-9, 1e9)
     return np.asarray((0.6 + 0.965 * np.log10(eta * 1e3)) * 1e-8)
@@ -304,6 +320,9 @@ def density_by_expansion(
 
     Parameters: arrays that broadcast; K, kg/m³, K, 1/K. Returns the broadcast shape, the density
     ρ exp(-a ΔT), positive at any temperature. Definition of the coefficient, held constant.
+
+    >>> print(f"{density_by_expansion(388.15, 880.0, 288.15, 7e-4):.1f} kg/m^3")
+    820.5 kg/m^3
     """
     warming = _liquid_temperature(temperature, "temperature") - _liquid_temperature(
         reference_temperature, "reference_temperature"

@@ -87,6 +87,9 @@ def dynamic_factor(gamma: ArrayLike, kind: RatedType = "radial") -> FloatArray:
     kind
         ``"radial"``, or ``"self_aligning"`` by the closed form; for thrust bearings, whose f_c
         depends on the angle too, see `thrust_dynamic_factor`.
+
+    >>> print(f"{dynamic_factor(0.2):.1f}")
+    59.9
     """
     if kind == "radial":
         return _interpolated("dynamic", gamma)
@@ -104,6 +107,9 @@ def static_factor(gamma: ArrayLike, kind: RatedType = "radial") -> FloatArray:
         D cos α / d_m, 0 to 0.40; NaN outside.
     kind
         ``"radial"``; ``"self_aligning"`` or ``"thrust"`` by the closed form.
+
+    >>> print(f"{static_factor(0.2):.1f}")
+    14.0
     """
     if kind == "radial":
         return _interpolated("static", gamma)
@@ -246,6 +252,9 @@ def dynamic_rating(
     ISO 281:2007, equations 1 and 2: b_m f_c (i cos α)^0.7 Z^(2/3) D^1.8, and above 25.4 mm
     3.647 D^1.4 in the place of D^1.8. Thrust bearings, equations 5 to 8: b_m f_c (cos α)^0.7 tan α
     Z^(2/3) D^1.8, at 90° b_m f_c Z^(2/3) D^1.8, likewise.
+
+    >>> print(f"{1e-3 * dynamic_rating(8, 0.01905, 0.08112):.1f} kN")
+    61.9 kN
     """
     d = 1e3 * numbers(ball_diameter, "ball_diameter")
     angle = numbers(contact_angle, "contact_angle")
@@ -283,6 +292,9 @@ def static_rating(
         f_0 in N/mm² to take instead of the table's.
 
     ISO 76:2006, equations 1 and 4: f_0 i Z D² cos α; of thrust bearings f_0 Z D² sin α.
+
+    >>> print(f"{1e-3 * static_rating(8, 0.01905, 0.08112):.1f} kN")
+    38.0 kN
     """
     d = 1e3 * numbers(ball_diameter, "ball_diameter")
     angle = numbers(contact_angle, "contact_angle")

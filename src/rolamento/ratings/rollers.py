@@ -133,6 +133,9 @@ def roller_dynamic_rating(
 
     ISO 281:2007, 7.1 and 8.1: b_m f_c (i L_we cos α)^(7/9) Z^(3/4) D_we^(29/27); thrust bearings
     b_m f_c (L_we cos α)^(7/9) tan α Z^(3/4) D_we^(29/27), at 90° without cos α and tan α.
+
+    >>> print(f"{1e-3 * roller_dynamic_rating(13, 0.0075, 0.0075, 0.0385):.1f} kN")
+    27.9 kN
     """
     diameter = 1e3 * numbers(roller_diameter, "roller_diameter")
     length = 1e3 * numbers(effective_length, "effective_length")
@@ -169,6 +172,9 @@ def roller_static_rating(
 
     ISO 76:2006, 7.1 and 8.1: 44 (1 - γ) i Z L_we D_we cos α; thrust bearings 220 (1 - γ) Z L_we
     D_we sin α: 4000 MPa by Hertz at the heaviest roller on the inner raceway.
+
+    >>> print(f"{1e-3 * roller_static_rating(13, 0.0075, 0.0075, 0.0385):.1f} kN")
+    25.9 kN
     """
     diameter = 1e3 * numbers(roller_diameter, "roller_diameter")
     length = 1e3 * numbers(effective_length, "effective_length")

@@ -28,6 +28,9 @@ def load_zone_half_angle(load_zone_parameter: ArrayLike) -> FloatArray:
     """Half angle of the load zone, cos ψ_l = 1 - 2ε; rad. Half a turn from ε = 1 upward.
 
     Parameters: array, ε ≥ 0. Returns its shape; NaN below 0. Radaelli (2013) eqs. 14, 15.
+
+    >>> print(f"{np.degrees(load_zone_half_angle(0.5)):.0f} deg")
+    90 deg
     """
     epsilon = _parameter(load_zone_parameter)
     return np.asarray(2.0 * np.arcsin(np.sqrt(np.minimum(epsilon, 1.0))))
@@ -46,6 +49,9 @@ def sjovall_radial(load_zone_parameter: ArrayLike) -> FloatArray:
 
     With I(m) = ∫ sin² cos² √(1 - m sin²) dθ over a quarter turn, (6/π) √ε I(ε) up to ε = 1 and
     (6/π) I(1/ε)/ε above: Sjövall's definition, by parts.
+
+    >>> print(f"{sjovall_radial(0.5):.4f}")
+    0.2288
     """
     epsilon = _parameter(load_zone_parameter)
     theta, weight = _quarter_turn()
@@ -68,6 +74,9 @@ def sjovall_axial(load_zone_parameter: ArrayLike) -> FloatArray:
     J_a of that shape, from 0 at ε = 0 to 1 at infinity; NaN below 0.
 
     Sjövall (1933); Harris (1991), chapter 6.
+
+    >>> print(f"{sjovall_axial(0.5):.4f}")
+    0.2782
     """
     epsilon = _parameter(load_zone_parameter)
     return _mean(epsilon, 1.5, 0)

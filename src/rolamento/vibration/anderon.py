@@ -219,7 +219,12 @@ def anderons_of_velocity(velocity: float, band: Band, speed: float = SPEED) -> f
 
 
 def velocity_of_anderons(anderons: float, band: Band, speed: float = SPEED) -> float:
-    """RMS velocity, m/s, of a number of anderons; inverse of `anderons_of_velocity`."""
+    """RMS velocity, m/s, of a number of anderons; inverse of `anderons_of_velocity`.
+
+    >>> found = 1e6 * velocity_of_anderons(anderons_of_velocity(1e-5, (50.0, 300.0)), (50.0, 300.0))
+    >>> print(f"{found:.1f} um/s")
+    10.0 um/s
+    """
     return anderons * _velocity_per_anderon(band, speed)
 
 

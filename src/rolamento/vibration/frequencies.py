@@ -463,6 +463,9 @@ def turns_of(
         Part of the cage's speed against the outer ring that it lags behind.
 
     Braga and Almeida, equations 19 and 22, with the slip.
+
+    >>> print(f"{turns_of(0.2, 0.0).cage:.1f} turns of the cage a turn of the shaft")
+    0.4 turns of the cage a turn of the shaft
     """
     gamma = diameter_ratio * cos(contact_angle)
     lead = (1.0 - slip) * (inner - outer)

@@ -442,7 +442,11 @@ def plotting_positions(test: LifeTest | ArrayLike, ranks: Ranks = "median") -> P
 
 
 def median_rank(rank: ArrayLike, size: int, ranks: Ranks = "median") -> FloatArray:
-    """Share taken to have failed at a rank, which need not be whole, among so many bearings."""
+    """Share taken to have failed at a rank, which need not be whole, among so many bearings.
+
+    >>> print(f"{median_rank(1, 1):.1f}")
+    0.5
+    """
     one_of(ranks, "ranks", get_args(Ranks))
     i = numbers(rank, "rank", "[1, 2, 3]")
     n = whole_number(size, "size", 1, MAXIMUM_UNITS)

@@ -269,7 +269,11 @@ class Estimand:
 
 
 def plot_ordinate(failed_share: ArrayLike) -> FloatArray:
-    """Ordinate ln ln 1/(1 - F) of the Weibull plot, F being the share that has failed."""
+    """Ordinate ln ln 1/(1 - F) of the Weibull plot, F being the share that has failed.
+
+    >>> print(f"{plot_ordinate(1.0 - np.exp(-1.0)):.3f}")
+    0.000
+    """
     share_ = numbers(failed_share, "failed_share", "[0.1, 0.5]")
     with np.errstate(divide="ignore"):
         return np.asarray(np.log(-np.log1p(-share_)))

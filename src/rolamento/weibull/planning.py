@@ -209,6 +209,9 @@ def demonstrate(
     ------
     InputError
         Without bearings and time, or for a number out of range.
+
+    >>> print(f"{demonstrate(1000.0, shape=1.5, bearings=22).time:.0f} h")
+    996 h
     """
     wanted = positive(life, "life", "1000.0")
     given = (

@@ -45,6 +45,9 @@ def system_rating_life(
     Returns
     -------
     array (...), in the unit of the lives.
+
+    >>> print(f"{system_rating_life([1000.0, 1000.0]):.0f} million revolutions")
+    536 million revolutions
     """
     one_of(kind, "kind", EXPONENTS)
     e = EXPONENTS[kind] if exponent is None else shape_of(exponent, "exponent")
@@ -70,6 +73,9 @@ def series_reliability(
     Returns
     -------
     R of the shape of the times.
+
+    >>> print(f"{series_reliability(1000.0, [1.0, 1.0], [1000.0, 1000.0]):.4f}")
+    0.1353
     """
     beta, eta, gamma = _distributions(shapes, scales, locations)
     t = numbers(time, "time", "[100.0, 200.0]")
