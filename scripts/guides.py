@@ -59,7 +59,7 @@ _BLOCK: Final = re.compile(r"^```(\w+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 _PICTURE: Final = re.compile(r"!\[[^\]]*\]\(([^)\s]*pictures/([^)\s]+))\)")
 _NUMBER: Final = re.compile(r"\d+(?:\.\d+)?(?:e[+-]?\d+)?")
 _BARS: Final = re.compile(r"[█▉▊▋▌▍▎▏─⠀-⣿]+")
-_WAY: Final = re.compile(r"residual \S+|in \d+ iterations")
+_WAY: Final = re.compile(r"residual \S+|resíduo \S+|in \d+ iterations|em \d+ iterações")
 """How a solver got there, which plain Python and compiled kernels do differently."""
 _GAP: Final = "…"
 _UNITS: Final = (

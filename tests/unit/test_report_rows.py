@@ -70,7 +70,7 @@ def test_the_head_lists_rows_with_what_they_have_of_their_own() -> None:
     report = flat(plain(solved("6012_triple"), "pt"))
     listed = "3 carreiras: + em −36 mm, + em −18 mm (fase 8,18°), − em 18 mm (α 15°)"
     assert listed in report
-    assert "pré-carga de 600 N, anéis fixados" in report
+    assert "pré-carga de 600 N, anéis travados axialmente" in report
 
 
 @pytest.mark.parametrize(
