@@ -119,6 +119,16 @@ class CatalogueBearing:
     effective_length: float | None = None
     sources: Mapping[str, str] = field(default_factory=dict, hash=False)
 
+    def __repr__(self) -> str:
+        """One line: designation, maker, kind, boundary dimensions and ratings."""
+        sizes = (self.bore, self.outside_diameter, self.width)
+        words = [f"{self.maker} {self.designation}".strip(), self.kind.replace("_", " ")]
+        words.append(" x ".join(f"{1e3 * size:.6g}" for size in sizes if size is not None) + " mm")
+        for name, rating in (("C", self.dynamic_rating), ("C0", self.static_rating)):
+            if rating is not None:
+                words.append(f"{name} {rating / 1e3:.6g} kN")
+        return f"<{', '.join(words)}>"
+
     @property
     def mean_diameter(self) -> float:
         """(d + D)/2, in m: near the pitch diameter."""
