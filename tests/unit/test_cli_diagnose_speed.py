@@ -292,7 +292,7 @@ class TestWrongInput:
             ((*CHANNEL, "--outer-speed", "9 rpm"), '--outer-speed: "9 rpm": is a steady speed'),
             (
                 (*CHANNEL, "--set", "duty.inner_speed=9 rpm", "--set", "duty.outer_speed=9 rpm"),
-                "--set 'duty.outer_speed=0 rpm'",
+                "--outer-speed '0 rpm'",
             ),
             ((*TRACK, "--outer-speed", "9 rpm"), "--track: is the speed of one ring"),
             ((*GIVEN, "--tacho", "acc"), "--channel 1 --tacho 2"),

@@ -30,7 +30,7 @@ def in_options(command: Callable[..., None], **others: str) -> Iterator[None]:
             raise
         from rolamento.tasks.parameters import renamed
 
-        names = {"settings": "--set", **_option_names(command), **others}
+        names = {"changes": "--set", **_option_names(command), **others}
         told = renamed(error, names, _written, between=" ")
         if not told.source and error.field in names:
             told = told.with_details(field="", source=told.field)

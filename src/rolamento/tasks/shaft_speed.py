@@ -395,7 +395,7 @@ def _both_turn(parameter: str) -> InputError:
             "would change with it"
         ),
         field=parameter,
-        example='settings=["duty.outer_speed=0 rpm"]',
+        example='outer_speed="0 rpm"',
     )
 
 
