@@ -14,8 +14,9 @@ A solve that finds no equilibrium raises nothing: its result carries a status.
 from __future__ import annotations
 
 import difflib
+import json
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any, Final, Self
 
 from rolamento.words import Note, languages, marked, said, speaking
@@ -24,14 +25,18 @@ from rolamento.words.naming import shortened
 __all__ = [
     "FileError",
     "InputError",
+    "Phrase",
     "RolamentoError",
     "UnitError",
     "UnknownKeyError",
+    "arguments",
     "cause",
     "guess",
     "nearest",
+    "phrase",
     "printable",
     "refusal",
+    "respelled",
     "shown",
 ]
 
@@ -68,6 +73,96 @@ class _Absent:
 ABSENT: Final = _Absent()
 
 
+class Phrase(str):
+    """A text that knows which arguments of a function it names.
+
+    A command or a page writes them as its own options and fields (`respelled`), so that nobody has
+    to find them in a sentence.
+    """
+
+    message: str | None
+    values: Mapping[str, Any]
+
+    def __new__(cls, text: str, message: str | None, values: Mapping[str, Any]) -> Self:
+        """Keep what the text was made from; message: None of arguments alone."""
+        self = super().__new__(cls, text)
+        self.message, self.values = message, values
+        return self
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Phrase, (str(self), self.message, self.values)
+
+
+def arguments(**values: Any) -> Phrase:
+    """Return arguments of a function as an example.
+
+    >>> arguments(speed="1797 rpm", pulses=2)
+    'speed="1797 rpm", pulses=2'
+    """
+    return Phrase(_as_arguments(values, {}, "{}={}".format, ", "), None, values)
+
+
+def phrase(message: str, **values: Any) -> Phrase:
+    """Say a text, `marked`, of whose values some are `arguments`."""
+    return Phrase(said(message, **values), message, values)
+
+
+def respelled(
+    text: str,
+    names: Mapping[str, str],
+    written: Callable[[str, str], str] = "{}={}".format,
+    between: str = ", ",
+) -> str:
+    """Return a text with the arguments that it names by other names.
+
+    Parameters
+    ----------
+    text
+        A `Phrase`; any other text is returned as it is.
+    names
+        The other name of each argument; one without is written as before.
+    written
+        Writes an argument, by its other name, with a value.
+    between
+        What stands between two arguments.
+    """
+    if not isinstance(text, Phrase):
+        return text
+    if text.message is None:
+        return _as_arguments(text.values, names, written, between)
+    return said(
+        text.message,
+        **{
+            name: respelled(value, names, written, between) if isinstance(value, Phrase) else value
+            for name, value in text.values.items()
+        },
+    )
+
+
+def _as_arguments(
+    values: Mapping[str, Any],
+    names: Mapping[str, str],
+    written: Callable[[str, str], str],
+    between: str,
+) -> str:
+    parts = [
+        written(names[name], _literal(value)) if name in names else f"{name}={_literal(value)}"
+        for name, value in values.items()
+    ]
+    return (between if names.keys() & values.keys() else ", ").join(parts)
+
+
+def _literal(value: object) -> str:
+    """Write a value as Python does, texts in double quotes."""
+    if value is ...:
+        return "…"
+    if isinstance(value, str):
+        return f'"{value}"'
+    if isinstance(value, list | dict):
+        return json.dumps(value, ensure_ascii=False)
+    return repr(value)
+
+
 class RolamentoError(Exception):
     """Base of every exception that Rolamento raises on purpose."""
 
@@ -85,7 +180,7 @@ class InputError(RolamentoError, ValueError):
     value
         What was given; shown shortened and with control characters escaped.
     example
-        A value that would be accepted, as it is written in a case file.
+        A value that would be accepted, as it is written in a case file; or `arguments`.
     source
         Where the value came from: a file name, ``"standard input"``, ``"--set"``.
     line

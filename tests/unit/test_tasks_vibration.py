@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 from math import pi
 from pathlib import Path
 from typing import Any
@@ -10,6 +11,7 @@ import numpy as np
 import pytest
 
 from rolamento import Bearing, Case, Duty, FileError, InputError, Load, tasks
+from rolamento.errors import arguments, phrase
 from rolamento.tasks.parameters import renamed, speed_of
 from rolamento.vibration import DiagnosisSettings, Fault, Noise, Waviness
 
@@ -168,18 +170,30 @@ def test_what_is_made_has_to_be_something(tmp_path: Path) -> None:
 
 def test_names_of_parameters_are_those_of_options() -> None:
     names = {"speed_unit": "--speed-unit", "pulses": "--pulses", "rate": "--rate"}
-    error = InputError(
-        'needs speed_unit="Hz" or rate=2e3; its rate = 25 may be it, and x.rate=3 not',
-        field="pulses",
-        example='speed_unit="Hz", pulses=1',
+    rule = phrase(
+        "needs {unit} or {rate}; its rate = 25 may be it, and x.rate=3 not",
+        unit=arguments(speed_unit="Hz"),
+        rate=arguments(rate=2e3),
+    )
+    error = InputError(rule, field="pulses", example=arguments(speed_unit="Hz", pulses=1))
+    assert str(error) == (
+        'pulses: needs speed_unit="Hz" or rate=2000.0; its rate = 25 may be it, and x.rate=3 not'
+        ' (example: speed_unit="Hz", pulses=1)'
     )
     told = renamed(error, names, lambda name, value: f"{name} {value}", between=" ")
     assert told.rule == (
-        'needs --speed-unit "Hz" or --rate 2e3; its rate = 25 may be it, and x.rate=3 not'
+        'needs --speed-unit "Hz" or --rate 2000.0; its rate = 25 may be it, and x.rate=3 not'
     )
     assert (told.field, told.example) == ("--pulses", '--speed-unit "Hz" --pulses 1')
     nested = InputError("is too low", source="pulses", field="rate")
     assert (renamed(nested, names).source, renamed(nested, names).field) == ("--pulses", "rate")
+
+
+def test_what_names_arguments_outlives_a_process() -> None:
+    error = InputError("is missing", field="unit", example=arguments(unit="g", scale=...))
+    again = pickle.loads(pickle.dumps(error.with_details(source="a.csv")))
+    assert again.example == 'unit="g", scale=…'
+    assert renamed(again, {"unit": "--unit"}).example == '--unit="g", scale=…'
 
 
 def test_names_of_the_package() -> None:

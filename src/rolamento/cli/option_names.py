@@ -31,7 +31,7 @@ def in_options(command: Callable[..., None], **others: str) -> Iterator[None]:
         from rolamento.tasks.parameters import renamed
 
         names = {"changes": "--set", **_option_names(command), **others}
-        told = renamed(error, names, _written, between=" ")
+        told = renamed(error, names, written, between=" ")
         if not told.source and error.field in names:
             told = told.with_details(field="", source=told.field)
         raise told from None
@@ -49,7 +49,7 @@ def _option_names(command: Callable[..., None]) -> dict[str, str]:
     return names
 
 
-def _written(option: str, value: str) -> str:
+def written(option: str, value: str) -> str:
     """Write an option with a value, as for a shell."""
     if value in ("True", "…"):
         return option

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import fields
@@ -11,7 +10,7 @@ from typing import Annotated, Any, Final
 import typer
 
 from rolamento.cli.option_records import with_record
-from rolamento.errors import InputError
+from rolamento.errors import InputError, respelled
 from rolamento.records import frozen
 from rolamento.tasks.inputs import LIFE_TEST, by_name
 
@@ -46,8 +45,6 @@ _OPTIONS: Final = {
     "values": "--value-column",
     "ignored": "--ignore-column",
 }
-_ARGUMENT: Final = re.compile(rf'\b({"|".join(_OPTIONS)})=\[?"([^"]*)"\]?')
-
 DecimalMarkOption = Annotated[
     str | None,
     typer.Option(
@@ -161,16 +158,14 @@ def told_in_options(**options: str) -> Iterator[None]:
 
 
 def _told(error: InputError) -> InputError:
-    def option(match: re.Match[str]) -> str:
-        value = f"'{match[2]}'" if " " in match[2] else match[2]
-        return f"{_OPTIONS[match[1]]} {value}"
+    from rolamento.cli.option_names import written
 
     own = error.field in ("decimal_mark", "date_order", "use_per_day", "as_of", "start", "end")
     return type(error)(
-        _ARGUMENT.sub(option, error.rule),
+        respelled(error.rule, _OPTIONS, written, between=" "),
         field=_OPTIONS[error.field] if own else error.field,
         value=error.value,
-        example=_ARGUMENT.sub(option, error.example),
+        example=respelled(error.example, _OPTIONS, written, between=" "),
         source=error.source,
         line=error.line,
     )

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rolamento.case import Case
-from rolamento.errors import InputError
+from rolamento.errors import InputError, arguments
 from rolamento.friction.bounds import upper_bounds
 from rolamento.friction.closed_forms import DEFAULT_HYSTERESIS
 from rolamento.friction.coefficient import (
@@ -345,7 +345,7 @@ def friction(
             said("must be one of {known}", known=", ".join((*CONTACT_MODELS, ROLLER_MODEL))),
             field="model",
             value=model,
-            example='model="jones_full"',
+            example=arguments(model="jones_full"),
         )
     mu = friction_coefficient
     if mu is None:

@@ -12,11 +12,11 @@ from collections.abc import Iterable, Sequence
 from datetime import UTC, datetime, timedelta, timezone
 from typing import Final, Literal, get_args
 
-from rolamento.errors import InputError
+from rolamento.errors import InputError, arguments, phrase
 from rolamento.io.columns import folded_name
 from rolamento.io.numerals import named_choice
 from rolamento.records import frozen
-from rolamento.words import Note, manner, said
+from rolamento.words import Note, manner, marked, said
 
 __all__ = [
     "DateOrder",
@@ -126,11 +126,15 @@ class Dates:
             field=field,
             value=self.doubt,
             example=example
-            or said(
-                'date_order="day_first" for {first}, date_order="month_first" for {second}; or a'
-                ' line "# dates: day first" above the table',
+            or phrase(
+                marked(
+                    '{day_first} for {first}, {month_first} for {second}; or a line "# dates: day'
+                    ' first" above the table'
+                ),
                 first=first,
                 second=second,
+                day_first=arguments(date_order="day_first"),
+                month_first=arguments(date_order="month_first"),
             ),
         )
 

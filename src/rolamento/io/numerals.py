@@ -10,9 +10,9 @@ import re
 from collections.abc import Iterable, Mapping
 from typing import Final, Literal, TypeVar, get_args
 
-from rolamento.errors import ABSENT, InputError
+from rolamento.errors import ABSENT, InputError, arguments, phrase
 from rolamento.records import frozen
-from rolamento.words import said
+from rolamento.words import marked, said
 
 __all__ = [
     "DECIMAL_COMMA",
@@ -129,9 +129,13 @@ class Numerals:
             **readings,
         )
         if argument:
-            example = said(
-                'decimal_mark="point" for {point:.9g}, decimal_mark="comma" for {comma:.9g}; or a'
-                ' line "# decimal mark: comma" above the table',
+            example = phrase(
+                marked(
+                    "{with_point} for {point:.9g}, {with_comma} for {comma:.9g}; or a line"
+                    ' "# decimal mark: comma" above the table'
+                ),
+                with_point=arguments(decimal_mark="point"),
+                with_comma=arguments(decimal_mark="comma"),
                 **readings,
             )
         raise InputError(rule, field=field, value=self.doubt, example=example)

@@ -14,7 +14,7 @@ from typing import Any, Final, ParamSpec, TypeVar
 
 import numpy as np
 
-from rolamento.errors import InputError
+from rolamento.errors import InputError, arguments
 from rolamento.numerics.beside import compile_beside, compiles_here
 from rolamento.numerics.compiled import Kernel
 from rolamento.words import said
@@ -65,7 +65,7 @@ def thread_count(threads: int | None) -> int:
             said("must be a positive integer, or None for all processors"),
             field="threads",
             value=threads,
-            example="threads=2",
+            example=arguments(threads=2),
         )
     return count
 

@@ -4,24 +4,22 @@ from __future__ import annotations
 
 import os
 from math import pi
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 from rolamento.case import Case, load_case, override
 from rolamento.case.bearing import Bearing
 from rolamento.case.duty import AXES, LOADS, Duty
 from rolamento.case.fields import Changes
 from rolamento.case.roller_bearing import RollerBearing
-from rolamento.errors import InputError
+from rolamento.errors import InputError, arguments, phrase
 from rolamento.units import from_si, readable, to_si
-from rolamento.words import said
+from rolamento.words import marked, said
 
 if TYPE_CHECKING:
     from rolamento.vibration.frequencies import AngleChoice
 
 BearingLike = str | os.PathLike[str] | Bearing | RollerBearing | Case
 """A designation, a case file (``"-"``: on standard input), a bearing or a case."""
-
-_ANGLE_EXAMPLE: Final = 'angle="zero", angle="free" or angle="15 deg"'
 
 
 def case_of(
@@ -79,7 +77,7 @@ def at_speeds(case: Case, inner_speed: float | None, outer_speed: float | None) 
         try:
             case = override(case, [f"duty.{field}={given}"])
         except InputError as error:
-            example = f'{parameter}="1797 rpm"'
+            example = arguments(**{parameter: "1797 rpm"})
             value = readable(speed, "angular_speed")
             raise InputError(error.rule, field=parameter, value=value, example=example) from None
     return case
@@ -112,8 +110,14 @@ def angle_of(given: str | float, bearing: Bearing | RollerBearing) -> float | An
     try:
         angle = to_si(given, "angle") if isinstance(given, str) else given
     except InputError as error:
-        raise error.with_details(field="angle", example=_ANGLE_EXAMPLE) from None
+        raise error.with_details(field="angle", example=_angle_example()) from None
     if not 0.0 <= angle < 0.5 * pi:
         rule = said("must be at least 0 deg and less than 90 deg")
-        raise InputError(rule, field="angle", value=given, example=_ANGLE_EXAMPLE)
+        raise InputError(rule, field="angle", value=given, example=_angle_example())
     return angle
+
+
+def _angle_example() -> str:
+    choices = (arguments(angle=angle) for angle in ("zero", "free", "15 deg"))
+    first, second, third = choices
+    return phrase(marked("{first}, {second} or {third}"), first=first, second=second, third=third)

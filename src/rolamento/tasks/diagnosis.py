@@ -18,7 +18,7 @@ from rolamento.case.bearing import Bearing
 from rolamento.case.fields import Changes
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.catalogue import catalogue, rolling_bearings
-from rolamento.errors import InputError
+from rolamento.errors import InputError, arguments
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
 from rolamento.tasks.bearing import BearingLike, angle_of, at_speeds, case_of, has_load, name_of
@@ -644,7 +644,9 @@ def rank_bearings(
 def _in_memory(samples: FloatArray, rate: float | None) -> Signal:
     if rate is None:
         raise InputError(
-            said("must be given with samples in memory"), field="rate", example="rate=12_000.0"
+            said("must be given with samples in memory"),
+            field="rate",
+            example=arguments(rate=12_000.0),
         )
     return Signal(samples, rate)
 
@@ -678,7 +680,7 @@ def _case_sought(bearing: BearingLike, changes: Changes) -> Case:
         if error.field != "bearing.designation" or error.source:
             raise
         raise InputError(
-            error.rule, field="bearing", value=error.value, example='bearing="6205"'
+            error.rule, field="bearing", value=error.value, example=arguments(bearing="6205")
         ) from None
 
 
@@ -696,7 +698,7 @@ def _frequencies_sought(
             said("goes with the frequencies of the geometry; here the load determines the angle"),
             field="angle",
             value=angle,
-            example='nominal=True, angle="free"',
+            example=arguments(nominal=True, angle="free"),
         )
     inner, outer = case.duty.inner_speed, case.duty.outer_speed
     if inner == outer:
@@ -704,7 +706,7 @@ def _frequencies_sought(
             said("equals that of the inner ring: nothing rolls"),
             field="outer_speed",
             value=f"{rpm_of(outer):.6g} rpm",
-            example='outer_speed="0 rpm"',
+            example=arguments(outer_speed="0 rpm"),
         )
     solved: Solved | None = None
     if loaded:
@@ -792,7 +794,7 @@ def _check_rate(frequencies: FaultFrequencies, speed: KnownSpeed, source: Signal
         ),
         field="rate",
         value=source.rate,
-        example="rate=25600.0",
+        example=arguments(rate=25600.0),
         source=str(source.path),
     )
 

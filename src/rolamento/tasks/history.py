@@ -13,7 +13,7 @@ from typing import Any, Final, Literal
 
 import numpy as np
 
-from rolamento.errors import InputError
+from rolamento.errors import InputError, arguments
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
 from rolamento.tasks.bearing import BearingLike
@@ -238,7 +238,9 @@ def diagnose_since(
     files = records_of(baseline)
     if not files:
         raise InputError(
-            said("must name at least one record"), field="baseline", example='baseline=["good.wav"]'
+            said("must name at least one record"),
+            field="baseline",
+            example=arguments(baseline=["good.wav"]),
         )
     alike = {key: value for key, value in inputs.items() if key != "progress"}
     found = [(file, diagnose(file, bearing, **alike)) for file in files]

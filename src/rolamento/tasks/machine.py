@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any, Final
 
-from rolamento.errors import InputError, nearest
+from rolamento.errors import InputError, arguments, nearest
 from rolamento.io.text import parse_mapping, read_text
 from rolamento.records import frozen
 from rolamento.tasks.diagnosis import SCHEMA, Conclusion, DiagnosisResult, diagnose
@@ -278,7 +278,7 @@ def diagnose_machine(
         raise InputError(
             said("must be given with a machine: that of its main shaft"),
             field="speed",
-            example='speed="1480 rpm"',
+            example=arguments(speed="1480 rpm"),
         )
     orders = [
         FaultOrders.of(nominal_frequencies(case_of(one.designation, ()).bearing, 1.0))

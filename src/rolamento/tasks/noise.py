@@ -11,7 +11,7 @@ from io import StringIO
 from math import isfinite, nan
 from typing import Any, Final, Literal, Unpack
 
-from rolamento.errors import InputError
+from rolamento.errors import InputError, arguments
 from rolamento.io.json import csv_number
 from rolamento.records import frozen
 from rolamento.tasks.parameters import Progress, quietly, speed_of
@@ -292,10 +292,10 @@ def anderons(
         )
     if not bearing.strip() or len(bearing) > _LONGEST_NAME or not bearing.isprintable():
         rule = said("must be one line of at most {most} characters", most=_LONGEST_NAME)
-        raise InputError(rule, field="bearing", value=bearing, example='bearing="9"')
+        raise InputError(rule, field="bearing", value=bearing, example=arguments(bearing="9"))
     if not 0.0 < accepted <= 1.0:
         rule = said("must be a fraction above 0 and at most 1")
-        raise InputError(rule, field="accepted", value=accepted, example="accepted=0.4")
+        raise InputError(rule, field="accepted", value=accepted, example=arguments(accepted=0.4))
     times = [nan] * len(files) if hours is None else list(hours)
     if hours is not None and (
         len(times) != len(files) or not all(0.0 <= time <= _MOST_HOURS for time in times)
@@ -305,12 +305,15 @@ def anderons(
             count=len(files),
         )
         raise InputError(
-            rule, field="hours", value=", ".join(map(str, times)), example="hours=[60, 120, 180]"
+            rule,
+            field="hours",
+            value=", ".join(map(str, times)),
+            example=arguments(hours=[60, 120, 180]),
         )
     inner_speed = speed_of(speed, "speed")
     if inner_speed == 0.0:
         rule = said("must not be 0: a stationary bearing makes no noise")
-        raise InputError(rule, field="speed", example='speed="1800 rpm"')
+        raise InputError(rule, field="speed", example=arguments(speed="1800 rpm"))
     measured = []
     for path, time in zip(files, times, strict=True):
         opened = open_signal(path, start=start, duration=duration, **reading)
@@ -360,5 +363,5 @@ def _check_speeds(found: NoiseResult) -> None:
         raise InputError(
             said("must be in anderons, since the signals have different speeds"),
             field="full_scale",
-            example='full_scale={"low": 30.0}',
+            example=arguments(full_scale={"low": 30.0}),
         )

@@ -2,17 +2,12 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Mapping
 from typing import Final, TypeVar
 
-from rolamento.errors import InputError
+from rolamento.errors import InputError, arguments, respelled
 
-_VALUE: Final = r'("[^"]*"|\["[^"]*"\]|True|[-+.\d]+(?:e-?\d+)?|…)(?:, (?=([a-z_][a-z_0-9]*)=))?'
-_IN_RULE: Final = re.compile(r"(?<![\w.])([a-z_][a-z_0-9]*)=" + _VALUE)
-_IN_EXAMPLE: Final = re.compile(r"(?<![\w.])([a-z_][a-z_0-9]*)(?:=| = )" + _VALUE)
-"""A parameter with a value, and the name of another one that follows after a comma."""
-_SPEED_EXAMPLE: Final = 'speed="1797 rpm"'
+_SPEED_EXAMPLE: Final = arguments(speed="1797 rpm")
 
 Progress = Callable[[int, int], None]
 """Called with how much is done, and of how much."""
@@ -39,7 +34,7 @@ def speed_of(given: str | float | None, parameter: str) -> float | None:
     try:
         refuse_thousands(given)
     except InputError as error:
-        example = f'{parameter}="{error.example}"'
+        example = arguments(**{parameter: error.example})
         raise error.with_details(field=parameter, example=example) from None
     try:
         return to_si(given, "angular_speed")
@@ -58,28 +53,20 @@ def renamed(
     Parameters
     ----------
     error
-        Its field or source may be a parameter; its rule and example may hold ``name="value"``.
+        Its field or source may be a parameter; its rule and example may be a `Phrase`.
     names
         The other name of each parameter.
     written
         Writes a parameter, by its other name, with a value.
     between
-        What to write between two parameters; a comma stays between two values of one.
+        What to write between two parameters.
     """
-
-    def argument(found: re.Match[str]) -> str:
-        name, value, following = found.groups()
-        if name not in names:
-            return found[0]
-        comma = "" if following is None else ", " if following == name else between
-        return written(names[name], value) + comma
-
     is_of_parameter = error.source in names
     return type(error)(
-        _IN_RULE.sub(argument, error.rule),
+        respelled(error.rule, names, written, between),
         field=error.field if is_of_parameter else names.get(error.field, error.field),
         value=error.value,
-        example=_IN_EXAMPLE.sub(argument, error.example),
+        example=respelled(error.example, names, written, between),
         source=names.get(error.source, error.source),
         line=error.line,
     )

@@ -10,7 +10,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento.errors import InputError
+from rolamento.errors import InputError, arguments
 from rolamento.io.dates import dates_of, days_between, moment_said
 from rolamento.records import frozen
 from rolamento.weibull import LifeTest, read_life_test
@@ -199,7 +199,7 @@ def replacement_study(
     """
     if len(currency) > _LONGEST_DATE or not (currency.isprintable()):
         rule = said("must be one line of at most {most} characters", most=_LONGEST_DATE)
-        raise InputError(rule, field="currency", value=currency, example='currency="USD"')
+        raise InputError(rule, field="currency", value=currency, example=arguments(currency="USD"))
     law, title, _, notes = lives_of(data, **lives)
     if not law.converged:
         return ReplacementStudy(law, title, notes, None, currency)
@@ -254,7 +254,7 @@ def fleet_study(
     """
     if (within is None) == (until is None):
         raise InputError(said("or until must be given, not both"), field="within",
-                         example='within="2000 h"')  # fmt: skip
+                         example=arguments(within="2000 h"))  # fmt: skip
     law, title, test, notes = lives_of(data, **lives)
     table = _fleet_of(fleet, test, fleet_columns or {}, law.unit)
     first, of_begin = _moment(begin, "begin")
@@ -263,7 +263,9 @@ def fleet_study(
     if within is not None:
         if first is not None or usage is not None:
             field = "begin" if first is not None else "usage"
-            raise InputError(said("goes with until"), field=field, example='until="2026-12-31"')
+            raise InputError(
+                said("goes with until"), field=field, example=arguments(until="2026-12-31")
+            )
         ahead = np.full(len(table.ages), life_in(within, law.unit, "within"))
     else:
         assert last is not None
@@ -329,7 +331,7 @@ def lives_of(
             raise InputError(
                 said("must be given with scale or l10 where there are no data"),
                 field="shape",
-                example='shape=1.5, l10="20000 h"',
+                example=arguments(shape=1.5, l10="20000 h"),
             )
         field = "l10" if scale is None else "scale"
         life, unit = _life_with_unit(l10 if scale is None else scale, field)
@@ -371,7 +373,7 @@ def _of_mode(test: LifeTest, only_mode: str | None) -> tuple[LifeTest, tuple[Not
             there=there,
             all=ALL_MODES,
         )
-        raise InputError(rule, field="only_mode", example=f'only_mode="{modes[0]}"')
+        raise InputError(rule, field="only_mode", example=arguments(only_mode=modes[0]))
     if only_mode is None:
         return test, ()
     notes = notes_of_mode(test, only_mode)
@@ -404,12 +406,12 @@ def _fleet_of(
         return found
     if test is None:
         rule = said("must be given where there are no data")
-        raise InputError(rule, field="fleet", example='fleet="fleet.csv"')
+        raise InputError(rule, field="fleet", example=arguments(fleet="fleet.csv"))
     if not np.any(~test.failed):
         raise InputError(
             said("must be given: all bearings of the data have failed"),
             field="fleet",
-            example='fleet="fleet.csv"',
+            example=arguments(fleet="fleet.csv"),
         )
     return FleetTable.of_test(test)
 
@@ -448,7 +450,7 @@ def _ahead(
             raise InputError(
                 said("must be given for dates: what a bearing runs a day"),
                 field="usage",
-                example=f'usage="16 {unit}"',
+                example=arguments(usage=f"16 {unit}"),
             )
         daily = np.ones(len(table.ages))
     if unit.casefold() == "h" and np.any(daily > 24.0):

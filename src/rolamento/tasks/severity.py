@@ -12,7 +12,7 @@ from typing import Any, Final, Unpack
 
 import numpy as np
 
-from rolamento.errors import InputError
+from rolamento.errors import InputError, arguments
 from rolamento.io.columns import folded_name
 from rolamento.io.dates import dates_of, days_between, moment_after, moment_said
 from rolamento.io.json import csv_number
@@ -312,7 +312,9 @@ def severity_of(
         )
     if not 0.0 < confidence < 1.0:
         rule = said("must be between 0 and 1, exclusive")
-        raise InputError(rule, field="confidence", value=confidence, example="confidence=0.9")
+        raise InputError(
+            rule, field="confidence", value=confidence, example=arguments(confidence=0.9)
+        )
     if support is not None:
         support = _SUPPORTS.get(folded_name(support), support)
     classes = classes_of(
@@ -365,7 +367,7 @@ def _power(given: str | float | None) -> float | None:
     try:
         return to_si(given, "power")
     except InputError as error:
-        raise error.with_details(field="power", example='power="45 kW"') from None
+        raise error.with_details(field="power", example=arguments(power="45 kW")) from None
 
 
 def _velocity(given: str | float | None, field: str) -> float | None:
@@ -392,7 +394,10 @@ def _hours(hours: Sequence[float] | None, count: int) -> list[float]:
             "must be a number of hours, not negative, for each signal, here {count}", count=count
         )
         raise InputError(
-            rule, field="hours", value=", ".join(map(str, times)), example="hours=[60, 120, 180]"
+            rule,
+            field="hours",
+            value=", ".join(map(str, times)),
+            example=arguments(hours=[60, 120, 180]),
         )
     return times
 

@@ -14,7 +14,7 @@ from typing import Any, Final, Literal, Protocol
 
 import numpy as np
 
-from rolamento.errors import FileError, InputError
+from rolamento.errors import FileError, InputError, arguments, phrase
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
 from rolamento.tasks.parameters import Progress, renamed
@@ -24,13 +24,13 @@ from rolamento.vibration.order_tracking import revolutions_of
 from rolamento.vibration.reading import SignalFile, open_signal
 from rolamento.vibration.shaft_speed import estimate_speed, speed_from_pulses
 from rolamento.vibration.signal import Signal
-from rolamento.words import Note, said
+from rolamento.words import Note, marked, said
 
 SpeedSource = Literal["given", "file", "case", "channel", "pulses", "vibration"]
 """Where the speed is from: the user, the signal's file, the case; or what it was measured from."""
 
 WITHIN: Final = 0.1
-_EXAMPLE: Final = 'speed="1797 rpm"'
+_EXAMPLE: Final = arguments(speed="1797 rpm")
 _SAME_SPEED: Final = 1e-3
 """Part by which two statements of a speed may differ: it is not known better."""
 _MOST_OFFERED: Final = 5
@@ -179,33 +179,49 @@ class SpeedInputs:
         chosen = [way for way, is_given in ways.items() if is_given]
         if len(chosen) > 1:
             raise InputError(
-                said(
-                    "gives the speed in another way than {chosen}=…: leave one of them out",
-                    chosen=chosen[0],
+                phrase(
+                    marked("gives the speed in another way than {chosen}: leave one of them out"),
+                    chosen=arguments(**{chosen[0]: ...}),
                 ),
                 field=chosen[1],
-                example=f"{chosen[0]}=…, or {_EXAMPLE} alone",
+                example=phrase(
+                    marked("{chosen}, or {speed} alone"),
+                    chosen=arguments(**{chosen[0]: ...}),
+                    speed=_EXAMPLE,
+                ),
             )
         for parameter, value, needed, example in (
-            ("speed_unit", self.unit, "speed_channel", 'speed_channel="rpm", speed_unit="rpm"'),
-            ("pulses", self.pulses, "tacho", "tacho=2, pulses=1"),
-            ("within", self.within, "track", "track=True, within=0.1"),
+            (
+                "speed_unit",
+                self.unit,
+                "speed_channel",
+                arguments(speed_channel="rpm", speed_unit="rpm"),
+            ),
+            ("pulses", self.pulses, "tacho", arguments(tacho=2, pulses=1)),
+            ("within", self.within, "track", arguments(track=True, within=0.1)),
         ):
             if value is not None and not ways[needed]:
-                rule = said("needs {needed}=…, which is missing", needed=needed)
+                rule = phrase(
+                    marked("needs {needed}, which is missing"), needed=arguments(**{needed: ...})
+                )
                 raise InputError(rule, field=parameter, value=value, example=example)
         if self.measured:
             for parameter, speed in (("speed", self.inner), ("outer_speed", self.outer)):
                 if speed is not None:
                     raise InputError(
-                        said(
-                            "is a steady speed, but {measured}=… is the measured speed of the "
-                            "rotating ring: leave one of them out",
-                            measured=self.measured,
+                        phrase(
+                            marked(
+                                "is a steady speed, but {measured} is the measured speed of the "
+                                "rotating ring: leave one of them out"
+                            ),
+                            measured=arguments(**{self.measured: ...}),
                         ),
                         field=parameter,
                         value=f"{rpm_of(speed):.6g} rpm",
-                        example=f"{self.measured}=… alone",
+                        example=phrase(
+                            marked("{argument} alone"),
+                            argument=arguments(**{self.measured: ...}),
+                        ),
                     )
 
     @property
@@ -313,7 +329,7 @@ def _over_file(given: float, of_file: float | None) -> tuple[Note, ...]:
 
 def _missing(source: SignalFile) -> InputError:
     """Ask for the speed, and offer the numbers of the file that may be it."""
-    example = _EXAMPLE
+    example: str = _EXAMPLE
     rule = said("is missing, and is given neither in the file nor in the case")
     if source.speeds_perhaps:
         entries = [f"{name} = {value:.6g}" for name, value in source.speeds_perhaps.items()]
@@ -323,7 +339,11 @@ def _missing(source: SignalFile) -> InputError:
             "{numbers} in the file may be it, but without a unit",
             numbers=", ".join(entries[:_MOST_OFFERED]),
         )
-        example += f', or speed_channel="{name}", speed_unit="Hz"'
+        example = phrase(
+            marked("{first}, or {second}"),
+            first=_EXAMPLE,
+            second=arguments(speed_channel=name, speed_unit="Hz"),
+        )
     return InputError(rule, field="speed", example=example)
 
 
@@ -395,7 +415,7 @@ def _both_turn(parameter: str) -> InputError:
             "would change with it"
         ),
         field=parameter,
-        example='outer_speed="0 rpm"',
+        example=arguments(outer_speed="0 rpm"),
     )
 
 
@@ -406,10 +426,15 @@ def _check_range(shaft: ShaftSpeed, parameter: str) -> None:
         revolutions_of(Signal(np.zeros(2), 1.0, speed=np.array([shaft.minimum, shaft.maximum])))
     except InputError as error:
         raise InputError(
-            said("{rule}, with start=… and duration=…", rule=error.rule),
+            phrase(
+                marked("{rule}, with {start} and {duration}"),
+                rule=error.rule,
+                start=arguments(start=...),
+                duration=arguments(duration=...),
+            ),
             field=parameter,
             value=f"{rpm_of(shaft.minimum):.6g} to {rpm_of(shaft.maximum):.6g} rpm",
-            example="start=2, duration=10",
+            example=arguments(start=2, duration=10),
         ) from None
 
 
@@ -492,7 +517,7 @@ def of_tacho(source: SignalFile, part: range, channel: str | int, pulses: int) -
                 ),
                 field="tacho",
                 value=channel,
-                example=f"duration={floor(MOST_TACHO_SAMPLES / tacho.rate)}",
+                example=arguments(duration=floor(MOST_TACHO_SAMPLES / tacho.rate)),
             )
         signal = tacho.read(first, count)
         name = tacho.channel.name or str(channel)
@@ -527,7 +552,7 @@ def _opened_tacho(source: SignalFile, channel: str | int) -> SignalFile:
             said("is the vibration channel; choose that of the pulses"),
             field="tacho",
             value=channel,
-            example="channel=1, tacho=2",
+            example=arguments(channel=1, tacho=2),
         )
     if given["rate"] is not None and tacho.length != source.length:
         tacho.close()
@@ -554,11 +579,14 @@ def _check_extent(tacho: SignalFile, source: SignalFile, part: range, end: int) 
     # rounding may ask for one sample more than there are
     if end > tacho.length + 1:
         raise FileError(
-            said(
-                "ends at {duration:.6g} s, before the analysed signal, at {stop:.6g} "
-                "s; give a shorter duration=…",
+            phrase(
+                marked(
+                    "ends at {duration:.6g} s, before the analysed signal, at {stop:.6g} "
+                    "s; give a shorter {argument}"
+                ),
                 duration=tacho.duration,
                 stop=part.stop / source.rate,
+                argument=arguments(duration=...),
             ),
             field="tacho",
             value=tacho.channel.name or None,
@@ -571,7 +599,7 @@ def _speed_of_pulses(signal: Signal, pulses: int, channel: str | int) -> FloatAr
     except InputError as error:
         rule = error.rule
         if error.field == "pulses_per_revolution":
-            raise error.with_details(field="pulses", example="pulses=1") from None
+            raise error.with_details(field="pulses", example=arguments(pulses=1)) from None
         if error.field == "number of pulses":
             rule = said("{rule}, here {count}", rule=rule, count=error.value)
         raise InputError(
@@ -583,7 +611,7 @@ def _speed_of_pulses(signal: Signal, pulses: int, channel: str | int) -> FloatAr
             ),
             field="tacho",
             value=channel,
-            example="tacho=2, pulses=1",
+            example=arguments(tacho=2, pulses=1),
         ) from None
 
 
@@ -621,7 +649,7 @@ def found_in_vibration(
             source="track",
             field="record",
             value=f"{count / per_turn:.4g} revolutions",
-            example='speed_channel="rpm"',
+            example=arguments(speed_channel="rpm"),
         )
     stretches = _stretches(count, per_turn)
     margin = ceil(_MARGIN * per_turn)
@@ -669,7 +697,7 @@ def _stretches(count: int, per_turn: float) -> list[tuple[int, int]]:
                 least_2=2.0 * _LEAST * per_turn,
             ),
             field="track",
-            example='speed_channel="rpm"',
+            example=arguments(speed_channel="rpm"),
         )
     number = max(1, round(turns / _STRETCH))
     if count > MOST_STRETCH_SAMPLES:
@@ -685,7 +713,8 @@ def _of_tracking(error: InputError) -> InputError:
             said("must be a fraction above 0 and at most 0.3"),
             field="within",
             value=error.value,
-            example="within=0.1",
+            example=arguments(within=0.1),
         )
-    example = 'speed_channel="rpm"' if error.field in ("record", "rate") else error.example
+    of_record = error.field in ("record", "rate")
+    example = arguments(speed_channel="rpm") if of_record else error.example
     return error.with_details(source="track", example=example)

@@ -9,11 +9,11 @@ from typing import Final, TypedDict
 
 import numpy as np
 
-from rolamento.errors import InputError
+from rolamento.errors import InputError, arguments, phrase
 from rolamento.tasks.parameters import Progress
 from rolamento.vibration.reading import SignalFile
 from rolamento.vibration.signal import Signal
-from rolamento.words import said
+from rolamento.words import marked, said
 
 PIECE: Final = 2**20
 """Samples that are read at a time."""
@@ -67,13 +67,15 @@ def part_of(file: SignalFile, start: float, duration: float | None) -> range:
         If the part does not lie within the file.
     """
     if not start >= 0.0:
-        raise InputError(said("must be at least 0"), field="start", value=start, example="start=2")
+        raise InputError(
+            said("must be at least 0"), field="start", value=start, example=arguments(start=2)
+        )
     first = round(start * file.rate)
     if first >= file.length:
         rule = said(
             "must be before the end of the signal, {duration:.6g} s", duration=file.duration
         )
-        raise InputError(rule, field="start", value=f"{start:g} s", example="start=2")
+        raise InputError(rule, field="start", value=f"{start:g} s", example=arguments(start=2))
     count = file.length - first
     if duration is not None:
         # a part of a sample more is no more than rounding
@@ -82,7 +84,9 @@ def part_of(file: SignalFile, start: float, duration: float | None) -> range:
                 "must be positive and end within the signal, which lasts {duration:.6g} s",
                 duration=file.duration,
             )
-            raise InputError(rule, field="duration", value=f"{duration:g} s", example="duration=10")
+            raise InputError(
+                rule, field="duration", value=f"{duration:g} s", example=arguments(duration=10)
+            )
         count = min(round(duration * file.rate), count)
     return range(first, first + count, PIECE)
 
@@ -157,7 +161,7 @@ def require_calibrated(source: SignalFile, path: str) -> None:
                 " recorder's range"
             ),
             field="scale",
-            example='scale="5 g"',
+            example=arguments(scale="5 g"),
             source=path,
         )
     raise InputError(
@@ -172,7 +176,12 @@ def require_calibrated(source: SignalFile, path: str) -> None:
             unit=unit,
         ),
         field="unit",
-        example='unit="um/s", unit="m/s^2" or scale="100 mV/g"',
+        example=phrase(
+            marked("{first}, {second} or {third}"),
+            first=arguments(unit="um/s"),
+            second=arguments(unit="m/s^2"),
+            third=arguments(scale="100 mV/g"),
+        ),
         source=path,
     )
 

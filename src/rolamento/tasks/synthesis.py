@@ -15,7 +15,7 @@ import numpy as np
 from rolamento.case.bearing import Bearing
 from rolamento.case.fields import Changes
 from rolamento.case.roller_bearing import RollerBearing
-from rolamento.errors import InputError
+from rolamento.errors import InputError, arguments
 from rolamento.io.json import dumps
 from rolamento.io.writing import write_text
 from rolamento.records import frozen
@@ -322,7 +322,7 @@ def synthesise(
                 else said("is that of both rings: nothing rolls")
             ),
             field="speed",
-            example='speed="1797 rpm"',
+            example=arguments(speed="1797 rpm"),
         )
     solved: Solved | None = None
     if has_load(case):
@@ -396,14 +396,14 @@ def _check_size(
         raise InputError(
             said("would be silent: give faults=…, waviness=…, shaft_harmonics=… or noise=…"),
             field="signal",
-            example="faults=…, noise=…",
+            example=arguments(faults=..., noise=...),
         )
     if not duration * rate <= MOST_SAMPLES:
         raise InputError(
             said("gives more than {most} samples at this rate", most=MOST_SAMPLES),
             field="duration",
             value=f"{duration:g} s",
-            example="duration=10",
+            example=arguments(duration=10),
         )
 
 
@@ -422,10 +422,13 @@ def _distribution(
         )
     if kind != "solved":
         rule = said("must be one of uniform, radial, solved")
-        raise InputError(rule, field="load", value=kind, example='load="radial"')
+        raise InputError(rule, field="load", value=kind, example=arguments(load="radial"))
     if solved is None:
         raise InputError(
-            said("needs a case file with a load"), field="load", value=kind, example='load="radial"'
+            said("needs a case file with a load"),
+            field="load",
+            value=kind,
+            example=arguments(load="radial"),
         )
     return LoadDistribution.of_solved(solved, row=frequencies.row)
 
@@ -466,7 +469,7 @@ def _refuse_silence(made: Synthesis) -> None:
                 "is silent: no rolling element is loaded where the damage lies, or the signal is "
                 "too short"
             )
-        raise InputError(rule, field="signal", example='load="uniform"')
+        raise InputError(rule, field="signal", example=arguments(load="uniform"))
 
 
 def _decibels(rms: float, noise: float) -> float:

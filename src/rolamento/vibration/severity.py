@@ -39,7 +39,7 @@ from typing import Any, Final, Literal, get_args
 
 import numpy as np
 
-from rolamento.errors import InputError
+from rolamento.errors import InputError, arguments
 from rolamento.io.data import toml_of
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
@@ -192,16 +192,20 @@ def classes_of(
     if machine_class is not None:
         return (_old_class(machine_class, group, support, power, known),)
     if group is not None and group not in (1, 2):
-        raise InputError(said("must be 1 or 2"), field="group", value=group, example="group=2")
+        raise InputError(
+            said("must be 1 or 2"), field="group", value=group, example=arguments(group=2)
+        )
     if support is not None and support not in get_args(Support):
         raise InputError(
             said("must be one of {known}", known=", ".join(get_args(Support))),
             field="support",
             value=support,
-            example='support="rigid"',
+            example=arguments(support="rigid"),
         )
     if power is not None:
-        checked_number(power, "power", above=0.0, most=_MOST_POWER, example='power="45 kW"')
+        checked_number(
+            power, "power", above=0.0, most=_MOST_POWER, example=arguments(power="45 kW")
+        )
         by_power = _group_of(power)
         if by_power and group not in (None, by_power):
             raise InputError(
@@ -226,7 +230,7 @@ def classes_of(
                     ),
                     field="group",
                     value=group,
-                    example='machine_class="I"',
+                    example=arguments(machine_class="I"),
                 )
             return (next(one for one in known if one.name == "class I"),)
         group = by_power
@@ -257,7 +261,7 @@ def _old_class(
             said("must be one of {known}", known=", ".join(CLASSES)),
             field="machine_class",
             value=name,
-            example='machine_class="II"',
+            example=arguments(machine_class="II"),
         )
     for field_, value in (("group", group), ("support", support), ("power", power)):
         if value is not None:
@@ -307,7 +311,9 @@ def alarm_setting(machine: MachineClass, baseline: float | None = None) -> Alarm
     trip = rule["trip"] * c_d
     if baseline is None:
         return AlarmSetting(nan, b_c, trip)
-    checked_number(baseline, "baseline", above=0.0, most=1e3, example='baseline="1.2 mm/s"')
+    checked_number(
+        baseline, "baseline", above=0.0, most=1e3, example=arguments(baseline="1.2 mm/s")
+    )
     alarm = min(baseline + rule["over_baseline"] * b_c, rule["greatest"] * b_c)
     return AlarmSetting(baseline, alarm, trip)
 
@@ -444,7 +450,7 @@ def measure_severity(
     if duration is None:
         if not isinstance(signal, Signal):
             rule = said("must be given for a signal in pieces")
-            raise InputError(rule, field="duration", example="duration=10.0")
+            raise InputError(rule, field="duration", example=arguments(duration=10.0))
         duration = signal.duration
     if speed is None:
         speed = signal.mean_speed if isinstance(signal, Signal) else nan

@@ -32,7 +32,7 @@ from typing import Final, Literal
 import numpy as np
 from scipy import fft
 
-from rolamento.errors import InputError
+from rolamento.errors import InputError, arguments
 from rolamento.numerics import ComplexArray, FloatArray
 from rolamento.records import frozen
 from rolamento.vibration._checks import checked_count, checked_number, require_signal
@@ -155,7 +155,7 @@ def _check_pulses(times: FloatArray) -> None:
             said("must be at least {least}", least=_LEAST_PULSES),
             field=marked("number of pulses"),
             value=len(times),
-            example='level=0.5, edge="falling"',
+            example=arguments(level=0.5, edge="falling"),
         )
     intervals = np.diff(times)
     ratio = intervals[1:] / intervals[:-1]
@@ -167,7 +167,7 @@ def _check_pulses(times: FloatArray) -> None:
                 times=times[wrong[0] + 1],
             ),
             field="pulses",
-            example="level=0.5, pulses_per_revolution=2",
+            example=arguments(level=0.5, pulses_per_revolution=2),
         )
 
 

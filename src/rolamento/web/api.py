@@ -15,7 +15,7 @@ from starlette.routing import Route
 
 import rolamento
 from rolamento.case.record import Record
-from rolamento.errors import InputError, UnknownKeyError, guess
+from rolamento.errors import InputError, UnknownKeyError, arguments, guess
 from rolamento.io.json import dumps
 from rolamento.records import frozen
 from rolamento.tasks.inputs import SIGNAL, Group, Input
@@ -215,13 +215,13 @@ def _catalogue(given: Mapping[str, str]) -> str:
 
     if ("text" in given) == ("designation" in given):
         rule = said("must be given, or designation")
-        raise InputError(rule, field="text", example="text=6205")
+        raise InputError(rule, field="text", example=arguments(text=6205))
     if "designation" in given:
         return dumps(bearing_mapping(inside_of(built_in_catalogue(), given["designation"])))
     most = given.get("most", "40")
     if not (most.isascii() and most.isdigit() and 1 <= int(most[:9]) <= _MOST_FOUND):
         rule = said("must be between 1 and {most}", most=_MOST_FOUND)
-        raise InputError(rule, field="most", value=most, example="most=40")
+        raise InputError(rule, field="most", value=most, example=arguments(most=40))
     return dumps(search_mapping(built_in_catalogue().search(given["text"], int(most))))
 
 

@@ -48,7 +48,7 @@ from dataclasses import replace
 from importlib import resources
 from typing import Any, Final
 
-from rolamento.errors import InputError, UnknownKeyError
+from rolamento.errors import InputError, UnknownKeyError, arguments, phrase
 from rolamento.io.columns import (
     COLUMN_OF,
     check_names,
@@ -71,7 +71,7 @@ from rolamento.weibull.life_test import (
     LifeTest,
 )
 from rolamento.weibull.table_forms import in_usual_form
-from rolamento.words import Note, said
+from rolamento.words import Note, marked, said
 
 
 def _words(text: str) -> frozenset[str]:
@@ -464,7 +464,7 @@ def check_status(
                 "may hold 1 for what failed or for what was censored; call it failed or censored,"
                 " or choose it as the status if 1 is a failure"
             )
-        raise InputError(rule, field=title, example=f'status="{title}", ignored=["{title}"]')
+        raise InputError(rule, field=title, example=arguments(status=title, ignored=[title]))
 
 
 _EITHER: Final = _words("c cens censor censor_flag cens_flag ic zens")
@@ -573,13 +573,17 @@ def _check_columns(places: Mapping[str, int]) -> None:
         raise InputError(
             said("has no column of times under a usual name"),
             field="header",
-            example='time,status; or time="name of the column"',
+            example=phrase(
+                marked("{header}; or {argument}"),
+                header="time,status",
+                argument=arguments(time="name of the column"),
+            ),
         )
     if sum(name in places for name in _KINDS_OF_STATUS) > 1:
         raise InputError(
             said("says in two columns whether a bearing failed"),
             field="header",
-            example='status="name of the column"',
+            example=arguments(status="name of the column"),
         )
     if "size" in places and ("count" in places or "lower" in places):
         raise InputError(said("has rig sizes besides counts or inspections"), field="header")
@@ -681,7 +685,7 @@ def _refuse_modes_as_groups(rows: Sequence[Row], header: Header, table: Table) -
             " are no groups, as any bearing may fail by any of them"
         ),
         field=title,
-        example=f'mode="{title}"',
+        example=arguments(mode=title),
         source=table.source,
         line=table.header_line,
     )

@@ -8,7 +8,7 @@ from typing import Any, Final, Literal, get_args
 
 from numpy.typing import ArrayLike
 
-from rolamento.errors import InputError
+from rolamento.errors import InputError, arguments
 from rolamento.records import frozen
 from rolamento.weibull._checks import finite_or_none, one_of
 from rolamento.weibull.bounds import Band, Bounds, Method, Sides, all_bounds, confidence_band
@@ -460,7 +460,7 @@ def _check_groups_and_modes(groups: Mapping[str, LifeTest], modes: tuple[str, ..
                 modes=len(modes),
             ),
             field="only_mode",
-            example=f'only_mode="{modes[0]}"',
+            example=arguments(only_mode=modes[0]),
         )
 
 

@@ -13,7 +13,7 @@ from dataclasses import replace
 from datetime import date, datetime
 from typing import Final
 
-from rolamento.errors import InputError
+from rolamento.errors import InputError, arguments
 from rolamento.io.columns import column_by_name, folded_name, place_of, title_parts
 from rolamento.io.dates import Dates, dates_of, days_between, moment_said
 from rolamento.io.numerals import Numerals
@@ -123,7 +123,7 @@ def _places_of_dates(table: Table, start: str | None, end: str | None) -> tuple[
             rule = said("needs a second column of dates")
             raise InputError(
                 rule, field=other, source=table.source, line=table.header_line,
-                example='start="installed", end="removed"',
+                example=arguments(start="installed", end="removed"),
             )  # fmt: skip
         if not found:
             return None
@@ -214,7 +214,7 @@ def _day_of_data(as_of: str | date | None) -> datetime | None:
     found = dates.moment(text)
     if found is None or dates.doubt:
         rule = said("must be a date whose day and month cannot be taken for each other")
-        raise InputError(rule, field="as_of", value=as_of, example='as_of="2026-12-31"')
+        raise InputError(rule, field="as_of", value=as_of, example=arguments(as_of="2026-12-31"))
     return found
 
 
@@ -227,7 +227,7 @@ def _check_running(title: str, until: datetime | None, says_what_failed: bool) -
         raise InputError(rule, field=title, example="failed, suspended")
     if until is None:
         rule = said("is blank: until which day has the bearing been running?")
-        raise InputError(rule, field=title, example='as_of="2026-12-31"')
+        raise InputError(rule, field=title, example=arguments(as_of="2026-12-31"))
 
 
 def _use(cell: str, title: str, numerals: Numerals) -> float:

@@ -26,7 +26,7 @@ from typing import TYPE_CHECKING, Any, Final, get_args
 
 import numpy as np
 
-from rolamento.errors import InputError
+from rolamento.errors import InputError, arguments, phrase
 from rolamento.io.columns import (
     check_names,
     column_by_name,
@@ -49,7 +49,7 @@ from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
 from rolamento.weibull._checks import one_of
 from rolamento.weibull.life_test import LONGEST_LABEL, TextArray, passed_over_notes
-from rolamento.words import Note, said
+from rolamento.words import Note, marked, said
 
 if TYPE_CHECKING:
     from rolamento.clearance.wear import WearFit, WearLaw
@@ -353,7 +353,11 @@ class _Columns:
             raise InputError(
                 said("must have a column of running times or dates"),
                 field="header",
-                example=said('{header}; or time="name of the column"', header=_EXAMPLE),
+                example=phrase(
+                    marked("{header}; or {argument}"),
+                    header=_EXAMPLE,
+                    argument=arguments(time="name of the column"),
+                ),
             )
         dated = _holds_dates(table, first)
         time_unit = "d" if dated else heads[first][1] or word_and_unit(header[first])[1]
@@ -473,7 +477,11 @@ def _check_quantities(
         raise InputError(
             said("needs its unit in brackets"),
             field=header[others[0]],
-            example=said('{header}; or values=["{name}"]', header=_EXAMPLE, name=header[others[0]]),
+            example=phrase(
+                marked("{header}; or {argument}"),
+                header=_EXAMPLE,
+                argument=arguments(values=[header[others[0]]]),
+            ),
         )
     if not places:
         raise InputError(said("has no column of a quantity"), field="header", example=_EXAMPLE)
@@ -494,7 +502,7 @@ def _check_names_of_bearings(
                 said("may name what was measured; choose it as the bearing, or leave it out"),
                 field=table.header[place],
                 value=words[0],
-                example=f'bearing="{table.header[place]}"',
+                example=arguments(bearing=table.header[place]),
             )
 
 

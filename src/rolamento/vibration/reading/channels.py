@@ -14,7 +14,7 @@ from typing import Any, Final, NamedTuple, Self
 
 import numpy as np
 
-from rolamento.errors import FileError, InputError, nearest
+from rolamento.errors import FileError, InputError, arguments, nearest, phrase, respelled
 from rolamento.io.numerals import Numerals
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
@@ -243,7 +243,7 @@ def _listed(channels: tuple[Channel, ...]) -> str:
 
 def _example(channels: tuple[Channel, ...], number: int) -> str:
     name = channels[number].name
-    return f'channel="{name}"' if name else f"channel={number + 1}"
+    return arguments(channel=name or number + 1)
 
 
 def _rate(channel: Channel, given: float | None) -> float:
@@ -260,9 +260,11 @@ def _rate(channel: Channel, given: float | None) -> float:
             doubt = claimed(channel.rate_doubt)
             rule = said("is ambiguous: in the file {doubt}; give it, in Hz", doubt=doubt)
             field = marked("sampling rate")
-        raise InputError(rule, field=field, example="rate=51200.0")
+        raise InputError(rule, field=field, example=arguments(rate=51200.0))
     rate = channel.rate if given is None else given
-    return checked_number(rate, "rate", above=0.0, most=_HIGHEST_RATE, example="rate=51200.0")
+    return checked_number(
+        rate, "rate", above=0.0, most=_HIGHEST_RATE, example=arguments(rate=51200.0)
+    )
 
 
 def _choices(channel: Channel, rate: float, *, is_given: bool) -> tuple[Note, ...]:
@@ -300,7 +302,7 @@ def _unit(channel: Channel, unit: str, quantity: Quantity | None) -> tuple[Quant
                 quantity=quantity,
             ),
             field="unit",
-            example=f'unit="{SI_UNITS.get(quantity, "m/s^2")}"',
+            example=arguments(unit=SI_UNITS.get(quantity, "m/s^2")),
         )
     return quantity, SI_UNITS.get(quantity, unit), unit_scale(quantity, unit)
 
@@ -320,10 +322,10 @@ def _given_unit(channel: Channel, given: Any) -> str:
     unit = checked_unit(given)
     if channel.unit not in ("1", unit) and is_unit(channel.unit):
         raise InputError(
-            said(
-                'contradicts the file, which says "{unit}"; leave it out, and give'
-                ' scale="100 mV/g"',
+            phrase(
+                marked('contradicts the file, which says "{unit}"; leave it out, and give {scale}'),
                 unit=channel.unit,
+                scale=arguments(scale="100 mV/g"),
             )
             if is_raw(channel.unit)
             else said('contradicts the file, which says "{unit}"; leave it out', unit=channel.unit),
@@ -379,7 +381,7 @@ def chosen_speed(source: Source, samples: int, wanted: Any, unit: Any) -> ShaftS
                 said("needs a speed_channel, and none is given"),
                 field="speed_unit",
                 value=unit,
-                example='speed_channel="rpm"',
+                example=arguments(speed_channel="rpm"),
             )
         return ShaftSpeed(source.channels[samples].speed)
     name = _name_of_number(source, wanted)
@@ -429,8 +431,8 @@ def _number_of(source: Source, wanted: Any) -> int:
         names = [short_name(name) for name in list(source.numbers)[:_MOST_LISTED]]
         rule = error.rule
         if names:
-            rule = said("{rule}; or a number: {names}", rule=rule, names=", ".join(names))
-        example = error.example.replace("channel=", "speed_channel=", 1)
+            rule = phrase(marked("{rule}; or a number: {names}"), rule=rule, names=", ".join(names))
+        example = respelled(error.example, {"channel": "speed_channel"})
         raise InputError(rule, field="speed_channel", value=error.value, example=example) from None
 
 
@@ -492,7 +494,7 @@ def _speed_scale(name: str, of_file: str, given: Any) -> float:
                 **values,
             ),
             field="speed_unit",
-            example='speed_unit="rpm"',
+            example=arguments(speed_unit="rpm"),
         )
     unit = checked_speed_unit(given)
     if of_file in SPEED_UNITS and of_file != unit:

@@ -17,7 +17,7 @@ from typing import BinaryIO, Final, get_args
 
 import numpy as np
 
-from rolamento.errors import FileError, InputError
+from rolamento.errors import FileError, InputError, arguments, phrase
 from rolamento.io.columns import NAMES, folded_name, is_unit_word
 from rolamento.io.dates import DateOrder, Dates, dates_of, is_time_of_day
 from rolamento.io.foreign.bounds import check_whole, guarded, size_of_file
@@ -532,9 +532,10 @@ def _comma_of(
         said("may be one channel with decimal commas, or two channels; nothing shows which"),
         field=marked("table"),
         value=filled[0],
-        example=said(
-            'decimal_mark="comma" for one channel, decimal_mark="point" for two; or a line of names'
-            " above the numbers"
+        example=phrase(
+            marked("{one} for one channel, {two} for two; or a line of names above the numbers"),
+            one=arguments(decimal_mark="comma"),
+            two=arguments(decimal_mark="point"),
         ),
         source=source,
         line=line,

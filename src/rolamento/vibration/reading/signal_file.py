@@ -9,7 +9,7 @@ from typing import Self
 
 import numpy as np
 
-from rolamento.errors import FileError, InputError
+from rolamento.errors import FileError, InputError, arguments
 from rolamento.io.foreign.bounds import guarded
 from rolamento.io.numerals import checked_mark
 from rolamento.numerics import FloatArray
@@ -130,7 +130,7 @@ class SignalFile:
                     ),
                     field=marked("number of samples"),
                     value=count,
-                    example="start=0.0, duration=60.0",
+                    example=arguments(start=0.0, duration=60.0),
                 )
             start += self._first
             rows = self._source.read(self._wanted, start, count)

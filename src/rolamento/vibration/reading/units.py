@@ -12,9 +12,9 @@ from typing import Any, Final, NamedTuple
 
 import numpy as np
 
-from rolamento.errors import InputError, nearest
+from rolamento.errors import InputError, arguments, nearest, phrase
 from rolamento.vibration.signal import SI_UNITS, Quantity, unit_scale
-from rolamento.words import said
+from rolamento.words import marked, said
 
 __all__ = [
     "SPEED_UNITS",
@@ -123,7 +123,9 @@ def checked_unit(unit: Any) -> str:
         If it is another one: with those that are allowed.
     """
     if not isinstance(unit, str):
-        raise InputError(said("must be text"), field="unit", value=unit, example='unit="g"')
+        raise InputError(
+            said("must be text"), field="unit", value=unit, example=arguments(unit="g")
+        )
     plain = plain_unit(unit)
     allowed = (*_KNOWN, *RAW_UNITS)
     if plain not in allowed:
@@ -135,7 +137,7 @@ def checked_unit(unit: Any) -> str:
             ),
             field="unit",
             value=unit,
-            example=f'unit="{nearest(plain, allowed) or "g"}"',
+            example=arguments(unit=nearest(plain, allowed) or "g"),
         )
     return plain
 
@@ -154,7 +156,7 @@ def checked_speed_unit(unit: Any) -> str:
             said("must be one of {known}", known=", ".join(SPEED_UNITS)),
             field="speed_unit",
             value=unit,
-            example='speed_unit="rpm"',
+            example=arguments(speed_unit="rpm"),
         )
     return plain
 
@@ -164,7 +166,7 @@ _LARGEST_SCALE: Final = 1e15
 _LONGEST_SCALE: Final = 60
 _SCALE: Final = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d{1,3})?)\s*([^\d\s.,].*)")
 _VOLTS: Final = {"V": 1.0, "mV": 1e-3, "uV": 1e-6}
-_SCALE_EXAMPLE: Final = 'scale="100 mV/g"'
+_SCALE_EXAMPLE: Final = arguments(scale="100 mV/g")
 
 
 class Scale(NamedTuple):
@@ -202,11 +204,14 @@ def checked_scale(scale: Any, unit: str, quantity: Quantity | None) -> Scale:
     """
     if quantity_of_unit(unit) != "unknown":
         raise InputError(
-            said(
-                "is for samples in {raw_units}, and these are in {unit} already; write "
-                'the value of one count as scale="10 {unit}", without unit',
+            phrase(
+                marked(
+                    "is for samples in {raw_units}, and these are in {unit} already; write "
+                    "the value of one count as {scale}, without unit"
+                ),
                 raw_units=", ".join(RAW_UNITS),
                 unit=unit,
+                scale=arguments(scale=f"10 {unit}"),
             ),
             field="scale",
             value=scale,
@@ -218,7 +223,7 @@ def checked_scale(scale: Any, unit: str, quantity: Quantity | None) -> Scale:
             said("needs the quantity that it gives: {si_units}", si_units=", ".join(SI_UNITS)),
             field="scale",
             value=scale,
-            example='quantity="acceleration"',
+            example=arguments(quantity="acceleration"),
         )
     if isinstance(scale, str):
         found = _of_text(scale, unit)
@@ -295,7 +300,7 @@ def _in_samples(raw: str, unit: str, text: str) -> float:
         raise InputError(
             said('of the samples is not in the file; give it with the scale "{text}"', text=text),
             field="unit",
-            example=f'unit="{"V" if raw in _VOLTS else raw}"',
+            example=arguments(unit="V" if raw in _VOLTS else raw),
         )
     raise InputError(
         said(
@@ -305,7 +310,7 @@ def _in_samples(raw: str, unit: str, text: str) -> float:
         ),
         field="scale",
         value=text,
-        example=f'unit="{raw}"',
+        example=arguments(unit=raw),
     )
 
 
