@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+from importlib import resources
 from pathlib import Path
 
 import numpy as np
@@ -11,6 +12,7 @@ import pytest
 from rolamento import Bearing, Case, Duty, InputError, Load, studies
 from rolamento.case import case_to_toml, override, parse_case
 from rolamento.catalogue import catalogue, catalogues, geometry_of
+from rolamento.catalogue.records import own_records, records_of_csv
 from rolamento.studies.plan import Plan, solve_task
 
 OWN = """\
@@ -82,3 +84,12 @@ def test_a_study_over_designations_of_both(own: str) -> None:
     assert np.isfinite(loads).all()
     task = pickle.loads(pickle.dumps(plan.task(0)))  # as it travels to another process
     assert solve_task(task).arrays["max_inner_load"] == pytest.approx(loads, rel=1e-12)
+
+
+def test_the_files_of_the_package_are_read_alike_by_both_readers() -> None:
+    folder = resources.files("rolamento") / "data" / "catalogue"
+    files = [file for file in folder.iterdir() if file.name.endswith(".csv")]
+    assert len(files) > 10
+    for file in files:
+        text = file.read_text(encoding="utf-8")
+        assert own_records(text, file.name) == records_of_csv(text, file.name)

@@ -8,6 +8,7 @@ headings of catalogues (`rolamento.catalogue.headings`). ``# maker: NSK``, ``# k
 
 from __future__ import annotations
 
+import csv
 from collections.abc import Mapping
 from dataclasses import field, fields
 from itertools import pairwise
@@ -286,6 +287,34 @@ def records_of_csv(text: str, source: str) -> tuple[CatalogueBearing, ...]:
     return tuple(found)
 
 
+def own_records(text: str, source: str) -> tuple[CatalogueBearing, ...]:
+    """Return the bearings of a CSV file of this package, without looking for what is wrong in it.
+
+    In half the time of `records_of_csv`, which every command would wait for. The tests hold that
+    both read the same.
+    """
+    lines = [line for line in text.splitlines() if line]
+    remarks = (line.lstrip("# ").partition(":") for line in lines if line.startswith("#"))
+    said_above = {name: value.strip() for name, colon, value in remarks if colon}
+    header, *rows = csv.reader(line for line in lines if not line.startswith("#"))
+    columns = columns_of(header, said_above.get("units", ""))
+    words = [(column.figure, place) for place, column in columns.items() if column.is_text]
+    numbers = [
+        (column.figure, column.factor, place)
+        for place, column in columns.items()
+        if not column.is_text
+    ]
+    defaults = {name: said_above[name] for name in _TEXTS[1:] if name in said_above}
+    found = []
+    for cells in rows:
+        texts = defaults | {name: cells[place] for name, place in words if cells[place]}
+        figures = {
+            name: float(cells[place]) * factor for name, factor, place in numbers if cells[place]
+        }
+        found.append(_bearing(texts, _sorted_out(figures, texts), source))
+    return tuple(found)
+
+
 def _sorted_out(figures: dict[str, float], texts: dict[str, str]) -> dict[str, float]:
     """Give the figures whose names depend on the kind of bearing their own; and the kind its key.
 
@@ -355,27 +384,35 @@ def _bearing_within_reason(
                 said("must be between {low:.6g} and {high:.6g} in SI units", low=low, high=high),
                 field=name,
             )
-    values: dict[str, Any] = {**figures}
     for name in _COUNTS:
-        if (count := figures.get(name)) is None:
-            continue
-        if count != int(count):
+        if (count := figures.get(name)) is not None and count != int(count):
             raise InputError(said("must be an integer"), field=name, value=count)
-        values[name] = int(count)
     if figures["outside_diameter"] <= figures["bore"]:
         raise InputError(said("must be greater than the bore"), field="outside_diameter")
     _check_raceways(figures)
-    kind = texts.get("kind") or ("angular_contact" if "contact_angle" in figures else "deep_groove")
+    kind = _kind_of(texts, figures)
     if kind not in _KINDS:
         raise InputError(
             said("must be one of {known}", known=", ".join(_KINDS)),
             field="kind",
             value=kind,
         )
+    return _bearing(texts, figures, source)
+
+
+def _kind_of(texts: Mapping[str, str], figures: Mapping[str, float]) -> str:
+    return texts.get("kind") or ("angular_contact" if "contact_angle" in figures else "deep_groove")
+
+
+def _bearing(
+    texts: Mapping[str, str], figures: Mapping[str, float], source: str
+) -> CatalogueBearing:
+    values: dict[str, Any] = {**figures}
+    values |= {name: int(figures[name]) for name in _COUNTS if name in figures}
     return CatalogueBearing(
         designation=texts["designation"],
         maker=texts.get("maker", ""),
-        kind=cast("Kind", kind),
+        kind=cast("Kind", _kind_of(texts, figures)),
         sources=dict.fromkeys(figures, texts.get("source") or source),
         **values,
     )

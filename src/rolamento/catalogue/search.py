@@ -29,7 +29,12 @@ from rolamento.catalogue.letters import (
     letters_before,
     letters_behind,
 )
-from rolamento.catalogue.records import CatalogueBearing, records_of_csv, records_of_toml
+from rolamento.catalogue.records import (
+    CatalogueBearing,
+    own_records,
+    records_of_csv,
+    records_of_toml,
+)
 from rolamento.errors import FileError, InputError
 from rolamento.io.data import toml_of
 from rolamento.io.tables import table_text
@@ -440,7 +445,7 @@ def built_in_catalogue() -> Catalogue:
     files = sorted(
         (file for file in folder.iterdir() if file.name.endswith(".csv")), key=lambda f: f.name
     )
-    found = [records_of_csv(file.read_text(encoding="utf-8"), file.name) for file in files]
+    found = [own_records(file.read_text(encoding="utf-8"), file.name) for file in files]
     return Catalogue(tuple(bearing for bearings in found for bearing in bearings))
 
 

@@ -32,7 +32,6 @@ from rolamento.life.iso16281 import THEORY as REFERENCE
 from rolamento.life.iso16281_modified import THEORY as MODIFIED_REFERENCE
 from rolamento.life.record import BOUNDS, OUTSIDE, note_of
 from rolamento.life.theories import THEORIES
-from rolamento.pages.friction import torque_and_power
 from rolamento.pages.given import head, untitled
 from rolamento.pages.notes import cautions, cautions_section, notes_section, remarks_of
 from rolamento.units import HOUR
@@ -129,6 +128,8 @@ def life_page(
             *changes_section(summary, changes),
         ]
         if friction is not None:
+            from rolamento.pages.friction import torque_and_power  # with a page that has it
+
             sections.append(torque_and_power(solved, friction))
         pictures = (*_charts(summary), *figures)
         sections += [Section("", pictures, key="figures")] * bool(pictures)
