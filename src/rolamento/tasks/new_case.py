@@ -282,7 +282,7 @@ def _by_designation(bearing: Bearing | RollerBearing) -> dict[str, Any]:
 
 
 def _examples_of(bearing: Bearing | RollerBearing) -> dict[str, Any]:
-    """Examples of what is asleep, the values that the bearing has."""
+    """Examples for dormant fields: the values that the bearing has."""
     published = bearing.published
     assert published is not None
     fields = Case.fields()

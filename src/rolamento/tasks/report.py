@@ -241,12 +241,12 @@ class CaseReport:
 
     @cached_property
     def _film(self) -> Mapping[str, Any]:
-        """Numbers of the film's part what is not of its elements."""
+        """Part of the film without its elements."""
         return {} if self.analysis.film is None else self.analysis.film.whole()
 
     @cached_property
     def _life(self) -> Mapping[str, Any]:
-        """Numbers of the life's part what is not of a single theory."""
+        """Part of the life without the single theories."""
         life = self.analysis.life
         found: Mapping[str, Any] = {} if life is None else plain(life.whole())
         return found

@@ -58,7 +58,7 @@ class Cut:
 
     @property
     def slices(self) -> int:
-        """Number of cases."""
+        """Number of slices."""
         return int(self.place.shape[-1])
 
     @property
@@ -74,7 +74,7 @@ class Cut:
         )  # fmt: skip
 
     def part(self, index: Any) -> Cut:
-        """Part of some of the cases."""
+        """The same numbers for some of the cases."""
         place, drops, curvature, body = (
             a if len(a) == 1 else a[index]
             for a in (self.place, self.drops, self.curvature, self.body)
@@ -100,7 +100,7 @@ class Geometry:
     tapered: bool
 
     def part(self, index: Any) -> Geometry:
-        """Part of some of the cases."""
+        """The same numbers for some of the cases."""
         return self._each(lambda one: one[..., index], self.cut.part(index))
 
     def repeated(self, cases: int) -> Geometry:
@@ -140,7 +140,7 @@ class Numbers:
         return self.geometry.tapered
 
     def part(self, index: Any) -> Numbers:
-        """Part of some of the cases."""
+        """The same numbers for some of the cases."""
         motion = BallMotion(*(getattr(self.motion, one.name)[index] for one in fields(BallMotion)))
         own = self.geometry.part(index)
         return Numbers(
