@@ -272,6 +272,9 @@ async def _hostile(address: str, seed: int, counts: Counter[str]) -> None:
                     "left before the answer" if patience < 1.0 else f"bad: late: {body[:80]}"
                 ] += 1
                 continue
+            except httpx.TransportError as error:
+                counts[f"bad: {error!r}: {len(body)} characters, {body[:80]}"] += 1
+                continue
             code = answer.status_code
             known = code in (200, 400, 413, 422, 429, 503) and "Traceback" not in answer.text
             counts["hostile requests" if known else f"bad answer {code} to {body[:80]}"] += 1

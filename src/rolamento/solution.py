@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.assembly import solve_cases, spread
-from rolamento.case import Case, load_case
+from rolamento.case import Case, case_of
 from rolamento.case.bearing import Bearing
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.case.varied import DutyFields, bounded, varied_arrays
@@ -30,7 +30,7 @@ _TELLS_ANGLE = frozenset({"contact_angle", "diametral_clearance"})
 
 
 def solve(
-    case: Case | str | os.PathLike[str],
+    case: Case | Bearing | RollerBearing | str | os.PathLike[str],
     values: Any = None,
     *,
     threads: int | None = None,
@@ -48,7 +48,7 @@ def solve(
     Parameters
     ----------
     case
-        Or the file of one; supplies what does not vary.
+        Or its file, a designation, or a bearing; supplies what does not vary.
     values
         What varies: numbers in SI units, texts with a unit, or arrays or lists of one length of
         either, by the dotted names of the case's fields, such as
@@ -86,15 +86,7 @@ def solve(
     >>> carried.round(3)  # no tilt, no thrust: the balls' loads add up to the radial load
     array([2000., 5000.])
     """
-    if not isinstance(case, Case):
-        if not isinstance(case, str | os.PathLike):
-            raise InputError(
-                said("must be a Case or the path of a case file"),
-                field="case",
-                value=type(case).__name__,
-                example='rolamento.solve("case.toml")',
-            )
-        case = load_case(case)
+    case = case_of(case)
     thread_count(threads)
     given = varied_arrays(values, **fields)
     if not given:
@@ -144,12 +136,9 @@ def solved_of(
                 example='rolamento.friction_torque("6310/C3", fz=5e3)',
             )
         return source
-    if isinstance(source, Bearing | RollerBearing):
-        case = Case(bearing=source, duty={})
-    else:
-        case = source if isinstance(source, Case) else load_case(source)
-    case = case.with_(over) if over else case
-    return solve(case, values, threads=threads, preload_loss=preload_loss, **fields)
+    return solve(
+        case_of(source, over), values, threads=threads, preload_loss=preload_loss, **fields
+    )
 
 
 @frozen(eq=False)

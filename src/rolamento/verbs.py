@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any, Final, Unpack
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento.case import Case, is_designation, load_case
+from rolamento.case import Case, case_of, is_designation
 from rolamento.case.bearing import Bearing
 from rolamento.case.duty import SHORT_NAMES
 from rolamento.case.roller_bearing import RollerBearing
@@ -315,7 +315,7 @@ def sweep(
     else:
         if isinstance(source, Study):
             raise InputError(said("has axes of its own"), field="source")
-        case = source if isinstance(source, Case) else _case_of(source)
+        case = case_of(source)
         chosen: dict[str, Any] = {} if outputs is None else {"outputs": tuple(outputs)}
         crossed = [
             Axis(field=SHORT_NAMES.get(name, name), values=_listed(values))
@@ -327,12 +327,6 @@ def sweep(
 
         tasks.sweep(study, path, threads=threads, progress=progress)
     return run(study, threads=threads, progress=None if path is not None else progress)
-
-
-def _case_of(source: Bearing | RollerBearing | str | os.PathLike[str]) -> Case:
-    if isinstance(source, Bearing | RollerBearing):
-        return Case(bearing=source, duty={})
-    return load_case(source)
 
 
 def _listed(values: Any) -> tuple[Any, ...]:

@@ -168,7 +168,7 @@ def test_files_and_text_will_do(examples: Path) -> None:
     own = life_curve(load_case(path), read_range(over))
     assert np.array_equal(found["iso281"].hours, own["iso281"].hours)
     assert life_of_case(path).changes
-    with pytest.raises(InputError, match="must be a Case or the path of a case file"):
+    with pytest.raises(InputError, match="must be a Case, a bearing, a designation or the path"):
         life_of_case(3)  # type: ignore[arg-type]
     with pytest.raises(InputError, match=r"must be the result of rolamento\.solve"):
         life(load_case(path))  # type: ignore[arg-type]

@@ -3,6 +3,7 @@
 from rolamento.case.bearing import Bearing
 from rolamento.case.case import (
     Case,
+    case_of,
     case_to_json,
     case_to_toml,
     is_designation,
@@ -40,6 +41,7 @@ __all__ = [
     "SeatMaterial",
     "Surface",
     "Temperature",
+    "case_of",
     "case_to_json",
     "case_to_toml",
     "is_designation",

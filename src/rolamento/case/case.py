@@ -46,6 +46,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "Case",
+    "case_of",
     "case_to_json",
     "case_to_toml",
     "is_designation",
@@ -368,6 +369,37 @@ def load_case(
         overrides=overrides,
         otherwise=otherwise,
     )
+
+
+def case_of(
+    source: Case | Bearing | RollerBearing | str | os.PathLike[str], changes: Changes = ()
+) -> Case:
+    """Return a case, that of a file or a designation, or that of a bearing without a load.
+
+    Parameters
+    ----------
+    source
+        Whose case.
+    changes
+        What goes over it, as of `load_case`.
+
+    Raises
+    ------
+    InputError, FileError
+        If there is no such bearing, or the file is no case.
+    """
+    if isinstance(source, str | os.PathLike):
+        return load_case(source, changes)
+    if isinstance(source, Bearing | RollerBearing):
+        source = Case(bearing=source, duty=Duty())
+    elif not isinstance(source, Case):
+        raise InputError(
+            said("must be a Case, a bearing, a designation or the path of a case file"),
+            field="case",
+            value=type(source).__name__,
+            example='"6310/C3"',
+        )
+    return override(source, changes) if changes else source
 
 
 def is_designation(name: object, folder: str | os.PathLike[str] = "") -> bool:

@@ -1,4 +1,4 @@
-"""The case behind a bearing that is a designation, a case file or a case, at some speeds."""
+"""The bearing that a task is about: name, speeds, contact angle, whether it is loaded."""
 
 from __future__ import annotations
 
@@ -6,10 +6,9 @@ import os
 from math import pi
 from typing import TYPE_CHECKING
 
-from rolamento.case import Case, load_case, override
+from rolamento.case import Case, override
 from rolamento.case.bearing import Bearing
-from rolamento.case.duty import AXES, LOADS, Duty
-from rolamento.case.fields import Changes
+from rolamento.case.duty import AXES, LOADS
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.errors import InputError, arguments, phrase
 from rolamento.units import from_si, readable, to_si
@@ -20,38 +19,6 @@ if TYPE_CHECKING:
 
 BearingLike = str | os.PathLike[str] | Bearing | RollerBearing | Case
 """A designation, a case file (``"-"``: on standard input), a bearing or a case."""
-
-
-def case_of(
-    bearing: BearingLike,
-    changes: Changes = (),
-    inner_speed: float | None = None,
-    outer_speed: float | None = None,
-) -> Case:
-    """Return a case, the case of a file, or one of a bearing without load.
-
-    Parameters
-    ----------
-    bearing
-        Whose case.
-    changes
-        What goes over the case, by dotted name, such as ``{"duty.load.fz": "5 kN"}``.
-    inner_speed, outer_speed
-        Over both (rad/s); None is not given.
-
-    Raises
-    ------
-    InputError, FileError
-        If there is no such bearing, or the file is no case.
-    """
-    if isinstance(bearing, Case):
-        case = override(bearing, changes) if changes else bearing
-    elif isinstance(bearing, Bearing | RollerBearing):
-        case = Case(bearing=bearing, duty=Duty())
-        case = override(case, changes) if changes else case
-    else:
-        case = load_case(bearing, changes)
-    return at_speeds(case, inner_speed, outer_speed)
 
 
 def name_of(bearing: BearingLike, case: Case) -> str:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Final, Literal, TypeVar, Unpack
 
 import numpy as np
 
-from rolamento.case import Case
+from rolamento.case import Case, case_of
 from rolamento.case.bearing import Bearing
 from rolamento.case.fields import Changes
 from rolamento.case.roller_bearing import RollerBearing
@@ -21,7 +21,7 @@ from rolamento.catalogue import catalogue, rolling_bearings
 from rolamento.errors import InputError, arguments
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.tasks.bearing import BearingLike, angle_of, at_speeds, case_of, has_load, name_of
+from rolamento.tasks.bearing import BearingLike, angle_of, at_speeds, has_load, name_of
 from rolamento.tasks.parameters import Progress, quietly, speed_of
 from rolamento.tasks.shaft_speed import KnownSpeed, ShaftSpeed, SpeedInputs, known_speed
 from rolamento.tasks.signals import Reading, part_of, streamed

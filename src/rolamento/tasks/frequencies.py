@@ -6,7 +6,7 @@ from dataclasses import asdict
 from math import isfinite
 from typing import TYPE_CHECKING, Any, Final
 
-from rolamento.case import Case, is_designation
+from rolamento.case import Case, case_of, is_designation
 from rolamento.case.bearing import Bearing
 from rolamento.case.fields import Changes
 from rolamento.case.roller_bearing import RollerBearing
@@ -15,7 +15,7 @@ from rolamento.records import frozen
 from rolamento.tasks.bearing import (
     BearingLike,
     angle_of,
-    case_of,
+    at_speeds,
     has_load,
     name_of,
 )
@@ -173,7 +173,7 @@ def fault_frequencies(
                 value=value,
             )
     inner, outer = speed_of(speed, "speed"), speed_of(outer_speed, "outer_speed")
-    case = case_of(bearing, changes, inner, outer)
+    case = at_speeds(case_of(bearing, changes), inner, outer)
     duty = case.duty
     told = inner is not None or outer is not None or duty.inner_speed or duty.outer_speed
     has_no_duty = (

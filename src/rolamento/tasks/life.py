@@ -10,7 +10,7 @@ from typing import Any, Final
 import numpy as np
 
 from rolamento.analysis import analyse
-from rolamento.case import Case, load_case
+from rolamento.case import Case, case_of
 from rolamento.errors import InputError
 from rolamento.friction import Friction
 from rolamento.io.json import dumps
@@ -350,26 +350,6 @@ def _life(solved: Solved, given: LifeConditions) -> LifeSummary | None:
         if error.field in _OF_LIFE:
             raise error.with_details(field=f"life.{error.field}") from None
         raise
-
-
-def case_of(source: CaseSource) -> Case:
-    """Return a case; read from its file if that is given.
-
-    Raises
-    ------
-    InputError
-        If it is neither, or as `load_case`.
-    """
-    if isinstance(source, Case):
-        return source
-    if not isinstance(source, str | os.PathLike):
-        raise InputError(
-            said("must be a Case or the path of a case file"),
-            field="case",
-            value=type(source).__name__,
-            example='life_of_case("case.toml")',
-        )
-    return load_case(source)
 
 
 def factor_table(

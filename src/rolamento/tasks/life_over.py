@@ -12,7 +12,7 @@ from typing import Any, Final, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from rolamento.case import Case
+from rolamento.case import Case, case_of
 from rolamento.case.bearing import ball_bearing
 from rolamento.case.duty import LOADS
 from rolamento.case.roller_bearing import RollerBearing
@@ -45,7 +45,6 @@ from rolamento.tasks.life import (
     SCHEMA,
     CaseSource,
     TableSource,
-    case_of,
     conditions_with,
     factor_table,
 )

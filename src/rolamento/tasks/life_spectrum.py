@@ -17,7 +17,7 @@ from typing import Any, Final, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from rolamento.case import Case
+from rolamento.case import Case, case_of
 from rolamento.case.life_model import LifeModel
 from rolamento.errors import FileError, InputError
 from rolamento.io.columns import folded_name, title_parts
@@ -41,7 +41,6 @@ from rolamento.tasks.life import (
     CaseSource,
     SystemLife,
     TableSource,
-    case_of,
     checked_shaft,
     factor_table,
 )

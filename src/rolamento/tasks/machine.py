@@ -268,7 +268,7 @@ def diagnose_machine(
     FileError, InputError
         As of `rolamento.tasks.diagnose`, or if the machine's file is none.
     """
-    from rolamento.tasks.bearing import case_of
+    from rolamento.case import case_of
     from rolamento.tasks.parameters import speed_of
 
     if not isinstance(machine, Machine):
@@ -281,7 +281,7 @@ def diagnose_machine(
             example=arguments(speed="1480 rpm"),
         )
     orders = [
-        FaultOrders.of(nominal_frequencies(case_of(one.designation, ()).bearing, 1.0))
+        FaultOrders.of(nominal_frequencies(case_of(one.designation).bearing, 1.0))
         for one in machine.bearings
     ]
     found = []

@@ -16,7 +16,7 @@ import numpy as np
 
 from rolamento.analysis import Analysis, analyse
 from rolamento.analysis.needs import has_life, has_oil
-from rolamento.case import Case, is_designation, parse_case
+from rolamento.case import Case, case_of, is_designation, parse_case
 from rolamento.case.duty import SHORT_NAMES
 from rolamento.case.fields import Changes, Field, of_elements
 from rolamento.case.film_model import FilmModel
@@ -34,7 +34,7 @@ from rolamento.records import frozen
 from rolamento.roller_notes import USUAL_MISALIGNMENT, are_rollers, misalignment
 from rolamento.solved import RACES
 from rolamento.studies.names import setting_name
-from rolamento.tasks.bearing import BearingLike, case_of
+from rolamento.tasks.bearing import BearingLike
 from rolamento.units import Dimension
 from rolamento.words import said
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 from math import degrees, hypot, isfinite, nan, pi, prod
 from typing import Any, Final, Literal
 
-from rolamento.case import Case
+from rolamento.case import Case, case_of
 from rolamento.case.bearing import Bearing
 from rolamento.case.fields import Changes
 from rolamento.case.preload_classes import level_of_force
@@ -45,7 +45,7 @@ from rolamento.speeds import (
     thermal_reference_speed,
 )
 from rolamento.speeds.permissible import LEAST_PRODUCT, HeatShares
-from rolamento.tasks.bearing import BearingLike, case_of, name_of
+from rolamento.tasks.bearing import BearingLike, name_of
 from rolamento.words import Note, said
 
 __all__ = ["Boundary", "MinimumLoad", "SpeedLimit", "SpeedLimits", "speed_limits"]

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple
 
 import numpy as np
 
+from rolamento.case import case_of
 from rolamento.case.bearing import Bearing
 from rolamento.case.fields import Changes
 from rolamento.case.roller_bearing import RollerBearing
@@ -19,7 +20,7 @@ from rolamento.errors import InputError, arguments
 from rolamento.io.json import dumps
 from rolamento.io.writing import write_text
 from rolamento.records import frozen
-from rolamento.tasks.bearing import BearingLike, case_of, has_load, name_of
+from rolamento.tasks.bearing import BearingLike, at_speeds, has_load, name_of
 from rolamento.tasks.parameters import speed_of
 from rolamento.units import rpm_of
 from rolamento.vibration.frequencies import FaultFrequencies, frequencies_of, nominal_frequencies
@@ -312,7 +313,8 @@ def synthesise(
         If there is no such bearing, nothing turns, a parameter is out of range, the signal would
         be silent or too long, or cannot be written.
     """
-    case = case_of(bearing, changes, speed_of(speed, "speed"), speed_of(outer_speed, "outer_speed"))
+    given = speed_of(speed, "speed"), speed_of(outer_speed, "outer_speed")
+    case = at_speeds(case_of(bearing, changes), *given)
     inner, outer = case.duty.inner_speed, case.duty.outer_speed
     if inner == outer:
         raise InputError(
