@@ -297,36 +297,44 @@ def sweep(
     >>> found.sizes["fz"], found.sizes["inner_speed"], bool((found.status == 0).all())
     (2, 2, True)
     """
-    from rolamento.studies import Axis, Study, load_study, run
+    from rolamento.studies import run
 
-    given = {**(axes or {}), **fields}
+    study = _study_of(source, {**(axes or {}), **fields})
+    study = study if outputs is None else study.replace(outputs=tuple(outputs))
+    if path is None:
+        return run(study, threads=threads, progress=progress)
+    from rolamento import tasks
+    from rolamento.studies.dataset import load_result
+
+    tasks.sweep(study, path, threads=threads, progress=progress)
+    if os.fspath(path).lower().endswith(".nc"):
+        return load_result(path)
+    return run(study, threads=threads)
+
+
+def _study_of(source: Study | Source, axes: Mapping[str, Any]) -> Study:
+    """The study that a source is, or that crosses some axes of its case."""
+    from rolamento.studies import Axis, Study, load_study
+
     if isinstance(source, Solved):
         raise InputError(said("must be a case, not a solved one"), field="source")
-    if not given:
-        if not isinstance(source, Study):
-            if not isinstance(source, str | os.PathLike) or is_designation(source):
-                raise InputError(
-                    said("must be given: values of at least one field"),
-                    field="axes",
-                    example='rolamento.sweep("6310/C3", fz=[1e3, 2e3])',
-                )
-            source = load_study(source)
-        study = source if outputs is None else source.replace(outputs=tuple(outputs))
-    else:
+    if not axes:
         if isinstance(source, Study):
-            raise InputError(said("has axes of its own"), field="source")
-        case = case_of(source)
-        chosen: dict[str, Any] = {} if outputs is None else {"outputs": tuple(outputs)}
-        crossed = [
-            Axis(field=SHORT_NAMES.get(name, name), values=_listed(values))
-            for name, values in given.items()
-        ]
-        study = Study(case=case, axes=crossed, **chosen)
-    if path is not None:
-        from rolamento import tasks
-
-        tasks.sweep(study, path, threads=threads, progress=progress)
-    return run(study, threads=threads, progress=None if path is not None else progress)
+            return source
+        if isinstance(source, str | os.PathLike) and not is_designation(source):
+            return load_study(source)
+        raise InputError(
+            said("must be given: values of at least one field"),
+            field="axes",
+            example='rolamento.sweep("6310/C3", fz=[1e3, 2e3])',
+        )
+    if isinstance(source, Study):
+        raise InputError(said("has axes of its own"), field="source")
+    crossed = [
+        Axis(field=SHORT_NAMES.get(name, name), values=_listed(values))
+        for name, values in axes.items()
+    ]
+    return Study(case=case_of(source), axes=crossed)
 
 
 def _listed(values: Any) -> tuple[Any, ...]:

@@ -152,6 +152,13 @@ class TestSweep:
         with pytest.raises(ro.InputError, match="source: has axes of its own"):
             ro.sweep(ro.studies.load_study(path), fz=[1.0])
 
+    def test_a_netcdf_file_holds_what_is_returned(self, tmp_path: Path) -> None:
+        path = tmp_path / "found.nc"
+        found = ro.sweep("6310/C3", path=path, fz=[2e3, 4e3], outputs=["max_inner_load"])
+        again = ro.sweep("6310/C3", fz=[2e3, 4e3], outputs=["max_inner_load"])
+        assert path.is_file()
+        assert found.max_inner_load.values == pytest.approx(again.max_inner_load.values, rel=1e-9)
+
     def test_refusals(self) -> None:
         with pytest.raises(ro.InputError, match="axes: must be given"):
             ro.sweep("6310/C3")
