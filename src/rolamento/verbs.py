@@ -376,11 +376,11 @@ def report(
     >>> print(report("6310/C3").cases[0].title)
     6310/C3
     """
-    from rolamento.tasks.report import report_on
+    from rolamento.tasks.report import calculation_report
 
     given: Sequence[Any] = sources if isinstance(sources, list | tuple) else [sources]
     cases = [one.case if isinstance(one, Solved) else one for one in given]
-    found = report_on(cases, head, progress=progress)
+    found = calculation_report(cases, head, progress=progress)
     if path is not None:
         _write(found, os.fspath(path))
     return found

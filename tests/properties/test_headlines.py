@@ -16,7 +16,7 @@ from rolamento.pages.friction import friction_page
 from rolamento.pages.life import life_page
 from rolamento.pages.report import report_page
 from rolamento.pages.state import state_page
-from rolamento.tasks.report import report_on, with_life
+from rolamento.tasks.report import calculation_report, with_life
 from rolamento.words import Note
 from rolamento.words.headlines import REMARKS, parted, qualifies
 from rolamento.words.sentences import sentences
@@ -110,7 +110,7 @@ def test_a_torque_carries_what_qualifies_it(name: str) -> None:
 
 @pytest.mark.parametrize("name", CASES)
 def test_a_summary_carries_what_qualifies_it(name: str) -> None:
-    report = report_on([FOLDER / f"{name}.toml"])
+    report = calculation_report([FOLDER / f"{name}.toml"])
     page = report_page(report)
     keys = qualifying(report.cases[0].analysis)
     assert keys <= keys_below(page, {"summary"})

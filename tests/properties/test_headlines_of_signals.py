@@ -63,12 +63,12 @@ def calibrated(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_severity(calibrated: Path) -> None:
-    found = tasks.severity_of(calibrated, unit="m/s^2", rate=1000.0)
+    found = tasks.vibration_severity(calibrated, unit="m/s^2", rate=1000.0)
     check(severity_page(found), (*found.notes, *found.measured[0].notes), {"verdict"})
 
 
 def test_noise(calibrated: Path) -> None:
-    found = tasks.anderons(calibrated, unit="um/s", rate=1000.0)
+    found = tasks.noise_level(calibrated, unit="um/s", rate=1000.0)
     (one,) = found.measured
     page = anderon_page(found)
     check(page, (*one.notes, *one.choices), {page.sections[0].key})

@@ -26,7 +26,7 @@ from rolamento.case import Case, case_to_json, case_to_toml, parse_case
 from rolamento.errors import InputError
 from rolamento.kinematics import ball_mass
 from rolamento.studies import Axis, Study
-from rolamento.tasks.report import report_on
+from rolamento.tasks.report import calculation_report
 from rolamento.web import live
 from rolamento.web.server import Settings, create_app
 
@@ -239,7 +239,7 @@ def through_analysis(case: Case) -> dict[str, Any]:
 
 
 def through_a_report(case: Case) -> dict[str, Any]:
-    return report_on([case]).cases[0].analysis.solved.to_mapping()
+    return calculation_report([case]).cases[0].analysis.solved.to_mapping()
 
 
 def through_the_app(case: Case) -> dict[str, Any]:

@@ -24,7 +24,7 @@ from rolamento.errors import InputError
 from rolamento.pages.equations import EQUATIONS, REFERENCES, SYMBOLS, equations_of, references_of
 from rolamento.pages.report import report_page
 from rolamento.tasks.demonstration import EXAMPLE
-from rolamento.tasks.report import MOST_CASES, Report, checksum_of, report_on
+from rolamento.tasks.report import MOST_CASES, Report, calculation_report, checksum_of
 from rolamento.words import in_unit, manner, speaking
 
 EXAMPLES = Path(str(EXAMPLE)).parent
@@ -37,7 +37,7 @@ def example(name: str) -> str:
 
 
 def of(*names: str, **head: str) -> Report:
-    return report_on([example(name) for name in names], {"date": "2026-11-22", **head})
+    return calculation_report([example(name) for name in names], {"date": "2026-11-22", **head})
 
 
 @pytest.fixture(scope="module")
@@ -166,12 +166,14 @@ def test_options_go_over_the_table_of_the_case() -> None:
     case = load_case(example("218_combined")).replace(
         report=ReportHead(project="Spindle", author="A. Souza", date="2026-01-02")
     )
-    head = report_on([case], {"author": "M. Okafor"}).head
+    head = calculation_report([case], {"author": "M. Okafor"}).head
     assert (head.project, head.author, head.date) == ("Spindle", "M. Okafor", "2026-01-02")
 
 
 def test_the_date_is_that_of_the_day_by_default() -> None:
-    assert re.fullmatch(r"\d{4}-\d{2}-\d{2}", report_on([example("218_combined")]).head.date)
+    assert re.fullmatch(
+        r"\d{4}-\d{2}-\d{2}", calculation_report([example("218_combined")]).head.date
+    )
 
 
 def test_title_block_and_units_do_not_change_the_checksum() -> None:
@@ -186,7 +188,7 @@ def test_title_block_and_units_do_not_change_the_checksum() -> None:
 def test_the_title_block_does_not_change_the_result() -> None:
     case = load_case(example("218_combined"))
     plain, signed = (
-        report_on([one]).cases[0].numbers["analysis"]
+        calculation_report([one]).cases[0].numbers["analysis"]
         for one in (case, case.replace(report={"project": "P"}))
     )
     assert {**plain} == {**signed}
@@ -196,7 +198,7 @@ def test_the_title_block_does_not_change_the_result() -> None:
 
 
 def test_origins_of_inputs() -> None:
-    report = report_on([example("6305_life")], changes=["duty.inner_speed=3000 rpm"])
+    report = calculation_report([example("6305_life")], changes=["duty.inner_speed=3000 rpm"])
     origins = {one.field: one.origin for one in report.cases[0].inputs}
     assert origins["bearing.designation"] == "given"
     assert origins["bearing.ball_count"] == "inferred"
@@ -210,7 +212,7 @@ def test_origins_of_inputs() -> None:
 
 
 def test_what_the_letters_of_a_designation_tell_has_its_origin() -> None:
-    report = report_on(
+    report = calculation_report(
         ["7014CTYNDBLP4"], changes=["duty.load.fz=2 kN", "duty.inner_speed=2000 rpm"]
     )
     origins = {one.field: one.origin for one in report.cases[0].inputs}
@@ -222,13 +224,17 @@ def test_what_the_letters_of_a_designation_tell_has_its_origin() -> None:
 def test_constants_of_a_material_come_from_where_it_does() -> None:
     set_by_hand = ["bearing.ball_material=Si3N4", "duty.load.fz=2 kN", "duty.inner_speed=2000 rpm"]
     for case, settings in (("7014C", set_by_hand), ("HCB7014-C-T-P4S", set_by_hand[1:])):
-        found = {one.field: one for one in report_on([case], changes=settings).cases[0].inputs}
+        found = {
+            one.field: one for one in calculation_report([case], changes=settings).cases[0].inputs
+        }
         modulus = found["bearing.ball_material.youngs_modulus"]
         assert (modulus.origin, bool(modulus.source)) == ("data", True), case
 
 
 def test_a_designation_is_enough() -> None:
-    report = report_on(["6305"], changes=["duty.load.fz=2 kN", "duty.inner_speed=2000 rpm"])
+    report = calculation_report(
+        ["6305"], changes=["duty.load.fz=2 kN", "duty.inner_speed=2000 rpm"]
+    )
     origins = {one.field: one.origin for one in report.cases[0].inputs}
     assert origins["bearing.designation"] == "given"
     assert origins["duty.load.fz"] == "set"
@@ -258,7 +264,7 @@ def test_inputs_that_differ_stand_first(spindle: Report) -> None:
 
 
 def test_a_case_without_a_solution_has_reason_and_advice_and_no_number() -> None:
-    report = report_on([example("218_combined")], changes=[OVERLOADED, "duty.load.fx=1 N"])
+    report = calculation_report([example("218_combined")], changes=[OVERLOADED, "duty.load.fx=1 N"])
     assert not report.converged
     page = report_page(report)
     text = terminal(page)
@@ -268,7 +274,7 @@ def test_a_case_without_a_solution_has_reason_and_advice_and_no_number() -> None
 
 def test_a_case_without_a_solution_stands_beside_others() -> None:
     case = load_case(example("218_combined"))
-    report = report_on([case, override(case, [OVERLOADED])])
+    report = calculation_report([case, override(case, [OVERLOADED])])
     summary = next(table for table in report_page(report).tables() if table.key == "summary")
     columns = {column.key: column.values for column in summary.columns}
     numbers = [cell for cell in columns["B"] if isinstance(cell, Number)]
@@ -278,12 +284,14 @@ def test_a_case_without_a_solution_stands_beside_others() -> None:
 
 def test_the_number_of_cases_is_bounded() -> None:
     with pytest.raises(InputError, match="must be 1 to 20"):
-        report_on([example("218_combined")] * (MOST_CASES + 1))
+        calculation_report([example("218_combined")] * (MOST_CASES + 1))
 
 
 def test_progress_is_told() -> None:
     told: list[tuple[int, int]] = []
-    report_on([example("218_combined")] * 2, progress=lambda done, all_: told.append((done, all_)))
+    calculation_report(
+        [example("218_combined")] * 2, progress=lambda done, all_: told.append((done, all_))
+    )
     assert told == [(0, 2), (1, 2), (2, 2)]
 
 

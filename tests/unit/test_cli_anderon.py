@@ -158,7 +158,7 @@ class TestLevels:
         np.save(path, np.random.default_rng(4).normal(size=count))
         told: list[tuple[int, int]] = []
 
-        (found,) = tasks.anderons(
+        (found,) = tasks.noise_level(
             path, unit="um/s", rate=rate, progress=lambda *done: told.append(done)
         ).measured
         whole = measure_noise(read_signal(path, unit="um/s", rate=rate))
@@ -199,7 +199,7 @@ class TestLevels:
         table = np.column_stack([time, np.random.default_rng(1).normal(size=time.size), speed])
         header = "time (s),velocity (um/s),speed (rad/s)"
         np.savetxt(path, table[::1], "%.9g", ",", header=header, comments="")
-        (found,) = tasks.anderons([path], channel="velocity").measured
+        (found,) = tasks.noise_level([path], channel="velocity").measured
         assert found.noise.speed == pytest.approx(float(np.mean(speed)), rel=2e-3)
 
 

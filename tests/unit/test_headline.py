@@ -40,7 +40,7 @@ from rolamento.solution import solve
 from rolamento.studies.ranges import read_range
 from rolamento.tasks.life import life_of_shaft
 from rolamento.tasks.life_over import life_curve
-from rolamento.tasks.life_spectrum import life_under, read_spectrum
+from rolamento.tasks.life_spectrum import life_of_duty_spectrum, read_spectrum
 
 CASE = load_case(Path(__file__).parents[2] / "src" / "rolamento" / "examples" / "6305_life.toml")
 KNOWN = {"viscosity_ratio": 1.0, "contamination": 0.5}
@@ -249,7 +249,7 @@ def test_a_curve_shows_a_bound_that_is_no_theory() -> None:
 def test_a_spectrum_has_the_same_rule(tmp_path: Path) -> None:
     file = tmp_path / "steps.csv"
     file.write_text("share,life.viscosity_ratio\n0.5,1\n0.5,0.05\n", encoding="utf-8")
-    duty = life_under(CASE, read_spectrum(str(file)))
+    duty = life_of_duty_spectrum(CASE, read_spectrum(str(file)))
     leading = duty.headline
     parts = [of(set_to(f"life.viscosity_ratio={ratio}")).headline.hours[0] for ratio in (1, 0.05)]
     assert leading.hours == pytest.approx(2.0 / sum(1.0 / part for part in parts))
@@ -263,14 +263,14 @@ def test_a_spectrum_has_the_same_rule(tmp_path: Path) -> None:
 def test_an_idle_step_does_no_damage(tmp_path: Path) -> None:
     file = tmp_path / "steps.csv"
     file.write_text("share,duty.load.fz,duty.load.fx\n0.5,2 kN,0.4 kN\n0.5,0 N,0 N\n", "utf-8")
-    duty = life_under(CASE, read_spectrum(str(file)))
+    duty = life_of_duty_spectrum(CASE, read_spectrum(str(file)))
     assert duty.headline.hours == pytest.approx(2.0 * of(CASE).headline.hours[0])
     assert duty.headline.damage.tolist() == pytest.approx([1.0, 0.0])
     assert duty.headline.valid
     assert np.isnan(duty.headline.steps.hours[1])
     assert duty["iso16281"].valid
     file.write_text("share,duty.load.fz,duty.load.fx\n1,0 N,0 N\n", "utf-8")
-    idle = life_under(CASE, read_spectrum(str(file)))
+    idle = life_of_duty_spectrum(CASE, read_spectrum(str(file)))
     assert not idle.headline.valid
     assert not idle.headline.below
 

@@ -20,7 +20,7 @@ from rolamento.cli.app import app
 from rolamento.life import life, sensitivity
 from rolamento.solution import solve
 from rolamento.tasks.life import life_of_shaft
-from rolamento.tasks.life_spectrum import life_under, read_spectrum
+from rolamento.tasks.life_spectrum import life_of_duty_spectrum, read_spectrum
 
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLES = Path(rolamento.__file__).parent / "examples"
@@ -252,7 +252,7 @@ def test_a_set_and_a_bearing_on_one_shaft(run: Run) -> None:
 def test_a_spectrum(run: Run) -> None:
     code, out, err = run(CASE, "--spectrum", "6305_steps.csv")
     assert (code, err) == (0, "")
-    found = life_under(load_case(CASE), read_spectrum("6305_steps.csv"))
+    found = life_of_duty_spectrum(load_case(CASE), read_spectrum("6305_steps.csv"))
     damage = 100.0 * found["iso16281_modified"].damage
     assert f"Step 3 contributes most: {damage[2]:.3g} % of the damage in 10 % of the time." in out
     rows = re.findall(r"^ +(\d) .*?(\d+\.\d)(?: +[█▏▎▍▌▋▊▉]*)?$", out, re.MULTILINE)

@@ -27,7 +27,7 @@ from rolamento.studies.names import setting_name
 from rolamento.studies.ranges import read_range
 from rolamento.tasks.life import life_of_shaft
 from rolamento.tasks.life_over import life_curve
-from rolamento.tasks.life_spectrum import life_under, read_spectrum
+from rolamento.tasks.life_spectrum import life_of_duty_spectrum, read_spectrum
 from rolamento.words import Note, manner, speaking
 from rolamento.words.theories import theory_name
 
@@ -368,7 +368,7 @@ def test_the_other_reports_fit(language: str, width: int, tmp_path: Path) -> Non
     case = load_case(EXAMPLES / "6305_life.toml", VARIED["all theories"])
     medium = Medium(width=width)
     curve = life_curve(case, read_range("duty.load.fz=1..14kN", 6))
-    found = life_under(case, read_spectrum(EXAMPLES / "6305_steps.csv"))
+    found = life_of_duty_spectrum(case, read_spectrum(EXAMPLES / "6305_steps.csv"))
     shaft = life_of_shaft([case, override(case, ["duty.load.fz=3 kN"])])
     names = ["a bearing with a title that is longer than any table", "b.toml"]
     with speaking(language):

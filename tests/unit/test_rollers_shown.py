@@ -31,7 +31,7 @@ from rolamento.roller_notes import USUAL_MISALIGNMENT
 from rolamento.solution import solve
 from rolamento.solved import Solved
 from rolamento.solved.outline import roller_outline
-from rolamento.tasks.report import report_on
+from rolamento.tasks.report import calculation_report
 
 NU = """
 title = "NU"
@@ -338,7 +338,7 @@ def test_ribs_that_are_not_there_hold_nothing(unsolved: Solved) -> None:
 
 
 def test_a_report_rests_on_the_equations_of_rollers() -> None:
-    (case,) = report_on([ro.parse_case(NU)]).cases
+    (case,) = calculation_report([ro.parse_case(NU)]).cases
     names = {one.name for one in equations_of([case])}
     assert {"Load of an independent slice", "Hertz line contact: half-width and maximum pressure",
             "Basic dynamic load rating", "Logarithmic profile of a roller"} <= names  # fmt: skip

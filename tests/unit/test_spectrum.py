@@ -14,7 +14,7 @@ from rolamento.errors import FileError
 from rolamento.life import life
 from rolamento.life.l_able import read_factor_table
 from rolamento.solution import solve
-from rolamento.tasks.life_spectrum import SpectrumLife, life_under, read_spectrum
+from rolamento.tasks.life_spectrum import SpectrumLife, life_of_duty_spectrum, read_spectrum
 
 HEADER = "share,duty.load.fz,duty.inner_speed"
 THREE = f"{HEADER}\n0.5,1 kN,1000 rpm\n0.3,2 kN,2000 rpm\n0.2,4 kN,3000 rpm\n"
@@ -32,7 +32,7 @@ def table(tmp_path: Path) -> Path:
 
 def under(case: Case, table: Path, text: str) -> SpectrumLife:
     table.write_text(text, encoding="utf-8")
-    return life_under(case, read_spectrum(table))
+    return life_of_duty_spectrum(case, read_spectrum(table))
 
 
 # --- Miner ------------------------------------------------------------------------------------

@@ -18,7 +18,7 @@ from rolamento.document.terminal import terminal
 from rolamento.notes import nothing_given
 from rolamento.pages.report import report_page
 from rolamento.pages.state import state_page
-from rolamento.tasks.report import report_on
+from rolamento.tasks.report import calculation_report
 from rolamento.web.live import live
 from rolamento.words import speaking
 
@@ -72,7 +72,7 @@ def test_a_preload_is_a_load() -> None:
 def test_a_report_without_a_load_has_no_numbers_of_it(tmp_path: Path) -> None:
     empty = tmp_path / "empty.toml"
     empty.write_text('[bearing]\ndesignation = "6310"\n[duty]\n', encoding="utf-8")
-    page = report_page(report_on([empty]))
+    page = report_page(calculation_report([empty]))
     (summary,) = (s for s in page.sections if getattr(s, "key", "") == "summary")
     text = terminal(page)
     assert "converged in" not in text
@@ -149,12 +149,14 @@ def test_why_a_tapered_row_finds_no_place(axial: float, tilts: bool, key: str) -
 def test_a_report_says_that_oil_and_dirt_are_left_out() -> None:
     oil = ["lubricant.base_oil=ISO VG 68", "temperature.lubricant=70 degC"]
     load = ["duty.inner_speed=1480 rpm", "duty.load.fz=5 kN"]
-    text = flat(report_page(report_on(["6310/C3"], changes=[*load, *oil])))
+    text = flat(report_page(calculation_report(["6310/C3"], changes=[*load, *oil])))
     summary = text.partition("Summary")[2].partition("Inputs")[0]
     left_out = "Lubrication and contamination are not included"
     assert f"{left_out}: the case needs the cleanliness" in summary
     clean = ["life.cleanliness=-/17/14", "life.oil_supply=circulating"]
-    assert left_out not in flat(report_page(report_on(["6310/C3"], changes=[*load, *oil, *clean])))
+    assert left_out not in flat(
+        report_page(calculation_report(["6310/C3"], changes=[*load, *oil, *clean]))
+    )
 
 
 def test_rounding_is_no_stiffness(tmp_path: Path) -> None:

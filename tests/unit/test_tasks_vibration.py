@@ -120,9 +120,9 @@ def test_anderons_of_files(tmp_path: Path) -> None:
     for hours, factor in ((60, 1.0), (120, 2.0)):
         paths.append(tmp_path / f"t{hours}.npz")
         np.savez(paths[-1], velocity=factor * samples, fs=24_000.0)
-    one = tasks.anderons(paths[0], unit="m/s")
+    one = tasks.noise_level(paths[0], unit="m/s")
     assert one.verdicts == ("none",)
-    both = tasks.anderons(
+    both = tasks.noise_level(
         paths,
         unit="m/s",
         hours=[60, 120],
@@ -133,12 +133,12 @@ def test_anderons_of_files(tmp_path: Path) -> None:
     assert both.trend.of("low").ratio == pytest.approx(2.0)
     for wrong in ({"hours": [1.0]}, {"accepted": 2.0}, {"speed": 0.0}, {"bearing": "a\nb"}):
         with pytest.raises(InputError) as refused:
-            tasks.anderons(paths, unit="m/s", **wrong)
+            tasks.noise_level(paths, unit="m/s", **wrong)
         assert refused.value.field == next(iter(wrong))
     with pytest.raises(InputError, match="1 to 500 files"):
-        tasks.anderons([])
+        tasks.noise_level([])
     with pytest.raises(InputError, match='unit="um/s"'):
-        tasks.anderons(paths[0])
+        tasks.noise_level(paths[0])
 
 
 def test_a_case_without_solution_makes_no_signal() -> None:

@@ -605,7 +605,7 @@ def _check_given_clearance(mounting: Any, bearing: Bearing | RollerBearing) -> N
         )
     if mounting.measuring_load is not None and bearing.element != "ball":
         raise InputError(
-            said("is of ball bearings: it hardly changes the reading of a roller bearing"),
+            said("applies to ball bearings; it has little effect on a roller bearing"),
             field="measuring_load",
             value=readable(mounting.measuring_load, "force"),
             example='measured_clearance = "0.045 mm" without measuring_load',

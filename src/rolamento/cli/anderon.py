@@ -138,7 +138,7 @@ def anderon(
         from rolamento.tasks.quantities import number_given
 
         with progress_of(said("blocks of the signal")) as progress:
-            found = tasks.anderons(
+            found = tasks.noise_level(
                 signals,
                 speed=speed,
                 full_scale=_full_scales_of(full_scale or []),

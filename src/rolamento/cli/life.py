@@ -278,7 +278,7 @@ def _spectrum(
 ) -> bool:
     """Show the life of a bearing under a duty of several steps, or the lives of a shaft's."""
     from rolamento.pages.life_spectrum import life_spectrum_page, shaft_spectrum_page
-    from rolamento.tasks.life_spectrum import life_under, lives_under
+    from rolamento.tasks.life_spectrum import life_of_duty_spectrum, lives_under
 
     text: Callable[[], str]
     page: Callable[[], Document]
@@ -289,7 +289,7 @@ def _spectrum(
             names, bearings = _names(paths, cases), shaft.bearings
             text, page = partial(shaft.to_json, names), partial(shaft_spectrum_page, shaft, names)
         else:
-            alone = life_under(cases[0], spectrum, **tables)
+            alone = life_of_duty_spectrum(cases[0], spectrum, **tables)
             bearings, text, page = (alone,), alone.to_json, partial(life_spectrum_page, alone)
     if json is not None:
         put(text() + "\n", json)

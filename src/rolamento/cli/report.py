@@ -71,7 +71,7 @@ def report(
     """
     with plain_endings(lang), given.in_force():
         _check(cases, output, json)
-        from rolamento.tasks.report import report_on
+        from rolamento.tasks.report import calculation_report
 
         head = {
             "project": project,
@@ -81,7 +81,7 @@ def report(
             "checked_by": checked_by,
         }
         with progress_of(said("cases analysed")) as progress:
-            found = report_on(cases, head, given.settings, progress=progress)
+            found = calculation_report(cases, head, given.settings, progress=progress)
         from rolamento.pages.report import report_page
 
         if json is not None:

@@ -193,7 +193,7 @@ def severity(
         from rolamento.tasks.quantities import number_given
 
         with progress_of(said("blocks of the signal")) as progress:
-            found = tasks.severity_of(
+            found = tasks.vibration_severity(
                 signals,
                 speed=speed,
                 power=power,

@@ -61,7 +61,7 @@ def life_spectrum_page(found: SpectrumLife) -> Document:
     Parameters
     ----------
     found
-        Of `rolamento.tasks.life_spectrum.life_under`.
+        Of `rolamento.tasks.life_spectrum.life_of_duty_spectrum`.
     """
     title = found.case.title or untitled(found.case)
     heading = said("Life under {count} steps of duty", count=len(found.steps))

@@ -78,7 +78,7 @@ def report_page(report: Report) -> Document:
     Parameters
     ----------
     report
-        What `rolamento.tasks.report_on` gathered.
+        What `rolamento.tasks.calculation_report` gathered.
     """
     solved = [case for case in report.cases if case.converged]
     remarks = _remarks(report)

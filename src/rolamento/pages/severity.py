@@ -54,7 +54,7 @@ def severity_page(found: SeverityResult) -> Document:
     Parameters
     ----------
     found
-        Of `rolamento.tasks.severity.severity_of`.
+        Of `rolamento.tasks.severity.vibration_severity`.
     """
     title = said("Severity of vibration")
     if len(found.measured) == 1:

@@ -23,9 +23,14 @@ if TYPE_CHECKING:
     from rolamento.tasks.history import History, Records, diagnose_since, trend_of_records
     from rolamento.tasks.life import CaseLife, ShaftLife, life_of_case, life_of_shaft
     from rolamento.tasks.life_over import LifeCurve, life_curve
-    from rolamento.tasks.life_spectrum import DutyLife, SpectrumLife, life_under, read_spectrum
+    from rolamento.tasks.life_spectrum import (
+        DutyLife,
+        SpectrumLife,
+        life_of_duty_spectrum,
+        read_spectrum,
+    )
     from rolamento.tasks.machine import Machine, MachineDiagnosis, diagnose_machine, read_machine
-    from rolamento.tasks.noise import FullScale, NoiseResult, anderons
+    from rolamento.tasks.noise import FullScale, NoiseResult, noise_level
     from rolamento.tasks.replace import (
         FleetStudy,
         RemainingStudy,
@@ -34,8 +39,8 @@ if TYPE_CHECKING:
         remaining_study,
         replacement_study,
     )
-    from rolamento.tasks.report import CaseReport, Report, compare_variants, report_on
-    from rolamento.tasks.severity import SeverityResult, severity_of
+    from rolamento.tasks.report import CaseReport, Report, calculation_report, compare_variants
+    from rolamento.tasks.severity import SeverityResult, vibration_severity
     from rolamento.tasks.studies import Sweep, sweep, tolerance
     from rolamento.tasks.synthesis import SynthesisResult, synthesise
     from rolamento.tasks.weibull import (
@@ -56,9 +61,9 @@ _NAMES_OF_MODULES: Final = {
     "history": ("History", "Records", "diagnose_since", "trend_of_records"),
     "life": ("CaseLife", "ShaftLife", "life_of_case", "life_of_shaft"),
     "life_over": ("LifeCurve", "life_curve"),
-    "life_spectrum": ("DutyLife", "SpectrumLife", "life_under", "read_spectrum"),
+    "life_spectrum": ("DutyLife", "SpectrumLife", "life_of_duty_spectrum", "read_spectrum"),
     "machine": ("Machine", "MachineDiagnosis", "diagnose_machine", "read_machine"),
-    "noise": ("FullScale", "NoiseResult", "anderons"),
+    "noise": ("FullScale", "NoiseResult", "noise_level"),
     "replace": (
         "FleetStudy",
         "RemainingStudy",
@@ -67,8 +72,8 @@ _NAMES_OF_MODULES: Final = {
         "remaining_study",
         "replacement_study",
     ),
-    "report": ("CaseReport", "Report", "compare_variants", "report_on"),
-    "severity": ("SeverityResult", "severity_of"),
+    "report": ("CaseReport", "Report", "compare_variants", "calculation_report"),
+    "severity": ("SeverityResult", "vibration_severity"),
     "studies": ("Sweep", "sweep", "tolerance"),
     "synthesis": ("SynthesisResult", "synthesise"),
     "weibull": (
@@ -114,7 +119,7 @@ __all__ = [
     "TooShort",
     "TrendStudy",
     "UnknownResult",
-    "anderons",
+    "calculation_report",
     "compare_variants",
     "demonstration_study",
     "diagnose",
@@ -126,22 +131,22 @@ __all__ = [
     "fleet_study",
     "life_curve",
     "life_of_case",
+    "life_of_duty_spectrum",
     "life_of_shaft",
     "life_test_study",
-    "life_under",
+    "noise_level",
     "precision_study",
     "rank_bearings",
     "read_machine",
     "read_spectrum",
     "remaining_study",
     "replacement_study",
-    "report_on",
-    "severity_of",
     "sweep",
     "synthesise",
     "tolerance",
     "trend_of_records",
     "trend_study",
+    "vibration_severity",
     "write_example",
 ]
 

@@ -340,7 +340,7 @@ SIGNAL: Final[tuple[Group, ...]] = (
         ),
     ),
 )
-"""Inputs of `rolamento.tasks.diagnose` and `severity_of`."""
+"""Inputs of `rolamento.tasks.diagnose` and `vibration_severity`."""
 
 LIFE_TEST: Final[tuple[Group, ...]] = (
     (

@@ -53,7 +53,7 @@ __all__ = [
     "DutySteps",
     "ShaftSpectrum",
     "SpectrumLife",
-    "life_under",
+    "life_of_duty_spectrum",
     "lives_under",
     "read_spectrum",
 ]
@@ -300,7 +300,7 @@ def _of_theory(own: DutyLife) -> dict[str, Any]:
     }
 
 
-def life_under(
+def life_of_duty_spectrum(
     case: CaseSource,
     steps: DutySteps | str | os.PathLike[str],
     *,
@@ -373,16 +373,17 @@ def lives_under(
         Or their files, one a bearing. What the steps vary holds for all of them: of shares of
         revolutions and of forces that is so if all bearings take the same.
     steps, nsk_table, decimal_mark
-        As of `life_under`.
+        As of `life_of_duty_spectrum`.
 
     Raises
     ------
     InputError
-        As `life_under`; or if their reliabilities differ.
+        As `life_of_duty_spectrum`; or if their reliabilities differ.
     """
     read = checked_shaft(cases)
     found = tuple(
-        life_under(case, steps, nsk_table=nsk_table, decimal_mark=decimal_mark) for case in read
+        life_of_duty_spectrum(case, steps, nsk_table=nsk_table, decimal_mark=decimal_mark)
+        for case in read
     )
     leading = [own.headline for own in found]
     together = SystemLife.combined(

@@ -242,7 +242,7 @@ class NoiseResult:
         return text.getvalue()
 
 
-def anderons(
+def noise_level(
     paths: str | os.PathLike[str] | Sequence[str | os.PathLike[str]],
     *,
     speed: str | float | None = None,

@@ -46,12 +46,12 @@ __all__ = [
     "Origin",
     "Report",
     "analysis_of",
+    "calculation_report",
     "checksum_of",
     "compare_variants",
     "inputs_of",
     "names_in",
     "number_of_field",
-    "report_on",
     "with_life",
 ]
 
@@ -339,7 +339,7 @@ class Report:
         return found
 
 
-def report_on(
+def calculation_report(
     bearings: Sequence[BearingLike],
     head: ReportHead | Mapping[str, str] | None = None,
     changes: Changes = (),
@@ -415,7 +415,7 @@ def compare_variants(
     variants
         At least one.
     progress
-        As of `report_on`.
+        As of `calculation_report`.
 
     Raises
     ------
@@ -423,7 +423,7 @@ def compare_variants(
         If a variant is none of this case, or there are too many.
     """
     found = cases_compared(case, variants)
-    return report_on(
+    return calculation_report(
         list(found.values()),
         names=[setting_name(name) for name in found],
         changed=[frozenset(names_in(one.changes)) for one in with_the_case(variants)],

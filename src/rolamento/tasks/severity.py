@@ -36,7 +36,7 @@ from rolamento.vibration.severity import (
 )
 from rolamento.words import Note, said
 
-__all__ = ["MeasuredSeverity", "SeverityResult", "severity_of"]
+__all__ = ["MeasuredSeverity", "SeverityResult", "vibration_severity"]
 
 SCHEMA: Final = 1
 _MOST_SIGNALS: Final = 500
@@ -252,7 +252,7 @@ class SeverityResult:
         return text.getvalue()
 
 
-def severity_of(
+def vibration_severity(
     paths: str | os.PathLike[str] | Sequence[str | os.PathLike[str]],
     *,
     speed: str | float | None = None,

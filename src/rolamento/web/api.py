@@ -202,10 +202,10 @@ def _weibull(asked: WeibullRequest) -> str:
 
 def _report(asked: ReportRequest) -> dict[str, Any]:
     from rolamento.pages.report import report_page
-    from rolamento.tasks.report import report_on
+    from rolamento.tasks.report import calculation_report
 
     cases = [_of_list(one, "cases", place) for place, one in enumerate(asked.cases)]
-    found = report_on(cases, asked.head)
+    found = calculation_report(cases, asked.head)
     return file_of(report_page(found), found.to_mapping(), asked.format)
 
 

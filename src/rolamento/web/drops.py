@@ -323,12 +323,12 @@ def report_file(
     """
     from rolamento.case import Case
     from rolamento.pages.report import report_page
-    from rolamento.tasks.report import report_on
+    from rolamento.tasks.report import calculation_report
 
     if form not in REPORTS:
         rule = said("must be one of {known}", known=", ".join(REPORTS))
         raise InputError(rule, field="format", value=form, example="pdf")
-    found = report_on([Case.from_mapping(one) for one in cases], head)
+    found = calculation_report([Case.from_mapping(one) for one in cases], head)
     return _answer((report_page(found),), found.to_mapping(), "", form)
 
 
@@ -409,7 +409,7 @@ def _severity(
     if "group" in machine:
         machine["group"] = int(machine["group"])
     try:
-        return tasks.severity_of(path, speed=speed, **machine, **reading)
+        return tasks.vibration_severity(path, speed=speed, **machine, **reading)
     except InputError:
         if machine:
             raise

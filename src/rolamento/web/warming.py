@@ -69,7 +69,7 @@ def make_ready(warmth: Warmth) -> None:
 def make_worker_ready() -> None:
     """Load and compile what slow requests need, in the process that answers them."""
     from rolamento.tasks.batch import batch
-    from rolamento.tasks.report import report_on  # noqa: F401  # what it imports is the point
+    from rolamento.tasks.report import calculation_report  # noqa: F401  # what it imports is the point
 
     batch(_case(_BALLS), {"duty.load.fz": ["1 kN", "2 kN"]})
     _settle_memory()

@@ -115,7 +115,9 @@ class Fleet:
             numbers(counts, "counts", "[1, 4]")
         )  # fmt: skip
         if old.ndim != 1 or not 1 <= len(old) <= _MAXIMUM_ROWS or many.shape != old.shape:
-            rule = said("must be 1 to {most} rows, as many of each", most=_MAXIMUM_ROWS)
+            rule = said(
+                "all columns must have the same length, 1 to {most} rows", most=_MAXIMUM_ROWS
+            )
             raise InputError(rule, field="ages", value=len(old))
         for field, values, example in (("ages", old, "8000.0"), ("ahead", more, "2000.0")):
             bad = ~((values >= 0.0) & (values <= LONGEST_TIME))
