@@ -113,11 +113,14 @@ def translated(language: str, *, parts: bool = True) -> Catalog:
         if not path.exists():
             continue
         with path.open("rb") as file:
-            for message in read_po(file, locale=language):
-                if message.id and message.string:
-                    catalogue.add(
-                        message.id, message.string, context=message.context, flags=message.flags
-                    )
+            kept = read_po(file, locale=language)
+        # its own plural forms, by which its messages are numbered: Babel's differ by release
+        catalogue.mime_headers = [("Plural-Forms", kept.plural_forms)]
+        for message in kept:
+            if message.id and message.string:
+                catalogue.add(
+                    message.id, message.string, context=message.context, flags=message.flags
+                )
     return catalogue
 
 
@@ -125,6 +128,7 @@ def merged(language: str) -> Catalog:
     """Return a catalogue with all that is said, translated as far as it is."""
     known, wanted = translated(language), template()
     catalogue = Catalog(locale=language, project="rolamento", fuzzy=False)
+    catalogue.mime_headers = [("Plural-Forms", known.plural_forms)]
     for message in wanted:
         if not message.id:
             continue

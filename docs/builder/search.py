@@ -14,6 +14,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Final
 
+import snowballstemmer
+
 __all__ = [
     "EXPECTED",
     "NUMBER",
@@ -105,9 +107,7 @@ def index_of(site: Path) -> dict[str, Any]:
 
 def asked(index: Mapping[str, Any], question: str) -> set[str]:
     """Return the pages that have every word of a question, as those of the page's search."""
-    from sphinx.search.en import SearchEnglish  # where the site is built
-
-    stem = SearchEnglish({}).stem
+    stem = snowballstemmer.stemmer("english").stemWord  # as Sphinx does
     found: set[str] | None = None
     for word in map(stem, map(str.lower, words_of(question))):
         pages: set[str] = set()

@@ -299,12 +299,24 @@ class TestScript:
         monkeypatch.setattr(sys, "argv", ["words.py", "--new", "fr"])
         assert scripts.main() == 0
         path = catalogues / "fr" / "LC_MESSAGES" / "rolamento.po"
-        assert "Plural-Forms: nplurals=2; plural=(n > 1);" in path.read_text(encoding="utf-8")
+        assert "Plural-Forms: nplurals=" in path.read_text(encoding="utf-8")
         _forget()
         assert "fr" in languages()
         with speaking("fr"):
             assert said("untranslated") == "untranslated"
         assert isinstance(gettext.translation("rolamento", catalogues, ["fr"]), object)
+
+    def test_plural_forms_are_those_of_the_catalogue_not_of_the_babel_that_compiles_it(
+        self, scripts: ModuleType, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        """Babel 2.19 has three of Portuguese, 2.18 two; the messages are numbered by one of them.
+
+        Compiled with the other, a count had no translation.
+        """
+        three = (3, "(n == 0 || n == 1) ? 0 : n != 0 && n % 1000000 == 0 ? 1 : 2")
+        monkeypatch.setattr("babel.messages.catalog.get_plural", lambda locale: three)
+        for catalogue in (scripts.translated("pt_BR"), scripts.merged("pt_BR")):
+            assert catalogue.plural_forms == "nplurals=2; plural=(n > 1);"
 
     def test_every_place_of_a_translation_is_one_of_the_english(self, scripts: ModuleType) -> None:
         wrong = []

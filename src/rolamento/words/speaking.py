@@ -144,7 +144,7 @@ def said_in(context: str, message: str, /, **values: Any) -> str:
 
 def counted(one: str, many: str, number: int, /, **values: Any) -> str:
     """Say a text of one or of many; ``{n}`` is how many."""
-    text = _catalogue(_spoken.get()).ngettext(one, many, number)
+    text = _catalogue(_spoken.get()).ngettext(one, many, int(number))
     return _filled(text, {"n": number, **values})
 
 
