@@ -351,6 +351,11 @@ def load_case(
         Settings of tables that the file does not have, such as ``"lubricant.kind=dry"``; in a
         table that it has they do not count.
 
+    Returns
+    -------
+    Case
+        All quantities in SI.
+
     Raises
     ------
     FileError
@@ -506,6 +511,13 @@ def parse_case(
 def override(case: Case, changes: Changes) -> Case:
     """Return a case with changes applied: as `Case.with_`, or texts as ``--set`` takes them.
 
+    Parameters
+    ----------
+    case
+        The case, which stays as it is.
+    changes
+        Values by dotted name, ``{"duty.load.fz": "10 kN"}``, or texts, ``["duty.load.fz=10 kN"]``.
+
     Raises
     ------
     InputError
@@ -551,14 +563,26 @@ def save_case(case: Case, path: str | os.PathLike[str]) -> None:
 
 
 def case_to_toml(case: Case) -> str:
-    """Return a case as the text of a TOML case file."""
+    """Return a case as the text of a TOML case file.
+
+    Parameters
+    ----------
+    case
+        The case; `parse_case` reads the identical case back.
+    """
     import tomli_w  # when a case is written, not whenever one is read
 
     return tomli_w.dumps(case.to_mapping())
 
 
 def case_to_json(case: Case) -> str:
-    """Return a case as the text of a JSON case file."""
+    """Return a case as the text of a JSON case file.
+
+    Parameters
+    ----------
+    case
+        The case; `parse_case` reads the identical case back.
+    """
     return json.dumps(case.to_mapping(), indent=2, ensure_ascii=False) + "\n"
 
 

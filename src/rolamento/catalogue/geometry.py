@@ -486,6 +486,11 @@ def ambiguity_axis(
     dict
         ``name`` and ``zipped`` with balls or rollers and pitch diameter in SI: the arguments of
         `rolamento.studies.Axis`.
+
+    Raises
+    ------
+    InputError
+        If there are no candidates.
     """
     kept = [one for one in candidates if one.reproduces or not credible_only]
     kept = kept or list(candidates[:1])

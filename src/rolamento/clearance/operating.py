@@ -433,7 +433,12 @@ def sample_clearance(
         Of each dimension over its band, independent of the others: ``"normal"`` about the middle,
         the limits three standard deviations away and never passed, or ``"uniform"``.
 
-    The others, and what is raised, are as of `operating_clearance`.
+    The others are as of `operating_clearance`.
+
+    Raises
+    ------
+    InputError
+        As `operating_clearance`, or if one of these three is out of range.
     """
     if isinstance(samples, bool) or not 1 <= samples <= _MAX_SAMPLES:
         raise InputError(

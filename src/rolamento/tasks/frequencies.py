@@ -152,6 +152,11 @@ def fault_frequencies(
     changes
         What goes over the case, by dotted name, such as ``{"duty.load.fz": "5 kN"}``.
 
+    Returns
+    -------
+    FrequencyResult
+        `nominal` by the geometry alone, and `loaded` if the case has a load; Hz.
+
     Raises
     ------
     FileError, InputError

@@ -143,7 +143,13 @@ def order_tracked(signal: Signal, samples_per_revolution: float | None = None) -
 
 
 def order_spectrum(angular: AngularSignal) -> Spectrum:
-    """Amplitudes of the lines of a signal over orders of the shaft, in its unit."""
+    """Amplitudes of the lines of a signal over orders of the shaft, in its unit.
+
+    Raises
+    ------
+    InputError
+        If it is no signal over the angle of the shaft.
+    """
     if not isinstance(angular, AngularSignal):
         raise InputError(
             said("must be an AngularSignal"),

@@ -187,7 +187,13 @@ def all_bounds(
     seed: int = 0,
     shape: float | None = None,
 ) -> tuple[Bounds, ...]:
-    """Bounds on many quantities, from the same drawn tests; parameters as of `bounds`."""
+    """Bounds on many quantities, from the same drawn tests; parameters as of `bounds`.
+
+    Raises
+    ------
+    InputError
+        If `quantities` is no list of quantities, or an option is out of range.
+    """
     test = LifeTest.of(test)
     if isinstance(quantities, str) or not isinstance(quantities, Iterable):
         raise InputError(said("must be a list"), field="quantities", example='["shape", "L10"]')

@@ -444,6 +444,11 @@ def plotting_positions(test: LifeTest | ArrayLike, ranks: Ranks = "median") -> P
 def median_rank(rank: ArrayLike, size: int, ranks: Ranks = "median") -> FloatArray:
     """Share taken to have failed at a rank, which need not be whole, among so many bearings.
 
+    Raises
+    ------
+    InputError
+        If a rank is not above 0, or above the size.
+
     >>> print(f"{median_rank(1, 1):.1f}")
     0.5
     """

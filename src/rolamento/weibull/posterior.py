@@ -193,6 +193,11 @@ def posterior(test: LifeTest | ArrayLike, prior: ShapePrior) -> Posterior:
         With any kind of censoring, and one failure at least.
     prior
         On the shape; for bearings, say, ``ShapePrior(1.0, 2.5)``.
+
+    Raises
+    ------
+    InputError
+        If `prior` is no `ShapePrior`.
     """
     test = LifeTest.of(test)
     if not isinstance(prior, ShapePrior):
