@@ -18,14 +18,14 @@ import typer
 from typer.testing import CliRunner
 
 from rolamento import Bearing, load_case
-from rolamento.case import is_designation
+from rolamento.case import case_of, is_designation
 from rolamento.cli.app import app
 from rolamento.document.terminal import terminal
 from rolamento.errors import InputError
 from rolamento.pages.synthesis import synthesis_page
 from rolamento.plots.vibration_modulation import envelope_depths, modulation_figure
 from rolamento.solution import solve
-from rolamento.tasks.bearing import case_of, has_load
+from rolamento.tasks.bearing import has_load
 from rolamento.tasks.quantities import fields_of, number_of
 from rolamento.tasks.synthesis import SynthesisResult
 from rolamento.tasks.synthesis import synthesise as synthesise_task
@@ -551,9 +551,10 @@ def test_case_of_a_bearing(tmp_path: Path) -> None:
     assert is_designation("6205")
     assert not is_designation("a\0b")
     assert has_load(case_of(str(path)))
-    assert not has_load(case_of("6205", inner_speed=10.0))
+    assert not has_load(case_of("6205", {"duty.inner_speed": 10.0}))
     assert has_load(case_of("6205", ["duty.displacement.z='1 um'"]))
-    case = case_of(str(path), ["duty.load.fz='2 kN'"], inner_speed=1.5, outer_speed=-2.5)
+    changes = {"duty.load.fz": "2 kN", "duty.inner_speed": 1.5, "duty.outer_speed": -2.5}
+    case = case_of(str(path), changes)
     assert (case.duty.inner_speed, case.duty.outer_speed) == (1.5, -2.5)
     assert case.duty.load.fz == pytest.approx(2000.0)
 

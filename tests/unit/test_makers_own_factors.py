@@ -9,7 +9,7 @@ import pytest
 from typer.testing import CliRunner
 
 from rolamento import Case, solve
-from rolamento.case import case_to_toml, parse_case
+from rolamento.case import case_of, case_to_toml, parse_case
 from rolamento.case.arrangement import Preload
 from rolamento.case.bearing import Bearing
 from rolamento.case.roller_bearing import RollerBearing
@@ -23,7 +23,6 @@ from rolamento.life import life
 from rolamento.pages.life import life_page, rating_source
 from rolamento.pages.state import state_page
 from rolamento.solved import Solved
-from rolamento.tasks.bearing import case_of
 from rolamento.tasks.new_case import case_template
 
 RPM = pi / 30.0

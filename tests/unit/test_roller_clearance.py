@@ -12,6 +12,7 @@ import pytest
 from rolamento import Case, InputError, load_case, parse_case
 from rolamento.assembly.mounted import preload_stages, running_set
 from rolamento.assembly.preload import preload_of
+from rolamento.case import case_of
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.clearance import (
     CLEARANCE_CLASSES,
@@ -21,7 +22,6 @@ from rolamento.clearance import (
 )
 from rolamento.io.data import toml_of
 from rolamento.solution import solve
-from rolamento.tasks.bearing import case_of
 from rolamento.tasks.clearance import mounted_clearance, mounted_samples
 
 RPM = pi / 30.0
@@ -162,7 +162,7 @@ def test_a_reading_is_the_clearance() -> None:
     found = clearance_of_case(nu(mounting__measured_clearance=45e-6))
     assert [step.name for step in found.steps] == ["initial"]
     assert found.mean == 45e-6
-    with pytest.raises(InputError, match="of ball bearings"):
+    with pytest.raises(InputError, match="applies to ball bearings"):
         clearance_of_case(nu(mounting__measured_clearance=45e-6, mounting__measuring_load=50.0))
 
 

@@ -10,6 +10,7 @@ import pytest
 from typer.testing import CliRunner
 
 from rolamento import InputError, parse_case
+from rolamento.case import case_of
 from rolamento.case.bearing import Bearing
 from rolamento.case.preload_classes import level_of_force
 from rolamento.cli.app import app
@@ -31,7 +32,6 @@ from rolamento.speeds import (
     speed_ratio,
     thermal_reference_speed,
 )
-from rolamento.tasks.bearing import case_of
 from rolamento.tasks.speed import speed_limits
 from rolamento.words.headlines import qualifies
 

@@ -13,8 +13,7 @@ import pytest
 
 import rolamento
 from rolamento import Analysis, analyse
-from rolamento.case import Case
-from rolamento.tasks.bearing import case_of
+from rolamento.case import Case, case_of
 from rolamento.tasks.report import analysis_of
 from rolamento.web.drawing import decades, reach, rounded_up
 from rolamento.web.pictures import PICTURES, described, figures

@@ -12,6 +12,7 @@ from math import pi
 
 import pytest
 
+from rolamento.case import case_of
 from rolamento.case.bearing import Bearing
 from rolamento.ratings import static_rating
 from rolamento.speeds import (
@@ -19,7 +20,6 @@ from rolamento.speeds import (
     speed_ratio,
     thermal_reference_speed,
 )
-from rolamento.tasks.bearing import case_of
 from rolamento.tasks.speed import speed_limits
 
 PRINTED = {

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import pytest
 
+from rolamento.case import case_of
 from rolamento.catalogue import CatalogueBearing, catalogue
 from rolamento.life import life
 from rolamento.life.equivalent_load import ListedFactors, equivalent_load, static_equivalent_load
 from rolamento.life.iso281_modified import fatigue_load_limit
 from rolamento.solution import solve
-from rolamento.tasks.bearing import case_of
 
 TAPERED = [one for one in catalogue().bearings if one.axial_factor is not None]
 LIMITED = [one for one in catalogue().bearings if one.fatigue_load_limit is not None]
