@@ -355,7 +355,7 @@ def report(
     Parameters
     ----------
     sources
-        A designation, a case or its file, or several of them.
+        A designation, a case or its file, or several of them; of solved cases each.
     path
         A ``.pdf``, ``.html``, ``.md``, ``.txt`` or ``.json`` file; nothing is written by default.
     head
@@ -379,7 +379,10 @@ def report(
     from rolamento.tasks.report import calculation_report
 
     given: Sequence[Any] = sources if isinstance(sources, list | tuple) else [sources]
-    cases = [one.case if isinstance(one, Solved) else one for one in given]
+    cases: list[Any] = []
+    for one in given:
+        solved = isinstance(one, Solved)
+        cases += [one.case_at(index) for index in range(len(one))] if solved else [one]
     found = calculation_report(cases, head, progress=progress)
     if path is not None:
         _write(found, os.fspath(path))
@@ -410,7 +413,7 @@ def find_bearings(text: str, most: int = _MOST_FOUND) -> tuple[CatalogueBearing,
     Returns
     -------
     tuple of CatalogueBearing
-        In the order of the catalogue, empty if there is none.
+        Those that begin with the text before those that contain it; empty if there is none.
 
     Raises
     ------

@@ -182,6 +182,16 @@ def test_report(tmp_path: Path, examples: Path, ending: str) -> None:
         assert json.loads(text)["kind"] == "report"
 
 
+def test_report_of_solved_cases_has_their_loads_and_speeds() -> None:
+    solved = ro.solve("6310/C3", fz=[2e3, 5e3], inner_speed="1480 rpm")
+    found = ro.report(solved)
+    for index, one in enumerate(found.cases):
+        again = one.analysis.solved
+        assert again.field("duty.load.fz") == [2e3, 5e3][index]
+        assert again.inner.load[0] == pytest.approx(solved.inner.load[index], rel=1e-9)
+    assert len(found.cases) == 2
+
+
 def test_report_refuses_other_files(tmp_path: Path) -> None:
     with pytest.raises(ro.InputError, match=r"must end in one of .html, .pdf"):
         ro.report("6310/C3", tmp_path / "report.docx")

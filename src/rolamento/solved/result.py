@@ -125,6 +125,10 @@ class Solved:
         """The case with its bearing as the maker delivers it, by which standards rate it."""
         return self.case if self.before_mounting is None else self.before_mounting.case
 
+    def case_at(self, index: int) -> Case:
+        """Return one of the cases with what varied put in: solved alone, it gives this result."""
+        return self.case.with_({name: float(values[index]) for name, values in self.varied.items()})
+
     def __len__(self) -> int:
         """Count the cases."""
         return len(self.status.number)
