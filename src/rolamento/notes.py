@@ -41,6 +41,7 @@ from rolamento.status import (
     TOLERANCE,
     UNCONSTRAINED_BALL,
 )
+from rolamento.types import type_of_element
 from rolamento.words import Note
 
 if TYPE_CHECKING:
@@ -105,7 +106,7 @@ def notes_on(solved: Solved) -> tuple[Note, ...]:
 
 def pressure_limit(case: Case) -> float:
     """Return the contact pressure from which balls of a bearing indent its races (Pa; ISO 76)."""
-    sphere = case.bearing.kind == "self_aligning"
+    sphere = case.bearing.bearing_type.aligns
     return _PRESSURE_LIMIT_SELF_ALIGNING if sphere else _PRESSURE_LIMIT
 
 
@@ -122,7 +123,7 @@ def jones_verdict(solved: Solved) -> NDArray[np.int64]:
 
 def _lost_rows(solved: Solved) -> Iterator[Note]:
     """Rows of a set that the inner ring does not touch at all."""
-    if solved.case.bearing.kind == "four_point":
+    if solved.case.bearing.bearing_type.has_arches:
         return  # one pair of arcs is all that an axial load needs
     loaded = solved.loaded_elements[0]
     lost = np.flatnonzero(loaded == 0).tolist()
@@ -142,7 +143,7 @@ def _lost_contacts(solved: Solved) -> Iterator[Note]:
         yield Note("no_ball_loaded" if solved.rollers is None else "no_element_loaded")
         return
     free &= ~are_rollers(solved)
-    if solved.case.bearing.kind == "four_point":  # both rows of contacts are of the same balls
+    if solved.case.bearing.bearing_type.has_arches:  # both rows of contacts are of the same balls
         free = np.tile(free.reshape(2, -1).all(axis=0), 2)
         free[len(free) // 2 :] = False
     else:  # rows that the ring does not touch at all have a note of their own
@@ -180,7 +181,7 @@ def _past_edge(solved: Solved) -> Iterator[Note]:
     """Balls that the inner groove has left, so that nothing presses on them."""
     if solved.rollers is not None:
         return
-    if solved.case.bearing.kind == "four_point":
+    if solved.case.bearing.bearing_type.has_arches:
         return  # a ball that is beside one arc is on the other
     inner, rows = solved.inner, solved.rows
     length = rows.per_element((rows.inner_conformity - 0.5) * rows.ball_diameter)
@@ -197,7 +198,7 @@ def _shoulders(solved: Solved) -> Iterator[Note]:
     row = solved.elements.row
     for race, contacts in solved.contacts.items():
         ends = np.array([acos(float(edge_cosine(bearing, race))) for bearing in bearings])[row]
-        if race == "outer" and solved.case.bearing.kind == "self_aligning":
+        if race == "outer" and solved.case.bearing.bearing_type.aligns:
             continue  # a sphere has no shoulder
         bottom = ball_bearing(solved.case).groove_bottom
         reach = np.abs(contacts.contact_angle - bottom) + contacts.semi_major / (
@@ -223,7 +224,7 @@ def _shoulders(solved: Solved) -> Iterator[Note]:
 def _arches(solved: Solved) -> Iterator[Note]:
     """Contact ellipses of a four-point bearing that run over the middle of their arch."""
     bearing = solved.case.bearing
-    if bearing.kind != "four_point":
+    if not bearing.bearing_type.has_arches:
         return
     shim = solved.field("bearing.shim_angle")[0]
     for race, contacts in solved.contacts.items():
@@ -252,7 +253,7 @@ def _speed_factor(solved: Solved) -> float:
 
 def _tilts(solved: Solved) -> Iterator[Note]:
     worst = max(abs(float(solved.displacement.ry[0])), abs(float(solved.displacement.rz[0])))
-    if solved.case.bearing.kind == "self_aligning":
+    if solved.case.bearing.bearing_type.aligns:
         if worst > SPHERE_TILT_LIMIT:
             yield Note("tilt_beyond_self_aligning", {"tilt": worst, "limit": SPHERE_TILT_LIMIT})
         return
@@ -265,9 +266,11 @@ def _free_directions(solved: Solved) -> Iterator[Note]:
     if not solved.load.array.any():
         return  # nothing is held, and _lost_contacts says so
     free = _free(solved)
-    if solved.case.bearing.kind == "self_aligning":
+    if solved.case.bearing.bearing_type.aligns:
         free[3:] = False  # see _free_tilt
-    if solved.rollers is not None and not {"ball", "tapered"} & set(solved.rows.element):
+    if solved.rollers is not None and all(
+        type_of_element(one).floats for one in solved.rows.element
+    ):
         free[0] = False  # cylindrical rollers let a shaft shift: that is what they are for
     arm = 0.5 * float(solved.rows.pitch_diameter[0, 0])
     arms = np.array([1.0, 1.0, 1.0, arm, arm])
@@ -284,7 +287,7 @@ def _free_directions(solved: Solved) -> Iterator[Note]:
 
 def _free_tilt(solved: Solved) -> Iterator[Note]:
     """The tilt of a self-aligning bearing that is not given: nothing determines it."""
-    if solved.case.bearing.kind == "self_aligning" and _free(solved)[3:].any():
+    if solved.case.bearing.bearing_type.aligns and _free(solved)[3:].any():
         yield Note("tilt_undetermined")
 
 
@@ -357,7 +360,7 @@ def _gyroscopic_slip(solved: Solved) -> Iterator[Note]:
 
 def _with_the_cage(solved: Solved) -> bool:
     """Whether the balls are balanced without their gyroscopic moment: see `rows.grooves`."""
-    return solved.case.bearing.kind in ("four_point", "thrust")
+    return solved.case.bearing.bearing_type.with_cage_only
 
 
 def _gyroscopic_left_out(solved: Solved) -> Iterator[Note]:
@@ -491,7 +494,7 @@ def _radial_load_on_thrust(solved: Solved) -> Iterator[Note]:
 
 def _four_point_load(solved: Solved) -> Iterator[Note]:
     """A load under which balls of a four-point bearing bear on both arcs of a ring and slide."""
-    if solved.case.bearing.kind != "four_point":
+    if not solved.case.bearing.bearing_type.has_arches:
         return
     radial = float(np.hypot(solved.load.fy[0], solved.load.fz[0]))
     axial = abs(float(solved.load.fx[0]))
@@ -517,7 +520,7 @@ def _given_forces(solved: Solved) -> tuple[float, float]:
 def _is_washers(case: Case) -> bool:
     """Whether it is a thrust bearing of 90°, which is for axial load alone."""
     bearing = case.bearing
-    return bearing.kind == "thrust" and (bearing.contact_angle or 0.0) > 0.5 * pi * (1.0 - 1e-9)
+    return bearing.bearing_type.washers and (bearing.contact_angle or 0.0) > 0.5 * pi * (1.0 - 1e-9)
 
 
 def _turns(solved: Solved) -> bool:
@@ -544,7 +547,7 @@ def advice_on(solved: Solved, case: int = 0) -> Note | None:
     if code == OVERLOADED:
         key = "overloaded_rollers" if rolls else "overloaded"
         return Note(key, {"limit": _GREATEST_APPROACH})
-    if code == OVER_SHOULDER and given.bearing.kind == "thrust":
+    if code == OVER_SHOULDER and given.bearing.bearing_type.washers:
         return _out_of_the_washers(solved[case])
     if code == OVER_SHOULDER:
         return Note(
@@ -614,11 +617,11 @@ def _no_equilibrium(solved: Solved, axis: int) -> Note:
     """Name the direction that nothing supports, and what would."""
     case, bearing = solved.case, solved.case.bearing
     radial, axial_load = _given_forces(solved)
-    if bearing.kind == "thrust":
+    if bearing.bearing_type.washers:
         if _is_washers(case) and axial_load > 0.0 and radial > _RADIAL_SHARE * axial_load:
             return Note("thrust_carries_no_radial_load", {"radial": radial, "axial": axial_load})
         return Note("thrust_pushed_aside" if axial_load > 0.0 else "thrust_unsupported")
-    if bearing.kind == "self_aligning" and axis > 2:
+    if bearing.bearing_type.aligns and axis > 2:
         return Note("sphere_holds_no_moment", {"axis": AXES[axis]})
     if any(place.bearing.element != "ball" for place in bearing.places):
         tilts = bool(_free(solved)[3:].any())

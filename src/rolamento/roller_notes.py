@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import radians, tan
+from math import tan
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -12,31 +12,20 @@ from rolamento.case import Case
 from rolamento.case.duty import AXES
 from rolamento.contact.line import PRESSURE_LIMIT
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.types import BearingType, type_of_element
 from rolamento.words import Note
 
 if TYPE_CHECKING:
     from rolamento.solved import Rollers, Solved
 
 __all__ = [
-    "USUAL_MISALIGNMENT",
     "are_rollers",
     "misalignment",
     "notes_on_rollers",
     "rollers_without_equilibrium",
+    "usual_misalignments",
     "which_elements",
 ]
-
-_MINUTE: Final = radians(1.0 / 60.0)
-
-USUAL_MISALIGNMENT: Final = {
-    "cylindrical": 4.0 * _MINUTE,
-    "tapered": 3.0 * _MINUTE,
-    "needle": 1.0 * _MINUTE,
-}
-"""Between the rings, what makers let pass under normal loads (rad). Cylindrical rollers of width
-series 0 and 1: 0.0012 rad, of series 2 half of it; tapered ones 0.0009 rad (NSK's catalogue E1102,
-general knowledge, no page at hand); needles about one minute (SKF, drawn cup needle roller
-bearings, bearing data)."""
 
 _PEAK: Final = 1.2
 """Pressure at a roller's end over the greatest elsewhere that deserves a note."""
@@ -104,13 +93,20 @@ def _pressures(solved: Solved) -> Iterator[Note]:
 def _misaligned(solved: Solved) -> Iterator[Note]:
     """A tilt between the rings beyond what makers let pass."""
     tilt = misalignment(solved)
-    kinds = [element for element in solved.rows.element if element != "ball"]
-    kind = min(kinds, key=lambda one: USUAL_MISALIGNMENT[one])
-    if tilt > USUAL_MISALIGNMENT[kind]:
-        yield Note(
-            "rollers_misaligned",
-            {"tilt": tilt, "limit": USUAL_MISALIGNMENT[kind], "element": kind},
-        )
+    known = usual_misalignments(solved)
+    if not known:
+        return
+    limit, kind = min(known, key=lambda one: one[0])
+    if tilt > limit:
+        wide = kind.usual_misalignment_of_wide
+        values = {"tilt": tilt, "limit": limit, "element": kind.element}
+        yield Note("rollers_misaligned", values if wide is None else {**values, "of_wide": wide})
+
+
+def usual_misalignments(solved: Solved) -> list[tuple[float, BearingType]]:
+    """Tilt (rad) that makers let pass of each row for which a source gives it, with its type."""
+    kinds = map(type_of_element, solved.rows.element)
+    return [(one.usual_misalignment, one) for one in kinds if one.usual_misalignment is not None]
 
 
 def _on_part_of_the_length(solved: Solved, rollers: Rollers) -> Iterator[Note]:
@@ -176,10 +172,10 @@ def rollers_without_equilibrium(
     tilts
         Whether the ring is free to tilt.
     """
-    kinds = {place.bearing.element for place in case.bearing.places}
-    if axis == 0 and not kinds & {"ball", "tapered"}:
+    kinds = [place.bearing.bearing_type for place in case.bearing.places]
+    if axis == 0 and all(one.floats for one in kinds):
         return Note("ribs_do_not_hold")
-    if axis == 0 and kinds == {"tapered"}:
+    if axis == 0 and all(one.conical for one in kinds):
         signs = {place.sign for place in case.bearing.places}
         if len(signs) == 1:
             toward, away = ("+x", "-x") if signs == {1.0} else ("-x", "+x")

@@ -98,7 +98,7 @@ def test_inference_finds_what_was_rated() -> None:
             designation="x", kind=kind, bore=pitch - 0.0166, outside_diameter=pitch + 0.0166,
             contact_angle=radians(angle),
         )  # fmt: skip
-        rule = {"kind": bare.rated_as, "rows": rows}
+        rule = {"kind": bare.type.rated, "rows": rows}
         rated = CatalogueBearing(
             designation="x", kind=kind, bore=bare.bore, outside_diameter=bare.outside_diameter,
             contact_angle=bare.contact_angle,
@@ -171,7 +171,7 @@ def test_own_catalogues_take_the_kinds() -> None:
     head = "designation,kind,bore_mm,outside_diameter_mm,contact_angle_deg,dynamic_rating_N,"
     text = head + "static_rating_N,limiting_speed_rpm\nT1,thrust,50,78,90,49000,111000,3600\n"
     (read,) = records_of_csv(text, "own.csv")
-    assert (read.kind, read.rated_as, read.rows) == ("thrust", "thrust", 1)
+    assert (read.kind, read.type.rated, read.rows) == ("thrust", "thrust", 1)
     assert read.limiting_speed == pytest.approx(3600 * np.pi / 30)
     table = """[[bearing]]
 designation = "Q"

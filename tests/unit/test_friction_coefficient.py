@@ -22,7 +22,7 @@ from rolamento.friction.coefficient import (
     boundary_share,
     coefficient_by_regime,
 )
-from rolamento.friction.skf import deep_groove_constants, skf_moment
+from rolamento.friction.skf import series_constants, skf_moment
 from rolamento.pages.friction import friction_page
 from rolamento.pages.report import report_page
 from rolamento.solution import solve
@@ -55,7 +55,8 @@ def test_part_of_the_asperities_by_hand() -> None:
 
 def test_the_sliding_coefficient_is_that_of_the_model_of_skf() -> None:
     made = skf_moment(
-        deep_groove_constants("63"), speed=np.array([1.0, 50.0, 300.0]), bore_diameter=50e-3,
+        series_constants("deep_groove", "63"), speed=np.array([1.0, 50.0, 300.0]),
+        bore_diameter=50e-3,
         outside_diameter=110e-3, kinematic_viscosity=20e-6, radial_load=5e3,
     )  # fmt: skip
     part = boundary_share(20e-6, np.array([1.0, 50.0, 300.0]), 80e-3)

@@ -12,7 +12,7 @@ from rolamento import load_case
 from rolamento.errors import InputError
 from rolamento.friction import MachineBearing, friction
 from rolamento.friction.palmgren import (
-    LOAD_FACTORS,
+    constants_by_type,
     friction_load,
     load_torque,
     lubricant_torque,
@@ -21,9 +21,8 @@ from rolamento.friction.palmgren import (
 from rolamento.friction.rolling_resistance import rolling_force
 from rolamento.friction.skf import (
     SkfConstants,
-    angular_contact_constants,
-    deep_groove_constants,
-    deep_groove_series,
+    constants_by_series,
+    series_constants,
     skf_moment,
     skf_torque,
 )
@@ -77,7 +76,8 @@ def test_palmgren_as_a_torque() -> None:
         static_load_ratio=0.1,
     )
     np.testing.assert_allclose(found.total, found.parts["lubricant"] + found.parts["load"])
-    z, y = LOAD_FACTORS["deep_groove"]
+    own = constants_by_type()["deep_groove"]
+    z, y = own.z, own.y
     np.testing.assert_allclose(found.parts["load"], z * 0.1**y * 1000.0 * 0.05)
     np.testing.assert_allclose(found.power, found.total * [0.0, 100.0])
 
@@ -85,7 +85,7 @@ def test_palmgren_as_a_torque() -> None:
 @pytest.mark.parametrize(
     ("design", "r", "s", "k_z"),
     [
-        ("single_row", (5.03e-7, 1.97, 1.90e-12), (1.30e-2, 0.68, 1.91e-12), 4.4),
+        ("angular_contact", (5.03e-7, 1.97, 1.90e-12), (1.30e-2, 0.68, 1.91e-12), 4.4),
         ("double_row", (6.34e-7, 1.41, 7.83e-13), (7.56e-3, 1.21, 7.83e-13), 3.1),
         ("four_point", (4.78e-7, 2.42, 1.40e-12), (1.20e-2, 0.9, 1.40e-12), 3.1),
     ],
@@ -95,7 +95,7 @@ def test_skf_angular_contact_constants_are_those_of_the_catalogue(
 ) -> None:
     """A bearing of size 210 by hand: d_m = 70 mm, 2 and 1 kN, 3000 r/min, 30 mm²/s."""
     found = skf_moment(
-        angular_contact_constants(design),
+        series_constants(design),
         speed=3000 * RPM,
         bore_diameter=50e-3,
         outside_diameter=90e-3,
@@ -116,18 +116,18 @@ def test_skf_angular_contact_constants_are_those_of_the_catalogue(
 
 
 def test_skf_refuses_an_unknown_design() -> None:
-    with pytest.raises(InputError, match="single_row, double_row, four_point"):
-        angular_contact_constants("triple_row")
+    with pytest.raises(InputError, match="deep_groove, angular_contact, double_row"):
+        series_constants("triple_row")
 
 
 @pytest.mark.parametrize(
     ("constants", "degrees", "valid"),
     [
-        (angular_contact_constants(), 40.0, True),
-        (angular_contact_constants(), 25.0, False),
-        (angular_contact_constants("double_row"), 30.0, True),
-        (angular_contact_constants("double_row"), 40.0, False),
-        (angular_contact_constants("four_point"), 35.0, True),
+        (series_constants("angular_contact"), 40.0, True),
+        (series_constants("angular_contact"), 25.0, False),
+        (series_constants("double_row"), 30.0, True),
+        (series_constants("double_row"), 40.0, False),
+        (series_constants("four_point"), 35.0, True),
         (SkfConstants("angular_contact", 5e-7, 2.0, 1e-2, 0.7), 25.0, True),
     ],
 )
@@ -179,7 +179,7 @@ def test_palmgren_refuses(change: dict[str, object], field: str) -> None:
 
 def moment_61811(rpm: float) -> object:
     return skf_moment(
-        deep_groove_constants("618"),
+        series_constants("deep_groove", "618"),
         speed=rpm * RPM,
         bore_diameter=55e-3,
         outside_diameter=72e-3,
@@ -214,7 +214,7 @@ def test_skf_factors_by_hand() -> None:
 def test_skf_with_axial_load_by_hand() -> None:
     """6205: d_m 38.5, C_0 7800 N, F_r 500 N, F_a 200 N, formulas of table 2a."""
     found = skf_moment(
-        deep_groove_constants("62"),
+        series_constants("deep_groove", "62"),
         speed=1500 * RPM,
         bore_diameter=25e-3,
         outside_diameter=52e-3,
@@ -245,7 +245,7 @@ def test_skf_axial_form_meets_the_radial_one_only_in_rolling() -> None:
         "radial_load": 500.0,
         "static_load_rating": 7800.0,
     }
-    constants = deep_groove_constants("62")
+    constants = series_constants("deep_groove", "62")
     without = skf_moment(constants, **given)  # type: ignore[arg-type]
     nearly = skf_moment(constants, axial_load=1e-9, **given)  # type: ignore[arg-type]
     assert nearly.rolling == pytest.approx(without.rolling, rel=1e-6)
@@ -283,11 +283,11 @@ def test_skf_boundary_friction_at_rest_and_full_film_at_speed() -> None:
 
 
 def test_skf_series_are_those_of_the_catalogue() -> None:
-    known = deep_groove_series()
+    known = constants_by_series("deep_groove")
     assert len(known) == 20
     assert all(c.kind == "deep_groove" and c.k_z == 3.1 for c in known.values())
     with pytest.raises(InputError, match="series"):
-        deep_groove_constants("NU2")
+        series_constants("deep_groove", "NU2")
 
 
 @pytest.mark.parametrize(
@@ -309,7 +309,7 @@ def test_skf_refuses(change: dict[str, object], field: str) -> None:
         **change,
     }
     with pytest.raises(InputError, match=field):
-        skf_moment(deep_groove_constants("618"), **given)  # type: ignore[arg-type]
+        skf_moment(series_constants("deep_groove", "618"), **given)  # type: ignore[arg-type]
 
 
 def circle(load: float, radius: float, modulus: float) -> Patch:

@@ -7,7 +7,7 @@ import pytest
 
 from rolamento import Bearing, Case, Duty
 from rolamento.friction.palmgren import friction_load, palmgren
-from rolamento.friction.skf import self_aligning_series, skf_moment, thrust_constants
+from rolamento.friction.skf import constants_by_series, series_constants, skf_moment
 from rolamento.life import LifeSummary, life
 from rolamento.life.equivalent_load import minimum_axial_load
 from rolamento.solution import solve
@@ -129,14 +129,14 @@ def test_skf_of_self_aligning_and_thrust_bearings_by_hand() -> None:
         "speed": 1500 * RPM, "bore_diameter": 50e-3, "outside_diameter": 78e-3,
         "kinematic_viscosity": 30e-6,
     }  # fmt: skip
-    thrust = skf_moment(thrust_constants(), **place, radial_load=0.0, axial_load=8000.0)
+    thrust = skf_moment(series_constants("thrust"), **place, radial_load=0.0, axial_load=8000.0)
     factor = thrust.inlet_heating * thrust.replenishment
     rolling = 1.03e-6 * 64.0**1.83 * 8000.0**0.54 * (30 * 1500) ** 0.6
     assert thrust.rolling == pytest.approx(1e-3 * rolling * factor)
     sliding = 1.6e-2 * 64.0**0.05 * 8000.0 ** (4 / 3)
     assert thrust.sliding == pytest.approx(1e-3 * sliding * thrust.sliding_coefficient)
     aligning = skf_moment(
-        self_aligning_series()["22"], **place, radial_load=2000.0, axial_load=300.0
+        constants_by_series("self_aligning")["22"], **place, radial_load=2000.0, axial_load=300.0
     )
     thrown = 3.12e-12 * 64.0**3.5 * 1500.0**2
     rolling = 3.13e-7 * 64.0**2 * (2000.0 + thrown + 5.54 * 300.0) ** 0.54 * (30 * 1500) ** 0.6

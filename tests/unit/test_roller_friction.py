@@ -15,7 +15,7 @@ from rolamento.analysis import analyse
 from rolamento.errors import InputError
 from rolamento.friction import MachineBearing, friction
 from rolamento.friction.line_losses import starting_torque
-from rolamento.friction.skf import roller_series, skf_moment
+from rolamento.friction.skf import constants_by_series, skf_moment
 from rolamento.geometry import apex_half_angle
 from rolamento.lubrication import film
 from rolamento.lubrication.line_film import line_groups, pan_hamrock_central
@@ -194,13 +194,13 @@ def test_a_preloaded_pair_takes_twice_the_torque_of_one() -> None:
     one = MachineBearing(
         kind="tapered", bore_diameter=30e-3, outside_diameter=62e-3, kinematic_viscosity=43e-6,
         static_load_rating=1.0, static_load_ratio=0.0, contact_angle=OUTER,
-        supply="bath", constants=roller_series("tapered")["302"],
+        supply="bath", constants=constants_by_series("tapered")["302"],
         axial_factor=0.4 / tan(OUTER), row=0,
     )  # fmt: skip
     both = (one, replace(one, row=1))
     made = friction(solved, friction_coefficient=0.1, machine=both).models["skf"]
     alone = skf_moment(
-        one.constants or roller_series("tapered")["302"], speed=0.0, bore_diameter=30e-3,
+        one.constants or constants_by_series("tapered")["302"], speed=0.0, bore_diameter=30e-3,
         outside_diameter=62e-3, kinematic_viscosity=43e-6, radial_load=0.0, axial_load=500.0,
         axial_factor=0.4 / tan(OUTER),
     )  # fmt: skip

@@ -27,7 +27,7 @@ from rolamento.plots.roller import (
     roller_between_races,
 )
 from rolamento.plots.slip import slip_map
-from rolamento.roller_notes import USUAL_MISALIGNMENT
+from rolamento.types import TYPES
 from rolamento.solution import solve
 from rolamento.solved import Solved
 from rolamento.solved.outline import roller_outline
@@ -311,7 +311,7 @@ def test_what_is_to_be_known_of_a_tilted_roller_bearing(tilted: Solved, coupled:
 
 
 def test_the_limit_of_tilt_is_a_limit() -> None:
-    limit = USUAL_MISALIGNMENT["cylindrical"]
+    limit = TYPES["cylindrical"].usual_misalignment
     below, above = (of(NU, f"duty.displacement.ry={part * limit} rad") for part in (0.99, 1.01))
     assert "rollers_misaligned" not in keys(below)
     assert "rollers_misaligned" in keys(above)

@@ -20,13 +20,10 @@ from rolamento.friction.palmgren import friction_load, load_torque, palmgren, ri
 from rolamento.friction.skf import (
     SkfConstants,
     SkfMoment,
-    deep_groove_series,
-    roller_series,
-    self_aligning_series,
+    constants_by_series,
+    series_constants,
     skf_moment,
-    thrust_constants,
 )
-from rolamento.friction.skf import angular_contact_constants as angular_contact
 from rolamento.io.data import toml_of
 from rolamento.life.contamination import (
     class_of_code,
@@ -168,21 +165,23 @@ def numbers_of(constants: SkfConstants, *names: str) -> tuple[float, ...]:
 
 def test_geometry_constants_of_skf() -> None:
     for series, (r1, r2, s1, s2) in DEEP_GROOVE.items():
-        found = numbers_of(deep_groove_series()[series], "r1", "r2", "s1", "s2", "k_z")
+        found = numbers_of(
+            constants_by_series("deep_groove")[series], "r1", "r2", "s1", "s2", "k_z"
+        )
         assert found == pytest.approx((1e-7 * r1, r2, 1e-3 * s1, s2, 3.1)), series
     for series, (r1, r2, r3, s1, s2, s3) in SELF_ALIGNING.items():
         found = numbers_of(
-            self_aligning_series()[series], "r1", "r2", "r3", "s1", "s2", "s3", "k_z"
+            constants_by_series("self_aligning")[series], "r1", "r2", "r3", "s1", "s2", "s3", "k_z"
         )
         printed = (1e-7 * r1, r2, 1e-12 * r3, 1e-3 * s1, s2, 1e-12 * s3, 4.8)
         assert found == pytest.approx(printed), series
     for series, (r1, s1, s2) in CYLINDRICAL.items():
-        found = numbers_of(roller_series("cylindrical")[series], "r1", "s1", "s2", "k_z")
+        found = numbers_of(constants_by_series("cylindrical")[series], "r1", "s1", "s2", "k_z")
         assert found == pytest.approx((1e-6 * r1, s1, s2, 5.1)), series
     for series, (r1, r2, s1, s2) in TAPERED.items():
-        found = numbers_of(roller_series("tapered")[series], "r1", "r2", "s1", "s2", "k_z")
+        found = numbers_of(constants_by_series("tapered")[series], "r1", "r2", "s1", "s2", "k_z")
         assert found == pytest.approx((1e-6 * r1, r2, s1, s2, 6.0)), series
-    found = numbers_of(thrust_constants(), "r1", "s1", "k_z")
+    found = numbers_of(series_constants("thrust"), "r1", "s1", "k_z")
     assert found == pytest.approx((1.03e-6, 1.6e-2, 3.8))
 
 
@@ -196,7 +195,8 @@ def test_replenishment_constant_of_skf(supply: str, printed: float) -> None:
     SKF, Rolling bearings (10000 EN), kinematic replenishment/starvation reduction factor.
     """
     found = skf_moment(
-        angular_contact(), speed=6000.0 * RPM, bore_diameter=50e-3, outside_diameter=90e-3,
+        series_constants("angular_contact"),
+        speed=6000.0 * RPM, bore_diameter=50e-3, outside_diameter=90e-3,
         kinematic_viscosity=30.0 * CST, radial_load=2e3, axial_load=1e3,
         supply=supply,  # type: ignore[arg-type]
     )  # fmt: skip
@@ -212,7 +212,8 @@ def test_sliding_coefficients_of_skf(oil: str, printed: float) -> None:
 
     def moment(speed: float) -> SkfMoment:
         return skf_moment(
-            angular_contact(), speed=speed, bore_diameter=50e-3, outside_diameter=90e-3,
+            series_constants("angular_contact"),
+        speed=speed, bore_diameter=50e-3, outside_diameter=90e-3,
             kinematic_viscosity=300.0 * CST, radial_load=2e3, axial_load=1e3,
             oil=oil,  # type: ignore[arg-type]
         )  # fmt: skip

@@ -13,7 +13,7 @@ from rolamento.errors import InputError
 from rolamento.friction import friction, machines_of
 from rolamento.friction.line_losses import inlet_force
 from rolamento.friction.palmgren import palmgren, rib_torque
-from rolamento.friction.skf import SkfMoment, roller_series, skf_moment
+from rolamento.friction.skf import SkfMoment, constants_by_series, skf_moment
 from rolamento.geometry import apex_half_angle
 from rolamento.lubrication import film
 from rolamento.lubrication.film_thickness import aihara
@@ -39,7 +39,7 @@ def fva3(celsius: float) -> tuple[float, float, float]:
 
 def skf_32216(rpm: float) -> SkfMoment:
     return skf_moment(
-        roller_series("tapered")["322"], speed=rpm * RPM, bore_diameter=80e-3,
+        constants_by_series("tapered")["322"], speed=rpm * RPM, bore_diameter=80e-3,
         outside_diameter=140e-3, kinematic_viscosity=fva3(50.0)[2], radial_load=0.0,
         axial_load=6000.0, axial_factor=1.4, supply="bath",
     )  # fmt: skip
@@ -119,7 +119,7 @@ def test_tapered_bearing_measured(rpm: int) -> None:
 def test_skf_of_a_cylindrical_bearing_by_hand() -> None:
     """NU 210, d_m 70 mm, 10 kN, 68 mm²/s, 3000 r/min, oil jet: every step with a calculator."""
     made = skf_moment(
-        roller_series("cylindrical")["2"], speed=3000 * RPM, bore_diameter=50e-3,
+        constants_by_series("cylindrical")["2"], speed=3000 * RPM, bore_diameter=50e-3,
         outside_diameter=90e-3, kinematic_viscosity=68 * CST, radial_load=10e3, supply="jet",
     )  # fmt: skip
     assert made.inlet_heating == pytest.approx(1 / (1 + 1.84e-9 * 210e3**1.28 * 68**0.64))
@@ -161,7 +161,7 @@ def test_rival_models_of_a_cylindrical_bearing(
 
 def test_skf_of_a_tapered_bearing_by_hand() -> None:
     """30206 under 500 N of axial load, Y 1.6: at rest 0.017 × 46^0.82 × 2 × 1.6 × 500 × 0.15."""
-    constants = roller_series("tapered")["302"]
+    constants = constants_by_series("tapered")["302"]
     given = {
         "speed": 0.0, "bore_diameter": 30e-3, "outside_diameter": 62e-3,
         "kinematic_viscosity": 68 * CST, "radial_load": 0.0, "axial_load": 500.0,

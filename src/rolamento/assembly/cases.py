@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from importlib import import_module
-from types import SimpleNamespace
 from typing import Any, Final
 
 import numpy as np
@@ -12,22 +11,14 @@ from numpy.typing import ArrayLike
 
 from rolamento.case import Case
 from rolamento.case.bearing import (
-    LEAST_THRUST_ANGLE,
-    Bearing,
     RowPlace,
-    clearance_fits,
 )
 from rolamento.case.duty import AXES, LOADS
-from rolamento.case.roller_bearing import (
-    USUAL_RIB_HEIGHT,
-    RollerBearing,
-    below_axis,
-    roller_clearance_fits,
-)
-from rolamento.case.rolling_bearing import RollingBearing, elements_fit
-from rolamento.case.varied import bounded, is_of_mounting, varied_arrays, varied_materials
+from rolamento.case.parameters import Parameters, parameters_of
+from rolamento.case.rolling_bearing import RollingBearing
+from rolamento.case.varied import bounded, is_of_mounting, varied_arrays
 from rolamento.errors import InputError
-from rolamento.geometry import apex_half_angle, sphere_conformity, usual_end_radius
+from rolamento.geometry import sphere_conformity
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
 from rolamento.rows.ball.row import BallRow, Traction, ball_row
@@ -39,20 +30,6 @@ __all__ = ["Cases", "PlacedRow", "RowState", "spread"]
 
 _PRELOADS: Final = ("force", "offset", "spring")
 _ROUNDING: Final = 1e-12
-
-_ROLLERS: Final = ("rolamento.rows.roller.row", "roller_row")
-ROWS: Final[Mapping[str, tuple[str, str]]] = {
-    "ball": ("rolamento.rows.ball.row", "ball_row"),
-    "cylindrical": _ROLLERS,
-    "tapered": _ROLLERS,
-    "needle": _ROLLERS,
-}
-"""What makes a row, by its kind of element: module and function, imported when it is asked for."""
-OTHER_GROOVES: Final[Mapping[str, tuple[str, str]]] = {
-    "four_point": ("rolamento.rows.grooves", "four_point_row"),
-    "thrust": ("rolamento.rows.grooves", "thrust_row"),
-}
-"""What makes a row on other grooves, by the bearing's kind."""
 
 
 @frozen
@@ -195,29 +172,30 @@ def spread(
     free, load, displacement = _duty(case, arrays, cases)
     kind, amount = _preload(case.bearing, arrays, cases)
     # what the rows have in common has to be sound by itself, as the case has it
-    common = _varied(case.bearing, case.bearing, frozenset(), arrays)
+    common = parameters_of(case.bearing, case.bearing, frozenset(), arrays)
     _check_own_fields(case.bearing, arrays)
-    valid &= _consistent(common, case.bearing)
+    valid &= common.consistent
     valid &= _within_reason(displacement, common)
     placed = []
     for index, place in enumerate(case.bearing.element_rows):
-        if case.bearing.kind == "self_aligning":
+        whole = case.bearing if case.bearing.kind is not None else place.bearing
+        of_row = whole.bearing_type
+        if of_row.aligns:
             placed.append(_on_sphere(case, place, common, arrays, cases, threads, fast))
             continue
         position = _position(case.bearing, place, arrays, cases)
-        if case.bearing.kind is not None:
-            make = _maker(OTHER_GROOVES[case.bearing.kind])
+        make = _maker(of_row.row)
+        if of_row.grooves is not None:
             grooved = make(case, place, common, arrays, cases, threads=threads)
             placed.append(PlacedRow(grooved, place.sign, position))
             continue
-        bearing = _varied(case.bearing, place.bearing, case.bearing.own_fields(index), arrays)
+        bearing = parameters_of(case.bearing, place.bearing, case.bearing.own_fields(index), arrays)
         varied = arrays
         if states is not None:
             own = states[index].geometry
-            bearing = SimpleNamespace(**{**vars(bearing), **own})
+            bearing = bearing.with_(**own)
             varied = {**arrays, **{f"bearing.{k}": v for k, v in own.items() if v is not None}}
-        valid &= _consistent(bearing, place.bearing)
-        make = _maker(ROWS[place.bearing.element])
+        valid &= bearing.consistent
         row = make(case, place, bearing, varied, cases, threads=threads, fast=fast)
         press = _own_press(case, place, row, cases) if states is None else states[index].press
         placed.append(PlacedRow(row, place.sign, position, press))
@@ -251,7 +229,7 @@ def _unconstrained(
     the axial load be zero.
     """
     unconstrained = np.zeros(len(free), np.bool_)
-    if bearing.kind != "thrust":
+    if not bearing.bearing_type.washers:
         return unconstrained
     from rolamento.rows.grooves import GrooveRow
 
@@ -303,8 +281,7 @@ def _on_sphere(
         "diametral_clearance": None,
         "outer_conformity": sphere,
     }
-    bearing = SimpleNamespace(**{**vars(common), **own})
-    row = ball_row(case, place, bearing, arrays, cases, threads=threads, fast=fast)
+    row = ball_row(case, place, common.with_(**own), arrays, cases, threads=threads, fast=fast)
     aside = place.sign * 0.5 * common.pitch_diameter * tangent + np.zeros(cases)
     return PlacedRow(SphereRow(row.with_play(play + np.zeros(cases))), place.sign, aside)
 
@@ -367,34 +344,6 @@ def _preload(
     return kind, np.full(cases, getattr(bearing.preload, kind))
 
 
-def _varied(
-    bearing: RollingBearing,
-    row: RollingBearing,
-    own: frozenset[str],
-    arrays: Mapping[str, FloatArray],
-) -> Any:
-    """A row's bearing with the arrays for its attributes; what the row has of its own stays."""
-    numbers = row.VARIES
-    given = {name: arrays[f"bearing.{name}"] for name in numbers if f"bearing.{name}" in arrays}
-    given = {name: array for name, array in given.items() if name not in own}
-    for name in list(given):
-        for rival in Case.fields()[f"bearing.{name}"].rivals:
-            given.setdefault(rival.removeprefix("bearing."), None)  # type: ignore[arg-type]
-    rings, elements = varied_materials(row, own, arrays)
-    attributes = {name: getattr(row, name) for name in (*numbers, *row.STAYS)}
-    made = {**attributes, **given, "ring_material": rings, row.MATERIAL: elements}
-    known = given.keys() | own | bearing.model_fields_set
-    if row.element == "tapered" and "roller_half_angle" not in known:  # cones keep one apex
-        sizes = (made[name] for name in ("roller_diameter", "pitch_diameter", "contact_angle"))
-        made["roller_half_angle"] = apex_half_angle(*sizes)
-    if "effective_length" in given and "roller_length" not in known:
-        made["roller_length"] = given["effective_length"]
-    if made.get("roller_end_radius") is not None and "roller_end_radius" not in known:
-        ends = (made[name] for name in ("roller_diameter", "roller_length", "roller_half_angle"))
-        made["roller_end_radius"] = usual_end_radius(*ends)
-    return SimpleNamespace(**made)
-
-
 def _position(
     bearing: RollingBearing, place: RowPlace, arrays: Mapping[str, FloatArray], cases: int
 ) -> FloatArray:
@@ -433,9 +382,9 @@ def _check_own_fields(bearing: RollingBearing, arrays: Mapping[str, FloatArray])
                 said("has no effect: every row has its own"), field=name, example="duty.load.fz"
             )
     foreign: tuple[str, ...] = ()
-    if bearing.element != "ball":
-        tapered = bearing.element == "tapered"
-        foreign = ("diametral_clearance",) if tapered else ("contact_angle", "roller_half_angle")
+    if bearing.bearing_type.has_rollers:
+        conical = bearing.bearing_type.conical
+        foreign = ("diametral_clearance",) if conical else ("contact_angle", "roller_half_angle")
     for leaf in foreign:
         if f"bearing.{leaf}" in arrays:
             raise InputError(
@@ -443,19 +392,19 @@ def _check_own_fields(bearing: RollingBearing, arrays: Mapping[str, FloatArray])
                 field=f"bearing.{leaf}",
                 example="bearing.pitch_diameter",
             )
-    if "bearing.shim_angle" in arrays and bearing.kind != "four_point":
+    if "bearing.shim_angle" in arrays and not bearing.bearing_type.has_arches:
         raise InputError(
             said("is of four-point bearings only"),
             field="bearing.shim_angle",
             example='kind = "four_point"',
         )
-    if "bearing.diametral_clearance" in arrays and bearing.kind == "thrust":
+    if "bearing.diametral_clearance" in arrays and bearing.bearing_type.washers:
         raise InputError(
             said("is not a quantity of a thrust bearing"),
             field="bearing.diametral_clearance",
             example="bearing.contact_angle",
         )
-    if "bearing.outer_conformity" in arrays and bearing.kind == "self_aligning":
+    if "bearing.outer_conformity" in arrays and bearing.bearing_type.aligns:
         raise InputError(
             said("is not given of a self-aligning bearing: its outer race is a sphere"),
             field="bearing.outer_conformity",
@@ -463,49 +412,8 @@ def _check_own_fields(bearing: RollingBearing, arrays: Mapping[str, FloatArray])
         )
 
 
-def _consistent(bearing: Any, own: Bearing | RollerBearing) -> BoolArray:
-    """Return in which cases the fields do not contradict each other, as the records have it.
-
-    bearing: attributes as arrays; own: what does not vary.
-    """
-    if isinstance(own, RollerBearing):
-        return _rollers_consistent(bearing, own)
-    diameter, pitch = bearing.ball_diameter, bearing.pitch_diameter
-    sound = (pitch > diameter) & elements_fit(own.ball_count, diameter, pitch)
-    if bearing.diametral_clearance is not None:
-        reach = diameter * (bearing.inner_conformity + bearing.outer_conformity - 1.0)
-        closed = 1.0 if bearing.shim_angle is None else np.cos(bearing.shim_angle)
-        sound = sound & clearance_fits(bearing.diametral_clearance, reach, closed)
-    elif own.kind == "thrust":
-        sound = sound & (bearing.contact_angle > LEAST_THRUST_ANGLE)
-    else:
-        least = 0.0 if own.kind == "self_aligning" else -1.0
-        sound = sound & (bearing.contact_angle < 0.5 * np.pi) & (bearing.contact_angle > least)
-    for height in (bearing.inner_shoulder_height, bearing.outer_shoulder_height):
-        if height is not None:
-            sound = sound & (height < diameter / 2)
-    return np.asarray(sound)
-
-
-def _rollers_consistent(bearing: Any, own: RollerBearing) -> BoolArray:
-    diameter, pitch = bearing.roller_diameter, bearing.pitch_diameter
-    half_angle = 0.0 if bearing.roller_half_angle is None else bearing.roller_half_angle
-    sound = (pitch > diameter) & elements_fit(own.roller_count, diameter, pitch)
-    sound = sound & (bearing.effective_length <= bearing.roller_length * (1.0 + _ROUNDING))
-    sound = sound & (bearing.roller_length * np.tan(half_angle) < diameter)
-    usual = USUAL_RIB_HEIGHT * diameter
-    height = usual if bearing.rib_height is None else bearing.rib_height
-    sound = sound & (height < 0.5 * diameter)
-    if bearing.roller_end_radius is not None:
-        sound = sound & (below_axis(bearing, height) < bearing.roller_end_radius)
-    if own.element == "tapered":
-        angle = bearing.contact_angle
-        return np.asarray(sound & (angle < 0.5 * np.pi) & (angle - 2.0 * half_angle > 0.0))
-    return np.asarray(sound & roller_clearance_fits(bearing.diametral_clearance, diameter))
-
-
-def _within_reason(displacement: FloatArray, bearing: Any) -> BoolArray:
+def _within_reason(displacement: FloatArray, bearing: Parameters) -> BoolArray:
     """A ring does not move by a rolling element, as `Case` has it; (cases,)."""
-    limit = getattr(bearing, "ball_diameter", getattr(bearing, "roller_diameter", 0.0))
+    limit = bearing.element_diameter
     x, y, z = displacement.T[:3]
     return np.asarray((np.abs(x) <= limit) & (np.abs(y) <= limit) & (np.abs(z) <= limit))

@@ -31,6 +31,7 @@ from rolamento.errors import InputError
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.rows.row import IntArray
 from rolamento.solved import PreloadStage, Solved
+from rolamento.types import type_of_element
 from rolamento.units import from_si
 from rolamento.words import Note, said
 
@@ -131,7 +132,7 @@ def _mounted_groups(
     # beyond its bounds a value is NaN, also where this mounting makes nothing of it
     refused = np.any([np.broadcast_to(np.isnan(one), cases) for one in arrays.values()], axis=0)
     for one in placed:
-        if one.element != "tapered":
+        if not type_of_element(one.element).conical:
             refused = refused | one.row.shut
     kept = {name: array for name, array in of_set.items() if name not in _of_rows(case)}
     for pattern in np.unique(closed, axis=0) if cases else closed[:1]:
@@ -281,7 +282,7 @@ def notes_on_set(case: Case, stages: Sequence[PreloadStage]) -> tuple[Note, ...]
         width = width_of(case)
         key = "distance_of_seats" if width is None else "distance_of_rings"
         notes.append(Note(key, {} if width is None else {"width": width}))
-    if any(place.bearing.element == "tapered" for place in case.bearing.places):
+    if any(place.bearing.bearing_type.conical for place in case.bearing.places):
         notes.append(Note("clearance_of_tapered"))
     of_rows = dict.fromkeys(
         note
@@ -320,7 +321,7 @@ def _inside(place: RowPlace) -> dict[str, Any]:
 
 def _refuse_shut(one: _Placed) -> None:
     """Refuse an interference that is past all sense, as a single bearing does."""
-    if one.element == "tapered" or not one.row.shut[0]:
+    if type_of_element(one.element).conical or not one.row.shut[0]:
         return
     raise InputError(
         said(
@@ -383,7 +384,7 @@ def _angular(case: Case, index: int, arrays: Mapping[str, FloatArray]) -> bool:
     """Whether a row is given by its contact angle, which may be what varies."""
     row = case.bearing.places[index].bearing
     if row.element != "ball":
-        return row.element == "tapered"
+        return row.bearing_type.conical
     if not case.bearing.own_fields(index) & set(_OWN):
         if "bearing.diametral_clearance" in arrays:
             return False
@@ -395,7 +396,7 @@ def _angular(case: Case, index: int, arrays: Mapping[str, FloatArray]) -> bool:
 def _state(one: _Placed, *, shut: bool) -> RowState:
     """What the assembly takes; shut: an angular row without clearance, given by that."""
     geometry: dict[str, Any] = dict(one.row.geometry)
-    if one.element == "tapered":
+    if type_of_element(one.element).conical:
         return RowState(geometry, one.offset)
     if one.element != "ball":
         return RowState({**geometry, "diametral_clearance": one.row.clearance}, one.axial)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from contextlib import suppress
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, Literal, Self, get_args
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, Literal, Self
 
 from pydantic import BeforeValidator, Field, model_validator
 
@@ -13,6 +13,7 @@ from rolamento.case.profile import ProfileField
 from rolamento.case.quantity import Count, Line, Quantity, Ratio, Replaces
 from rolamento.case.record import ByElement, Record, elements_of, refuse_rivals, replaced
 from rolamento.errors import InputError, UnitError
+from rolamento.types import BALL, Ribs, RollerElement
 from rolamento.units import Dimension, to_si
 from rolamento.words import said
 
@@ -25,8 +26,6 @@ __all__ = [
     "Orientation",
     "Preload",
     "PreloadField",
-    "Ribs",
-    "RollerKind",
     "RollerRow",
     "RowOfElements",
 ]
@@ -56,9 +55,6 @@ PRELOAD_KINDS: Final = ("force", "offset", "spring", "level")
 """The ways to give a preload, one at a time."""
 
 BallCount = Annotated[int, Field(strict=True, ge=3, le=500), Count]
-RollerKind = Literal["cylindrical", "tapered", "needle"]
-Ribs = Literal["none", "+", "-", "both"]
-"""At which ends of the rollers a ring has a rib: toward +x, toward -x, or both."""
 _Phase = Annotated[float, Quantity("angle", at_least="-360 deg", at_most="360 deg")]
 _Offset = Annotated[float, Quantity("length", at_least="-10 mm", at_most="10 mm")]
 _Shift = Annotated[float, Quantity("length", at_least="-10 m", at_most="10 m")]
@@ -189,7 +185,7 @@ class RollerRow(_Row):
         If a value is missing or out of range.
     """
 
-    element: RollerKind = Field("cylindrical", examples=["cylindrical"])
+    element: RollerElement = Field("cylindrical", examples=["cylindrical"])
     designation: Line | None = Field(None, examples=["NU 210"])
     orientation: Orientation = Field("+", examples=["+"])
     position: _Shift = Field(examples=["-12 mm"])
@@ -233,19 +229,16 @@ def element_by_designation(given: Mapping[str, Any]) -> str | None:
         from rolamento.catalogue import catalogue
 
         with suppress(InputError):
-            kind = catalogue().find(designation).bearing.kind
-            if kind == "drawn_cup":
-                return "needle"
-            return kind if kind in get_args(RollerKind) else "ball"
+            return catalogue().find(designation).bearing.type.element
     return None
 
 
 def element_of_row(row: object) -> str:
     """What rolls in a row, as a record or as a table that nobody has checked."""
     if not isinstance(row, Mapping):
-        return str(getattr(row, "element", "ball"))
+        return str(getattr(row, "element", BALL))
     told = element_by_designation(row) if "element" not in row else None
-    return str(row.get("element", told or "ball"))
+    return str(row.get("element", told or BALL))
 
 
 RowOfElements = Annotated[BallRow | RollerRow, ByElement(element_by_designation)]

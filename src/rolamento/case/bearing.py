@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from functools import lru_cache
-from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, Literal, Self, cast
+from typing import Annotated, Any, ClassVar, Final, Literal, Self, cast, get_args
 
+import numpy as np
 from pydantic import (
     ConfigDict,
     Field,
@@ -21,11 +22,11 @@ from rolamento.case.arrangement import (
     RowOfElements,
 )
 from rolamento.case.material import DEFAULT_MATERIAL, Material, MaterialField
+from rolamento.case.parameters import BallParameters, Rule
 from rolamento.case.quantity import Quantity, Ratio, Replaces
 from rolamento.case.rolling_bearing import (
     DISPLACED,
     MOST_ROWS,
-    BearingKind,
     Designation,
     RollingBearing,
     RowPlace,
@@ -33,11 +34,9 @@ from rolamento.case.rolling_bearing import (
 )
 from rolamento.errors import InputError
 from rolamento.geometry import free_contact_angle, ring_geometry, sphere_conformity
+from rolamento.types import BearingType, Grooves, of_balls, of_grooves
 from rolamento.units import from_si, readable
 from rolamento.words import said
-
-if TYPE_CHECKING:
-    pass
 
 __all__ = ["Bearing", "RowPlace", "ball_bearing", "clearance_fits"]
 
@@ -59,15 +58,136 @@ def _required_unless_told(schema: dict[str, Any]) -> None:
     ]
 
 
+def _grooves_of(told: Mapping[str, Any]) -> BearingType | None:
+    """The type of grooves that a table names; None of plain ones, and of what nobody knows."""
+    kind = told.get("kind")
+    return of_grooves(str(kind)) if kind in get_args(Grooves) else None
+
+
 def _sphere_if_any(told: dict[str, Any]) -> float:
     """The outer conformity that nobody gives: of a self-aligning bearing, else NaN for missing."""
-    if told.get("kind") != "self_aligning":
+    grooves = _grooves_of(told)
+    if grooves is None or not grooves.aligns:
         return math.nan
     angle, spacing = told.get("contact_angle"), told.get("spacing")
     if angle is None and spacing is None:
         return math.nan
     tangent = math.tan(angle) if angle is not None else spacing / told["pitch_diameter"]
     return float(sphere_conformity(told["ball_diameter"], told["pitch_diameter"], tangent))
+
+
+def _too_small_a_circle(bearing: Bearing) -> InputError:
+    return InputError(
+        said(
+            "must be greater than the ball diameter, {ball_diameter}",
+            ball_diameter=readable(bearing.ball_diameter, "length"),
+        ),
+        field="pitch_diameter",
+        value=readable(bearing.pitch_diameter, "length"),
+        example='pitch_diameter = "125.26 mm"',
+    )
+
+
+def _too_many_balls(bearing: Bearing) -> InputError:
+    """Neighbouring balls touch when D = d_m sin(π/Z)."""
+    room = math.floor(math.pi / math.asin(bearing.ball_diameter / bearing.pitch_diameter))
+    return InputError(
+        said(
+            "balls of {ball_diameter} do not fit on a pitch circle of "
+            "{pitch_diameter}: there is room for {room}",
+            ball_diameter=readable(bearing.ball_diameter, "length"),
+            pitch_diameter=readable(bearing.pitch_diameter, "length"),
+            room=room,
+        ),
+        field="ball_count",
+        value=bearing.ball_count,
+        example=f"ball_count = {room}" if room >= 3 else "",
+    )
+
+
+def _angle_within(bearing: Any) -> Any:
+    """Whether the angle is over 45° of washers, below 90° of others, over 0° in a sphere."""
+    angle = bearing.contact_angle
+    if angle is None:
+        return True
+    if bearing.bearing_type.washers:
+        return angle > LEAST_THRUST_ANGLE
+    return (angle < 0.5 * math.pi) & ((angle > 0.0) | (not bearing.bearing_type.aligns))
+
+
+def _angle_beyond(bearing: Bearing) -> InputError:
+    assert bearing.contact_angle is not None
+    if bearing.bearing_type.washers:
+        rule, example = said("of a thrust bearing must be greater than 45 deg"), "90 deg"
+    elif bearing.contact_angle == 0.0:
+        rule, example = said("of a self-aligning bearing must be greater than 0 deg"), "10 deg"
+    else:
+        rule, example = said('must be less than 90 deg, unless kind = "thrust"'), "40 deg"
+    return InputError(
+        rule,
+        field="contact_angle",
+        value=readable(bearing.contact_angle, "angle"),
+        example=f'contact_angle = "{example}"',
+    )
+
+
+def _reach(bearing: Any) -> Any:
+    return bearing.ball_diameter * (bearing.inner_conformity + bearing.outer_conformity - 1.0)
+
+
+def _elastic_play(bearing: Any) -> Any:
+    """Whether cos α = 1 - P_d/(2BD) stays above 0, and an interference elastic."""
+    if bearing.diametral_clearance is None:
+        return True
+    closed = 1.0 if bearing.shim_angle is None else np.cos(bearing.shim_angle)
+    return clearance_fits(bearing.diametral_clearance, _reach(bearing), closed)
+
+
+def _play_beyond(bearing: Bearing) -> InputError:
+    closed, distance = math.cos(bearing.shim_angle or 0.0), _reach(bearing)
+    least, most = (_rounded_length(f * distance) for f in (-0.25, 2.0 * closed))
+    assert bearing.diametral_clearance is not None
+    return InputError(
+        said(
+            "must be greater than {least} and less than {most} with these balls and conformities",
+            least=least,
+            most=most,
+        ),
+        field="diametral_clearance",
+        value=readable(bearing.diametral_clearance, "length"),
+        example='diametral_clearance = "0.015 mm"',
+    )
+
+
+def _shoulder_rule(name: str) -> Rule:
+    def low(bearing: Any) -> Any:
+        height = getattr(bearing, name)
+        return True if height is None else height < 0.5 * bearing.ball_diameter
+
+    def too_high(bearing: Bearing) -> InputError:
+        return InputError(
+            said(
+                "must be less than the ball radius, {ball_diameter}",
+                ball_diameter=_rounded_length(bearing.ball_diameter / 2),
+            ),
+            field=name,
+            value=readable(getattr(bearing, name), "length"),
+            example=f'{name} = "{_rounded_length(0.2 * bearing.ball_diameter)}"',
+        )
+
+    return Rule(low, too_high)
+
+
+_RULES: Final = (
+    Rule(lambda b: b.pitch_diameter > b.ball_diameter, _too_small_a_circle),
+    Rule(
+        lambda b: elements_fit(b.element_count, b.ball_diameter, b.pitch_diameter), _too_many_balls
+    ),
+    Rule(_angle_within, _angle_beyond),
+    Rule(_elastic_play, _play_beyond),
+    _shoulder_rule("inner_shoulder_height"),
+    _shoulder_rule("outer_shoulder_height"),
+)
 
 
 class Bearing(RollingBearing):
@@ -166,9 +286,11 @@ class Bearing(RollingBearing):
     PLAY: ClassVar = ("contact_angle", "diametral_clearance")
     MATERIAL: ClassVar = "ball_material"
     ROW: ClassVar = BallRow
+    PARAMETERS: ClassVar = BallParameters
+    RULES: ClassVar = _RULES
 
     element: Literal["ball"] = Field("ball", examples=["ball"])
-    kind: BearingKind | None = Field(None, examples=["four_point"])
+    kind: Grooves | None = Field(None, examples=["four_point"])
     designation: Annotated[Designation | None, Replaces(*DISPLACED)] = Field(
         None, examples=["6305/C3"]
     )
@@ -209,6 +331,13 @@ class Bearing(RollingBearing):
     preload: PreloadField | None = Field(None, examples=["500 N"])
 
     @property
+    def bearing_type(self) -> BearingType:
+        """By its grooves, else by its contact angle."""
+        if self.kind is not None:
+            return of_grooves(self.kind)
+        return of_balls(angled=self.contact_angle is not None)
+
+    @property
     def element_count(self) -> int:
         """Z, balls in the row."""
         return self.ball_count
@@ -230,7 +359,7 @@ class Bearing(RollingBearing):
 
     @property
     def _set_by_kind(self) -> bool:
-        return self.kind in ("four_point", "self_aligning")
+        return self.kind is not None and (self.bearing_type.aligns or self.bearing_type.has_arches)
 
     @property
     def places(self) -> tuple[RowPlace, ...]:
@@ -251,63 +380,36 @@ class Bearing(RollingBearing):
     @property
     def groove_bottom(self) -> float:
         """The contact angle of the grooves' deepest point, from which shoulders count; rad."""
-        return self.row_angle if self.kind == "thrust" else 0.0
+        return self.row_angle if self.bearing_type.washers else 0.0
 
     @property
     def element_rows(self) -> tuple[RowPlace, ...]:
         """Those of the `places` that have balls of their own: one of a four-point bearing."""
-        return self.places[:1] if self.kind == "four_point" else self.places
+        return self.places[:: self.bearing_type.contacts_per_ring]
 
     @classmethod
     def _adjust(cls, given: Mapping[str, Any], found: dict[str, Any], *, in_file: bool) -> None:
         """A thrust bearing is one of 90°, and the sphere of a self-aligning one follows."""
         merged = {**given, **found}
-        if merged.get("kind") == "thrust" and merged.get("contact_angle") is None:
+        grooves = _grooves_of(merged)
+        if grooves is None:
+            return
+        if grooves.washers and merged.get("contact_angle") is None:
             found["contact_angle"] = "90 deg" if in_file else 0.5 * math.pi
-        if merged.get("kind") == "self_aligning":
+        if grooves.aligns:
             found.pop("outer_conformity", None)
 
     @property
     def _never_written(self) -> tuple[str, ...]:
-        return ("outer_conformity",) if self.kind == "self_aligning" else ()
+        return ("outer_conformity",) if self.bearing_type.aligns else ()
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
-        self._check_that_balls_fit()
         self._check_kind()
         self._check_angle_or_clearance()
-        self._check_clearance()
-        self._check_shoulders()
+        self.check_rules()
         self.check_set()
         return self
-
-    def _check_that_balls_fit(self) -> None:
-        """Neighbouring balls touch when D = d_m sin(π/Z)."""
-        if self.pitch_diameter <= self.ball_diameter:
-            raise InputError(
-                said(
-                    "must be greater than the ball diameter, {ball_diameter}",
-                    ball_diameter=readable(self.ball_diameter, "length"),
-                ),
-                field="pitch_diameter",
-                value=readable(self.pitch_diameter, "length"),
-                example='pitch_diameter = "125.26 mm"',
-            )
-        if not elements_fit(self.ball_count, self.ball_diameter, self.pitch_diameter):
-            ratio = self.ball_diameter / self.pitch_diameter
-            room = math.floor(math.pi / math.asin(ratio))
-            raise InputError(
-                said(
-                    "balls of {ball_diameter} do not fit on a pitch circle of "
-                    "{pitch_diameter}: there is room for {room}",
-                    ball_diameter=readable(self.ball_diameter, "length"),
-                    pitch_diameter=readable(self.pitch_diameter, "length"),
-                    room=room,
-                ),
-                field="ball_count",
-                value=self.ball_count,
-                example=f"ball_count = {room}" if room >= 3 else "",
-            )
 
     def _check_kind(self) -> None:
         """Keep each kind to the fields that it has."""
@@ -319,7 +421,7 @@ class Bearing(RollingBearing):
                         field=name,
                         example=said("leave it out, or leave out kind"),
                     )
-        if (self.kind == "four_point") != (self.shim_angle is not None):
+        if (self.bearing_type.has_arches) != (self.shim_angle is not None):
             if self.shim_angle is None:
                 raise InputError(
                     said("is missing; a four-point bearing needs it"),
@@ -332,21 +434,14 @@ class Bearing(RollingBearing):
                 value=readable(self.shim_angle, "angle"),
                 example='kind = "four_point"',
             )
-        if self.kind == "self_aligning":
+        if self.bearing_type.aligns:
             self._check_sphere()
         elif math.isnan(self.outer_conformity):
             raise InputError(
                 said("is missing"), field="outer_conformity", example="outer_conformity = 0.5232"
             )
-        if self.kind == "thrust":
+        if self.bearing_type.washers:
             self._check_thrust()
-        elif self.contact_angle is not None and self.contact_angle >= 0.5 * math.pi:
-            raise InputError(
-                said('must be less than 90 deg, unless kind = "thrust"'),
-                field="contact_angle",
-                value=readable(self.contact_angle, "angle"),
-                example='contact_angle = "40 deg"',
-            )
 
     def _check_thrust(self) -> None:
         if self.diametral_clearance is not None:
@@ -354,14 +449,6 @@ class Bearing(RollingBearing):
                 said("is not a quantity of a thrust bearing"),
                 field="diametral_clearance",
                 value=readable(self.diametral_clearance, "length"),
-                example='contact_angle = "90 deg"',
-            )
-        assert self.contact_angle is not None  # filled in
-        if not self.contact_angle > LEAST_THRUST_ANGLE:
-            raise InputError(
-                said("of a thrust bearing must be greater than 45 deg"),
-                field="contact_angle",
-                value=readable(self.contact_angle, "angle"),
                 example='contact_angle = "90 deg"',
             )
 
@@ -379,13 +466,6 @@ class Bearing(RollingBearing):
                 field="outer_shoulder_height",
                 value=from_si(self.outer_shoulder_height, "length"),
                 example=said("leave it out"),
-            )
-        if self.contact_angle == 0.0:
-            raise InputError(
-                said("of a self-aligning bearing must be greater than 0 deg"),
-                field="contact_angle",
-                value=readable(self.contact_angle, "angle"),
-                example='contact_angle = "10 deg"',
             )
         if self.diametral_clearance is not None and self.spacing is None:
             raise InputError(
@@ -410,7 +490,7 @@ class Bearing(RollingBearing):
         """
         if self.contact_angle is not None:
             return self.contact_angle
-        if self.kind == "self_aligning":
+        if self.bearing_type.aligns:
             return math.atan(self.spacing / self.pitch_diameter) if self.spacing else math.nan
         assert self.diametral_clearance is not None
         reach = self.ball_diameter * (self.inner_conformity + self.outer_conformity - 1.0)
@@ -431,40 +511,6 @@ class Bearing(RollingBearing):
                 example='diametral_clearance = "0.015 mm" without contact_angle',
             )
 
-    def _check_clearance(self) -> None:
-        """Keep cos α = 1 − P_d/(2BD) above 0, and an interference elastic."""
-        if self.diametral_clearance is None:
-            return
-        groove_distance = self.ball_diameter * (self.inner_conformity + self.outer_conformity - 1.0)
-        closed = math.cos(self.shim_angle or 0.0)
-        if not clearance_fits(self.diametral_clearance, groove_distance, closed):
-            least, most = (_rounded_length(f * groove_distance) for f in (-0.25, 2.0 * closed))
-            raise InputError(
-                said(
-                    "must be greater than {least} and less than {most} with these balls "
-                    "and conformities",
-                    least=least,
-                    most=most,
-                ),
-                field="diametral_clearance",
-                value=readable(self.diametral_clearance, "length"),
-                example='diametral_clearance = "0.015 mm"',
-            )
-
-    def _check_shoulders(self) -> None:
-        for name in ("inner_shoulder_height", "outer_shoulder_height"):
-            height = getattr(self, name)
-            if height is not None and height >= self.ball_diameter / 2:
-                raise InputError(
-                    said(
-                        "must be less than the ball radius, {ball_diameter}",
-                        ball_diameter=_rounded_length(self.ball_diameter / 2),
-                    ),
-                    field=name,
-                    value=readable(height, "length"),
-                    example=f'{name} = "{_rounded_length(0.2 * self.ball_diameter)}"',
-                )
-
 
 def ball_bearing(case: Any) -> Bearing:
     """Return the bearing of a case, for laws that are of balls only.
@@ -475,7 +521,7 @@ def ball_bearing(case: Any) -> Bearing:
         If rollers roll in any of its rows.
     """
     bearing = case.bearing
-    if any(place.bearing.element != "ball" for place in bearing.places):
+    if any(place.bearing.bearing_type.has_rollers for place in bearing.places):
         raise InputError(
             said("is available for ball bearings only"),
             field="bearing.element",
@@ -508,7 +554,7 @@ def _faces(bearing: Bearing, given: frozenset[str]) -> tuple[RowPlace, ...]:
             "diametral_clearance": None,
         }
     )
-    if bearing.kind == "four_point":
+    if bearing.bearing_type.has_arches:
         return RowPlace(alone, 1.0, 0.0, 0.0), RowPlace(alone, -1.0, 0.0, 0.0)
     # the rows look at the centre: face to face, the balls of one between those of the other
     place = 0.5 * bearing.pitch_diameter * math.tan(bearing.row_angle)

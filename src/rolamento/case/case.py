@@ -194,7 +194,7 @@ class Case(Record):
                 longest = readable(limit, "length")
                 raise InputError(
                     said("must be at most the ball diameter, {limit}", limit=longest)
-                    if self.bearing.element == "ball"
+                    if not self.bearing.bearing_type.has_rollers
                     else said("must be at most the roller diameter, {limit}", limit=longest),
                     field=f"duty.displacement.{axis}",
                     value=readable(shift, "length"),
@@ -223,7 +223,7 @@ class Case(Record):
         kind, model = self.bearing.kind, self.model
         if kind is None:
             return self
-        many = kind in ("four_point", "thrust")
+        many = self.bearing.bearing_type.with_cage_only
         allowed = ("outer", "inner") if many else ("outer", "inner", "jones", "none")
         if model.raceway_control not in allowed:
             raise InputError(
@@ -252,7 +252,7 @@ class Case(Record):
     @model_validator(mode="after")
     def _mounting_is_of_plain_rows(self) -> Self:
         """What fits do to the play of other grooves is not modelled."""
-        if self.mounting is not None and self.bearing.kind is not None:
+        if self.mounting is not None and not self.bearing.bearing_type.mountable:
             raise InputError(
                 said("is not available for bearings of kind {kind}", kind=self.bearing.kind),
                 field="mounting",
@@ -283,7 +283,7 @@ class Case(Record):
         """Balls that only friction controls need a coefficient of it, and one row."""
         if self.model.raceway_control != "friction":
             return self._without_film()
-        if self.bearing.element != "ball":
+        if self.bearing.bearing_type.has_rollers:
             raise InputError(
                 said("is for balls only: rollers turn as both races roll them"),
                 field="model.raceway_control",

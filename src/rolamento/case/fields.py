@@ -29,6 +29,7 @@ from rolamento.case.record import (
 from rolamento.errors import FileError, InputError, UnknownKeyError
 from rolamento.io.text import parse_mapping
 from rolamento.records import frozen
+from rolamento.types import BALL
 from rolamento.units import SI_UNIT, Dimension, from_si
 from rolamento.words import said, speaking
 
@@ -210,9 +211,9 @@ def of_elements(name: str, elements: Iterable[str]) -> bool:
     name
         Dotted, of the field.
     elements
-        Of the rows: ``"ball"``, ``"cylindrical"``, ``"tapered"``, ``"needle"``.
+        Of the rows, such as ``"ball"`` or ``"tapered"``.
     """
-    balls = {element == "ball" for element in elements}
+    balls = {element == BALL for element in elements}
     return not (name in _OF_BALLS and True not in balls) and not (
         name in _OF_ROLLERS and False not in balls
     )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
+from rolamento.types import TYPES
 from rolamento.words import marked, said
 
 __all__ = ["CHOICES", "LABELS", "choice_label", "label_of"]
@@ -262,11 +263,7 @@ _RIBS: Final = {
 _FINISHES: Final = {"ground": marked("ground"), "turned": marked("turned")}
 
 CHOICES: Final = {
-    "bearing.kind": {
-        "four_point": marked("four-point"),
-        "self_aligning": marked("self-aligning"),
-        "thrust": marked("thrust"),
-    },
+    "bearing.kind": {one.grooves: one.adjective for one in TYPES.values() if one.grooves},
     "bearing.preload.level": {
         "extra_light": marked("extra light"),
         "light": marked("light"),

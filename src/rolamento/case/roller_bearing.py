@@ -13,24 +13,23 @@ from rolamento.case.arrangement import (
     Arrangement,
     BallCount,
     PreloadField,
-    Ribs,
-    RollerKind,
     RollerRow,
     RowOfElements,
 )
 from rolamento.case.material import DEFAULT_MATERIAL, Material, MaterialField
+from rolamento.case.parameters import RollerParameters, Rule
 from rolamento.case.profile import Profile, ProfileField
 from rolamento.case.quantity import Quantity, Replaces
 from rolamento.case.rolling_bearing import (
     DISPLACED,
     MOST_ROWS,
-    BearingKind,
     Designation,
     RollingBearing,
     elements_fit,
 )
 from rolamento.errors import InputError
 from rolamento.geometry import apex_half_angle, usual_end_radius
+from rolamento.types import BearingType, Grooves, Ribs, RollerElement, type_of_element
 from rolamento.units import readable
 from rolamento.words import said
 
@@ -41,6 +40,7 @@ USUAL_RIB_HEIGHT: Final = 0.1
 knowledge of how high ribs are (a fifth of the diameter), not a figure of a source."""
 _MOST_INTERFERENCE: Final = 0.02
 """Fraction of the roller diameter: beyond is no elastic contact."""
+_ROUNDING: Final = 1e-12
 
 
 def _required_unless_told(schema: dict[str, Any]) -> None:
@@ -58,11 +58,16 @@ def _length_as_effective(told: dict[str, Any]) -> float:
     return float(told.get("effective_length", math.nan))
 
 
+def _is_conical(told: Mapping[str, Any]) -> bool:
+    element = told.get("element")
+    return element is not None and type_of_element(element).conical
+
+
 def _half_angle_of_one_apex(told: dict[str, Any]) -> float | None:
     """φ of tapered rollers that roll along all their length; None of others."""
     names = ("roller_diameter", "pitch_diameter", "contact_angle")
     known = [told.get(name) for name in names]
-    if told.get("element") != "tapered" or not all(known):
+    if not _is_conical(told) or not all(known):
         return None
     return float(apex_half_angle(*cast("list[float]", known)))
 
@@ -79,19 +84,166 @@ _SHAPE: Final = frozenset(
 def _usual_end_radius(told: dict[str, Any]) -> float | None:
     """That of the tapered rollers of a designation; None of others."""
     known = [told.get(name) for name in ("roller_diameter", "roller_length", "roller_half_angle")]
-    if told.get("designation") is None or told.get("element") != "tapered" or not all(known):
+    if told.get("designation") is None or not _is_conical(told) or not all(known):
         return None
     return float(usual_end_radius(*cast("list[float]", known)))
 
 
 def _usual_outer_ribs(told: dict[str, Any]) -> Ribs:
     """Those of NU; the inner ring alone holds tapered rollers."""
-    return "none" if told.get("element") == "tapered" else "both"
+    return "none" if _is_conical(told) else "both"
 
 
 def _usual_inner_ribs(told: dict[str, Any]) -> Ribs:
     """A tapered roller leans on the rib at its large end."""
-    return "-" if told.get("element") == "tapered" else "none"
+    return "-" if _is_conical(told) else "none"
+
+
+def _too_small_a_circle(bearing: RollerBearing) -> InputError:
+    return InputError(
+        said(
+            "must be greater than the roller diameter, {roller_diameter}",
+            roller_diameter=readable(bearing.roller_diameter, "length"),
+        ),
+        field="pitch_diameter",
+        value=readable(bearing.pitch_diameter, "length"),
+        example='pitch_diameter = "38.5 mm"',
+    )
+
+
+def _too_many_rollers(bearing: RollerBearing) -> InputError:
+    """Neighbouring rollers touch when D = d_pw sin(π/Z)."""
+    room = math.floor(math.pi / math.asin(bearing.roller_diameter / bearing.pitch_diameter))
+    return InputError(
+        said(
+            "rollers of {roller_diameter} do not fit on a pitch circle of "
+            "{pitch_diameter}: there is room for {room}",
+            roller_diameter=readable(bearing.roller_diameter, "length"),
+            pitch_diameter=readable(bearing.pitch_diameter, "length"),
+            room=room,
+        ),
+        field="roller_count",
+        value=bearing.roller_count,
+        example=f"roller_count = {room}" if room >= 3 else "",
+    )
+
+
+def _cones_meet_the_axis(bearing: Any) -> Any:
+    """Whether 0 < α - 2φ and α < 90°."""
+    if not bearing.bearing_type.conical:
+        return True
+    angle, half_angle = bearing.contact_angle, bearing.roller_half_angle
+    return (angle < 0.5 * math.pi) & (angle - 2.0 * half_angle > 0.0) & (half_angle >= 0.0)
+
+
+def _cones_do_not(bearing: RollerBearing) -> InputError:
+    return InputError(
+        said(
+            "must be less than half the contact angle, {half}, and the contact angle "
+            "less than 90 deg",
+            half=readable(0.5 * bearing.row_angle, "angle"),
+        ),
+        field="roller_half_angle",
+        value=readable(bearing.roller_half_angle or 0.0, "angle"),
+        example='roller_half_angle = "2 deg" with contact_angle = "14 deg"',
+    )
+
+
+def _elastic_play(bearing: Any) -> Any:
+    play = bearing.diametral_clearance
+    return True if play is None else roller_clearance_fits(play, bearing.roller_diameter)
+
+
+def _play_beyond(bearing: RollerBearing) -> InputError:
+    limit = _MOST_INTERFERENCE * bearing.roller_diameter
+    return InputError(
+        said(
+            "must be greater than {least} and less than {most} with these rollers",
+            least=readable(float(f"{-limit:.4g}"), "length"),
+            most=readable(bearing.roller_diameter, "length"),
+        ),
+        field="diametral_clearance",
+        value=readable(bearing.diametral_clearance or 0.0, "length"),
+        example='diametral_clearance = "0.03 mm"',
+    )
+
+
+def _too_short(bearing: RollerBearing) -> InputError:
+    return InputError(
+        said(
+            "must be at least the effective length, {effective_length}",
+            effective_length=readable(bearing.effective_length, "length"),
+        ),
+        field="roller_length",
+        value=readable(bearing.roller_length, "length"),
+        example=f'roller_length = "{readable(bearing.effective_length, "length")}"',
+    )
+
+
+def _small_end(bearing: Any) -> Any:
+    half_angle = 0.0 if bearing.roller_half_angle is None else bearing.roller_half_angle
+    return bearing.roller_length * np.tan(half_angle) < bearing.roller_diameter
+
+
+def _no_small_end(bearing: RollerBearing) -> InputError:
+    return InputError(
+        said("leaves the rollers no small end; their length and diameter do not allow it"),
+        field="roller_half_angle",
+        value=readable(bearing.roller_half_angle or 0.0, "angle"),
+        example='roller_half_angle = "2 deg"',
+    )
+
+
+def _contact_height(bearing: Any) -> Any:
+    """Height of the contact with a rib above the edge of the raceway; m."""
+    given = bearing.rib_height
+    return USUAL_RIB_HEIGHT * bearing.roller_diameter if given is None else given
+
+
+def _rib_too_high(bearing: RollerBearing) -> InputError:
+    return InputError(
+        said(
+            "must be less than half the roller diameter, {radius}",
+            radius=readable(0.5 * bearing.roller_diameter, "length"),
+        ),
+        field="rib_height",
+        value=readable(bearing.contact_height, "length"),
+        example='rib_height = "0.8 mm"',
+    )
+
+
+def _end_reaches_rib(bearing: Any) -> Any:
+    radius = bearing.roller_end_radius
+    return True if radius is None else below_axis(bearing, _contact_height(bearing)) < radius
+
+
+def _end_too_small(bearing: RollerBearing) -> InputError:
+    return InputError(
+        said(
+            "must be greater than {least}, the distance of the contact with the rib from "
+            "the roller's axis",
+            least=readable(float(below_axis(bearing, bearing.contact_height)), "length"),
+        ),
+        field="roller_end_radius",
+        value=readable(bearing.roller_end_radius or 0.0, "length"),
+        example='roller_end_radius = "120 mm"',
+    )
+
+
+_RULES: Final = (
+    Rule(lambda b: b.pitch_diameter > b.roller_diameter, _too_small_a_circle),
+    Rule(
+        lambda b: elements_fit(b.element_count, b.roller_diameter, b.pitch_diameter),
+        _too_many_rollers,
+    ),
+    Rule(_cones_meet_the_axis, _cones_do_not),
+    Rule(_elastic_play, _play_beyond),
+    Rule(lambda b: b.effective_length <= b.roller_length * (1.0 + _ROUNDING), _too_short),
+    Rule(_small_end, _no_small_end),
+    # a rib touches a roller below its axis, and the sphere of its end reaches there
+    Rule(lambda b: _contact_height(b) < 0.5 * b.roller_diameter, _rib_too_high),
+    Rule(_end_reaches_rib, _end_too_small),
+)
 
 
 class RollerBearing(RollingBearing):
@@ -213,8 +365,10 @@ class RollerBearing(RollingBearing):
     PLAY: ClassVar = ("contact_angle", "diametral_clearance")
     MATERIAL: ClassVar = "roller_material"
     ROW: ClassVar = RollerRow
+    PARAMETERS: ClassVar = RollerParameters
+    RULES: ClassVar = _RULES
 
-    element: RollerKind = Field("cylindrical", examples=["cylindrical"])
+    element: RollerElement = Field("cylindrical", examples=["cylindrical"])
     designation: Annotated[Designation | None, Replaces(*DISPLACED)] = Field(
         None, examples=["NU 205/C3"]
     )
@@ -281,6 +435,11 @@ class RollerBearing(RollingBearing):
             found.pop("roller_end_radius", None)
 
     @property
+    def bearing_type(self) -> BearingType:
+        """By its rollers."""
+        return type_of_element(self.element)
+
+    @property
     def element_count(self) -> int:
         """Z, rollers in the row."""
         return self.roller_count
@@ -296,19 +455,19 @@ class RollerBearing(RollingBearing):
         return self.roller_material
 
     @property
-    def kind(self) -> BearingKind | None:
+    def kind(self) -> Grooves | None:
         """Balls alone roll on grooves of several kinds."""
         return None
 
     @property
     def carries_one_way(self) -> bool:
         """Whether the row carries axial load toward one side only."""
-        return self.element == "tapered"
+        return self.bearing_type.conical
 
     @property
     def locates(self) -> bool:
         """Whether clamped rings can press the row in along x."""
-        return self.element == "tapered"
+        return self.bearing_type.conical
 
     @property
     def row_angle(self) -> float:
@@ -323,9 +482,7 @@ class RollerBearing(RollingBearing):
     @property
     def contact_height(self) -> float:
         """Height of the contact with a rib above the edge of the raceway; m."""
-        return (
-            USUAL_RIB_HEIGHT * self.roller_diameter if self.rib_height is None else self.rib_height
-        )
+        return float(_contact_height(self))
 
     @property
     def _never_written(self) -> tuple[str, ...]:
@@ -338,40 +495,11 @@ class RollerBearing(RollingBearing):
 
     @model_validator(mode="after")
     def _consistent(self) -> Self:
-        self._check_that_rollers_fit()
         self._check_angles()
-        self._check_clearance()
-        self._check_lengths()
-        self._check_ends()
+        self._check_play()
+        self.check_rules()
         self.check_set()
         return self
-
-    def _check_that_rollers_fit(self) -> None:
-        """Neighbouring rollers touch when D = d_pw sin(π/Z)."""
-        if self.pitch_diameter <= self.roller_diameter:
-            raise InputError(
-                said(
-                    "must be greater than the roller diameter, {roller_diameter}",
-                    roller_diameter=readable(self.roller_diameter, "length"),
-                ),
-                field="pitch_diameter",
-                value=readable(self.pitch_diameter, "length"),
-                example='pitch_diameter = "38.5 mm"',
-            )
-        if not elements_fit(self.roller_count, self.roller_diameter, self.pitch_diameter):
-            room = math.floor(math.pi / math.asin(self.roller_diameter / self.pitch_diameter))
-            raise InputError(
-                said(
-                    "rollers of {roller_diameter} do not fit on a pitch circle of "
-                    "{pitch_diameter}: there is room for {room}",
-                    roller_diameter=readable(self.roller_diameter, "length"),
-                    pitch_diameter=readable(self.pitch_diameter, "length"),
-                    room=room,
-                ),
-                field="roller_count",
-                value=self.roller_count,
-                example=f"roller_count = {room}" if room >= 3 else "",
-            )
 
     def _check_angles(self) -> None:
         """Tapered rollers have their angles, others none."""
@@ -381,104 +509,33 @@ class RollerBearing(RollingBearing):
         }
         for name, example in examples.items():
             value = getattr(self, name)
-            if self.element == "tapered" and value is None:
+            if self.bearing_type.conical and value is None:
                 raise InputError(
                     said("is missing; tapered rollers need it"), field=name, example=example
                 )
-            if self.element != "tapered" and value:
+            if not self.bearing_type.conical and value:
                 raise InputError(
                     said("is of tapered rollers only"),
                     field=name,
                     value=readable(value, "angle"),
                     example='element = "tapered"',
                 )
-        if self.element != "tapered":
-            return
-        if not 0.0 < self.inner_contact_angle <= self.row_angle < 0.5 * math.pi:
-            raise InputError(
-                said(
-                    "must be less than half the contact angle, {half}, and the contact angle "
-                    "less than 90 deg",
-                    half=readable(0.5 * self.row_angle, "angle"),
-                ),
-                field="roller_half_angle",
-                value=readable(self.roller_half_angle or 0.0, "angle"),
-                example='roller_half_angle = "2 deg" with contact_angle = "14 deg"',
-            )
 
-    def _check_clearance(self) -> None:
-        """Cylindrical and needle rollers have a clearance, and an interference stays elastic."""
-        play, tapered = self.diametral_clearance, self.element == "tapered"
-        if tapered and play is not None:
+    def _check_play(self) -> None:
+        """Cylindrical and needle rollers have a clearance, cones none."""
+        play, conical = self.diametral_clearance, self.bearing_type.conical
+        if conical and play is not None:
             raise InputError(
                 said("is of cylindrical and needle rollers; a tapered row takes a preload offset"),
                 field="diametral_clearance",
                 value=readable(play, "length"),
                 example='preload = { offset = "-10 um" }',
             )
-        if not tapered and play is None:
+        if not conical and play is None:
             raise InputError(
                 said("is missing"),
                 field="diametral_clearance",
                 example='diametral_clearance = "0.03 mm"',
-            )
-        limit = _MOST_INTERFERENCE * self.roller_diameter
-        if play is not None and not roller_clearance_fits(play, self.roller_diameter):
-            raise InputError(
-                said(
-                    "must be greater than {least} and less than {most} with these rollers",
-                    least=readable(float(f"{-limit:.4g}"), "length"),
-                    most=readable(self.roller_diameter, "length"),
-                ),
-                field="diametral_clearance",
-                value=readable(play, "length"),
-                example='diametral_clearance = "0.03 mm"',
-            )
-
-    def _check_lengths(self) -> None:
-        """A roller is as long as its line of contact, and its small end has a size."""
-        if self.effective_length > self.roller_length:
-            raise InputError(
-                said(
-                    "must be at least the effective length, {effective_length}",
-                    effective_length=readable(self.effective_length, "length"),
-                ),
-                field="roller_length",
-                value=readable(self.roller_length, "length"),
-                example=f'roller_length = "{readable(self.effective_length, "length")}"',
-            )
-        taper = self.roller_length * math.tan(self.roller_half_angle or 0.0)
-        if taper >= self.roller_diameter:
-            raise InputError(
-                said("leaves the rollers no small end; their length and diameter do not allow it"),
-                field="roller_half_angle",
-                value=readable(self.roller_half_angle or 0.0, "angle"),
-                example='roller_half_angle = "2 deg"',
-            )
-
-    def _check_ends(self) -> None:
-        """A rib touches a roller below its axis, and the sphere of its end reaches there."""
-        if not self.contact_height < 0.5 * self.roller_diameter:
-            raise InputError(
-                said(
-                    "must be less than half the roller diameter, {radius}",
-                    radius=readable(0.5 * self.roller_diameter, "length"),
-                ),
-                field="rib_height",
-                value=readable(self.contact_height, "length"),
-                example='rib_height = "0.8 mm"',
-            )
-        below = float(below_axis(self, self.contact_height))
-        if self.roller_end_radius is not None and not below < self.roller_end_radius:
-            raise InputError(
-                said(
-                    "must be greater than {least}, the distance of the contact with the rib from "
-                    "the roller's axis",
-                    least=readable(below, "length"),
-                ),
-                field="roller_end_radius",
-                value=readable(self.roller_end_radius, "length"),
-                example='roller_end_radius = "120 mm"',
             )
 
 

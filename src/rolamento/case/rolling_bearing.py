@@ -13,7 +13,6 @@ from typing import (
     Any,
     ClassVar,
     Final,
-    Literal,
     NamedTuple,
     Self,
     cast,
@@ -43,10 +42,12 @@ from rolamento.case.arrangement import (
     element_by_designation,
     element_of_row,
 )
+from rolamento.case.parameters import Parameters, Rule
 from rolamento.case.preload_classes import Level, listed_preload
 from rolamento.case.quantity import Line, at_the_border
 from rolamento.case.record import Record
 from rolamento.errors import InputError
+from rolamento.types import BALL, BearingType, Grooves, type_of_element
 from rolamento.units import Dimension, from_si
 from rolamento.words import said
 
@@ -60,7 +61,6 @@ if TYPE_CHECKING:
 __all__ = [
     "DISPLACED",
     "MOST_ROWS",
-    "BearingKind",
     "Designation",
     "RollingBearing",
     "RowPlace",
@@ -68,7 +68,6 @@ __all__ = [
     "elements_fit",
 ]
 
-BearingKind = Literal["four_point", "self_aligning", "thrust"]
 MOST_ROWS: Final = 32
 SET_FIELDS: Final = ("arrangement", "spacing", "rows", "preload")
 DISPLACED: Final = (
@@ -118,6 +117,10 @@ class RollingBearing(Record):
     """The field of the rolling elements' material."""
     ROW: ClassVar[type[BallRow | RollerRow]]
     """A row of such a set."""
+    PARAMETERS: ClassVar[type[Parameters]]
+    """Its geometry in many cases."""
+    RULES: ClassVar[tuple[Rule, ...]] = ()
+    """What the geometry holds to, of one case and of many."""
     PLAY: ClassVar[tuple[str, ...]] = ()
     """What says where the elements touch: one of them is given."""
 
@@ -134,7 +137,7 @@ class RollingBearing(Record):
         ring_material: Material
 
         @property
-        def kind(self) -> BearingKind | None:
+        def kind(self) -> Grooves | None:
             """Type of the grooves of balls."""
 
     _listed: tuple[CatalogueBearing, ...] = PrivateAttr(default=())
@@ -157,6 +160,19 @@ class RollingBearing(Record):
             If the designation is not known, or does not give what is not given.
         """
         return cls(**{"designation": designation, **fields})
+
+    @property
+    def bearing_type(self) -> BearingType:
+        """What type of bearing it is by its own fields; of a set, that of its bearings."""
+        raise NotImplementedError
+
+    @property
+    def listed_type(self) -> BearingType:
+        """What type it is listed as: double rows and drawn cups have the rows of others."""
+        own, published = self.bearing_type, self.published
+        if published is None or published.type.element != own.element:
+            return own
+        return published.type if own.has_rollers or published.type.is_double_row else own
 
     @property
     def element_count(self) -> int:
@@ -264,6 +280,18 @@ class RollingBearing(Record):
         """Those of the `places` that have elements of their own."""
         return self.places
 
+    def check_rules(self) -> None:
+        """Refuse what no such bearing has.
+
+        Raises
+        ------
+        InputError
+            Of the first rule that is violated.
+        """
+        for rule in self.RULES:
+            if not rule.holds(self):
+                raise rule.refusal(self)
+
     @classmethod
     def __pydantic_init_subclass__(cls, **options: Any) -> None:
         """Register the kind of bearing by its elements."""
@@ -282,9 +310,7 @@ class RollingBearing(Record):
 
         1 for rows that are bearings of their own.
         """
-        published = self.published
-        one = self.kind is not None or (published is not None and published.kind == "double_row")
-        return len(self.places) if one else 1
+        return len(self.places) if self.listed_type.rated_together else 1
 
     @property
     def places(self) -> tuple[RowPlace, ...]:
@@ -352,7 +378,7 @@ class RollingBearing(Record):
             missing -= set(cls.PLAY)
         if "rows" in own:
             missing -= {"arrangement", "spacing", "preload"}
-        if "contact_angle" in own and geometry.fields.get("kind") == "self_aligning":
+        if "contact_angle" in own and geometry.bearing.type.aligns:
             missing -= {"spacing"}
         if missing.issuperset(cls.PLAY) and not geometry.fields.keys() & set(cls.PLAY):
             raise InputError(
@@ -492,7 +518,7 @@ def element_named(given: Mapping[str, Any]) -> str | None:
     rows = given.get("rows")
     elements = [element_of_row(row) for row in (rows if isinstance(rows, list | tuple) else ())]
     if elements:
-        return "ball" if "ball" in elements else elements[0]
+        return BALL if BALL in elements else elements[0]
     by_designation = element_by_designation(given)
     if by_designation is not None:
         return by_designation
@@ -604,7 +630,7 @@ def _alone(
 
 def _takes_after(row: RowOfElements, bearing: RollingBearing) -> bool:
     """Whether what a row has not of its own is the set's."""
-    alike = (row.element == "tapered") == (bearing.element == "tapered")
+    alike = type_of_element(row.element).conical == type_of_element(bearing.element).conical
     same_record = BY_ELEMENT[row.element] is type(bearing)
     return same_record and alike and row.designation is None
 

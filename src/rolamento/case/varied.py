@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Mapping
+from collections.abc import Mapping
 from functools import cache
-from types import SimpleNamespace
 from typing import Any, Final, TypedDict
 
 import numpy as np
@@ -14,7 +13,6 @@ from rolamento.case.case import Case
 from rolamento.case.duty import SHORT_NAMES
 from rolamento.case.fields import Field
 from rolamento.case.hints import meant
-from rolamento.case.rolling_bearing import RollingBearing
 from rolamento.errors import InputError, UnknownKeyError, guess, nearest
 from rolamento.units import to_si
 from rolamento.words import said
@@ -27,13 +25,11 @@ __all__ = [
     "is_of_mounting",
     "refuse_rivals",
     "varied_arrays",
-    "varied_materials",
 ]
 
 Floats = NDArray[np.float64]
 
 _EXAMPLE: Final = "fx=[1e3, 2e3]"
-_ELASTIC: Final = ("name", "youngs_modulus", "poisson_ratio", "density")
 
 
 class DutyFields(TypedDict, total=False):
@@ -128,27 +124,6 @@ def bounded(arrays: Mapping[str, Floats]) -> dict[str, Floats]:
         allowed = bounds.allows(array)
         found[name] = array if allowed.all() else np.where(allowed, array, np.nan)
     return found
-
-
-def varied_materials(
-    row: RollingBearing, own: Container[str], arrays: Mapping[str, Floats]
-) -> tuple[SimpleNamespace, SimpleNamespace]:
-    """Return the materials of rings and elements of a row, with the arrays for their attributes.
-
-    Elements of which no material is given follow the rings. own: what the row has of its own.
-    """
-
-    def of(material: Any, part: str, given: Mapping[str, Floats]) -> SimpleNamespace:
-        return SimpleNamespace(
-            **{
-                name: given.get(f"bearing.{part}.{name}", getattr(material, name))
-                for name in _ELASTIC
-            }
-        )
-
-    rings = of(row.ring_material, "ring_material", arrays)
-    material = rings if row.elements_follow_rings else row.element_material
-    return rings, of(material, row.MATERIAL, {} if row.MATERIAL in own else arrays)
 
 
 def refuse_rivals(names: tuple[str, ...]) -> None:

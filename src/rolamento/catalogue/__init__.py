@@ -25,7 +25,7 @@ from rolamento.catalogue.inference import (
     practice_of,
 )
 from rolamento.catalogue.letters import ClearanceClass, Letters, Part
-from rolamento.catalogue.records import ROLLER_KINDS, CatalogueBearing
+from rolamento.catalogue.records import CatalogueBearing
 from rolamento.catalogue.roller_inference import (
     RollerCandidate,
     inferred_rollers,
@@ -44,7 +44,6 @@ from rolamento.catalogue.search import (
 
 __all__ = [
     "ASSUMED_CONFORMITY",
-    "ROLLER_KINDS",
     "Candidate",
     "Catalogue",
     "CatalogueBearing",

@@ -25,6 +25,7 @@ from rolamento.catalogue.letters import (
 from rolamento.catalogue.roller_designation import RollerNumber, roller_number_of
 from rolamento.errors import InputError
 from rolamento.records import frozen
+from rolamento.types import TYPES
 from rolamento.units import MILLIMETRE
 from rolamento.words import said
 
@@ -353,7 +354,7 @@ def parse_designation(text: str) -> Designation:
     kind = designation_data()["kinds"].get(series, "")
     whole += before
     angular = series.startswith("7")
-    if angle is None and (angular or kind == "double_row"):
+    if angle is None and (angular or _is_double(kind)):
         angle, design, rest = _angle(rest.lstrip("|"), series, kind)
         whole += design
     return Designation(
@@ -461,8 +462,12 @@ def _bore(code: str) -> float:
     return float(millimetres) * MILLIMETRE
 
 
+def _is_double(kind: str) -> bool:
+    return bool(kind) and TYPES[kind].is_double_row
+
+
 def _angles_of(kind: str) -> dict[str, float]:
-    return dict(designation_data()["angles_of_double_rows" if kind == "double_row" else "angles"])
+    return dict(designation_data()["angles_of_double_rows" if _is_double(kind) else "angles"])
 
 
 def _code_of(millimetres: int) -> str | None:

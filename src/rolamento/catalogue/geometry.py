@@ -26,8 +26,8 @@ from rolamento.catalogue.search import (
 from rolamento.errors import InputError
 from rolamento.geometry import apex_half_angle, usual_end_radius
 from rolamento.io.data import toml_of
-from rolamento.ratings import SELF_ALIGNING_CONFORMITY, THRUST_CONFORMITY
 from rolamento.records import frozen
+from rolamento.types import of_balls
 from rolamento.units import MILLIMETRE, readable
 from rolamento.words import Note, said
 
@@ -37,18 +37,11 @@ Origin = Literal["published", "inferred", "assumed", "designation"]
 ASSUMED_CONFORMITY: Final = 0.52
 """Conformity of both races where nothing is published: what ISO 281 supposes of its ratings."""
 
-_ASSUMED_CONFORMITIES: Final = {
-    "self_aligning": SELF_ALIGNING_CONFORMITY,
-    "thrust": THRUST_CONFORMITY,
-}
-"""Conformities where the ratings assume other ones."""
 _ROW_SPACING: Final = 0.42
 """Between the rows of a double row, over its width: NSK's and Schaeffler's lists have 0.36 to 0.46,
 by where the contact lines meet the shaft."""
 _FOUR_POINT_ANGLE: Final = radians(35.0)
 """Contact angle of four-point bearings whose maker gives none: NSK's and SKF's."""
-_CLEARED: Final = ("deep_groove", "self_aligning", "four_point", "cylindrical", "needle")
-"""Kinds with a class of clearance."""
 _BALLS: Final = ("ball_count", "ball_diameter")
 _ROLLERS: Final = ("roller_count", "roller_diameter", "effective_length")
 _RIBS: Final = {  # inner, outer; those of one rib carry an axial load of the shaft toward +x
@@ -208,7 +201,7 @@ class InternalGeometry:
     @property
     def clearance_class(self) -> ClearanceClass | None:
         """The class of the designation, CN if a bearing that has one names none."""
-        if self.bearing.kind not in _CLEARED or not self.has_inner_ring:
+        if self.bearing.type.class_table is None or not self.has_inner_ring:
             return None
         return self.designation.clearance_class or "CN"
 
@@ -264,10 +257,10 @@ def _geometry_in(
         except InputError as error:
             raise _without_balls(error, found, sisters) from None
     for name in ("inner_conformity", "outer_conformity"):
-        if bearing.kind == "self_aligning" and name == "outer_conformity":
+        if bearing.type.aligns and name == "outer_conformity":
             continue  # its race is a sphere
-        own, usual = getattr(bearing, name), _ASSUMED_CONFORMITIES.get(bearing.kind)
-        fields[name] = own or usual or ASSUMED_CONFORMITY
+        own = getattr(bearing, name)
+        fields[name] = own or bearing.type.conformity or ASSUMED_CONFORMITY
         origins[name] = "assumed" if own is None else "published"
     _add_play(bearing, found.designation, fields, origins)
     _add_kind(bearing, found.designation, fields, origins)
@@ -288,7 +281,7 @@ def _roller_geometry(
 ) -> InternalGeometry:
     """The inside of a roller bearing: what rolls, the ribs, the play."""
     bearing, designation = found.bearing, found.designation
-    fields: dict[str, Any] = {"element": _ELEMENTS.get(bearing.kind, bearing.kind)}
+    fields: dict[str, Any] = {"element": bearing.type.element}
     origins: dict[str, Origin] = {"element": "published"}
     candidates: tuple[RollerCandidate, ...] = ()
     if with_rollers:
@@ -297,7 +290,7 @@ def _roller_geometry(
         except InputError as error:
             raise error.with_details(value=designation.text) from None
     type_ = _type_of(bearing, designation)
-    if bearing.kind == "tapered":
+    if bearing.type.conical:
         angle = nominal_angle(bearing)
         fields["contact_angle"] = angle
         told = bearing.contact_angle is not None
@@ -317,8 +310,9 @@ def _roller_geometry(
         fields["inner_ribs"], fields["outer_ribs"] = _RIBS.get(type_, ("none", "none"))
         origins["inner_ribs"] = origins["outer_ribs"] = "published"
         named = designation.clearance_class or "CN"
-        if type_ not in _WITHOUT_INNER and bearing.kind in _CLEARED:
-            clearance = middle_clearance(bearing.bore, named, "cylindrical")
+        table = bearing.type.class_table
+        if type_ not in _WITHOUT_INNER and table is not None:
+            clearance = middle_clearance(bearing.bore, named, table)
             if clearance is not None:
                 fields["diametral_clearance"] = clearance
                 origins["diametral_clearance"] = "assumed"
@@ -335,7 +329,7 @@ def _roller_geometry(
         candidates=candidates,
         records=() if known is catalogue_with(()) or is_built_in(bearing) else (bearing,),
     )
-    if arrangement is None or bearing.kind != "tapered":
+    if arrangement is None or not bearing.type.conical:
         return geometry
     fields["arrangement"], origins["arrangement"] = arrangement, "designation"
     spacing = geometry.spacing(arrangement)
@@ -344,21 +338,16 @@ def _roller_geometry(
     return geometry
 
 
-_ELEMENTS: Final = {"drawn_cup": "needle"}
-
-
 def _type_of(bearing: CatalogueBearing, designation: Designation) -> str:
     """The type of a roller bearing by its designation, else by how its maker lists it."""
-    if not bearing.has_rollers or bearing.kind == "tapered":
+    if not bearing.has_rollers or bearing.type.conical:
         return ""
     listed = re.match(r"NUP|NU|NJ|NF|N(?=\s?\d)|RNA|NA|HK|BK|K(?=\s?\d)", bearing.designation)
     if designation.bearing_type or listed:
         return designation.bearing_type or str(listed and listed[0])
     inner, outer = bearing.inner_raceway_diameter, bearing.outer_raceway_diameter
-    if bearing.kind == "drawn_cup":
-        return "HK"
     is_cage = inner == bearing.bore and outer == bearing.outside_diameter
-    return "K" if bearing.kind == "needle" and is_cage else ""
+    return bearing.type.usual_letters or ("K" if is_cage and bearing.type.as_a_cage else "")
 
 
 def _axial_play(designation: Designation) -> float | None:
@@ -374,7 +363,7 @@ def _add_rollers(
     """Add rollers and pitch diameter, published where both raceways are; as `_add_inside`."""
     candidates = _add_inside(bearing, _ROLLERS, inferred_rollers, rank, fields, origins)
     both = (bearing.inner_raceway_diameter, bearing.outer_raceway_diameter)
-    if None not in both and bearing.kind != "tapered":  # (E - F)/2 and (E + F)/2
+    if None not in both and not bearing.type.conical:  # (E - F)/2 and (E + F)/2
         origins["roller_diameter"] = origins["pitch_diameter"] = "published"
     return candidates
 
@@ -388,7 +377,7 @@ def _without_balls(
         return error
     if bearing.rated != (None, None):
         return error.with_details(value=text)
-    if bearing.kind == "angular_contact" and bearing.contact_angle is None:
+    if bearing.type.in_pairs and bearing.contact_angle is None:
         number = found.designation.number
         rule = said(
             "does not say its contact angle: write {number}C (15°), {number}AC (25°),"
@@ -514,8 +503,8 @@ def middle_clearance(bore: float, clearance_class: str, table: str = "") -> floa
     clearance_class
         Of ISO 5753.
     table
-        ``"self_aligning"``, ``"self_aligning_tapered"``, or ``"four_point"``, whose clearance is
-        axial; radial, of deep-groove bearings, if empty.
+        `BearingType.class_table`, or that of a tapered bore; of deep-groove bearings, if empty.
+        The clearance of four-point bearings is axial, else radial.
     """
     data = toml_of("iso5753", "rolamento.clearance")
     data = data[table] if table else data
@@ -590,22 +579,22 @@ def _add_play(
 ) -> None:
     """Add the nominal contact angle, or the middle of the clearance class."""
     angle = bearing.contact_angle
-    if angle is None and bearing.kind == "angular_contact":
+    if angle is None and bearing.type.in_pairs:
         angle = designation.contact_angle
     named = designation.clearance_class or "CN"
-    if bearing.kind == "self_aligning":
+    if bearing.type.aligns:
         tapered = any(meaning == _TAPERED for _, meaning in designation.meanings)
-        table = "self_aligning_tapered" if tapered else "self_aligning"
-        clearance = middle_clearance(bearing.bore, named, table)
+        table = f"{bearing.type.class_table}_tapered" if tapered else bearing.type.class_table
+        clearance = middle_clearance(bearing.bore, named, table or "")
         if clearance is not None and angle is not None:
             fields["diametral_clearance"] = clearance
             origins["diametral_clearance"] = "assumed"
             return
-    if bearing.kind == "four_point" and angle is None:
+    if bearing.type.has_arches and angle is None:
         fields["contact_angle"], origins["contact_angle"] = _FOUR_POINT_ANGLE, "assumed"
     elif angle is not None and angle >= _LEAST_ANGLE:
         fields["contact_angle"], origins["contact_angle"] = angle, "published"
-    elif bearing.kind == "deep_groove":
+    elif bearing.type == of_balls(angled=False):
         clearance = middle_clearance(bearing.bore, named)
         if clearance is not None:
             fields["diametral_clearance"] = clearance
@@ -622,7 +611,7 @@ def _add_letters(
     letters = designation.letters
     if letters.ball_material is not None:
         fields["ball_material"], origins["ball_material"] = letters.ball_material, "designation"
-    if bearing.kind not in ("deep_groove", "angular_contact"):
+    if bearing.type.grooves is not None or bearing.type.is_double_row:
         return
     if letters.arrangement is not None:
         fields["arrangement"], origins["arrangement"] = letters.arrangement, "designation"
@@ -638,20 +627,20 @@ def _add_kind(
     origins: dict[str, Origin],
 ) -> None:
     """Add what a bearing other than a single row of one groove a ring has beside the rest."""
-    kind = bearing.kind
-    if kind in ("four_point", "self_aligning", "thrust"):
-        fields["kind"], origins["kind"] = kind, "published"
+    kind = bearing.type
+    if kind.grooves is not None:
+        fields["kind"], origins["kind"] = kind.grooves, "published"
     pitch = fields.get("pitch_diameter", bearing.mean_diameter)
-    if kind == "double_row":
+    if kind.is_double_row:
         fields["arrangement"], origins["arrangement"] = "DB", "published"
         fields["spacing"], origins["spacing"] = _row_spacing(bearing, fields, pitch)
-    elif kind == "self_aligning" and "diametral_clearance" in fields:
+    elif kind.aligns and "diametral_clearance" in fields:
         assert bearing.contact_angle is not None
         fields["spacing"] = pitch * tan(bearing.contact_angle)
         origins["spacing"] = "inferred"
-    elif kind == "thrust" and "contact_angle" not in fields:
+    elif kind.washers and "contact_angle" not in fields:
         fields["contact_angle"], origins["contact_angle"] = radians(90.0), "published"
-    elif kind == "four_point":
+    elif kind.has_arches:
         shim = _shim_angle(bearing, designation.clearance_class or "CN", fields)
         if shim is not None:
             fields["shim_angle"], origins["shim_angle"] = shim, "assumed"
@@ -674,7 +663,7 @@ def _shim_angle(
 
     None without a range at this bore.
     """
-    clearance = middle_clearance(bearing.bore, clearance_class, "four_point")
+    clearance = middle_clearance(bearing.bore, clearance_class, bearing.type.class_table or "")
     ball = fields.get("ball_diameter") or bearing.ball_diameter
     if ball is None:
         ball = _chosen(inferred_geometry(bearing), 1, bearing).ball_diameter

@@ -16,6 +16,7 @@ from typing import Final
 from rolamento.errors import InputError, UnknownKeyError, guess
 from rolamento.io.columns import folded_name, title_parts
 from rolamento.records import frozen
+from rolamento.types import TYPES
 from rolamento.words import said
 
 __all__ = ["CatalogueColumn", "columns_of", "heads_catalogue", "kind_of_word"]
@@ -125,25 +126,7 @@ _FIGURES: Final = {
     for word in words.split()
 }
 _WORDS: Final = {word: text for text, words in _TEXTS.items() for word in words.split()}
-_KINDS: Final = {
-    "deep_groove": (
-        "deep_groove deep_groove_ball deep_groove_ball_bearing dgbb rigid_ball rillenkugellager"
-        " rigido_de_esferas rolamento_rigido_de_esferas rigido_de_bolas"
-    ),
-    "angular_contact": (
-        "angular_contact angular_contact_ball angular_contact_ball_bearing acbb schragkugellager"
-        " contato_angular esferas_de_contato_angular contacto_angular"
-    ),
-    "self_aligning": "self_aligning self_aligning_ball pendelkugellager autocompensador_de_esferas",
-    "four_point": "four_point four_point_contact vierpunktlager quatro_pontos",
-    "thrust": "thrust thrust_ball axial_rillenkugellager axial_de_esferas axialrillenkugellager",
-    "cylindrical": "cylindrical cylindrical_roller zylinderrollenlager rolos_cilindricos"
-    " rodillos_cilindricos crb",
-    "tapered": "tapered tapered_roller taper_roller kegelrollenlager rolos_conicos"
-    " rodillos_conicos trb",
-    "needle": "needle needle_roller nadellager rolos_de_agulhas agulhas",
-}
-_KIND_OF_WORD: Final = {word: kind for kind, words in _KINDS.items() for word in words.split()}
+_KIND_OF_WORD: Final = {word: one.key for one in TYPES.values() for word in one.called.split()}
 _NO_KIND: Final = frozenset(("ball", "ball_bearing", "esferas", "kugellager", "bolas"))
 """Words that leave open which kind of ball bearing it is: the contact angle decides."""
 _SYMBOL: Final = re.compile(r"[dD]")

@@ -11,7 +11,7 @@ from __future__ import annotations
 from fractions import Fraction
 from functools import lru_cache
 from math import cos, exp, pi, sqrt
-from typing import Any, Final, NamedTuple
+from typing import Any, Final, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,6 +24,7 @@ from rolamento.ratings import (
     MAXIMUM_GAMMA,
     SELF_ALIGNING_CONFORMITY,
     THRUST_CONFORMITY,
+    RatedType,
     dynamic_factor,
     dynamic_factor_of_grooves,
     dynamic_rating,
@@ -284,7 +285,7 @@ def _near(
         return np.ones(count.shape, dtype=np.bool_)
     angle = bearing.contact_angle or 0.0
     rated = rates.dynamic * dynamic_rating(
-        count, ball, bearing.mean_diameter, angle, kind=bearing.rated_as, rows=bearing.rows
+        count, ball, bearing.mean_diameter, angle, kind=_rated_as(bearing), rows=bearing.rows
     )
     ratio = rated / listed
     return np.asarray((ratio > 1.0 - _FIRST_LOOK) & (ratio < 1.6 * (1.0 + _FIRST_LOOK)))
@@ -295,7 +296,7 @@ def _misfits(bearing: CatalogueBearing, rates: Practice, grid: _Grid) -> tuple[_
     place = (grid.balls, grid.ball, grid.pitch, bearing.contact_angle or 0.0)
     tolerances = (rates.dynamic_tolerance, rates.static_tolerance, rates.f0_tolerance)
     listed, listed_static = bearing.rated
-    rule: dict[str, Any] = {"kind": bearing.rated_as, "rows": bearing.rows, "factor": 1.0}
+    rule: dict[str, Any] = {"kind": _rated_as(bearing), "rows": bearing.rows, "factor": 1.0}
     dynamic = _excess(listed, rates.dynamic * dynamic_rating(*place, **rule))
     static = _excess(listed_static, rates.static * static_rating(*place, **rule))
     implausible = _implausible(bearing, grid)
@@ -315,20 +316,24 @@ def _misfits(bearing: CatalogueBearing, rates: Practice, grid: _Grid) -> tuple[_
     return tuple(found)
 
 
+def _rated_as(bearing: CatalogueBearing) -> RatedType:
+    return cast("RatedType", bearing.type.rated)
+
+
 def _factors(bearing: CatalogueBearing, grid: _Grid) -> list[_Factors]:
     """Return the factors of every groove that a rating of this kind may suppose."""
     angle = bearing.contact_angle or 0.0
     ratio = grid.ball / grid.pitch
     gamma = ratio * np.cos(angle)
-    if bearing.rated_as == "radial":
+    if _rated_as(bearing) == "radial":
         at = _Interpolation.at(gamma)
         return [
             _Factors(groove.penalty, at(groove.dynamic), at(groove.static)) for groove in _grooves()
         ]
-    kind = bearing.rated_as
+    kind = _rated_as(bearing)
     static = np.interp(np.maximum(gamma, 0.0), _FROM_ZERO, static_factor(_FROM_ZERO, kind))
     dynamic = (
-        thrust_dynamic_factor(ratio, angle) if kind == "thrust" else dynamic_factor(gamma, kind)
+        thrust_dynamic_factor(ratio, angle) if bearing.type.washers else dynamic_factor(gamma, kind)
     )
     return [_Factors(0.0, dynamic, static)]
 
@@ -337,9 +342,9 @@ def _conformities(
     bearing: CatalogueBearing, groove: int, grid: _Grid, place: int
 ) -> tuple[float, float]:
     """Return f_i and f_o that the rating of a candidate supposes."""
-    if bearing.rated_as == "radial":
+    if _rated_as(bearing) == "radial":
         return _grooves()[groove].inner, _grooves()[groove].outer
-    if bearing.rated_as == "thrust":
+    if bearing.type.washers:
         return THRUST_CONFORMITY, THRUST_CONFORMITY
     gamma = grid.ball[place] * cos(bearing.contact_angle or 0.0) / grid.pitch[place]
     return SELF_ALIGNING_CONFORMITY, 0.5 * (1.0 + 1.0 / float(gamma))

@@ -13,7 +13,7 @@ from collections.abc import Mapping
 from dataclasses import field, fields
 from itertools import pairwise
 from math import degrees, radians
-from typing import Any, Final, Literal, cast, get_args
+from typing import Any, Final, cast
 
 import numpy as np
 
@@ -23,18 +23,10 @@ from rolamento.io.data import toml_of
 from rolamento.io.numerals import Numerals
 from rolamento.io.tables import parse_table
 from rolamento.io.text import parse_mapping
-from rolamento.ratings import RatedType
 from rolamento.records import frozen
+from rolamento.types import BALL, TYPES, BearingKey, BearingType, of_balls
 from rolamento.units import Dimension, readable, to_si
 from rolamento.words import said
-
-Kind = Literal[
-    "deep_groove", "angular_contact", "double_row", "four_point", "self_aligning", "thrust",
-    "cylindrical", "tapered", "needle", "drawn_cup",
-]  # fmt: skip
-_KINDS: Final = get_args(Kind)
-ROLLER_KINDS: Final = ("cylindrical", "tapered", "needle", "drawn_cup")
-"""Kinds of roller bearings among them."""
 
 
 @frozen(kw_only=True)
@@ -48,9 +40,7 @@ class CatalogueBearing:
     maker
         Its name; may be empty.
     kind
-        ``"deep_groove"``, ``"angular_contact"``, ``"double_row"`` (angular contact, back to back),
-        ``"four_point"``, ``"self_aligning"``, ``"thrust"`` (single direction), ``"cylindrical"``,
-        ``"tapered"``, ``"needle"`` or ``"drawn_cup"`` (needle roller bearing with a drawn cup).
+        Key of its type in `rolamento.types.TYPES`.
     bore, outside_diameter, width
         d, D and B, in m; of a thrust bearing its height T, of a tapered roller bearing its width
         T. Without an inner ring the bore is the raceway of the shaft.
@@ -89,7 +79,7 @@ class CatalogueBearing:
 
     designation: str
     maker: str = ""
-    kind: Kind = "deep_groove"
+    kind: BearingKey = "deep_groove"
     bore: float
     outside_diameter: float
     width: float | None = None
@@ -141,14 +131,14 @@ class CatalogueBearing:
         return 0.5 * (self.outside_diameter - self.bore)
 
     @property
-    def rated_as(self) -> RatedType:
-        """By which formula of the standards it is rated."""
-        return cast("RatedType", self.kind) if self.kind in get_args(RatedType) else "radial"
+    def type(self) -> BearingType:
+        """What type of bearing it is."""
+        return TYPES[self.kind]
 
     @property
     def has_rollers(self) -> bool:
         """Whether it is a roller bearing."""
-        return self.kind in ROLLER_KINDS
+        return self.type.has_rollers
 
     @property
     def knows_elements(self) -> bool:
@@ -160,7 +150,7 @@ class CatalogueBearing:
     @property
     def rows(self) -> int:
         """Rows of balls, i."""
-        return 2 if self.kind in ("double_row", "self_aligning") else 1
+        return self.type.rows
 
     @property
     def rated(self) -> tuple[float | None, float | None]:
@@ -323,7 +313,8 @@ def _sorted_out(figures: dict[str, float], texts: dict[str, str]) -> dict[str, f
     kind = kind_of_word(texts.get("kind", ""))
     if kind is not None:
         texts["kind"] = kind
-    rolling = "roller" if texts.get("kind") in ROLLER_KINDS else "ball"
+    kind = texts.get("kind", "")
+    rolling = TYPES[kind].rolls if kind in TYPES else BALL
     named = {"count": f"{rolling}_count", "element_diameter": f"{rolling}_diameter"}
     height = figures.pop("height", None)
     if height is not None:
@@ -391,9 +382,9 @@ def _bearing_within_reason(
         raise InputError(said("must be greater than the bore"), field="outside_diameter")
     _check_raceways(figures)
     kind = _kind_of(texts, figures)
-    if kind not in _KINDS:
+    if kind not in TYPES:
         raise InputError(
-            said("must be one of {known}", known=", ".join(_KINDS)),
+            said("must be one of {known}", known=", ".join(TYPES)),
             field="kind",
             value=kind,
         )
@@ -401,7 +392,7 @@ def _bearing_within_reason(
 
 
 def _kind_of(texts: Mapping[str, str], figures: Mapping[str, float]) -> str:
-    return texts.get("kind") or ("angular_contact" if "contact_angle" in figures else "deep_groove")
+    return texts.get("kind") or of_balls(angled="contact_angle" in figures).key
 
 
 def _bearing(
@@ -412,7 +403,7 @@ def _bearing(
     return CatalogueBearing(
         designation=texts["designation"],
         maker=texts.get("maker", ""),
-        kind=cast("Kind", _kind_of(texts, figures)),
+        kind=cast("BearingKey", _kind_of(texts, figures)),
         sources=dict.fromkeys(figures, texts.get("source") or source),
         **values,
     )

@@ -8,7 +8,9 @@ needles (K 10X14X13) and drawn cups (HK 1612). What the letters mean is in data/
 from __future__ import annotations
 
 import re
-from typing import Final
+from collections.abc import Mapping
+from functools import cache
+from typing import Any, Final
 
 from rolamento.catalogue.letters import Letters, Part, designation_data, groups_of
 from rolamento.records import frozen
@@ -16,35 +18,22 @@ from rolamento.records import frozen
 __all__ = ["RollerNumber", "roller_number_of"]
 
 _REST: Final = r"(?P<rest>(?:\|?2[RZ]|\|?\D).*)?"
-_CYLINDRICAL: Final = re.compile(
-    r"(?P<type>NUP|NU|NJ|NF|N)\|?(?P<series>10|22|23|2|3|4)"
-    r"(?:(?P<bore>\d\d)|\|(?P<millimetres>\d{3}))" + _REST
-)
-"""Pattern of a text whose blanks, hyphens, strokes and points are one stroke each."""
-_TAPERED: Final = re.compile(
-    r"(?:HR\|?)?(?P<series>30[23]|313|32[0239]|33[0-2])"
-    r"(?:\|?(?P<bore>\d\d)|/(?P<millimetres>\d\d))" + _REST
-)
-_NEEDLE: Final = re.compile(
-    r"(?P<type>R?NA)\|?(?P<series>[456]9|48)(?:(?P<bore>\d\d)|/(?P<millimetres>\d\d))" + _REST
-)
-_DRAWN_CUP: Final = re.compile(r"(?P<type>HK|BK)\|?(?P<bore>\d\d)\|?(?P<width>\d\d)" + _REST)
-_CAGE: Final = re.compile(
-    r"K\|?(?P<inner>\d{1,3})\|?[X×]\|?(?P<outer>\d{1,3})\|?[X×]\|?(?P<width>\d{1,3})" + _REST
-)
-_SERIES: Final = {"cylindrical": _CYLINDRICAL, "tapered": _TAPERED, "needle": _NEEDLE}
 _STROKE: Final = re.compile(r"(?<=\d)\s*/\s*(?=(?:22|28|32)(?!\d))")
 """Stroke before a bore in mm; a blank or a hyphen would make it two figures of a bore code."""
-_STANDARD: Final = ""
-_LETTERS: Final = {
-    "cylindrical": re.compile(r"\|?(?P<design>EC|E)(?=[WTMJPGHX|-]|$)"),
-    "tapered": re.compile(
-        r"\|?(?P<design>XJ2|XJ|X|DJ|D(?![BFTYU])|CJ|C\|?A|C(?![0-9NM])|BJ2|BJ|B|AJ|A|J2|J)"
-        r"(?:\|?(?P<quality>Q)(?![A-Z0-9]))?|\|?(?P<only>Q)(?![A-Z0-9])"
-    ),
-}
-_OF_STEEP: Final = "DCB"
-"""Letters behind the number of a tapered bearing with a contact angle that is not the usual one."""
+_SIZES: Final = ("bore", "outer", "width")
+
+
+@cache
+def _numbers() -> tuple[tuple[re.Pattern[str], re.Pattern[str] | None, Mapping[str, Any]], ...]:
+    """Patterns of each kind's number and of the letters behind it, with what is said of it."""
+    return tuple(
+        (
+            re.compile(one["pattern"] + _REST),
+            re.compile(one["letters"]) if "letters" in one else None,
+            one,
+        )
+        for one in designation_data()["roller_number"]
+    )
 
 
 @frozen
@@ -54,7 +43,7 @@ class RollerNumber:
     Attributes
     ----------
     kind
-        ``"cylindrical"``, ``"tapered"``, ``"needle"`` or ``"drawn_cup"``.
+        Key of its type.
     type
         ``"NU"``, ``"NJ"``, ``"NUP"``, ``"N"`` or ``"NF"``; ``"NA"`` or ``"RNA"``; ``"K"``, a cage
         with its needles; ``"HK"`` or ``"BK"``; empty of a tapered bearing.
@@ -96,72 +85,60 @@ def roller_number_of(plain: str, joined: str, maker: str = "") -> RollerNumber |
     """
     if _STROKE.search(plain):  # 322/28, not 32228
         joined = "/".join("|".join(groups_of(part)) for part in _STROKE.split(plain))
-    for kind, pattern in (
-        ("cylindrical", _CYLINDRICAL),
-        ("tapered", _TAPERED),
-        ("needle", _NEEDLE),
-    ):
+    for pattern, letters, one in _numbers():
         found = pattern.fullmatch(joined)
         if found is not None:
-            return _of_series(kind, found, maker)
-    if (found := _DRAWN_CUP.fullmatch(joined)) is not None:
-        bore, width = int(found["bore"]), int(found["width"])
-        own = [f"{prefix}{bore}{width}" for prefix in ("FJ", "FJP")]
-        names = (f"{found['type']}{found['bore']}{found['width']}", *own, f"FJ{bore}{width}L")
-        return RollerNumber(
-            "drawn_cup", found["type"], "", names[0], str(bore), names,
-            _meant("roller_types", found["type"]), found["rest"] or "",
-        )  # fmt: skip
-    if (found := _CAGE.fullmatch(joined)) is not None:
-        inner, outer, wide = (found[name] for name in ("inner", "outer", "width"))
-        sizes = f"{inner}{outer}{wide}"
-        own = [f"{letters}{sizes}" for letters in ("FWF", "FWJ", "FBN", "FBNP")]
-        names = (f"K{inner}X{outer}X{wide}", *own, f"FWF{sizes}A")
-        return RollerNumber(
-            "needle", "K", "", names[0], inner, names, _meant("roller_types", "K"),
-            found["rest"] or "",
-        )  # fmt: skip
+            return (
+                _by_sizes(one, found) if "names" in one else _of_series(one, letters, found, maker)
+            )
     return None
 
 
-def _of_series(kind: str, found: re.Match[str], maker: str) -> RollerNumber:
+def _by_sizes(one: Mapping[str, Any], found: re.Match[str]) -> RollerNumber:
+    told = found.groupdict()
+    sizes = {name: int(told[name]) for name in _SIZES if told.get(name)}
+    names = tuple(name.format(type=told["type"], **sizes) for name in one["names"])
+    return RollerNumber(
+        one["kind"], told["type"], "", names[0], str(sizes["bore"]), names,
+        _meant("roller_types", told["type"]), told["rest"] or "",
+    )  # fmt: skip
+
+
+def _of_series(
+    one: Mapping[str, Any], pattern: re.Pattern[str] | None, found: re.Match[str], maker: str
+) -> RollerNumber:
     told = found.groupdict()
     series, rest = told["series"], told["rest"] or ""
     bore = told["bore"] or told["millimetres"]
     place = bore if told["bore"] else f"/{bore}"
     type_ = told.get("type") or ""
     number = f"{type_}{series}{place}"
-    letters, design = _meant("roller_types", type_), _STANDARD
-    own = _LETTERS[kind].match(rest) if kind in _LETTERS else None
+    letters, design = _meant("roller_types", type_), ""
+    own = None if pattern is None else pattern.match(rest)
     if own is not None:
         parts = [part for part in own.groupdict().values() if part]
         design = (own["design"] or "").replace("|", "")
         rest = rest[own.end() :]
         for part in parts:
             letters += _meant("roller_designs", part.replace("|", ""))
-    names = tuple(f"{number}{behind}" for behind in _behind(kind, design, maker))
-    if kind == "tapered":
-        names = tuple(name for one in names for name in _with_prefix(one, maker))
+    names = tuple(f"{number}{behind}" for behind in _behind(one, design, maker))
+    if prefix := one.get("prefix"):
+        names = tuple(name for own in names for name in _with_prefix(own, prefix, maker))
     in_mm = bore if told["millimetres"] else f"code {bore}"
-    return RollerNumber(kind, type_, series, number, in_mm, names, letters, rest)
+    return RollerNumber(one["kind"], type_, series, number, in_mm, names, letters, rest)
 
 
-def _with_prefix(name: str, maker: str) -> tuple[str, ...]:
-    """NSK's tapered bearings of high capacity bear HR before the number."""
-    return (name, f"HR{name}") if maker == "SKF" else (f"HR{name}", name)
+def _with_prefix(name: str, prefix: str, maker: str) -> tuple[str, ...]:
+    """NSK's bearings of high capacity bear letters before the number."""
+    return (name, f"{prefix}{name}") if maker == "SKF" else (f"{prefix}{name}", name)
 
 
-def _behind(kind: str, design: str, maker: str) -> tuple[str, ...]:
+def _behind(one: Mapping[str, Any], design: str, maker: str) -> tuple[str, ...]:
     """Return the letters with which makers list a design, those of the maker first."""
-    listed = designation_data()["roller_listed_as"]
-    if kind == "tapered":
-        plain = "steep" if design[:1] in tuple(_OF_STEEP) and design else "usual"
-        plain = {"D": "steepest", "B": "larger"}.get(design[:1], plain)
-        groups = listed["tapered"][plain]
-    elif kind == "cylindrical":
-        groups = listed["cylindrical"][design or "plain"]
-    else:
+    listed = designation_data()["roller_listed_as"].get(one["kind"])
+    if listed is None:
         return ("",)
+    groups = listed[one["steep"].get(design[:1], "usual") if "steep" in one else design or "plain"]
     first = groups.get(maker, ())
     return tuple(dict.fromkeys((*first, *(one for group in groups.values() for one in group))))
 

@@ -18,7 +18,7 @@ ISO 281:2007, table 7: e = 1.5 tan α.
 from __future__ import annotations
 
 from math import atan, exp, pi, sqrt
-from typing import Any, Final, NamedTuple, cast
+from typing import Any, Final, NamedTuple
 
 import numpy as np
 
@@ -26,7 +26,7 @@ from rolamento.catalogue.records import CatalogueBearing
 from rolamento.errors import InputError
 from rolamento.io.data import toml_of
 from rolamento.numerics import FloatArray
-from rolamento.ratings import RollerKind, roller_dynamic_rating, roller_static_rating
+from rolamento.ratings import roller_dynamic_rating, roller_static_rating
 from rolamento.records import frozen
 from rolamento.words import said
 
@@ -106,7 +106,7 @@ def nominal_angle(bearing: CatalogueBearing) -> float:
     """
     if bearing.contact_angle is not None:
         return bearing.contact_angle
-    if bearing.kind != "tapered":
+    if not bearing.type.conical:
         return 0.0
     if bearing.axial_limit is not None:
         return atan(bearing.axial_limit / 1.5)
@@ -147,7 +147,7 @@ def inferred_rollers(
             value=bearing.designation,
         )
     angle = nominal_angle(bearing)
-    if bearing.kind == "tapered" and angle <= 0.0:
+    if bearing.type.conical and angle <= 0.0:
         raise InputError(
             said(
                 "has neither the limit e nor the factor Y that tell its contact angle: give"
@@ -208,7 +208,7 @@ def _places(bearing: CatalogueBearing, angle: float) -> _Places:
     )
     one = 1e-3
     listed, listed_static = bearing.rated
-    kind = cast("RollerKind", bearing.kind)
+    kind: Any = bearing.kind
     static = roller_static_rating(count, diameter, one, pitch, angle)
     dynamic = roller_dynamic_rating(count, diameter, one, pitch, angle, kind=kind)
     chi, factors = unusual, practice["practice"].get(bearing.maker, practice["practice"]["iso"])
@@ -260,27 +260,27 @@ def _sections(
     inner, outer = bearing.inner_raceway_diameter, bearing.outer_raceway_diameter
     if bearing.roller_diameter is not None:
         diameter = np.array([bearing.roller_diameter])
-    elif inner is not None and outer is not None and bearing.kind != "tapered":
+    elif inner is not None and outer is not None and not bearing.type.conical:
         diameter = np.array([0.5 * (outer - inner)])
-    elif bearing.kind == "tapered":
+    elif bearing.type.conical:
         diameter = bearing.section_height * _TAPERED_SHARES
     else:
         sizes, (low, high) = roller_diameters(), _SHARES
         height = bearing.section_height
         diameter = sizes[(sizes > low * height) & (sizes < high * height)]
-    is_free = bearing.kind == "tapered" and bearing.roller_diameter is None
+    is_free = bearing.type.conical and bearing.roller_diameter is None
     known = bearing.pitch_diameter
     if known is not None:
         pitch = np.full(diameter.shape, known)
-    elif inner is not None and bearing.kind != "tapered":
+    elif inner is not None and not bearing.type.conical:
         pitch = inner + diameter
-    elif outer is not None and bearing.kind != "tapered":
+    elif outer is not None and not bearing.type.conical:
         pitch = outer - diameter
     else:
         mean = bearing.mean_diameter * np.array(_PITCHES)
         diameter, pitch = (a.ravel() for a in np.meshgrid(diameter, mean, indexing="ij"))
     unusual = ((pitch / bearing.mean_diameter - 1.0) / tolerance["pitch_diameter"]) ** 2
-    if known is not None or (bearing.kind != "tapered" and (inner or outer)):
+    if known is not None or (not bearing.type.conical and (inner or outer)):
         unusual = np.zeros(diameter.shape)
     if bearing.roller_diameter is None and not (inner and outer):
         height = bearing.section_height

@@ -13,7 +13,7 @@ from functools import lru_cache
 from importlib import resources
 from itertools import chain, islice
 from math import degrees, radians
-from typing import Final, NamedTuple
+from typing import Final, NamedTuple, cast
 
 from rolamento.catalogue.designation import (
     Designation,
@@ -40,6 +40,7 @@ from rolamento.io.data import toml_of
 from rolamento.io.tables import table_text
 from rolamento.io.text import read_text
 from rolamento.records import frozen
+from rolamento.types import BearingKey, of_balls
 from rolamento.units import MILLIMETRE
 from rolamento.words import said
 
@@ -265,7 +266,7 @@ class Catalogue:
                     continue
                 if bearing.has_rollers:
                     return Found(bearing, designation)
-                angular = bearing.kind == "angular_contact"
+                angular = bearing.type.in_pairs
                 letters = designation.of_maker + (before if start else Letters())
                 letters += letters_behind(groups[end:], designation.text, angular=angular)
                 found = replace(designation, contact_angle=bearing.contact_angle, letters=letters)
@@ -292,7 +293,7 @@ class Catalogue:
             sources["contact_angle"] = "designation letters"
         return CatalogueBearing(
             designation=min(designation.keys, key=len).upper(),
-            kind="angular_contact" if designation.is_angular_contact else "deep_groove",
+            kind=cast("BearingKey", of_balls(angled=designation.is_angular_contact).key),
             bore=designation.bore,
             outside_diameter=found.outside_diameter,
             width=found.width,
@@ -317,7 +318,7 @@ class Catalogue:
             5 degrees.
         """
         angle, width = bearing.contact_angle, bearing.width
-        if bearing.kind != "angular_contact" or angle is None:
+        if not bearing.type.in_pairs or angle is None:
             return ()
 
         def off(other: CatalogueBearing) -> float:

@@ -15,8 +15,9 @@ import numpy as np
 from rolamento.case import Case
 from rolamento.case.bearing import Bearing, clearance_fits
 from rolamento.case.mounting import Mounting
+from rolamento.case.parameters import parameters_of
 from rolamento.case.roller_bearing import RollerBearing, roller_clearance_fits
-from rolamento.case.varied import is_of_mounting, varied_materials
+from rolamento.case.varied import is_of_mounting
 from rolamento.clearance.chain import (
     Chain,
     PartTemperatures,
@@ -148,10 +149,10 @@ def initial_of_row(
 
 def _as_given(bearing: Any, clearance: FloatArray) -> tuple[str, FloatArray]:
     """The field that the bearing is given by, and its values as it runs."""
-    if bearing.element == "tapered":
+    if bearing.bearing_type.conical:
         angle = bearing.contact_angle + 0.0 * clearance
         return "bearing.contact_angle", np.asarray(angle)
-    if bearing.element != "ball":
+    if bearing.bearing_type.has_rollers:
         fits = roller_clearance_fits(clearance, bearing.roller_diameter)
         return "bearing.diametral_clearance", np.where(fits, clearance, np.nan)
     reach = bearing.ball_diameter * (bearing.inner_conformity + bearing.outer_conformity - 1.0)
@@ -180,21 +181,7 @@ def row_bearing(
         If it has no inner ring that could be fitted.
     """
     check_two_rings(row)
-    shared = type(row) is type(bearing)
-    common = {
-        name: arrays[f"bearing.{name}"]
-        for name in row.VARIES
-        if shared and f"bearing.{name}" in arrays and name not in own
-    }
-    given = {name: common.get(name, getattr(row, name)) for name in row.VARIES}
-    if row.element == "ball" and "diametral_clearance" in common:
-        given["contact_angle"] = None
-    elif row.element == "ball" and "contact_angle" in common:
-        given["diametral_clearance"] = None
-    rings, elements = varied_materials(row, own, arrays)
-    return SimpleNamespace(
-        **given, element=row.element, ring_material=rings, element_material=elements
-    )
+    return parameters_of(bearing, row, frozenset(own), arrays)
 
 
 def mounting_of(case: Case, arrays: Mapping[str, FloatArray]) -> Any:

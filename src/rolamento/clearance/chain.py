@@ -34,7 +34,6 @@ from rolamento.clearance.effects import (
 )
 from rolamento.clearance.measuring_load import clearance_from_reading, usual_measuring_load
 from rolamento.clearance.standards import (
-    TABLES,
     Band,
     ClearanceClass,
     Limit,
@@ -327,12 +326,12 @@ def raceways(bearing: Any) -> tuple[Any, Any, Any, Any]:
     to the bearing's: d_pw ∓ D_we cos β in the middle of their length, D_we cos β, beside which the
     clearance is nothing; that of a tapered row counts from first contact.
     """
-    if bearing.element != "ball":
+    if bearing.bearing_type.has_rollers:
         lean = 0.0
-        if bearing.element == "tapered":
+        if bearing.bearing_type.conical:
             lean = bearing.contact_angle - bearing.roller_half_angle
         across = bearing.roller_diameter * np.cos(lean)
-        clearance = 0.0 if bearing.element == "tapered" else bearing.diametral_clearance
+        clearance = 0.0 if bearing.bearing_type.conical else bearing.diametral_clearance
         return bearing.pitch_diameter - across, bearing.pitch_diameter + across, across, clearance
     angle, clearance = bearing.contact_angle, bearing.diametral_clearance
     places = groove_places(
@@ -564,7 +563,9 @@ def initial_band(assembly: Assembly, bearing: Bearing | RollerBearing) -> tuple[
     if named is None and reading is None:
         named = cast("ClearanceClass | None", bearing.clearance_class)
     if named is not None:
-        return class_clearance(mounting.bore, named, TABLES[bearing.element]), None
+        return class_clearance(
+            mounting.bore, named, bearing.bearing_type.clearance_table or ""
+        ), None
     if reading is None:
         return Band(assembly.initial_clearance, assembly.initial_clearance), None
     found = reading
@@ -576,7 +577,7 @@ def initial_band(assembly: Assembly, bearing: Bearing | RollerBearing) -> tuple[
 
 def check_two_rings(bearing: Bearing | RollerBearing) -> None:
     """Refuse needle bearings whose inner raceway is the shaft: nothing is fitted on it."""
-    if bearing.element == "needle" and bearing.resolved and not bearing.resolved.has_inner_ring:
+    if bearing.bearing_type.as_a_cage and bearing.resolved and not bearing.resolved.has_inner_ring:
         raise InputError(
             said("is for bearings with two rings: here the shaft is the inner raceway"),
             field="mounting",
@@ -588,7 +589,7 @@ def check_two_rings(bearing: Bearing | RollerBearing) -> None:
 def _check_given_clearance(mounting: Any, bearing: Bearing | RollerBearing) -> None:
     """Refuse a class or a reading of a bearing that is not given by its clearance."""
     given = [n for n in ("clearance_class", "measured_clearance") if getattr(mounting, n)]
-    if given and bearing.element == "tapered":
+    if given and bearing.bearing_type.conical:
         raise InputError(
             said("is not of tapered rollers: clearance or preload of a pair is set at mounting"),
             field=given[0],
@@ -603,7 +604,7 @@ def _check_given_clearance(mounting: Any, bearing: Bearing | RollerBearing) -> N
             field=given[0],
             value=getattr(mounting, given[0]),
         )
-    if mounting.measuring_load is not None and bearing.element != "ball":
+    if mounting.measuring_load is not None and bearing.bearing_type.has_rollers:
         raise InputError(
             said("applies to ball bearings; it has little effect on a roller bearing"),
             field="measuring_load",

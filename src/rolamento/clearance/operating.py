@@ -25,7 +25,6 @@ from rolamento.clearance.chain import Assembly, Chain, ChainResult, Temperatures
 from rolamento.clearance.measuring_load import usual_measuring_load
 from rolamento.clearance.standards import (
     BEARING_TOLERANCE_SOURCE,
-    TABLES,
     TOLERANCE_SOURCE,
     Band,
     Limit,
@@ -135,7 +134,7 @@ def bearing_with_clearance(
     """
     shown = readable(float(f"{clearance:.4g}"), "length")
     if isinstance(bearing, RollerBearing):
-        if bearing.element == "tapered":
+        if bearing.bearing_type.conical:
             return bearing
         if not roller_clearance_fits(clearance, bearing.roller_diameter):
             raise _beyond(shown, closed=clearance < 0.0)
@@ -262,11 +261,9 @@ def _numbers_at_limits(values: NDArray[np.float64] | float) -> tuple[float, floa
     return low, mean, high
 
 
-_TEMPERATURE_STEPS: Final = {"tapered": "step_temperature_tapered"}
-
-
 def _chain_steps(chain: Chain, result: ChainResult) -> tuple[Step, ...]:
     assembly, mounting = chain.assembly, chain.assembly.mounting
+    conical = assembly.bearing.bearing_type.conical
     steps: list[Step] = []
 
     def add(name: str, change: Any, formula: str, source: Note, **details: Any) -> None:
@@ -310,7 +307,7 @@ def _chain_steps(chain: Chain, result: ChainResult) -> tuple[Step, ...]:
         add(
             "temperature",
             assembly.expansion_change,
-            _TEMPERATURE_STEPS.get(assembly.bearing.element, "step_temperature"),
+            "step_temperature_tapered" if conical else "step_temperature",
             Note("source_temperature"),
             inner_raceway=assembly.inner_raceway,
             outer_raceway=assembly.outer_raceway,
@@ -323,20 +320,20 @@ def _chain_steps(chain: Chain, result: ChainResult) -> tuple[Step, ...]:
 
 
 def _origin_of_clearance(assembly: Assembly) -> Note:
-    if assembly.bearing.element == "tapered":
+    if assembly.bearing.bearing_type.conical:
         return Note("source_first_contact")
     named = assembly.mounting.clearance_class or assembly.bearing.clearance_class
     if named is not None:
-        source = clearance_source(named, TABLES[assembly.bearing.element])
+        source = clearance_source(named, assembly.bearing.bearing_type.clearance_table or "")
         return Note("source_clearance_class", {"standard": source, "name": named})
     return Note("source_own_clearance")
 
 
 def _warnings(chain: Chain, result: ChainResult, low: float, mean: float) -> tuple[Note, ...]:
     found = []
-    element = chain.assembly.bearing.element
-    if low < 0.0 and element != "tapered":  # of which only first contact moves
-        of_mean = "interference" if element == "ball" else "interference_of_rollers"
+    of_bearing = chain.assembly.bearing.bearing_type
+    if low < 0.0 and not of_bearing.conical:  # of which only first contact moves
+        of_mean = "interference_of_rollers" if of_bearing.has_rollers else "interference"
         found.append(of_mean if mean < 0.0 else "interference_at_minimum")
     for name, fit in (("inner_ring_loose", result.shaft), ("outer_ring_loose", result.housing)):
         if fit is not None and fit.interference[1] > 0.0 and fit.effective.min() <= 0.0:
@@ -349,7 +346,7 @@ def _warnings(chain: Chain, result: ChainResult, low: float, mean: float) -> tup
 
 def clearance_notes(found: OperatingClearance) -> tuple[Note, ...]:
     """The clearance in operation and its warnings."""
-    if found.bearing.element == "tapered":
+    if found.bearing.bearing_type.conical:
         shift = -0.5 * found.mean / tan(found.bearing.row_angle)
         return (Note("first_contact_moves", {"shift": shift}), *found.warnings)
     limits = {"minimum": found.minimum, "mean": found.mean, "maximum": found.maximum}

@@ -40,7 +40,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from itertools import pairwise
-from types import SimpleNamespace
 from typing import Any, Final, Literal
 
 import numpy as np
@@ -175,7 +174,7 @@ def running_rows(
         at = limit or mounting.limit
         found = initial.at(at) if stage == "unmounted" else chain.at(at)
         clearance = np.where(inside_seats(assembly, mounting), found, np.nan)
-        make = _balls if bearing.element == "ball" else _rollers
+        make = _rollers if bearing.bearing_type.has_rollers else _balls
         rows.append(make(bearing, clearance, strains))
     assert strains is not None
     moved = _moved_along(case, arrays, strains)
@@ -186,7 +185,7 @@ def running_rows(
     )
 
 
-def _balls(bearing: SimpleNamespace, clearance: FloatArray, strains: Strains) -> RunningRow:
+def _balls(bearing: Any, clearance: FloatArray, strains: Strains) -> RunningRow:
     diameter = np.asarray(bearing.ball_diameter, np.float64)
     balls = 1.0 + np.asarray(strains.balls)
     inner = bearing.inner_conformity * ((1.0 + np.asarray(strains.inner_ring)) / balls)
@@ -212,10 +211,10 @@ def _balls(bearing: SimpleNamespace, clearance: FloatArray, strains: Strains) ->
     )
 
 
-def _rollers(bearing: SimpleNamespace, clearance: FloatArray, strains: Strains) -> RunningRow:
+def _rollers(bearing: Any, clearance: FloatArray, strains: Strains) -> RunningRow:
     diameter = bearing.roller_diameter * (1.0 + np.asarray(strains.balls))
     angle, touch = np.zeros(()), 0.0 * clearance
-    if bearing.element == "tapered":
+    if bearing.bearing_type.conical:
         angle = np.asarray(bearing.contact_angle, np.float64)
         touch = 0.5 * clearance / np.tan(angle)
     return RunningRow(
@@ -233,7 +232,7 @@ def _rollers(bearing: SimpleNamespace, clearance: FloatArray, strains: Strains) 
     )
 
 
-def _pitch(bearing: SimpleNamespace, strains: Strains) -> FloatArray:
+def _pitch(bearing: Any, strains: Strains) -> FloatArray:
     across = 0.5 * (np.asarray(strains.inner_ring) + np.asarray(strains.outer_ring))
     return np.asarray(bearing.pitch_diameter * (1.0 + across))
 

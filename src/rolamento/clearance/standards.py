@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_left
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from math import isfinite
 from typing import Any, Final, Literal, NamedTuple, NoReturn, get_args
 
@@ -86,28 +86,24 @@ ClearanceClass = Literal[
 CLEARANCE_CLASSES: Final[tuple[ClearanceClass, ...]] = get_args(ClearanceClass)[:5]
 """Classes of ISO 5753-1, rising."""
 CLEARANCE_SOURCE: Final = "ISO 5753-1:2009"
-ClearanceTable = Literal["", "cylindrical"]
-"""Deep-groove ball bearings, if empty; cylindrical roller and needle roller bearings."""
 _E1102: Final = "NSK, Rolling Bearings (CAT. No. E1102e), table {table}"
-_MAKERS_TABLES: Final = {"": "9.13.1", "cylindrical": "9.13.2"}
 _MATCHED_TABLE: Final = "9.14"
-TABLES: Final[dict[str, ClearanceTable]] = {
-    "ball": "",
-    "cylindrical": "cylindrical",
-    "needle": "cylindrical",
-}
-"""By what rolls. Pairs of tapered rollers get their clearance or preload at mounting."""
 
 
-def clearance_source(clearance_class: str, table: ClearanceTable = "") -> str:
+def _table(name: str) -> Mapping[str, Any]:
+    whole = toml_of("iso5753", "rolamento.clearance")
+    return whole[name] if name else whole
+
+
+def clearance_source(clearance_class: str, table: str = "") -> str:
     """Return the source of a class's ranges."""
     if clearance_class in CLEARANCE_CLASSES:
         return CLEARANCE_SOURCE
     matched = clearance_class.startswith("CC")
-    return _E1102.format(table=_MATCHED_TABLE if matched else _MAKERS_TABLES[table])
+    return _E1102.format(table=_MATCHED_TABLE if matched else _table(table)["table_of_maker"])
 
 
-def class_clearance(bore: float, clearance_class: str, table: ClearanceTable = "") -> Band:
+def class_clearance(bore: float, clearance_class: str, table: str = "") -> Band:
     """Radial internal clearance of a class, before mounting.
 
     Parameters
@@ -119,16 +115,14 @@ def class_clearance(bore: float, clearance_class: str, table: ClearanceTable = "
         rollers also ``"CT"`` of motors and ``"CC1"`` to ``"CC5"`` (normal: ``"CC"``) of rings that
         are not interchangeable.
     table
-        ``"cylindrical"`` for cylindrical roller bearings and for needle roller bearings with
-        machined rings; empty for deep-groove ball bearings.
+        `BearingType.clearance_table`: empty for deep-groove ball bearings.
 
     Raises
     ------
     InputError
         If there is no such class, or its source has none for this bore.
     """
-    whole = toml_of("iso5753", "rolamento.clearance")
-    data = whole[table] if table else whole
+    data = _table(table)
     if clearance_class not in data["classes"]:
         raise InputError(
             said("must be one of {known}", known=", ".join(data["classes"])),

@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento._reach import in_reach
+from rolamento.io.data import toml_of
 from rolamento.lubrication.films import lubricant_of, oil_of
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
@@ -32,9 +33,12 @@ SLIDING_FULL_FILM: Final[Mapping[str, float]] = {
 }
 """μ_EHL of ball bearings by oil."""
 
-ROLLERS_FULL_FILM: Final[Mapping[str, float]] = {"cylindrical": 0.02, "tapered": 0.002}
-"""μ_EHL of roller bearings, whatever the oil; needle roller bearings take that of cylindrical ones.
-"""
+
+def full_film_of(kind: str) -> float | None:
+    """Return μ_EHL of a type of roller bearing, whatever the oil; None of ball bearings."""
+    found = toml_of("skf_friction")["full_film"].get(kind)
+    return None if found is None else float(found)
+
 
 SLIDING_BOUNDARY: Final = 0.12
 """μ_bl of a turning bearing in SKF's later model, which distinguishes it from starting; the
@@ -127,8 +131,8 @@ def coefficient_by_regime(solved: Solved) -> tuple[Coefficient, Coefficient, Coe
     kind = lubricant_of(solved.case).oil.oil_type or USUAL_OIL
     film = SLIDING_FULL_FILM[kind]
     usual = [SLIDING_FULL_FILM[one] for one in _USUAL_OILS] if kind in _USUAL_OILS else [film]
-    lines = [ROLLERS_FULL_FILM.get(one, ROLLERS_FULL_FILM["cylindrical"]) for one in rows.element]
-    of_lines = ROLLERS_FULL_FILM.values()
+    of_lines = toml_of("skf_friction")["full_film"].values()
+    lines = [full_film_of(one) or max(of_lines) for one in rows.element]
     # of rows that differ, the ball models take the one with the thinnest film
     balls = part.max(axis=1, keepdims=True)
 

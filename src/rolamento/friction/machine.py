@@ -13,15 +13,8 @@ from rolamento.case import Case
 from rolamento.case.film_model import Supply
 from rolamento.case.rolling_bearing import RollingBearing
 from rolamento.friction.coefficient import USUAL_OIL
-from rolamento.friction.palmgren import BearingKind, Lubrication
-from rolamento.friction.skf import (
-    SkfConstants,
-    angular_contact_constants,
-    deep_groove_series,
-    roller_series,
-    self_aligning_series,
-    thrust_constants,
-)
+from rolamento.friction.palmgren import Lubrication
+from rolamento.friction.skf import SkfConstants, constants_of
 from rolamento.lubrication import Film
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
@@ -48,7 +41,7 @@ class MachineBearing:
     Viscosity, rating and ratio are numbers, or arrays (cases,).
     """
 
-    kind: BearingKind
+    kind: str
     bore_diameter: float
     outside_diameter: float
     kinematic_viscosity: float | FloatArray
@@ -148,20 +141,19 @@ def _machine(
         "supply": supply or ("grease" if lubricant.kind == "grease" else "bath"),
         "oil": lubricant.oil.oil_type or USUAL_OIL,
     }
-    if bearing.element != "ball":
+    if bearing.bearing_type.has_rollers:
         return _of_rollers(bearing, angle, shared)
     rated = np.all(rating > 0.0)
     if not rated:
         rating = np.full(rating.shape, published.static_rating or np.nan)
     if not np.all((rating > 0.0) & (load >= 0.0)):
         return None
-    kind: BearingKind = "needle" if published.kind == "drawn_cup" else published.kind
     return MachineBearing(
-        kind=kind,
+        kind=published.kind,
         static_load_rating=rating,
         static_load_ratio=load / rating,
         contact_angle=angle,
-        constants=_constants(kind, designation.series or published.designation[:2]),
+        constants=constants_of(published.kind, designation.series or published.designation[:2]),
         rated_as_steel=not rated,
         **shared,
     )
@@ -171,26 +163,15 @@ def _of_rollers(bearing: RollingBearing, angle: float, shared: dict[str, Any]) -
     """A roller bearing, which needs no rating."""
     assert bearing.resolved is not None
     published, designation = bearing.resolved.bearing, bearing.resolved.designation
-    element = bearing.places[0].bearing.element
+    kind = bearing.places[0].bearing.listed_type
     angle = angle or bearing.places[0].bearing.row_angle
-    kind: BearingKind = element if element in ("cylindrical", "tapered") else "needle"
+    factor = published.axial_factor or (0.4 / tan(angle) if angle else None)
     return MachineBearing(
-        kind=kind,
+        kind=kind.key,
         static_load_rating=1.0,
         static_load_ratio=0.0,
         contact_angle=angle,
-        constants=None if kind == "needle" else roller_series(kind).get(designation.series or ""),
-        axial_factor=(published.axial_factor or 0.4 / tan(angle)) if kind == "tapered" else None,
+        constants=constants_of(kind.key, designation.series or ""),
+        axial_factor=factor if kind.axial_limit_of_maker else None,
         **shared,
     )
-
-
-def _constants(kind: BearingKind, series: str) -> SkfConstants | None:
-    """SKF's constants of a bearing; None of a series that is not on file."""
-    if kind == "deep_groove":
-        return deep_groove_series().get(series)
-    if kind == "self_aligning":
-        return self_aligning_series().get(series)
-    if kind == "thrust":
-        return thrust_constants()
-    return angular_contact_constants("single_row" if kind == "angular_contact" else kind)

@@ -326,7 +326,7 @@ def validity_of(model: TorqueModel, setting: Setting, converged: BoolArray) -> M
 
 def touches_both_arcs(solved: Solved) -> BoolArray:
     """(cases,): whether a ball of a four-point bearing bears on more than one arc of a ring."""
-    if solved.case.bearing.kind != "four_point":
+    if not solved.case.bearing.bearing_type.has_arches:
         return np.zeros(len(solved), np.bool_)
     with np.errstate(invalid="ignore"):
         pairs = solved.loaded.reshape(len(solved), 2, -1)

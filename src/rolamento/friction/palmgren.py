@@ -7,18 +7,16 @@ With lengths in mm, ν in mm²/s and n in rpm, moments come in N·mm:
     M2 = f2 F_a d_m    of cylindrical roller bearings whose ribs carry an axial load
 
 P1 = max(3 F_a - 0.1 F_r, F_r) for deep-groove bearings, max(0.9 F_a cot α - 0.1 F_r, F_r) for
-angular-contact ones, double-row, four-point and self-aligning ones among them, F_a for thrust
-bearings; of tapered roller bearings max(0.8 F_a cot α, F_r), of cylindrical and needle ones F_r.
-The constants hold for moderate speed and load and the lubrication named.
+angular-contact ones; what it is of each type, and f0, z and y, stand in data/palmgren.toml. The
+constants hold for moderate speed and load and the lubrication named.
 
-Palmgren (1959); constants and P1 as Harris (1991), chapter 14, gives them; those of double-row,
-four-point, self-aligning and thrust bearings, and all of roller bearings, are from general
-knowledge of its tables 14.1 to 14.3 and of SKF's General catalogue of 1989, no print was at hand.
+Palmgren (1959); Harris (1991), chapter 14.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cache
 from math import pi
 from typing import TYPE_CHECKING, Final, Literal
 
@@ -39,47 +37,42 @@ from rolamento.friction.model import (
     relative_speed,
     torque_of_parts,
 )
+from rolamento.io.data import toml_of
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.records import frozen
 from rolamento.words import marked, said
 
 if TYPE_CHECKING:
     from rolamento.friction.machine import MachineBearing
 
-BearingKind = Literal[
-    "deep_groove", "angular_contact", "double_row", "four_point", "self_aligning", "thrust",
-    "cylindrical", "tapered", "needle",
-]  # fmt: skip
 Lubrication = Literal["grease", "oil_mist", "oil_bath", "oil_jet"]
 
-LUBRICATION_FACTORS: Final[Mapping[str, Mapping[str, float]]] = {
-    "deep_groove": {"grease": 1.0, "oil_mist": 1.0, "oil_bath": 2.0, "oil_jet": 4.0},
-    "angular_contact": {"grease": 2.0, "oil_mist": 1.7, "oil_bath": 3.3, "oil_jet": 6.6},
-    "double_row": {"grease": 4.0, "oil_mist": 3.4, "oil_bath": 6.5, "oil_jet": 13.0},
-    "four_point": {"grease": 6.0, "oil_mist": 2.0, "oil_bath": 6.0, "oil_jet": 9.0},
-    "self_aligning": {"grease": 1.75, "oil_mist": 0.85, "oil_bath": 1.75, "oil_jet": 3.5},
-    "thrust": {"grease": 5.5, "oil_mist": 0.8, "oil_bath": 1.5, "oil_jet": 3.0},
-    "cylindrical": {"grease": 0.8, "oil_mist": 2.15, "oil_bath": 3.1, "oil_jet": 3.1},
-    "tapered": {"grease": 6.0, "oil_mist": 3.0, "oil_bath": 6.0, "oil_jet": 9.0},
-    "needle": {"grease": 12.0, "oil_mist": 6.0, "oil_bath": 12.0, "oil_jet": 24.0},
-}
-"""f0. Deep-groove bearings with grease: 0.7 (light series) to 2 (heavy series). "oil_jet" is
-also for an oil bath with a vertical shaft. Self-aligning and cylindrical roller bearings (with
-cage): the middle between light and heavy series, 1.5 to 2 and 0.6 to 1 with grease, and of
-cylindrical roller bearings 2.2 to 4 with an oil bath."""
 
-LOAD_FACTORS: Final[Mapping[str, tuple[float, float]]] = {
-    "deep_groove": (0.0005, 0.55),
-    "angular_contact": (0.001, 0.33),
-    "double_row": (0.001, 0.33),
-    "four_point": (0.001, 0.33),
-    "self_aligning": (0.0003, 0.40),
-    "thrust": (0.0008, 0.33),
-    "cylindrical": (0.0003, 0.0),
-    "tapered": (0.0004, 0.0),
-    "needle": (0.002, 0.0),
-}
-"""z and y of f1. Deep-groove bearings: z from 0.0004 (light series) to 0.0006 (heavy series);
-cylindrical roller bearings with cage: 0.0002 to 0.0004."""
+@frozen
+class Constants:
+    """What Palmgren's model has of a type of bearing; data/palmgren.toml says whence.
+
+    f0: by the way of lubrication. z, y: of f1. axial, radial: of P1; by_cotangent: whether the
+    axial load counts by cot α; only_axial: whether the radial one does not count at all. ribs:
+    whether an axial load rubs on them.
+    """
+
+    f0: Mapping[str, float]
+    z: float
+    y: float
+    axial: float = 0.0
+    radial: float = 0.0
+    by_cotangent: bool = False
+    only_axial: bool = False
+    ribs: bool = False
+
+
+@cache
+def constants_by_type() -> Mapping[str, Constants]:
+    """Return the constants by the key of the type of bearing."""
+    tables = toml_of("palmgren").items()
+    return {key: Constants(**table) for key, table in tables if isinstance(table, Mapping)}
+
 
 RIB_FACTORS: Final[Mapping[str, float]] = {
     "grease": 0.003, "oil_mist": 0.002, "oil_bath": 0.002, "oil_jet": 0.002,
@@ -102,7 +95,7 @@ def lubricant_torque(
     kinematic_viscosity : ν of the oil, or of the grease's base oil, at its temperature; m²/s.
     speed : of the rings to each other; rad/s.
     mean_diameter : d_m; m.
-    f0 : of type and lubrication, `LUBRICATION_FACTORS`.
+    f0 : of type and lubrication, `constants_by_type`.
 
     Returns
     -------
@@ -117,7 +110,7 @@ def lubricant_torque(
 
 
 def load_torque(
-    load: ArrayLike, mean_diameter: ArrayLike, static_load_ratio: ArrayLike, kind: BearingKind
+    load: ArrayLike, mean_diameter: ArrayLike, static_load_ratio: ArrayLike, kind: str
 ) -> FloatArray:
     """Torque M1, which the load makes; N·m.
 
@@ -132,8 +125,8 @@ def load_torque(
     -------
     M1 of the broadcast shape.
     """
-    z, y = LOAD_FACTORS[_checked_kind(kind)]
-    f1 = z * np.asarray(static_load_ratio, dtype=np.float64) ** y
+    own = _constants(kind)
+    f1 = own.z * np.asarray(static_load_ratio, dtype=np.float64) ** own.y
     return np.asarray(f1 * np.asarray(load) * np.asarray(mean_diameter))
 
 
@@ -149,29 +142,23 @@ def rib_torque(
 
 
 def friction_load(
-    radial: ArrayLike, axial: ArrayLike, kind: BearingKind, contact_angle: ArrayLike = 0.0
+    radial: ArrayLike, axial: ArrayLike, kind: str, contact_angle: ArrayLike = 0.0
 ) -> FloatArray:
-    """Load P1 that goes into M1; N. contact_angle: nominal, of all but deep-groove ones; rad.
+    """Load P1 that goes into M1; N.
 
-    Cylindrical and needle roller bearings have none.
+    Parameters: F_r and F_a (N), the type of bearing, its nominal contact angle (rad) where the
+    axial load counts by that.
     """
-    fr, fa = np.abs(radial), np.abs(axial)
-    if _checked_kind(kind) == "thrust":
+    fr, fa, own = np.abs(radial), np.abs(axial), _constants(kind)
+    if own.only_axial:
         return np.broadcast_arrays(fa, fr)[0].copy()
-    if kind == "deep_groove":
-        combined = 3.0 * fa - 0.1 * fr
-    elif kind in ("cylindrical", "needle"):
-        combined = 0.0 * fa
-    elif kind == "tapered":
-        combined = 0.8 * fa / np.tan(contact_angle)
-    else:
-        combined = 0.9 * fa / np.tan(contact_angle) - 0.1 * fr
-    return np.maximum(combined, fr)
+    slope = np.tan(contact_angle) if own.by_cotangent else 1.0
+    return np.maximum(own.axial * fa / slope - own.radial * fr, fr)
 
 
 def palmgren(
     *,
-    kind: BearingKind,
+    kind: str,
     lubrication: Lubrication,
     speed: ArrayLike,
     mean_diameter: ArrayLike,
@@ -204,12 +191,13 @@ def palmgren(
     InputError
         For an unknown word, or a number out of range.
     """
-    if lubrication not in LUBRICATION_FACTORS[_checked_kind(kind)]:
-        known = ", ".join(LUBRICATION_FACTORS[kind])
+    own = _constants(kind)
+    if lubrication not in own.f0:
+        known = ", ".join(own.f0)
         raise InputError(
             said("must be one of {known}", known=known), field="lubrication", value=lubrication
         )
-    if kind not in ("deep_groove", "thrust", "cylindrical", "needle"):
+    if own.by_cotangent:
         checked_positive(contact_angle, "contact_angle")
     turning = np.atleast_1d(checked_numbers(speed, "speed"))
     diameter = checked_positive(mean_diameter, "mean_diameter")
@@ -220,25 +208,24 @@ def palmgren(
         checked_numbers(axial_load, "axial_load"),
     )
     load = friction_load(radial, axial, kind, contact_angle)
-    factor = LUBRICATION_FACTORS[kind][lubrication] if f0 is None else f0
+    factor = own.f0[lubrication] if f0 is None else f0
     parts = {
         "lubricant": lubricant_torque(viscosity, turning, diameter, factor),
         "load": load_torque(load, diameter, ratio, kind),
     }
-    if kind == "cylindrical":
+    if own.ribs:
         parts["rib"] = rib_torque(axial, diameter, lubrication)
     whole = np.broadcast_arrays(*parts.values())
     return torque_of_parts(MODEL.name, dict(zip(parts, whole, strict=True)), turning)
 
 
-def _checked_kind(kind: str) -> str:
-    if kind not in LOAD_FACTORS:
+def _constants(kind: str) -> Constants:
+    known = constants_by_type()
+    if kind not in known:
         raise InputError(
-            said("must be one of {known}", known=", ".join(LOAD_FACTORS)),
-            field="kind",
-            value=kind,
+            said("must be one of {known}", known=", ".join(known)), field="kind", value=kind
         )
-    return kind
+    return known[kind]
 
 
 def _of_bearing(setting: Setting) -> Torque:
@@ -272,7 +259,7 @@ def _limits(setting: Setting) -> dict[str, BoolArray]:
         for fr, fa in (
             bearing_load(setting.solved, one)
             for one in setting.machines
-            if one.kind == "cylindrical"
+            if _constants(one.kind).ribs
         )
     ]
     return {

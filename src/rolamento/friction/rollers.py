@@ -43,6 +43,7 @@ from rolamento.records import frozen
 from rolamento.roller_kinematics import RibMotion, rib_motion, roller_motion
 from rolamento.solved import RACES, Solved
 from rolamento.solved.rollers import Line
+from rolamento.types import TYPES, type_of_element
 from rolamento.words import marked
 
 SLIPS: Final = 1e-3
@@ -184,7 +185,7 @@ def roller_sliding(
         under = rib_coefficient(np.nan_to_num(parameter), setting.coefficient.boundary)
         at_rib = np.where(np.isnan(parameter), mu, under)
     force = np.where(loaded, np.abs(rollers.rib_force), 0.0) * at_rib
-    two_ribs = np.array([element != "tapered" for element in solved.rows.element])
+    two_ribs = np.array([not type_of_element(one).conical for one in solved.rows.element])
     both = two_ribs[solved.rows.row_of_element]
     rib = ContactLoss(
         np.where(force > 0.0, force * shape.rib("inner").sliding, 0.0),
@@ -303,5 +304,5 @@ MODEL: Final = TorqueModel(
     evaluate=_of_contacts,
     limits=_limits,
     closed_form=True,
-    elements=("cylindrical", "tapered", "needle"),
+    elements=tuple(dict.fromkeys(one.element for one in TYPES.values() if one.has_rollers)),
 )

@@ -42,11 +42,11 @@ which shows what of the other kinds was at hand.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import cache
 from math import pi, radians
-from typing import TYPE_CHECKING, Any, Final, Literal
+from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -54,12 +54,12 @@ from numpy.typing import ArrayLike
 from rolamento.case.film_model import Supply
 from rolamento.errors import InputError, guess
 from rolamento.friction.coefficient import (
-    ROLLERS_FULL_FILM,
     SLIDING_AT_START,
     SLIDING_BOUNDARY,
     SLIDING_FULL_FILM,
     blended,
     boundary_share,
+    full_film_of,
 )
 from rolamento.friction.model import (
     Setting,
@@ -82,28 +82,24 @@ from rolamento.lubrication.film_thickness import (
 )
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
+from rolamento.types import TYPES
 from rolamento.words import marked, said
 
 if TYPE_CHECKING:
     from rolamento.friction.machine import MachineBearing
-
-Kind = Literal[
-    "deep_groove", "angular_contact", "self_aligning", "thrust", "cylindrical", "tapered"
-]
 
 
 @frozen
 class SkfConstants:
     """Geometry constants of a bearing series, as SKF tabulates them.
 
-    kind chooses the formulas. r3 and s3 are used by angular-contact and self-aligning bearings
-    only, r2 by all but thrust and cylindrical roller bearings, s2 by all but thrust bearings. k_z:
-    4.4 for single-row angular-contact bearings, 4.8 for self-aligning ones, 3.8 for thrust ones,
-    3.1 for the other ball bearings; 5.1 for cylindrical roller bearings with cage, 6 for tapered.
-    contact_angle: nominal, of the bearings that the constants are for (rad), if known.
+    kind: type of bearing, which chooses the formulas. r3 and s3 are used by angular-contact and
+    self-aligning bearings only, r2 by all but thrust and cylindrical roller bearings, s2 by all but
+    thrust bearings. k_z: of the type, if not given. contact_angle: nominal, of the bearings that
+    the constants are for (rad), if known.
     """
 
-    kind: Kind
+    kind: str
     r1: float
     r2: float
     s1: float
@@ -115,84 +111,71 @@ class SkfConstants:
 
 
 @cache
-def deep_groove_series() -> Mapping[str, SkfConstants]:
-    """Return the constants by bearing series, such as "62" of 6205."""
-    k_z = BEARING_TYPE["deep_groove"]
+def constants_by_series(kind: str) -> Mapping[str, SkfConstants]:
+    """Return the constants of a type of bearing by series, such as "62" of 6205 or "2" of NU 206.
+
+    Of types whose series are all alike by the empty text; none of a type that the table lacks.
+    """
     return {
-        name: SkfConstants("deep_groove", **_geometry_constants(row), k_z=k_z)
-        for row in toml_of("skf_friction")["deep_groove"]
-        for name in row["series"]
+        series: _of_row(kind, row)
+        for row in toml_of("skf_friction").get(kind, ())
+        for series in row.get("series", ("",))
     }
 
 
-@cache
-def _angular_contact_designs() -> Mapping[str, SkfConstants]:
-    return {
-        name: SkfConstants(
-            "angular_contact",
-            **_geometry_constants(row),
-            k_z=BEARING_TYPE["angular_contact" if name == "single_row" else name],
-            contact_angle=radians(row["contact_angle_deg"]),
-        )
-        for name, row in toml_of("skf_friction")["angular_contact"].items()
-    }
+def constants_of(kind: str, series: str = "") -> SkfConstants | None:
+    """Return the constants of a bearing; None of a type or a series that is not on file."""
+    known = constants_by_series(kind)
+    return known.get("", known.get(series))
 
 
-def angular_contact_constants(design: str = "single_row") -> SkfConstants:
-    """Return the constants of angular-contact bearings.
+def series_constants(kind: str, series: str = "") -> SkfConstants:
+    """Return the constants of a bearing that has to be on file.
 
     Parameters
     ----------
-    design : "single_row" (40°), "double_row" (30°), or "four_point" (35°).
+    kind
+        Of the bearing, such as ``"deep_groove"``.
+    series
+        Such as ``"62"``; any of a type whose series are all alike.
 
     Raises
     ------
     InputError
-        If the design is not in the table.
+        If the type or the series is not in the table.
     """
-    designs = _angular_contact_designs()
-    if design not in designs:
+    found = constants_of(kind, series)
+    if found is not None:
+        return found
+    formulas = toml_of("skf_friction")["formulas"]
+    if kind not in formulas:
         raise InputError(
-            said("must be one of {known}", known=", ".join(designs)),
-            field="design",
-            value=design,
-            example='"double_row"',
+            said("must be one of {known}", known=", ".join(formulas)), field="kind", value=kind
         )
-    return designs[design]
+    raise InputError(
+        said(
+            "is not a series of such bearings in SKF's table; {guess}",
+            guess=guess(series, constants_by_series(kind)),
+        ),
+        field="series",
+        value=series,
+        example='"62"',
+    )
 
 
-@cache
-def self_aligning_series() -> Mapping[str, SkfConstants]:
-    """Return the constants of self-aligning bearings by series, such as "22" of 2210."""
-    k_z = BEARING_TYPE["self_aligning"]
-    return {
-        name: SkfConstants("self_aligning", **_geometry_constants(row), k_z=k_z)
-        for row in toml_of("skf_friction")["self_aligning"]
-        for name in row["series"]
-    }
-
-
-@cache
-def thrust_constants() -> SkfConstants:
-    """Return the constants of thrust ball bearings."""
-    row = toml_of("skf_friction")["thrust"]
-    return SkfConstants("thrust", row["R1"], 0.0, row["S1"], 0.0, k_z=BEARING_TYPE["thrust"])
-
-
-@cache
-def roller_series(kind: Literal["cylindrical", "tapered"]) -> Mapping[str, SkfConstants]:
-    """Return the constants of roller bearings by series, such as "2" of NU 206 or "302"."""
-    return {
-        name: SkfConstants(
-            kind, row["R1"], row.get("R2", 0.0), row["S1"], row["S2"], k_z=BEARING_TYPE[kind]
-        )
-        for row in toml_of("skf_friction")[kind]
-        for name in row["series"]
-    }
-
-
-def _geometry_constants(row: Mapping[str, Any]) -> dict[str, float]:
-    return {key.lower(): row[key] for key in ("R1", "R2", "R3", "S1", "S2", "S3") if key in row}
+def _of_row(kind: str, row: Mapping[str, Any]) -> SkfConstants:
+    angle = row.get("contact_angle_deg")
+    return SkfConstants(
+        kind,
+        row["R1"],
+        row.get("R2", 0.0),
+        row["S1"],
+        row.get("S2", 0.0),
+        row.get("R3", 0.0),
+        row.get("S3", 0.0),
+        BEARING_TYPE[kind],
+        None if angle is None else radians(angle),
+    )
 
 
 _RPM = 30.0 / pi
@@ -212,28 +195,6 @@ class SkfMoment:
     inlet_heating: FloatArray
     replenishment: FloatArray
     sliding_coefficient: FloatArray
-
-
-def deep_groove_constants(series: str) -> SkfConstants:
-    """Return the constants of a deep-groove series.
-
-    Raises
-    ------
-    InputError
-        If the series is not in the table.
-    """
-    known_series = deep_groove_series()
-    if series not in known_series:
-        raise InputError(
-            said(
-                "is not a series of deep-groove ball bearings in SKF's table; {guess}",
-                guess=guess(series, known_series),
-            ),
-            field="series",
-            value=series,
-            example='"62"',
-        )
-    return known_series[series]
 
 
 def skf_moment(
@@ -283,23 +244,11 @@ def skf_moment(
     n, nu, mean = _RPM * turning, 1e6 * viscosity, 1e3 * diameter
     fr = np.abs(checked_numbers(radial_load, "radial_load"))
     fa = np.abs(checked_numbers(axial_load, "axial_load"))
-    if constants.kind == "deep_groove":
-        rolling, sliding = _deep_groove(constants, mean, fr, fa, static_load_rating)
-    elif constants.kind == "self_aligning":
-        rolling, sliding = _self_aligning(constants, mean, fr, fa, n)
-    elif constants.kind == "thrust":
-        rolling = constants.r1 * mean**1.83 * fa**0.54
-        sliding = constants.s1 * mean**0.05 * fa ** (4.0 / 3.0)
-    elif constants.kind == "cylindrical":
-        rolling = constants.r1 * mean**2.41 * fr**0.31
-        sliding = constants.s1 * mean**0.9 * fa + constants.s2 * mean * fr
-    elif constants.kind == "tapered":
-        rolling, sliding = _tapered(constants, mean, fr, fa, axial_factor)
-    else:
-        rolling, sliding = _angular_contact(constants, mean, fr, fa, n)
+    given = _Given(constants, mean, fr, fa, n, static_load_rating, axial_factor)
+    rolling, sliding = _FORMULAS[toml_of("skf_friction")["formulas"][constants.kind]](given)
     heating = skf_inlet_heating(viscosity, turning, diameter)
     boundary = boundary_share(viscosity, turning, diameter)
-    full_film = ROLLERS_FULL_FILM.get(constants.kind, _known(SLIDING_FULL_FILM, oil, "oil"))
+    full_film = full_film_of(constants.kind) or _known(SLIDING_FULL_FILM, oil, "oil")
     coefficient = blended(boundary, SLIDING_BOUNDARY, full_film)
     return SkfMoment(
         *np.broadcast_arrays(
@@ -322,22 +271,32 @@ def skf_torque(moment: SkfMoment, speed: ArrayLike) -> Torque:
     return torque_of_parts(MODEL.name, parts, np.atleast_1d(np.asarray(speed)))
 
 
-def _deep_groove(
-    c: SkfConstants,
-    mean: FloatArray,
-    fr: FloatArray,
-    fa: FloatArray,
-    rating: ArrayLike | None,
-) -> tuple[FloatArray, FloatArray]:
-    """G_rr and G_sl of deep-groove ball bearings."""
+class _Given(NamedTuple):
+    """Constants, d_m (mm), F_r, F_a (N), n (rpm), C_0 (N) and Y, where they are given."""
+
+    c: SkfConstants
+    mean: FloatArray
+    fr: FloatArray
+    fa: FloatArray
+    n: FloatArray
+    rating: ArrayLike | None
+    factor: ArrayLike | None
+
+
+_Both = tuple[FloatArray, FloatArray]
+"""G_rr and G_sl."""
+
+
+def _grooves(g: _Given) -> _Both:
+    c, mean, fr, fa = g.c, g.mean, g.fr, g.fa
     axial = fa > 0.0
-    if rating is None and np.any(axial):
+    if g.rating is None and np.any(axial):
         raise InputError(
             said("is needed for a deep-groove bearing with axial load"),
             field="static_load_rating",
             example="static_load_rating = 7800.0",
         )
-    c0 = checked_positive(1.0 if rating is None else rating, "static_load_rating")
+    c0 = checked_positive(1.0 if g.rating is None else g.rating, "static_load_rating")
     angle = np.radians(24.6) * (np.where(axial, fa, c0) / c0) ** 0.24
     sine = np.sin(angle)
     pushed = np.where(axial, fa, 0.0)
@@ -346,41 +305,53 @@ def _deep_groove(
     return rolling, np.where(axial, combined, c.s1 * mean**-0.26 * fr ** (5.0 / 3.0))
 
 
-def _angular_contact(
-    c: SkfConstants, mean: FloatArray, fr: FloatArray, fa: FloatArray, n: FloatArray
-) -> tuple[FloatArray, FloatArray]:
-    """G_rr and G_sl of angular-contact ball bearings."""
-    inertia = mean**4 * n**2
-    rolling = c.r1 * mean**1.97 * (fr + c.r3 * inertia + c.r2 * fa) ** 0.54
-    power = 4.0 / 3.0
-    sliding = c.s1 * mean**0.26 * ((fr + c.s3 * inertia) ** power + c.s2 * fa**power)
+def _inclined(g: _Given) -> _Both:
+    return _thrown(g, 4.0, 1.97, 0.26)
+
+
+def _sphere(g: _Given) -> _Both:
+    return _thrown(g, 3.5, 2.0, -0.12)
+
+
+def _thrown(g: _Given, thrown: float, rolls: float, slides: float) -> _Both:
+    """Balls that centrifugal forces press out; thrown, rolls, slides: powers of d_m."""
+    c, mean, power = g.c, g.mean, 4.0 / 3.0
+    inertia = mean**thrown * g.n**2
+    rolling = c.r1 * mean**rolls * (g.fr + c.r3 * inertia + c.r2 * g.fa) ** 0.54
+    sliding = c.s1 * mean**slides * ((g.fr + c.s3 * inertia) ** power + c.s2 * g.fa**power)
     return rolling, sliding
 
 
-def _self_aligning(
-    c: SkfConstants, mean: FloatArray, fr: FloatArray, fa: FloatArray, n: FloatArray
-) -> tuple[FloatArray, FloatArray]:
-    """G_rr and G_sl of self-aligning ball bearings."""
-    inertia = mean**3.5 * n**2
-    rolling = c.r1 * mean**2 * (fr + c.r3 * inertia + c.r2 * fa) ** 0.54
-    power = 4.0 / 3.0
-    sliding = c.s1 * mean**-0.12 * ((fr + c.s3 * inertia) ** power + c.s2 * fa**power)
-    return rolling, sliding
+def _washers(g: _Given) -> _Both:
+    return g.c.r1 * g.mean**1.83 * g.fa**0.54, g.c.s1 * g.mean**0.05 * g.fa ** (4.0 / 3.0)
 
 
-def _tapered(
-    c: SkfConstants, mean: FloatArray, fr: FloatArray, fa: FloatArray, factor: ArrayLike | None
-) -> tuple[FloatArray, FloatArray]:
-    """G_rr and G_sl of tapered roller bearings."""
-    if factor is None:
+def _cylinders(g: _Given) -> _Both:
+    rolling = g.c.r1 * g.mean**2.41 * g.fr**0.31
+    return rolling, g.c.s1 * g.mean**0.9 * g.fa + g.c.s2 * g.mean * g.fr
+
+
+def _cones(g: _Given) -> _Both:
+    if g.factor is None:
         raise InputError(
             said("is needed for a tapered roller bearing"),
             field="axial_factor",
             example="axial_factor = 1.6",
         )
-    pushed = checked_positive(factor, "axial_factor") * fa
-    rolling = c.r1 * mean**2.38 * (fr + c.r2 * pushed) ** 0.31
-    return rolling, c.s1 * mean**0.82 * (fr + c.s2 * pushed)
+    pushed = checked_positive(g.factor, "axial_factor") * g.fa
+    rolling = g.c.r1 * g.mean**2.38 * (g.fr + g.c.r2 * pushed) ** 0.31
+    return rolling, g.c.s1 * g.mean**0.82 * (g.fr + g.c.s2 * pushed)
+
+
+_FORMULAS: Final[Mapping[str, Callable[[_Given], _Both]]] = {
+    "grooves": _grooves,
+    "inclined": _inclined,
+    "sphere": _sphere,
+    "washers": _washers,
+    "cylinders": _cylinders,
+    "cones": _cones,
+}
+"""The equations of table 2a, by their names in data/skf_friction.toml."""
 
 
 def _known(table: Mapping[Any, float], word: str, field: str) -> float:
@@ -398,7 +369,7 @@ def _of_bearing(setting: Setting) -> Torque:
     speed = relative_speed(setting.solved)
     moments = [_moment(setting, machine) for machine in setting.machines]
     whole = added([skf_torque(moment, speed) for moment in moments])
-    if any(one.constants.kind not in ROLLERS_FULL_FILM for one in setting.machines):  # type: ignore[union-attr]
+    if not all(TYPES[one.kind].has_rollers for one in setting.machines):
         return whole
     return replace(whole, starting=np.sum([moment.starting for moment in moments], axis=0))
 

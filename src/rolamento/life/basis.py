@@ -541,7 +541,11 @@ def listed_factors(solved: Solved, angles: FloatArray) -> ListedFactors | None:
     found = set()
     for place in solved.delivered_case.bearing.places:
         row, published = place.bearing, place.bearing.published
-        if row.element != "tapered" or published is None or row.contact_angle is None:
+        if (
+            not row.bearing_type.axial_limit_of_maker
+            or published is None
+            or row.contact_angle is None
+        ):
             return None
         if row.origins.get("contact_angle") == "given":
             return None

@@ -55,7 +55,7 @@ class RibLoad:
         ribbed = "none" not in (
             getattr(bearing, "inner_ribs", "none"), getattr(bearing, "outer_ribs", "none")
         )  # fmt: skip
-        if bearing.element != "cylindrical" or len(solved.rows) > 1 or not ribbed:
+        if not bearing.bearing_type.ribbed or len(solved.rows) > 1 or not ribbed:
             return None
         if published is None or published.width is None:
             return None

@@ -26,7 +26,6 @@ from rolamento.numerics import BoolArray, FloatArray
 from rolamento.ratings import (
     SELF_ALIGNING_CONFORMITY,
     RatedType,
-    RollerKind,
     RollerRated,
     dynamic_factor,
     dynamic_factor_of_grooves,
@@ -38,6 +37,7 @@ from rolamento.ratings import (
 )
 from rolamento.records import frozen
 from rolamento.solved import Rows, Solved
+from rolamento.types import type_of_element
 from rolamento.words import said
 
 Rated = RatedType | RollerRated
@@ -155,7 +155,11 @@ def ratings_of(solved: Solved, angle: FloatArray, given: LifeConditions) -> Rati
         for index, place in enumerate(bearing.places):
             dynamic[:, index] = _listed(place, "dynamic_rating", dynamic[:, index])
             static[:, index] = _listed(place, "static_rating", static[:, index])
-    share = _ROLLER_ROW_SHARE if all(e != "ball" for e in rows.element) else _ROW_SHARE
+    share = (
+        _ROLLER_ROW_SHARE
+        if all(type_of_element(e).has_rollers for e in rows.element)
+        else _ROW_SHARE
+    )
     dynamic = _rating_or(given.dynamic_rating, dynamic, together**share)
     if given.static_rating is None and not steel:
         static = np.full(shape, np.nan)
@@ -204,24 +208,18 @@ def ratings_of(solved: Solved, angle: FloatArray, given: LifeConditions) -> Rati
     )
 
 
-def rated_as(bearing: Bearing) -> RatedType:
-    """By which formula of the standards a ball bearing is rated."""
-    return bearing.kind if bearing.kind in ("thrust", "self_aligning") else "radial"
-
-
 def row_kinds(solved: Solved) -> tuple[Rated, ...]:
     """By which formula of the standards each row is rated."""
     bearing = solved.case.bearing
-    if isinstance(bearing, Bearing) and all(e == "ball" for e in solved.rows.element):
-        return (rated_as(bearing),) * len(solved.rows)
+    if not any(type_of_element(one).has_rollers for one in solved.rows.element):
+        return (bearing.bearing_type.rated,) * len(solved.rows)
     return tuple(_kind_of_place(place) for place in bearing.places)
 
 
 def _kind_of_place(place: RowPlace) -> Rated:
     own = place.bearing
-    if isinstance(own, Bearing):
-        return rated_as(own)
-    return "roller_thrust" if own.row_angle > MAXIMUM_ANGLE * (1.0 + _SAME) else "roller"
+    steep = own.bearing_type.has_rollers and own.row_angle > MAXIMUM_ANGLE * (1.0 + _SAME)
+    return "roller_thrust" if steep else own.bearing_type.rated
 
 
 def nominal_contact_angle(solved: Solved) -> FloatArray:
@@ -265,16 +263,6 @@ def has_steel_elements(solved: Solved) -> bool:
     )
 
 
-def _roller_kind(place: RowPlace) -> RollerKind:
-    """What b_m depends on: drawn cups are recognised by their designation."""
-    published = place.bearing.published
-    if published is not None and str(published.kind) == "drawn_cup":
-        return "drawn_cup"
-    element = place.bearing.element
-    assert element in ("cylindrical", "tapered", "needle")
-    return element
-
-
 def _by_geometry(
     solved: Solved, angle: FloatArray, kind: Rated, own: np.ndarray[tuple[int], np.dtype[np.intp]]
 ) -> tuple[FloatArray, FloatArray]:
@@ -286,7 +274,7 @@ def _by_geometry(
         thrust = kind == "roller_thrust"
         shape = (*inside, rows.effective_length[:, own], *around)
         static = roller_static_rating(*shape, thrust=thrust)
-        names = [_roller_kind(solved.case.bearing.places[index]) for index in own]
+        names = [solved.case.bearing.places[index].bearing.listed_type.key for index in own]
         columns = [
             roller_dynamic_rating(*(np.asarray(v)[..., i] for v in shape), kind=name, thrust=thrust)
             for i, name in enumerate(names)
@@ -366,7 +354,7 @@ def _drops(
     size = {"length": length[:, np.newaxis], "diameter": diameter[:, np.newaxis]}
     profiles = (bearing.roller_profile, bearing.inner_profile, bearing.outer_profile)
     roller, inner, outer, standard = (
-        drop(profile, x, tapered=bearing.element == "tapered", **size)
+        drop(profile, x, tapered=bearing.bearing_type.conical, **size)
         for profile in (*profiles, Profile(kind="iso"))
     )
     return roller + inner, roller + outer, standard

@@ -15,7 +15,6 @@ from rolamento.errors import InputError
 from rolamento.geometry import Race
 from rolamento.io.json import plain
 from rolamento.lubrication.film_thickness import (
-    BEARING_TYPE,
     FilmGroups,
     aihara,
     central_film,
@@ -38,6 +37,7 @@ from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.blocks import in_blocks
 from rolamento.records import frozen, span
 from rolamento.solved import NO_LOAD, RACES, Contacts, Solved, refuse_other
+from rolamento.types import BALL
 from rolamento.words import Note, said
 
 ROOM_TEMPERATURE: Final = 293.15
@@ -204,12 +204,12 @@ class Film:
         """The elements of one case: balls, and rollers where there are some."""
         kinds = _kinds(self.case)
         found: dict[str, list[dict[str, Any]]] = {"balls": []}
-        if set(kinds) != {"ball"}:
+        if set(kinds) != {BALL}:
             found["rollers"] = []
         rows, azimuths = self.row[case].tolist(), plain(self.azimuth[case])
         races = (self.inner.entries(case), self.outer.entries(case))
         for row, azimuth, inner, outer in zip(rows, azimuths, *races, strict=True):
-            found["balls" if kinds[row] == "ball" else "rollers"].append(
+            found["balls" if kinds[row] == BALL else "rollers"].append(
                 {"row": row, "azimuth": azimuth, "inner": inner, "outer": outer}
             )
         return found
@@ -477,11 +477,4 @@ def _refill(case: Case, model: FilmModel, oil: OilState, speed: FloatArray) -> F
 
 def refilled_kind(case: Case) -> str:
     """The kind of bearing that the factor of replenishment has a constant for."""
-    bearing = case.bearing
-    if bearing.element != "ball":
-        return "tapered" if bearing.element == "tapered" else "cylindrical"
-    if bearing.kind in BEARING_TYPE:
-        return str(bearing.kind)
-    if bearing.published is not None and bearing.published.kind == "double_row":
-        return "double_row"
-    return "deep_groove" if bearing.contact_angle is None else "angular_contact"
+    return case.bearing.listed_type.key

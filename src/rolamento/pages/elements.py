@@ -17,6 +17,7 @@ from rolamento.geometry import Race
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.solved import RACES, Solved
 from rolamento.solved.form import control_names
+from rolamento.types import type_of_element
 from rolamento.words import decimals_for, in_unit, manner, said, said_in
 
 if TYPE_CHECKING:
@@ -92,7 +93,7 @@ def _heaviest_ball(solved: Solved, ball: int) -> Section:
 def _heaviest_roller(solved: Solved, roller: int) -> Section:
     rollers = solved.rollers
     assert rollers is not None
-    tapered = solved.rows.element[solved.elements.row[roller]] == "tapered"
+    tapered = type_of_element(solved.rows.element[solved.elements.row[roller]]).conical
     first = (
         (said("load"), "N", "load"),
         *([(said("contact angle"), "°", "contact_angle")] if tapered else []),
@@ -497,7 +498,7 @@ def rollers_table(solved: Solved) -> Table:
     if _turning(solved):
         symbols.append(said("F_c centrifugal force"))
         columns.append(own("F_c", "N", of_element("centrifugal_force"), "centrifugal_force", 5))
-        if "tapered" in solved.rows.element:
+        if any(type_of_element(one).conical for one in solved.rows.element):
             symbols.append(said("M_g gyroscopic moment"))
             moment = of_element("gyroscopic_moment")
             columns.append(own("M_g", "N·mm", moment, "gyroscopic_moment"))

@@ -24,6 +24,7 @@ from rolamento.document import (
 from rolamento.pages.data import in_files
 from rolamento.pages.given import reason
 from rolamento.pages.notes import cautions, notes_section, remarks_of
+from rolamento.types import type_of_element
 from rolamento.vibration.frequencies import ABBREVIATIONS, FAULTS, FaultFrequencies, LineName
 from rolamento.vibration.frequency_band import Alternative
 from rolamento.words import marked, said, said_in, worded
@@ -120,7 +121,7 @@ def balls_of(bearing: Bearing | RollerBearing, frequencies: FaultFrequencies) ->
 
 def contact_angle(frequencies: FaultFrequencies) -> str:
     """Say which contact angle the frequencies are of."""
-    if frequencies.element == "tapered":
+    if type_of_element(frequencies.element).conical:
         return said(
             "contact angles {inner:.4 °} (inner) and {outer:.4 °} (outer)",
             inner=frequencies.inner_contact_angle,

@@ -43,14 +43,8 @@ def head(solved: Solved) -> Section:
 
 def untitled(case: Case) -> str:
     """Return what a case without a title is called: by what rolls in it."""
-    names = {
-        "ball": said("Ball bearing"),
-        "cylindrical": said("Cylindrical roller bearing"),
-        "tapered": said("Tapered roller bearing"),
-        "needle": said("Needle roller bearing"),
-    }
-    kinds = {place.bearing.element for place in case.bearing.places}
-    return names[kinds.pop()] if len(kinds) == 1 else said("Set of bearings of several kinds")
+    names = {place.bearing.bearing_type.untitled for place in case.bearing.places}
+    return said(names.pop()) if len(names) == 1 else said("Set of bearings of several kinds")
 
 
 def quantity(value: float, dimension: Dimension) -> str:
@@ -79,7 +73,7 @@ def _balls(bearing: Bearing) -> str:
 
 
 def _grooves(bearing: Bearing) -> str:
-    if bearing.kind == "self_aligning":
+    if bearing.bearing_type.aligns:
         return said(
             "{play}, conformity {inner:.5} inner, outer race a sphere of radius {radius}",
             play=_play(bearing),
@@ -102,28 +96,12 @@ def _rollers(bearing: RollerBearing) -> str:
         "length": quantity(_short(bearing.effective_length), "length"),
         "pitch": quantity(_short(bearing.pitch_diameter), "length"),
     }
-    return {
-        "cylindrical": said(
-            "{count} cylindrical rollers of {diameter}, effective length {length}, pitch diameter"
-            " {pitch}",
-            **values,
-        ),
-        "tapered": said(
-            "{count} tapered rollers of {diameter} mean diameter, effective length {length}, pitch"
-            " diameter {pitch}",
-            **values,
-        ),
-        "needle": said(
-            "{count} needle rollers of {diameter}, effective length {length}, pitch diameter"
-            " {pitch}",
-            **values,
-        ),
-    }[bearing.element]
+    return said(bearing.bearing_type.described, **values)
 
 
 def _between_rings(bearing: RollerBearing) -> str:
     """The angles of tapered rollers, or the clearance and the ribs of others."""
-    if bearing.element == "tapered":
+    if bearing.bearing_type.conical:
         return said(
             "contact angle {angle:.5 °} at the outer race, half angle of the rollers {half:.4 °}",
             angle=bearing.row_angle,
@@ -216,9 +194,9 @@ def facing(bearing: RollingBearing, place: RowPlace) -> str:
 
 def _arrangement_lines(bearing: RollingBearing) -> list[str]:
     """Say how the rows of a set are arranged and preloaded; nothing of a plain bearing."""
-    if bearing.kind == "thrust":
+    if bearing.bearing_type.washers:
         return [said("thrust bearing: carries axial load toward +x")]
-    if bearing.kind == "four_point":
+    if bearing.bearing_type.has_arches:
         return [
             said(
                 "four-point contact, shim angle {angle}; rows 0 and 1 are the contacts of the same"

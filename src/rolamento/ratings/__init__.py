@@ -19,7 +19,6 @@ from rolamento.ratings.balls import (
     thrust_static_factor,
 )
 from rolamento.ratings.rollers import (
-    RollerKind,
     RollerRated,
     roller_dynamic_factor,
     roller_dynamic_rating,
@@ -32,7 +31,6 @@ __all__ = [
     "SELF_ALIGNING_CONFORMITY",
     "THRUST_CONFORMITY",
     "RatedType",
-    "RollerKind",
     "RollerRated",
     "dynamic_factor",
     "dynamic_factor_of_grooves",

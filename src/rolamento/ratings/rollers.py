@@ -13,7 +13,7 @@ Lundberg and Palmgren (1952), as in ISO/TR 1281-1. The tables are in data/iso_ra
 
 from __future__ import annotations
 
-from typing import Final, Literal, get_args
+from typing import Final, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -23,9 +23,6 @@ from rolamento.errors import InputError
 from rolamento.io.data import toml_of
 from rolamento.numerics import FloatArray
 from rolamento.words import said
-
-RollerKind = Literal["cylindrical", "tapered", "needle", "drawn_cup", "spherical"]
-"""What b_m depends on: needle roller bearings have machined rings, or are drawn cups."""
 
 RollerRated = Literal["roller", "roller_thrust"]
 """What the standards rate by one formula, beside the `RatedType` of ball bearings: radial roller
@@ -101,7 +98,7 @@ def roller_dynamic_rating(
     pitch_diameter: ArrayLike,
     contact_angle: ArrayLike = 0.0,
     *,
-    kind: RollerKind = "cylindrical",
+    kind: str = "cylindrical",
     thrust: bool = False,
     rows: ArrayLike = 1,
     factor: ArrayLike | None = None,
@@ -117,7 +114,7 @@ def roller_dynamic_rating(
     contact_angle
         α, of the outer raceway of a tapered bearing, in rad.
     kind
-        Of the bearing: b_m depends on it.
+        Type of bearing: b_m depends on it.
     thrust
         Whether it is rated for axial load.
     rows
@@ -212,7 +209,7 @@ def _races(g: FloatArray, inner: float) -> FloatArray:
 def _bearing_factor(kind: str, thrust: bool) -> float:
     factors = toml_of("iso_ratings")["roller_thrust" if thrust else "roller"]["bm"]
     if kind not in factors:
-        known = [name for name in get_args(RollerKind) if name in factors]
+        known = list(factors)
         raise InputError(
             said("must be one of {known}", known=", ".join(known)),
             field="kind",

@@ -61,7 +61,7 @@ def roller_outline(solved: Solved, roller: int) -> RollerOutline:
             place,
             length=row.effective_length,
             diameter=row.roller_diameter,
-            tapered=row.element == "tapered",
+            tapered=row.bearing_type.conical,
         )
 
     own = dropped(row.roller_profile)

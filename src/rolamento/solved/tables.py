@@ -329,7 +329,7 @@ class Rows:
     modulus
         E' of element and ring (Pa)
     element
-        what rolls in each row: "ball", "cylindrical", "tapered" or "needle"; (rows,)
+        what rolls in each row, as a case file has it: "ball", "tapered" …; (rows,)
     effective_length
         L_we of the line of contact of rollers, NaN of balls (m)
     """

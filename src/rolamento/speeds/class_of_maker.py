@@ -13,6 +13,7 @@ from math import degrees, pi
 from typing import Any, Final, NamedTuple
 
 from rolamento.io.data import toml_of
+from rolamento.types import of_balls
 from rolamento.words import Note
 
 __all__ = ["SpeedClass", "speed_class"]
@@ -71,7 +72,7 @@ def speed_class(series: str, contact_angle: float | None) -> SpeedClass | None:
             continue
         grease, oil = (_mean(row, name) for name in ("grease", "oil"))
         rollers = row.get("rollers", False)
-        kind = "deep_groove" if angle is None else "angular_contact"
+        kind = of_balls(angled=angle is not None).key
         high = float("nan") if rollers else oil * data[f"high_speed_{kind}"]
         bearings = ", ".join(bearing["name"] for bearing in row["bearings"])
         source = data["source_of_rollers" if rollers else "source"]

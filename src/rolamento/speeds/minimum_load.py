@@ -66,7 +66,7 @@ class RollerLoadFactor(NamedTuple):
 
 def roller_load_factor(series: str) -> RollerLoadFactor | None:
     """Return k_r of a series such as ``"NU2"``; None where there is none."""
-    for row in toml_of("speeds")["minimum_load"]["rollers"]["cylindrical"]:
+    for row in toml_of("speeds")["minimum_load"]["rollers"]["by_series"]:
         if series in row["series"]:
             return RollerLoadFactor(row["k_r"], row.get("checked", True))
     return None

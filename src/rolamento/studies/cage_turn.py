@@ -162,7 +162,7 @@ class CageTurn:
 
     @property
     def elements(self) -> tuple[str, ...]:
-        """What rolls in each row: "ball", "cylindrical", "tapered" or "needle"."""
+        """What rolls in each row, as a case file has it."""
         return tuple(place.bearing.element for place in self.case.bearing.places)
 
     @property

@@ -65,7 +65,7 @@ def refuse_lifeless(case: Case, varied: frozenset[str]) -> None:
     if any(name.startswith(("bearing.", "life.")) for name in varied):
         return
     angle = np.array([row.contact_angle or 0.0 if row.element == "ball" else 0.0 for row in rows])
-    if case.bearing.kind == "thrust":
+    if case.bearing.bearing_type.washers:
         return
     if np.any(angle > MAXIMUM_ANGLE * (1.0 + 1e-9)):
         raise InputError(

@@ -76,7 +76,7 @@ def mounted_clearance(case: Case) -> Mounted:
 
 def _notes_on(found: OperatingClearance) -> tuple[Note, ...]:
     """What its page says; the sum of the steps is there already, unless it is no clearance."""
-    return clearance_notes(found) if found.bearing.element == "tapered" else found.warnings
+    return clearance_notes(found) if found.bearing.bearing_type.conical else found.warnings
 
 
 def mounted_samples(case: Case, samples: int, seed: int) -> ClearanceSamples:

@@ -54,14 +54,6 @@ _SPINDLE_ANGLE: Final = math.radians(26.0)
 _LOAD_SHARE: Final = 0.1
 _LOAD: Final = 1000.0
 """To start with: this share of C, or this force (N) where no rating is known."""
-_AXIAL: Final = ("angular_contact", "double_row", "four_point", "thrust", "tapered")
-_ONLY_AXIAL: Final = ("thrust",)
-_WITHOUT_EFFECT: Final[Mapping[str, tuple[str, ...]]] = {
-    "tapered": ("inner_ribs", "outer_ribs", "axial_play"),
-    "cylindrical": ("preload",),
-    "needle": ("preload",),
-}
-"""Fields that a bearing of such rollers takes, and that change nothing."""
 _FRICTION: Final = ('model.raceway_control = "friction"',)
 _REPLENISHED: Final = ('film.starvation = "replenishment"',)
 _WITH: Final[Mapping[str, tuple[str, ...]]] = {
@@ -136,7 +128,7 @@ def _matters(name: str, bearing: Bearing | RollerBearing | None) -> bool:
     table, _, leaf = name.rpartition(".")
     record = Bearing if bearing is None else type(bearing)
     if table == "bearing":
-        other = () if bearing is None else _WITHOUT_EFFECT.get(bearing.element, ())
+        other = () if bearing is None else bearing.bearing_type.idle_fields
         return leaf in record.model_fields and leaf not in other
     return of_elements(name, ["ball" if bearing is None else bearing.element])
 
@@ -269,8 +261,8 @@ def _by_designation(bearing: Bearing | RollerBearing) -> dict[str, Any]:
     angle = bearing.contact_angle if isinstance(bearing, Bearing) else None
     spindle = angle is not None and angle < _SPINDLE_ANGLE
     speed = _rounded(1e3 * _SPEED_FACTOR[spindle] / bearing.pitch_diameter)
-    loads = {} if published.kind in _ONLY_AXIAL else {"duty.load.fz": from_si(load, "force")}
-    if published.kind in _AXIAL or bearing.contact_angle is not None:
+    loads = {} if published.type.washers else {"duty.load.fz": from_si(load, "force")}
+    if published.type.carries_axial or bearing.contact_angle is not None:
         loads["duty.load.fx"] = from_si(load, "force")
     return {
         "title": str(bearing.designation),

@@ -31,7 +31,7 @@ from rolamento.life.iso281 import MAXIMUM_LOAD
 from rolamento.lubrication.film_thickness import COMPUTED_RANGE
 from rolamento.notes import SPEED_LIMIT, TILT_LIMIT, pressure_limit
 from rolamento.records import frozen
-from rolamento.roller_notes import USUAL_MISALIGNMENT, are_rollers, misalignment
+from rolamento.roller_notes import are_rollers, misalignment, usual_misalignments
 from rolamento.solved import RACES
 from rolamento.studies.names import setting_name
 from rolamento.tasks.bearing import BearingLike
@@ -692,7 +692,7 @@ def _checks(analysis: Analysis) -> Iterator[Check]:
     tilt = max(abs(float(solved.displacement.ry[0])), abs(float(solved.displacement.rz[0])))
     yield Check("tilt", 0.0, tilt, high=TILT_LIMIT)
     if rollers.any():
-        limit = min(USUAL_MISALIGNMENT.get(kind, inf) for kind in solved.rows.element)
+        limit = min((one for one, _ in usual_misalignments(solved)), default=inf)
         yield Check("misalignment", 0.0, misalignment(solved), high=limit)
     speed = max(abs(float(solved.field(f"duty.{race}_speed")[0])) for race in RACES)
     pitch = float(solved.rows.pitch_diameter[0].max())

@@ -46,6 +46,7 @@ from rolamento.speeds import (
 )
 from rolamento.speeds.permissible import LEAST_PRODUCT, HeatShares
 from rolamento.tasks.bearing import BearingLike, name_of
+from rolamento.types import of_balls
 from rolamento.words import Note, said
 
 __all__ = ["Boundary", "MinimumLoad", "SpeedLimit", "SpeedLimits", "speed_limits"]
@@ -358,16 +359,16 @@ def _series(
     Only deep-groove and angular-contact bearings have a series by their size alone.
     """
     if told is not None:
-        named, kind = told.designation, told.bearing.kind
+        named, kind = told.designation, told.bearing.type
         if not named.series:  # found by its whole name: its letters were not taken apart
             listed = parse_designation(told.bearing.designation)
-            named = listed if listed.is_angular_contact or listed.kind == kind else named
-        if kind == "angular_contact" and not named.is_angular_contact:
+            named = listed if listed.is_angular_contact or listed.kind == kind.key else named
+        if kind.in_pairs and not named.is_angular_contact:
             if named.series:  # GMN's S 6012 C has the size of a 7012
                 return _ISO_SERIES.get(named.series, "")
         elif named.series:
             return f"{named.bearing_type}{named.series}"
-        if kind not in ("deep_groove", "angular_contact"):
+        if kind not in (of_balls(angled=False), of_balls(angled=True)):
             return ""
     if isinstance(bearing, RollerBearing) or bearing.kind is not None:
         return ""
@@ -381,7 +382,10 @@ def _series_of_size(bore: float | None, outside: float | None, angular: bool) ->
     from rolamento.catalogue import catalogue, parse_designation
 
     for one in catalogue().bearings:
-        if one.kind != "deep_groove" or (one.bore, one.outside_diameter) != (bore, outside):
+        if one.type != of_balls(angled=False) or (one.bore, one.outside_diameter) != (
+            bore,
+            outside,
+        ):
             continue
         found = parse_designation(one.designation).series
         if found and found != "160":
@@ -403,7 +407,8 @@ class _Asked:
     @property
     def told_of(self) -> dict[str, Any]:
         """Words by which the sentences distinguish rollers."""
-        return {} if self.element == "ball" else {"element": self.element}
+        kind = self.case.bearing.places[0].bearing.bearing_type
+        return {"element": kind.element, "paired": kind.conical} if kind.has_rollers else {}
 
     @property
     def speed(self) -> float:
@@ -456,7 +461,7 @@ class _Asked:
     def _thermal(self, limits: list[SpeedLimit], notes: list[Note]) -> HeatShares | None:
         """Reference and permissible speed; K_L and K_P."""
         given = self.boundary
-        if self.case.bearing.kind == "thrust":
+        if self.case.bearing.bearing_type.washers:
             notes.append(Note("no_reference_speed_of_thrust"))
             return None
         found = reference_coefficients(given.series)
@@ -483,10 +488,10 @@ class _Asked:
             notes.append(Note("no_permissible_speed"))
             return None
         radial, axial = (load / given.rows for load in self.loads)
-        kind: Any = "deep_groove" if given.contact_angle is None else "angular_contact"
-        if self.element != "ball":
-            kind = self.element
-        load = float(friction_load(radial, axial, kind, given.contact_angle or 0.0))
+        kind = self.case.bearing.places[0].bearing.bearing_type
+        if not kind.has_rollers:
+            kind = of_balls(angled=given.contact_angle is not None)
+        load = float(friction_load(radial, axial, kind.key, given.contact_angle or 0.0))
         mean = 0.5 * (given.bore + given.outside_diameter)
         shares = heat_shares(
             speed, mean, reference_heat_flow(*sizes), viscosity=self.viscosity, load=load,
@@ -619,11 +624,11 @@ class _Asked:
         given, (radial, axial) = self.boundary, self.loads
         found = []
         share = minimum_share() or 0.0
-        if isfinite(given.dynamic_rating) and self.case.bearing.kind != "thrust":
+        if isfinite(given.dynamic_rating) and not self.case.bearing.bearing_type.washers:
             needed = share * given.dynamic_rating * given.rows**_ROW_SHARE
             source = Note("source_minimum_share", {"share": share})
             found.append(MinimumLoad("share", needed, self._equivalent_load(), source))
-        if self.case.bearing.kind == "thrust" and isfinite(given.static_rating):
+        if self.case.bearing.bearing_type.washers and isfinite(given.static_rating):
             published = self.case.bearing.published
             listed = None if published is None else published.limiting_speed
             needed = float(minimum_thrust_load(given.static_rating, self.speed, listed))

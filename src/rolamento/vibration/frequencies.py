@@ -172,7 +172,7 @@ class FaultFrequencies:
     notes
         what a user should know
     element
-        what rolls: "ball", "cylindrical", "tapered" or "needle"
+        what rolls, as a case file has it: "ball", "tapered" …
     """
 
     source: Literal["nominal", "loaded"]
@@ -437,7 +437,7 @@ def frequencies_of(solved: Solved, *, slip: float = 0.0) -> FaultFrequencies:
     loads = np.where(solved.loaded[0], solved.inner.load[0], 0.0)
     carried = np.add.reduceat(loads, solved.rows.starts)
     leading = rows[int(np.argmax(carried))]
-    if solved.case.bearing.kind == "four_point":  # the same balls and cage
+    if solved.case.bearing.bearing_type.has_arches:  # the same balls and cage
         return replace(leading, row=0)
     return replace(leading, rows=tuple(rows))
 

@@ -291,7 +291,7 @@ def _angles(
     bearing: Bearing | RollerBearing, contact_angle: float | AngleChoice, allowed: Tolerances
 ) -> Interval:
     angle, _ = nominal_angle(bearing, contact_angle)
-    if isinstance(bearing, RollerBearing) and bearing.element != "tapered":
+    if isinstance(bearing, RollerBearing) and not bearing.bearing_type.conical:
         return angle, angle
     if allowed.contact_angle is not None:
         spread = allowed.contact_angle

@@ -17,6 +17,7 @@ from rolamento.case.labels import choice_label
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.pages.report import TABLES
 from rolamento.tasks.report import Input
+from rolamento.types import BALL, ROLLER, TYPES
 from rolamento.units import Dimension, from_si, to_si, usual_units
 from rolamento.words import said
 
@@ -60,7 +61,10 @@ _CUSTOMARY: Final[Mapping[Dimension, tuple[str, ...]]] = {
     "temperature": ("degF",),
 }
 """Units that are read too, beside the usual ones of a dimension."""
-_ELEMENTS: Final = {"ball": ("ball",), "roller": ("cylindrical", "tapered", "needle")}
+_ELEMENTS: Final = {
+    rolls: tuple(dict.fromkeys(one.element for one in TYPES.values() if one.rolls == rolls))
+    for rolls in (BALL, ROLLER)
+}
 _MICROMETRES: Final = {"um": "µm"}
 """For keyboards without the sign; the form offers the sign alone."""
 _OF_SETS: Final = ("bearing.preload", "bearing.spacing")

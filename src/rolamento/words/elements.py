@@ -15,7 +15,7 @@ def worded(elements: Iterable[str], balls: str, rollers: str, both: str = "") ->
     Parameters
     ----------
     elements
-        Of each row: ``"ball"``, ``"cylindrical"``, ``"tapered"`` or ``"needle"``.
+        Of each row, as a case file has it: ``"ball"``, ``"tapered"`` …
     balls, rollers
         What is said of each.
     both

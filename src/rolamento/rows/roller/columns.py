@@ -158,8 +158,8 @@ def numbers_of(
     duty, model = case.duty, case.model
     coupled = model.roller_contact == "coupled"
     if any(name.startswith("bearing.") for name in varied):
-        element = place.bearing.element
-        geometry = geometry_of(bearing, element == "tapered", model.slices, coupled, cases)
+        conical = place.bearing.bearing_type.conical
+        geometry = geometry_of(bearing, conical, model.slices, coupled, cases)
     else:
         geometry = _alone(place.bearing, model.slices, coupled).repeated(cases)
     p, body, axis = geometry.p, geometry.body, geometry.axis
@@ -183,7 +183,7 @@ def numbers_of(
 @lru_cache(maxsize=64)
 def _alone(bearing: RollerBearing, slices: int, coupled: bool) -> Geometry:
     """Row index of a bearing of one row; not to be written to."""
-    return geometry_of(bearing, bearing.element == "tapered", slices, coupled, 1)
+    return geometry_of(bearing, bearing.bearing_type.conical, slices, coupled, 1)
 
 
 def geometry_of(bearing: Any, tapered: bool, slices: int, coupled: bool, cases: int) -> Geometry:

@@ -89,24 +89,19 @@ def _edges_bear(values: Values) -> str:
 
 def _rollers_misaligned(values: Values) -> str:
     numbers = {"tilt": values["tilt"], "limit": values["limit"]}
-    if values["element"] == "cylindrical":
+    if "of_wide" in values:
         return said(
             "The rings are tilted against each other by {tilt:.2f mrad}: makers permit about"
-            " {limit:.1f mrad} of most cylindrical roller bearings under normal loads, and half of"
-            " it of wide ones. The skew of the rollers that tilt causes is not modelled.",
-            **numbers,
-        )
-    if values["element"] == "tapered":
-        return said(
-            "The rings are tilted against each other by {tilt:.2f mrad}: makers permit about"
-            " {limit:.1f mrad} of most tapered roller bearings under normal loads. The skew of the"
-            " rollers that tilt causes is not modelled.",
+            " {limit:.1f mrad} of most bearings of this type under normal loads, and"
+            " {of_wide:.1f mrad} of wide ones. The skew of the rollers that tilt causes is not"
+            " modelled.",
+            of_wide=values["of_wide"],
             **numbers,
         )
     return said(
         "The rings are tilted against each other by {tilt:.2f mrad}: makers permit about"
-        " {limit:.1f mrad} of most needle roller bearings. The skew of the rollers that tilt"
-        " causes is not modelled.",
+        " {limit:.1f mrad} of most bearings of this type under normal loads. The skew of the"
+        " rollers that tilt causes is not modelled.",
         **numbers,
     )
 

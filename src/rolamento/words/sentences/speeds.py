@@ -100,7 +100,7 @@ def _no_class(values: Mapping[str, Any]) -> str:
 
 
 def _below(values: Mapping[str, Any]) -> str:
-    if values.get("element") == "tapered":
+    if values.get("paired"):
         return said(
             "The load does not reach the minimum load: the rollers may slide. Preload the pair."
         )

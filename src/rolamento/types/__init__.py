@@ -1,0 +1,91 @@
+"""The types of bearings: a file each, and one registry; nothing else in the house names a type.
+
+A type says what sets it apart in words that the laws ask for: how its elements are shaped, what
+its case files have, by which formula it is rated, what a maker lists of it. Tables of figures by
+type (friction, speeds, ratings, clearances) stand in data files, under its key.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import Final, Literal, get_args
+
+from rolamento.types import (
+    angular_contact,
+    cylindrical,
+    deep_groove,
+    double_row,
+    four_point,
+    needle,
+    self_aligning,
+    tapered,
+    thrust_ball,
+)
+from rolamento.types._type import BALL, ROLLER, BearingType, Ribs
+
+__all__ = [
+    "BALL",
+    "ROLLER",
+    "TYPES",
+    "BearingKey",
+    "BearingType",
+    "Element",
+    "Grooves",
+    "Ribs",
+    "RollerElement",
+    "of_balls",
+    "of_grooves",
+    "type_of_element",
+]
+
+BearingKey = Literal[
+    "deep_groove", "angular_contact", "double_row", "four_point", "self_aligning", "thrust",
+    "cylindrical", "tapered", "needle", "drawn_cup",
+]  # fmt: skip
+"""Keys of the types, as a catalogue has them."""
+RollerElement = Literal["cylindrical", "tapered", "needle"]
+Element = Literal["ball", "cylindrical", "tapered", "needle"]
+"""What rolls in a row, as a case file has it."""
+Grooves = Literal["four_point", "self_aligning", "thrust"]
+"""What balls roll in, where it is not one groove a ring."""
+
+TYPES: Final[Mapping[str, BearingType]] = MappingProxyType(
+    {
+        one.key: one
+        for one in (
+            deep_groove.TYPE,
+            angular_contact.TYPE,
+            double_row.TYPE,
+            four_point.TYPE,
+            self_aligning.TYPE,
+            thrust_ball.TYPE,
+            cylindrical.TYPE,
+            tapered.TYPE,
+            needle.TYPE,
+            needle.DRAWN_CUP,
+        )
+    }
+)
+"""Every type by its key, in the order in which they are shown."""
+assert tuple(TYPES) == get_args(BearingKey)
+
+_BY_GROOVES: Final = {one.grooves: one for one in TYPES.values() if one.grooves}
+_BY_ELEMENT: Final[dict[str, BearingType]] = {}
+for _one in TYPES.values():
+    _BY_ELEMENT.setdefault(_one.element, _one)
+
+
+def type_of_element(element: str) -> BearingType:
+    """Return the plain type of a rolling element, a key of a case file such as ``"tapered"``."""
+    return _BY_ELEMENT[element]
+
+
+def of_balls(*, angled: bool) -> BearingType:
+    """Return the type of a row of balls in plain grooves, by whether it has a contact angle."""
+    return angular_contact.TYPE if angled else deep_groove.TYPE
+
+
+def of_grooves(grooves: str) -> BearingType:
+    """Return the type of ball bearing by its grooves, such as ``"four_point"``."""
+    return _BY_GROOVES[grooves]

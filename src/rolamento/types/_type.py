@@ -1,0 +1,138 @@
+"""What there is to know of a type of bearing, beside its tables of figures."""
+
+from __future__ import annotations
+
+from typing import Final, Literal
+
+from rolamento.ratings import RatedType, RollerRated
+from rolamento.records import frozen
+
+BALL: Final = "ball"
+ROLLER: Final = "roller"
+Ribs = Literal["none", "+", "-", "both"]
+"""At which ends of the rollers a ring has a rib: toward +x, toward -x, or both."""
+
+
+@frozen(kw_only=True)
+class BearingType:
+    """A type of bearing.
+
+    Attributes
+    ----------
+    key
+        What catalogues and data files call it.
+    name
+        Within a sentence: "tapered roller bearing"; to be translated.
+    called
+        Words that catalogues have for it, in several languages.
+    untitled
+        What a case without a title is called, by what rolls in it; to be translated.
+    element
+        What rolls in it, as a case file has it.
+    grooves
+        ``kind`` of a `rolamento.Bearing` that is such a bearing; None of one groove a ring, and
+        of rollers.
+    adjective
+        Of its grooves, to be translated; empty without.
+    row
+        Module and function that make a row of many cases.
+    rated
+        By which formula of the standards: a `RatedType` or `RollerRated` of `rolamento.ratings`.
+    in_pairs
+        Whether a contact angle is what it is chosen by: angular-contact bearings, set side by side.
+    rows
+        Rows of rolling elements of such a bearing in a catalogue.
+    rated_together
+        Whether its rows have one rating.
+    contacts_per_ring
+        Arcs that a ball has in each ring.
+    conical
+        Whether its rollers are cones: their angle takes the place of a clearance, they carry axial
+        load one way, and lean on a rib at their large end.
+    floats
+        Whether it lets the shaft shift, but for its ribs.
+    aligns
+        Whether a race is a sphere, so that no ring holds a moment.
+    washers
+        Whether it is made for axial load: two washers face to face.
+    with_cage_only
+        Whether its elements are balanced as they orbit with the cage, without a criterion that
+        chooses a race.
+    mountable
+        Whether what fits do to its play is known.
+    conformity
+        Of its grooves, where none is published; None for what ISO 281 supposes.
+    clearance_table
+        Of ISO 5753-1 for what `rolamento.clearance` takes: empty of deep-groove bearings; None
+        where no class is taken.
+    class_table
+        From which the clearance of a designation is taken; None of one that has no class.
+    usual_letters, as_a_cage
+        What stands before the number of one whose designation does not say; whether it may be a
+        cage with its needles alone.
+    axial_limit_of_maker
+        Whether makers list e, Y and Y_0 of each.
+    idle_fields
+        Fields of its case file that change nothing.
+    carries_axial
+        Whether a first case of such a bearing has an axial load.
+    usual_misalignment, usual_misalignment_of_wide
+        Tilt of the rings that makers let pass under normal loads, of wide ones; rad, None where no
+        source gives one.
+    ribbed
+        Whether makers have a permissible load of its ribs.
+    described
+        Sentence on its elements: count, diameter, length and pitch; to be translated, of rollers.
+    """
+
+    key: str
+    name: str
+    untitled: str
+    called: str = ""
+    element: str = BALL
+    grooves: str | None = None
+    adjective: str = ""
+    row: tuple[str, str] = ("rolamento.rows.ball.row", "ball_row")
+    rated: RatedType | RollerRated = "radial"
+    in_pairs: bool = False
+    rows: int = 1
+    rated_together: bool = False
+    contacts_per_ring: int = 1
+    conical: bool = False
+    floats: bool = False
+    aligns: bool = False
+    washers: bool = False
+    with_cage_only: bool = False
+    mountable: bool = True
+    conformity: float | None = None
+    clearance_table: str | None = None
+    class_table: str | None = None
+    usual_letters: str = ""
+    as_a_cage: bool = False
+    axial_limit_of_maker: bool = False
+    idle_fields: tuple[str, ...] = ()
+    carries_axial: bool = False
+    usual_misalignment: float | None = None
+    usual_misalignment_of_wide: float | None = None
+    ribbed: bool = False
+    described: str = ""
+
+    @property
+    def rolls(self) -> str:
+        """``"ball"`` or ``"roller"``."""
+        return BALL if self.element == BALL else ROLLER
+
+    @property
+    def has_arches(self) -> bool:
+        """Whether a ball touches each ring on two arcs."""
+        return self.contacts_per_ring > 1
+
+    @property
+    def is_double_row(self) -> bool:
+        """Whether it is two plain rows in one bearing, as a pair of single ones side by side."""
+        return self.rows > 1 and not self.aligns
+
+    @property
+    def has_rollers(self) -> bool:
+        """Whether rollers roll in it."""
+        return self.element != BALL

@@ -1,0 +1,25 @@
+"""Self-aligning ball bearings: two rows in an outer ring that is a sphere about their centre."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from rolamento.ratings import SELF_ALIGNING_CONFORMITY
+from rolamento.types._type import BearingType
+from rolamento.words import marked
+
+TYPE: Final = BearingType(
+    key="self_aligning",
+    name=marked("self-aligning ball bearing"),
+    untitled=marked("Ball bearing"),
+    called="self_aligning self_aligning_ball pendelkugellager autocompensador_de_esferas",
+    grooves="self_aligning",
+    adjective=marked("self-aligning"),
+    rated="self_aligning",
+    rows=2,
+    rated_together=True,
+    aligns=True,
+    mountable=False,
+    conformity=SELF_ALIGNING_CONFORMITY,
+    class_table="self_aligning",
+)
