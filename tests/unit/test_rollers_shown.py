@@ -27,11 +27,11 @@ from rolamento.plots.roller import (
     roller_between_races,
 )
 from rolamento.plots.slip import slip_map
-from rolamento.types import TYPES
 from rolamento.solution import solve
 from rolamento.solved import Solved
 from rolamento.solved.outline import roller_outline
 from rolamento.tasks.report import calculation_report
+from rolamento.types import TYPES
 
 NU = """
 title = "NU"

@@ -18,12 +18,10 @@ from rolamento.case.parameters import Parameters, parameters_of
 from rolamento.case.rolling_bearing import RollingBearing
 from rolamento.case.varied import bounded, is_of_mounting, varied_arrays
 from rolamento.errors import InputError
-from rolamento.geometry import sphere_conformity
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
-from rolamento.rows.ball.row import BallRow, Traction, ball_row
+from rolamento.rows.ball.row import BallRow, Traction
 from rolamento.rows.row import Row
-from rolamento.rows.sphere import SphereRow
 from rolamento.words import said
 
 __all__ = ["Cases", "PlacedRow", "RowState", "spread"]
@@ -65,7 +63,7 @@ class PlacedRow:
     @property
     def lever(self) -> FloatArray:
         """How far from the row's own centre of tilting the bearing's is; (cases,), m."""
-        return 0.0 * self.position if isinstance(self.row, SphereRow) else self.position
+        return 0.0 * self.position if self.row.aside is not None else self.position
 
 
 @frozen
@@ -178,25 +176,21 @@ def spread(
     valid &= _within_reason(displacement, common)
     placed = []
     for index, place in enumerate(case.bearing.element_rows):
-        whole = case.bearing if case.bearing.kind is not None else place.bearing
-        of_row = whole.bearing_type
-        if of_row.aligns:
-            placed.append(_on_sphere(case, place, common, arrays, cases, threads, fast))
-            continue
-        position = _position(case.bearing, place, arrays, cases)
-        make = _maker(of_row.row)
-        if of_row.grooves is not None:
-            grooved = make(case, place, common, arrays, cases, threads=threads)
-            placed.append(PlacedRow(grooved, place.sign, position))
-            continue
-        bearing = parameters_of(case.bearing, place.bearing, case.bearing.own_fields(index), arrays)
-        varied = arrays
+        of_row, bearing, varied = case.bearing.bearing_type, common, arrays
+        if case.bearing.kind is None:
+            of_row, own = place.bearing.bearing_type, case.bearing.own_fields(index)
+            bearing = parameters_of(case.bearing, place.bearing, own, arrays)
         if states is not None:
-            own = states[index].geometry
-            bearing = bearing.with_(**own)
-            varied = {**arrays, **{f"bearing.{k}": v for k, v in own.items() if v is not None}}
+            geometry = states[index].geometry
+            bearing = bearing.with_(**geometry)
+            given_of_row = {f"bearing.{k}": v for k, v in geometry.items() if v is not None}
+            varied = {**arrays, **given_of_row}
         valid &= bearing.consistent
+        make = _maker(of_row.row)
         row = make(case, place, bearing, varied, cases, threads=threads, fast=fast)
+        position = _position(case.bearing, place, arrays, cases)
+        if row.aside is not None:
+            position = place.sign * row.aside
         press = _own_press(case, place, row, cases) if states is None else states[index].press
         placed.append(PlacedRow(row, place.sign, position, press))
     for part in placed:
@@ -251,39 +245,6 @@ def _own_press(case: Case, place: RowPlace, row: Row, cases: int) -> FloatArray 
         return None
     from_touch = case.bearing.preload is not None
     return place.offset + (row.first_contact() if from_touch else np.zeros(cases))
-
-
-def _on_sphere(
-    case: Case,
-    place: RowPlace,
-    common: Any,
-    arrays: Mapping[str, FloatArray],
-    cases: int,
-    threads: int | None,
-    fast: bool,
-) -> PlacedRow:
-    """A row of a self-aligning bearing, whose outer race and place follow from the row's angle."""
-    spacing = arrays.get("bearing.spacing", case.bearing.spacing)
-    if common.contact_angle is not None:
-        tangent = np.tan(common.contact_angle)
-    elif spacing is not None:
-        tangent = spacing / common.pitch_diameter
-    else:
-        raise InputError(
-            said("is missing; a self-aligning bearing given by its clearance needs it"),
-            field="bearing.spacing",
-            example='spacing = "9 mm"',
-        )
-    sphere = sphere_conformity(common.ball_diameter, common.pitch_diameter, tangent)
-    play = 0.0 if common.diametral_clearance is None else common.diametral_clearance
-    own = {
-        "contact_angle": np.arctan(tangent),
-        "diametral_clearance": None,
-        "outer_conformity": sphere,
-    }
-    row = ball_row(case, place, common.with_(**own), arrays, cases, threads=threads, fast=fast)
-    aside = place.sign * 0.5 * common.pitch_diameter * tangent + np.zeros(cases)
-    return PlacedRow(SphereRow(row.with_play(play + np.zeros(cases))), place.sign, aside)
 
 
 def _duty(

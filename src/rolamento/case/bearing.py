@@ -31,6 +31,7 @@ from rolamento.case.rolling_bearing import (
     RollingBearing,
     RowPlace,
     elements_fit,
+    rows_about_centre,
 )
 from rolamento.errors import InputError
 from rolamento.geometry import free_contact_angle, ring_geometry, sphere_conformity
@@ -284,6 +285,7 @@ class Bearing(RollingBearing):
     STAYS: ClassVar = ("inner_shoulder_height", "outer_shoulder_height")
     INSIDE: ClassVar = ("ball_count", "ball_diameter", "pitch_diameter")
     PLAY: ClassVar = ("contact_angle", "diametral_clearance")
+    RIVALS: ClassVar = PLAY
     MATERIAL: ClassVar = "ball_material"
     ROW: ClassVar = BallRow
     PARAMETERS: ClassVar = BallParameters
@@ -351,15 +353,6 @@ class Bearing(RollingBearing):
     def element_material(self) -> Material:
         """Material of the balls."""
         return self.ball_material
-
-    @property
-    def is_set(self) -> bool:
-        """Whether the bearing is more than one plain row."""
-        return super().is_set or self._set_by_kind
-
-    @property
-    def _set_by_kind(self) -> bool:
-        return self.kind is not None and (self.bearing_type.aligns or self.bearing_type.has_arches)
 
     @property
     def places(self) -> tuple[RowPlace, ...]:
@@ -556,10 +549,7 @@ def _faces(bearing: Bearing, given: frozenset[str]) -> tuple[RowPlace, ...]:
     )
     if bearing.bearing_type.has_arches:
         return RowPlace(alone, 1.0, 0.0, 0.0), RowPlace(alone, -1.0, 0.0, 0.0)
-    # the rows look at the centre: face to face, the balls of one between those of the other
-    place = 0.5 * bearing.pitch_diameter * math.tan(bearing.row_angle)
-    half_pitch = math.pi / bearing.ball_count
-    return RowPlace(alone, -1.0, -place, 0.0), RowPlace(alone, 1.0, place, half_pitch)
+    return rows_about_centre(alone, bearing.row_angle)
 
 
 def _rounded_length(value: float) -> str:

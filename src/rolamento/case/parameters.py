@@ -111,6 +111,9 @@ class RollerParameters(Parameters):
     effective_length: Any
     roller_length: Any
     roller_half_angle: Any = None
+    roller_profile_radius: Any = None
+    inner_raceway_radius: Any = None
+    outer_raceway_radius: Any = None
     axial_play: Any = None
     rib_height: Any = None
     roller_end_radius: Any = None
@@ -172,8 +175,8 @@ def parameters_of(
         for name in row.VARIES
         if f"bearing.{name}" in arrays and name not in own
     }
-    play = [name for name in row.PLAY if name in given]
-    ended = {name: None for name in row.PLAY if play and name not in play}
+    play = [name for name in row.RIVALS if name in given]
+    ended = {name: None for name in row.RIVALS if play and name not in play}
     rings, elements = _materials(row, own, arrays)
     made = {name: getattr(row, name) for name in (*row.VARIES, *row.STAYS)} | given | ended
     whole: Parameters = row.PARAMETERS(

@@ -25,11 +25,21 @@ from rolamento.case.rolling_bearing import (
     MOST_ROWS,
     Designation,
     RollingBearing,
+    RowPlace,
     elements_fit,
+    rows_about_centre,
 )
 from rolamento.errors import InputError
 from rolamento.geometry import apex_half_angle, usual_end_radius
-from rolamento.types import BearingType, Grooves, Ribs, RollerElement, type_of_element
+from rolamento.types import (
+    ROLLER,
+    BearingType,
+    Ribs,
+    RollerElement,
+    RollerRings,
+    of_grooves,
+    type_of_element,
+)
 from rolamento.units import readable
 from rolamento.words import said
 
@@ -41,6 +51,14 @@ knowledge of how high ribs are (a fifth of the diameter), not a figure of a sour
 _MOST_INTERFERENCE: Final = 0.02
 """Fraction of the roller diameter: beyond is no elastic contact."""
 _ROUNDING: Final = 1e-12
+PROFILE_SHARE: Final = 0.97
+"""Radius of the profile of barrel-shaped rollers over that of the outer race, if not given: what
+other programs suppose; no standard says."""
+MOST_CONFORMING: Final = 0.999
+"""Beyond this part of a raceway's radius the contact is a line, and no ellipse."""
+
+
+_Radius = Annotated[float, Quantity("length", above="0 mm", at_most="20 m", varies=True)]
 
 
 def _required_unless_told(schema: dict[str, Any]) -> None:
@@ -230,6 +248,92 @@ def _end_too_small(bearing: RollerBearing) -> InputError:
     )
 
 
+def raceway_radii(bearing: Any) -> tuple[Any, Any, Any]:
+    """Return r_r, r_i and R_o of barrel-shaped rollers and their raceways; m.
+
+    bearing: a record or parameters. The sphere is about the bearing's centre.
+    """
+    angle = bearing.contact_angle
+    cosine = 1.0 if angle is None else np.cos(angle)
+    outer = bearing.outer_raceway_radius
+    if outer is None:
+        outer = 0.5 * bearing.pitch_diameter / cosine + 0.5 * bearing.roller_diameter
+    inner = outer if bearing.inner_raceway_radius is None else bearing.inner_raceway_radius
+    given = bearing.roller_profile_radius
+    return PROFILE_SHARE * outer if given is None else given, inner, outer
+
+
+def _arcs_are_open(bearing: Any) -> Any:
+    """Whether the profile of barrel-shaped rollers is rounder than their raceways."""
+    if not bearing.bearing_type.barrels:
+        return True
+    profile, inner, outer = raceway_radii(bearing)
+    least = 0.5 * bearing.roller_diameter
+    return (
+        (profile < inner * MOST_CONFORMING)
+        & (profile < outer * MOST_CONFORMING)
+        & (profile > least)
+    )
+
+
+def _arcs_are_not(bearing: RollerBearing) -> InputError:
+    profile, inner, outer = raceway_radii(bearing)
+    least = 0.5 * bearing.roller_diameter
+    return InputError(
+        said(
+            "must be greater than half the roller diameter, {least}, and less than the radii of"
+            " both raceways, {inner} and {outer}",
+            least=readable(least, "length"),
+            inner=readable(float(f"{float(inner):.6g}"), "length"),
+            outer=readable(float(f"{float(outer):.6g}"), "length"),
+        ),
+        field="roller_profile_radius",
+        value=readable(float(f"{float(profile):.6g}"), "length"),
+        example="leave it out",
+    )
+
+
+def _check_rings(bearing: RollerBearing) -> None:
+    """A sphere about the centre follows, a torus is given; angles are of spherical rows."""
+    kind = bearing.bearing_type
+    if bearing.element != kind.element:
+        raise InputError(
+            said('does not go with element = "{element}"', element=bearing.element),
+            field="kind",
+            value=bearing.kind,
+            example=f'element = "{kind.element}"',
+        )
+    if kind.barrels and kind.aligns and bearing.outer_raceway_radius is not None:
+        raise InputError(
+            said("is not given of such a bearing: its outer race is a sphere about its centre"),
+            field="outer_raceway_radius",
+            value=readable(bearing.outer_raceway_radius, "length"),
+            example=said("leave it out"),
+        )
+    if kind.barrels and not kind.aligns and bearing.outer_raceway_radius is None:
+        raise InputError(
+            said("is missing; a toroidal roller bearing needs it"),
+            field="outer_raceway_radius",
+            example='outer_raceway_radius = "150 mm"',
+        )
+    if bearing.kind is not None and kind.inclined and not bearing.contact_angle:
+        raise InputError(
+            said("is missing; a spherical roller bearing needs it"),
+            field="contact_angle",
+            example='contact_angle = "10 deg"',
+        )
+    if not kind.barrels:
+        for name in ("roller_profile_radius", "inner_raceway_radius", "outer_raceway_radius"):
+            value = getattr(bearing, name)
+            if value is not None:
+                raise InputError(
+                    said("is of barrel-shaped rollers only"),
+                    field=name,
+                    value=readable(value, "length"),
+                    example='element = "barrel"',
+                )
+
+
 _RULES: Final = (
     Rule(lambda b: b.pitch_diameter > b.roller_diameter, _too_small_a_circle),
     Rule(
@@ -243,6 +347,7 @@ _RULES: Final = (
     # a rib touches a roller below its axis, and the sphere of its end reaches there
     Rule(lambda b: _contact_height(b) < 0.5 * b.roller_diameter, _rib_too_high),
     Rule(_end_reaches_rib, _end_too_small),
+    Rule(_arcs_are_open, _arcs_are_not),
 )
 
 
@@ -259,7 +364,7 @@ class RollerBearing(RollingBearing):
     Parameters
     ----------
     element
-        What rolls in the rows: ``"cylindrical"``, ``"tapered"`` or ``"needle"``.
+        What rolls in the rows: ``"cylindrical"``, ``"tapered"``, ``"needle"`` or ``"barrel"``.
     designation
         Of the catalogue, such as ``"NU 205/C3"``: it fills in what is not given of the geometry,
         published or inferred; see `origins`.
@@ -274,10 +379,21 @@ class RollerBearing(RollingBearing):
     pitch_diameter
         d_pw, diameter of the circle of the rollers' middles, in m.
     contact_angle
-        α of tapered rollers, that of the outer raceway's line of action, in rad.
+        α of tapered rollers, that of the outer raceway's line of action, and of barrel-shaped ones;
+        in rad.
+    kind
+        Of the rings of barrel-shaped rollers: ``"spherical"``, two rows at ± the contact angle in
+        an outer ring that is a sphere about the bearing's centre; ``"toroidal"``, one row whose
+        races are tori. One row in a sphere if not given.
     roller_half_angle
         φ of tapered rollers, half of the angle of their cone, in rad; the inner raceway's line of
         action is at α - 2φ. If not given, that of cones which all have one apex.
+    roller_profile_radius
+        r_r, of the profile of barrel-shaped rollers in m; 0.97 of the outer raceway's if not given.
+    inner_raceway_radius, outer_raceway_radius
+        r_i and R_o, of the profiles of the raceways of barrel-shaped rollers, in m. The outer
+        raceway of a spherical or barrel roller bearing is a sphere about its centre, and not given;
+        the inner one has the same radius if not given.
     diametral_clearance
         s of cylindrical and needle rollers, in m; negative for an interference.
     inner_ribs, outer_ribs
@@ -325,6 +441,7 @@ class RollerBearing(RollingBearing):
 
     FILLED_IN: ClassVar = {
         "element": None,
+        "kind": None,
         "roller_count": None,
         "roller_diameter": "length",
         "roller_length": "length",
@@ -333,6 +450,9 @@ class RollerBearing(RollingBearing):
         "contact_angle": "angle",
         "roller_half_angle": "angle",
         "roller_end_radius": "length",
+        "roller_profile_radius": "length",
+        "inner_raceway_radius": "length",
+        "outer_raceway_radius": "length",
         "diametral_clearance": "length",
         "inner_ribs": None,
         "outer_ribs": None,
@@ -349,6 +469,9 @@ class RollerBearing(RollingBearing):
         "pitch_diameter",
         "contact_angle",
         "roller_half_angle",
+        "roller_profile_radius",
+        "inner_raceway_radius",
+        "outer_raceway_radius",
         "diametral_clearance",
         "axial_play",
         "rib_height",
@@ -372,6 +495,7 @@ class RollerBearing(RollingBearing):
     designation: Annotated[Designation | None, Replaces(*DISPLACED)] = Field(
         None, examples=["NU 205/C3"]
     )
+    kind: RollerRings | None = Field(None, examples=["spherical"])
     roller_count: BallCount = Field(examples=[13])
     roller_diameter: Annotated[
         float, Quantity("length", at_least="0.01 mm", at_most="1 m", varies=True)
@@ -391,6 +515,9 @@ class RollerBearing(RollingBearing):
     roller_half_angle: (
         Annotated[float, Quantity("angle", at_least="0 deg", below="45 deg", varies=True)] | None
     ) = Field(default_factory=_half_angle_of_one_apex, examples=["2 deg"])
+    roller_profile_radius: _Radius | None = Field(None, examples=["50 mm"])
+    inner_raceway_radius: _Radius | None = Field(None, examples=["52 mm"])
+    outer_raceway_radius: _Radius | None = Field(None, examples=["52 mm"])
     diametral_clearance: (
         Annotated[float, Quantity("length", at_least="-1 m", at_most="1 m", varies=True)] | None
     ) = Field(None, examples=["0.03 mm"])
@@ -436,8 +563,18 @@ class RollerBearing(RollingBearing):
 
     @property
     def bearing_type(self) -> BearingType:
-        """By its rollers."""
+        """By its rings where they are not plain, else by its rollers."""
+        if self.kind is not None:
+            return of_grooves(self.kind, ROLLER)
         return type_of_element(self.element)
+
+    @property
+    def places(self) -> tuple[RowPlace, ...]:
+        """The rows along +x, each as a bearing of one row; one if it is no set."""
+        if not self._set_by_kind:
+            return super().places
+        row = self.model_copy(update={"kind": None})
+        return rows_about_centre(row, self.row_angle)
 
     @property
     def element_count(self) -> int:
@@ -455,14 +592,9 @@ class RollerBearing(RollingBearing):
         return self.roller_material
 
     @property
-    def kind(self) -> Grooves | None:
-        """Balls alone roll on grooves of several kinds."""
-        return None
-
-    @property
     def carries_one_way(self) -> bool:
         """Whether the row carries axial load toward one side only."""
-        return self.bearing_type.conical
+        return self.bearing_type.conical or self.row_angle > 0.0
 
     @property
     def locates(self) -> bool:
@@ -496,6 +628,7 @@ class RollerBearing(RollingBearing):
     @model_validator(mode="after")
     def _consistent(self) -> Self:
         self._check_angles()
+        _check_rings(self)
         self._check_play()
         self.check_rules()
         self.check_set()
@@ -509,11 +642,12 @@ class RollerBearing(RollingBearing):
         }
         for name, example in examples.items():
             value = getattr(self, name)
+            inclined = self.bearing_type.inclined and name == "contact_angle"
             if self.bearing_type.conical and value is None:
                 raise InputError(
                     said("is missing; tapered rollers need it"), field=name, example=example
                 )
-            if not self.bearing_type.conical and value:
+            if not self.bearing_type.conical and value and not inclined:
                 raise InputError(
                     said("is of tapered rollers only"),
                     field=name,

@@ -47,7 +47,7 @@ from rolamento.case.preload_classes import Level, listed_preload
 from rolamento.case.quantity import Line, at_the_border
 from rolamento.case.record import Record
 from rolamento.errors import InputError
-from rolamento.types import BALL, BearingType, Grooves, type_of_element
+from rolamento.types import BALL, BearingType, Grooves, RollerRings, type_of_element
 from rolamento.units import Dimension, from_si
 from rolamento.words import said
 
@@ -66,6 +66,7 @@ __all__ = [
     "RowPlace",
     "element_named",
     "elements_fit",
+    "rows_about_centre",
 ]
 
 MOST_ROWS: Final = 32
@@ -122,7 +123,9 @@ class RollingBearing(Record):
     RULES: ClassVar[tuple[Rule, ...]] = ()
     """What the geometry holds to, of one case and of many."""
     PLAY: ClassVar[tuple[str, ...]] = ()
-    """What says where the elements touch: one of them is given."""
+    """What says where the elements touch."""
+    RIVALS: ClassVar[tuple[str, ...]] = ()
+    """Those of them of which one alone is given."""
 
     if TYPE_CHECKING:
         element: str
@@ -137,7 +140,7 @@ class RollingBearing(Record):
         ring_material: Material
 
         @property
-        def kind(self) -> Grooves | None:
+        def kind(self) -> Grooves | RollerRings | None:
             """Type of the grooves of balls."""
 
     _listed: tuple[CatalogueBearing, ...] = PrivateAttr(default=())
@@ -302,7 +305,13 @@ class RollingBearing(Record):
     @property
     def is_set(self) -> bool:
         """Whether the bearing is more than one plain row."""
-        return self.arrangement is not None or self.rows is not None
+        return self.arrangement is not None or self.rows is not None or self._set_by_kind
+
+    @property
+    def _set_by_kind(self) -> bool:
+        """Whether its rows follow from its kind."""
+        kind = self.bearing_type
+        return self.kind is not None and (kind.rows > 1 or kind.has_arches)
 
     @property
     def rows_of_one_bearing(self) -> int:
@@ -374,8 +383,8 @@ class RollingBearing(Record):
         """Return the fields that a designation gives and the user does not."""
         own = _own_fields(given)
         missing = cls.FILLED_IN.keys() - own
-        if own.intersection(cls.PLAY):
-            missing -= set(cls.PLAY)
+        if own.intersection(cls.RIVALS):
+            missing -= set(cls.RIVALS)
         if "rows" in own:
             missing -= {"arrangement", "spacing", "preload"}
         if "contact_angle" in own and geometry.bearing.type.aligns:
@@ -413,7 +422,7 @@ class RollingBearing(Record):
             filled = {**given, **{name: v for name, v in told.items() if name in cls.FILLED_IN}}
             listed = cls._of_catalogue(cls._geometry(designation, filled), filled, in_file=in_file)
             told = {**listed, **told}
-        play = set(cls.PLAY) if own.intersection(cls.PLAY) else set()
+        play = set(cls.RIVALS) if own.intersection(cls.RIVALS) else set()
         missing = (name for name in cls.FILLED_IN if name not in own | play)
         return {name: told[name] for name in missing if told.get(name) is not None}
 
@@ -488,11 +497,6 @@ class RollingBearing(Record):
                 self.preload.pair_force(self.contact_angle)
             except InputError as error:
                 raise error.with_details(field=f"preload.{error.field}") from None
-
-    @property
-    def _set_by_kind(self) -> bool:
-        """Whether its rows follow from its kind."""
-        return False
 
 
 BY_ELEMENT: Final[dict[str, type[RollingBearing]]] = {}
@@ -581,6 +585,16 @@ class RowPlace(NamedTuple):
     position: float
     phase: float
     offset: float | None = None
+
+
+def rows_about_centre(row: Any, angle: float) -> tuple[RowPlace, ...]:
+    """Two rows that look at the bearing's centre, the elements of one between those of the other.
+
+    row: each of them as a bearing.
+    """
+    place = 0.5 * row.pitch_diameter * math.tan(angle)
+    half_pitch = math.pi / row.element_count
+    return RowPlace(row, -1.0, -place, 0.0), RowPlace(row, 1.0, place, half_pitch)
 
 
 @lru_cache(maxsize=1024)

@@ -172,6 +172,11 @@ class GrooveRow:
         return np.asarray(self.sound & np.isfinite(np.sum(given, axis=0)))
 
     @property
+    def aside(self) -> FloatArray | None:
+        """It is held by the place of its own plane."""
+        return None
+
+    @property
     def sizes(self) -> RowSizes:
         """For the assembly."""
         n = self.numbers
@@ -388,6 +393,7 @@ def four_point_row(
     cases: int,
     *,
     threads: int | None = None,
+    fast: bool = True,
 ) -> GrooveRow:
     """The numbers of a four-point row; bearing: attributes, numbers or arrays (cases,).
 
@@ -405,6 +411,7 @@ def thrust_row(
     cases: int,
     *,
     threads: int | None = None,
+    fast: bool = True,
 ) -> GrooveRow:
     """The numbers of a thrust row; as `four_point_row`."""
     with np.errstate(invalid="ignore", divide="ignore"):

@@ -127,6 +127,14 @@ class Row(Protocol):
         ...
 
     @property
+    def aside(self) -> FloatArray | None:
+        """How far its plane is from the bearing's centre, if it is held by the place of that.
+
+        (cases,), m; None of a row that is held by the place of its own plane.
+        """
+        ...
+
+    @property
     def sizes(self) -> RowSizes:
         """For the assembly."""
         ...

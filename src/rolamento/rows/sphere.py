@@ -13,18 +13,24 @@ at the speed of one cage; what is left of them is neglected.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Self, cast
+from typing import Any, Self, cast
 
 import numpy as np
 
+from rolamento.case import Case
+from rolamento.case.bearing import RowPlace
+from rolamento.errors import InputError
+from rolamento.geometry import sphere_conformity
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
-from rolamento.rows.ball.row import BallAnswer, BallResponse, BallRow
+from rolamento.rows.ball.row import BallAnswer, BallResponse, BallRow, ball_row
 from rolamento.rows.row import Indices, IntArray, Response, RowGeometry, RowSizes
 from rolamento.solved import Index
+from rolamento.words import said
 
-__all__ = ["SphereRow", "from_outside", "from_ring"]
+__all__ = ["SphereRow", "from_outside", "from_ring", "rotation_of"]
 
 _SMALL: float = 1e-3
 """rad: below, the functions of the angle are taken by their series."""
@@ -71,9 +77,13 @@ class SphereResponse:
 
 @frozen
 class SphereRow:
-    """Many cases of a row of balls in a sphere; row: the same without tilt."""
+    """Many cases of a row of balls in a sphere; row: the same without tilt.
+
+    axial: how far it is from the centre; (cases,), m.
+    """
 
     row: BallRow
+    axial: FloatArray
 
     @property
     def cases(self) -> int:
@@ -94,6 +104,11 @@ class SphereRow:
     def floats(self) -> bool:
         """Whether the row locates the shaft axially: its grooves do."""
         return False
+
+    @property
+    def aside(self) -> FloatArray | None:
+        """How far its plane is from the sphere's centre; (cases,)."""
+        return self.axial
 
     @property
     def sizes(self) -> RowSizes:
@@ -122,7 +137,7 @@ class SphereRow:
 
     def turned(self, balls: BallResponse, place: FloatArray) -> SphereResponse:
         """What balls that are held where a tilted ring has them answer to the outer ring."""
-        rotation, turns = _rotation(place[:, 3], place[:, 4])
+        rotation, turns = rotation_of(place[:, 3], place[:, 4])
         back = np.swapaxes(rotation, 1, 2)
         own, tangent = balls.force[:, :3], balls.stiffness[:, :3, :3]
         force, stiffness = np.zeros_like(place), np.zeros((len(place), 5, 5))
@@ -158,22 +173,63 @@ class SphereRow:
         return self.row.answer(cast(SphereResponse, held).balls, control, shown, lost)
 
 
+def sphere_row(
+    case: Case,
+    place: RowPlace,
+    bearing: Any,
+    varied: Mapping[str, FloatArray],
+    cases: int,
+    *,
+    threads: int | None = None,
+    fast: bool = True,
+) -> SphereRow:
+    """The numbers of a row whose outer race and place follow from its angle.
+
+    bearing: `BallParameters` of the bearing.
+
+    Raises
+    ------
+    InputError
+        If neither an angle nor a spacing says where the row is.
+    """
+    spacing = varied.get("bearing.spacing", case.bearing.spacing)
+    if bearing.contact_angle is not None:
+        tangent = np.tan(bearing.contact_angle)
+    elif spacing is not None:
+        tangent = spacing / bearing.pitch_diameter
+    else:
+        raise InputError(
+            said("is missing; a self-aligning bearing given by its clearance needs it"),
+            field="bearing.spacing",
+            example='spacing = "9 mm"',
+        )
+    play = 0.0 if bearing.diametral_clearance is None else bearing.diametral_clearance
+    alone = bearing.with_(
+        contact_angle=np.arctan(tangent),
+        diametral_clearance=None,
+        outer_conformity=sphere_conformity(bearing.ball_diameter, bearing.pitch_diameter, tangent),
+    )
+    row = ball_row(case, place, alone, varied, cases, threads=threads, fast=fast)
+    axial = 0.5 * bearing.pitch_diameter * tangent + np.zeros(cases)
+    return SphereRow(row.with_play(play + np.zeros(cases)), axial)
+
+
 def from_ring(tilt: FloatArray, vector: FloatArray) -> FloatArray:
     """A vector (cases, 3) as a ring sees it that is tilted by (ry, rz); (cases, 2)."""
-    rotation, _ = _rotation(tilt[:, 0], tilt[:, 1])
+    rotation, _ = rotation_of(tilt[:, 0], tilt[:, 1])
     return _times(np.swapaxes(rotation, 1, 2), vector)
 
 
 def from_outside(tilt: FloatArray, vector: FloatArray) -> FloatArray:
     """The same vector from outside again."""
-    return _times(_rotation(tilt[:, 0], tilt[:, 1])[0], vector)
+    return _times(rotation_of(tilt[:, 0], tilt[:, 1])[0], vector)
 
 
 def _times(matrix: FloatArray, vector: FloatArray) -> FloatArray:
     return np.asarray((matrix @ vector[..., np.newaxis])[..., 0])
 
 
-def _rotation(ry: FloatArray, rz: FloatArray) -> tuple[FloatArray, tuple[FloatArray, FloatArray]]:
+def rotation_of(ry: FloatArray, rz: FloatArray) -> tuple[FloatArray, tuple[FloatArray, FloatArray]]:
     """R of the rotation vector (0, ry, rz), and its derivatives by ry and rz; (cases, 3, 3).
 
     R = 1 + a K + b K², a = sin θ/θ, b = (1 - cos θ)/θ². Rodrigues (1840).

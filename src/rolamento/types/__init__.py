@@ -13,14 +13,17 @@ from typing import Final, Literal, get_args
 
 from rolamento.types import (
     angular_contact,
+    barrel,
     cylindrical,
     deep_groove,
     double_row,
     four_point,
     needle,
     self_aligning,
+    spherical,
     tapered,
     thrust_ball,
+    toroidal,
 )
 from rolamento.types._type import BALL, ROLLER, BearingType, Ribs
 
@@ -30,10 +33,10 @@ __all__ = [
     "TYPES",
     "BearingKey",
     "BearingType",
-    "Element",
     "Grooves",
     "Ribs",
     "RollerElement",
+    "RollerRings",
     "of_balls",
     "of_grooves",
     "type_of_element",
@@ -41,14 +44,15 @@ __all__ = [
 
 BearingKey = Literal[
     "deep_groove", "angular_contact", "double_row", "four_point", "self_aligning", "thrust",
-    "cylindrical", "tapered", "needle", "drawn_cup",
+    "cylindrical", "tapered", "needle", "drawn_cup", "barrel", "spherical", "toroidal",
 ]  # fmt: skip
 """Keys of the types, as a catalogue has them."""
-RollerElement = Literal["cylindrical", "tapered", "needle"]
-Element = Literal["ball", "cylindrical", "tapered", "needle"]
-"""What rolls in a row, as a case file has it."""
+RollerElement = Literal["cylindrical", "tapered", "needle", "barrel"]
+"""What rolls in a row of rollers, as a case file has it."""
 Grooves = Literal["four_point", "self_aligning", "thrust"]
 """What balls roll in, where it is not one groove a ring."""
+RollerRings = Literal["spherical", "toroidal"]
+"""What rollers roll in, where it is not a plain row."""
 
 TYPES: Final[Mapping[str, BearingType]] = MappingProxyType(
     {
@@ -64,13 +68,16 @@ TYPES: Final[Mapping[str, BearingType]] = MappingProxyType(
             tapered.TYPE,
             needle.TYPE,
             needle.DRAWN_CUP,
+            barrel.TYPE,
+            spherical.TYPE,
+            toroidal.TYPE,
         )
     }
 )
 """Every type by its key, in the order in which they are shown."""
 assert tuple(TYPES) == get_args(BearingKey)
 
-_BY_GROOVES: Final = {one.grooves: one for one in TYPES.values() if one.grooves}
+_BY_RINGS: Final = {(one.rolls, one.grooves): one for one in TYPES.values() if one.grooves}
 _BY_ELEMENT: Final[dict[str, BearingType]] = {}
 for _one in TYPES.values():
     _BY_ELEMENT.setdefault(_one.element, _one)
@@ -86,6 +93,6 @@ def of_balls(*, angled: bool) -> BearingType:
     return angular_contact.TYPE if angled else deep_groove.TYPE
 
 
-def of_grooves(grooves: str) -> BearingType:
-    """Return the type of ball bearing by its grooves, such as ``"four_point"``."""
-    return _BY_GROOVES[grooves]
+def of_grooves(grooves: str, rolls: str = BALL) -> BearingType:
+    """Return the type by its rings, the ``kind`` of a record: of balls such as ``"four_point"``."""
+    return _BY_RINGS[rolls, grooves]

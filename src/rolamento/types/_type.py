@@ -9,6 +9,7 @@ from rolamento.records import frozen
 
 BALL: Final = "ball"
 ROLLER: Final = "roller"
+BARREL: Final = "barrel"
 Ribs = Literal["none", "+", "-", "both"]
 """At which ends of the rollers a ring has a rib: toward +x, toward -x, or both."""
 
@@ -30,10 +31,9 @@ class BearingType:
     element
         What rolls in it, as a case file has it.
     grooves
-        ``kind`` of a `rolamento.Bearing` that is such a bearing; None of one groove a ring, and
-        of rollers.
+        ``kind`` of a bearing's record that is of such rings; None of plain ones.
     adjective
-        Of its grooves, to be translated; empty without.
+        What its kind is called, to be translated; empty without.
     row
         Module and function that make a row of many cases.
     rated
@@ -49,6 +49,8 @@ class BearingType:
     conical
         Whether its rollers are cones: their angle takes the place of a clearance, they carry axial
         load one way, and lean on a rib at their large end.
+    inclined
+        Whether its rollers, which are no cones, stand at a contact angle.
     floats
         Whether it lets the shaft shift, but for its ribs.
     aligns
@@ -99,6 +101,7 @@ class BearingType:
     rated_together: bool = False
     contacts_per_ring: int = 1
     conical: bool = False
+    inclined: bool = False
     floats: bool = False
     aligns: bool = False
     washers: bool = False
@@ -131,6 +134,11 @@ class BearingType:
     def is_double_row(self) -> bool:
         """Whether it is two plain rows in one bearing, as a pair of single ones side by side."""
         return self.rows > 1 and not self.aligns
+
+    @property
+    def barrels(self) -> bool:
+        """Whether its rollers are barrels, whose races are arcs too."""
+        return self.element == BARREL
 
     @property
     def has_rollers(self) -> bool:

@@ -15,6 +15,7 @@ TYPE: Final = BearingType(
     called="self_aligning self_aligning_ball pendelkugellager autocompensador_de_esferas",
     grooves="self_aligning",
     adjective=marked("self-aligning"),
+    row=("rolamento.rows.sphere", "sphere_row"),
     rated="self_aligning",
     rows=2,
     rated_together=True,

@@ -152,6 +152,11 @@ class BallRow:
         return False
 
     @property
+    def aside(self) -> FloatArray | None:
+        """It is held by the place of its own plane."""
+        return None
+
+    @property
     def sizes(self) -> RowSizes:
         """For the assembly."""
         p = self.p

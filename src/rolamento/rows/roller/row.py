@@ -119,6 +119,11 @@ class RollerRow:
         return np.asarray(sound)
 
     @property
+    def aside(self) -> FloatArray | None:
+        """It is held by the place of its own plane."""
+        return None
+
+    @property
     def sizes(self) -> RowSizes:
         """For the assembly.
 

@@ -1,0 +1,30 @@
+"""Toroidal roller bearings: one row of long barrel-shaped rollers between races that are tori."""
+
+from __future__ import annotations
+
+from math import radians
+from typing import Final
+
+from rolamento.types._type import BearingType
+from rolamento.words import marked
+
+TYPE: Final = BearingType(
+    key="toroidal",
+    name=marked("toroidal roller bearing"),
+    untitled=marked("Toroidal roller bearing"),
+    called="toroidal toroidal_roller carb toroidalrollenlager rolos_toroidais rodillos_toroidales",
+    element="barrel",
+    grooves="toroidal",
+    adjective=marked("toroidal"),
+    described=marked(
+        "{count} toroidal rollers of {diameter}, effective length {length}, pitch diameter {pitch}"
+    ),
+    row=("rolamento.rows.barrel", "barrel_row"),
+    rated="roller",
+    rated_together=True,
+    floats=True,
+    mountable=False,
+    class_table="toroidal",
+    idle_fields=("inner_ribs", "outer_ribs", "axial_play", "rib_height", "preload"),
+    usual_misalignment=radians(0.5),  # SKF, Rolling bearings (17000 EN): up to 0.5°
+)
