@@ -389,7 +389,8 @@ class RollingBearing(Record):
             missing -= {"arrangement", "spacing", "preload"}
         if "contact_angle" in own and geometry.bearing.type.aligns:
             missing -= {"spacing"}
-        if missing.issuperset(cls.PLAY) and not geometry.fields.keys() & set(cls.PLAY):
+        play = {"diametral_clearance"} if geometry.bearing.type.inclined else set(cls.PLAY)
+        if missing.issuperset(play) and not geometry.fields.keys() & play:
             raise InputError(
                 geometry.lack_of_play, field="designation", value=geometry.designation.text
             )

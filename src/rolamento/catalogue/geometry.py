@@ -290,12 +290,14 @@ def _roller_geometry(
         except InputError as error:
             raise error.with_details(value=designation.text) from None
     type_ = _type_of(bearing, designation)
-    if bearing.type.conical:
+    if bearing.type.grooves is not None:
+        fields["kind"], origins["kind"] = bearing.type.grooves, "published"
+    if bearing.type.conical or bearing.type.inclined:
         angle = nominal_angle(bearing)
         fields["contact_angle"] = angle
         told = bearing.contact_angle is not None
         origins["contact_angle"] = "published" if told else "inferred"
-        if with_rollers:
+        if with_rollers and bearing.type.conical:
             size = (fields["roller_diameter"], fields["pitch_diameter"])
             fields["roller_half_angle"] = float(apex_half_angle(*size, angle))
             origins["roller_half_angle"] = "inferred"
@@ -306,11 +308,14 @@ def _roller_geometry(
             )
             fields["roller_end_radius"] = float(usual_end_radius(*end))
             origins["roller_end_radius"] = "assumed"
-    else:
+    if bearing.type.straight:
         fields["inner_ribs"], fields["outer_ribs"] = _RIBS.get(type_, ("none", "none"))
         origins["inner_ribs"] = origins["outer_ribs"] = "published"
+    if not bearing.type.conical:
         named = designation.clearance_class or "CN"
         table = bearing.type.class_table
+        if table and bearing.type.aligns and _has_tapered_bore(designation):
+            table = f"{table}_tapered"
         if type_ not in _WITHOUT_INNER and table is not None:
             clearance = middle_clearance(bearing.bore, named, table)
             if clearance is not None:
@@ -340,7 +345,7 @@ def _roller_geometry(
 
 def _type_of(bearing: CatalogueBearing, designation: Designation) -> str:
     """The type of a roller bearing by its designation, else by how its maker lists it."""
-    if not bearing.has_rollers or bearing.type.conical:
+    if not bearing.type.straight:
         return ""
     listed = re.match(r"NUP|NU|NJ|NF|N(?=\s?\d)|RNA|NA|HK|BK|K(?=\s?\d)", bearing.designation)
     if designation.bearing_type or listed:
@@ -348,6 +353,10 @@ def _type_of(bearing: CatalogueBearing, designation: Designation) -> str:
     inner, outer = bearing.inner_raceway_diameter, bearing.outer_raceway_diameter
     is_cage = inner == bearing.bore and outer == bearing.outside_diameter
     return bearing.type.usual_letters or ("K" if is_cage and bearing.type.as_a_cage else "")
+
+
+def _has_tapered_bore(designation: Designation) -> bool:
+    return any(meaning == _TAPERED for _, meaning in designation.meanings)
 
 
 def _axial_play(designation: Designation) -> float | None:
@@ -363,7 +372,7 @@ def _add_rollers(
     """Add rollers and pitch diameter, published where both raceways are; as `_add_inside`."""
     candidates = _add_inside(bearing, _ROLLERS, inferred_rollers, rank, fields, origins)
     both = (bearing.inner_raceway_diameter, bearing.outer_raceway_diameter)
-    if None not in both and not bearing.type.conical:  # (E - F)/2 and (E + F)/2
+    if None not in both and bearing.type.straight:  # (E - F)/2 and (E + F)/2
         origins["roller_diameter"] = origins["pitch_diameter"] = "published"
     return candidates
 
@@ -583,7 +592,7 @@ def _add_play(
         angle = designation.contact_angle
     named = designation.clearance_class or "CN"
     if bearing.type.aligns:
-        tapered = any(meaning == _TAPERED for _, meaning in designation.meanings)
+        tapered = _has_tapered_bore(designation)
         table = f"{bearing.type.class_table}_tapered" if tapered else bearing.type.class_table
         clearance = middle_clearance(bearing.bore, named, table or "")
         if clearance is not None and angle is not None:

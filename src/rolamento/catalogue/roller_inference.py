@@ -38,9 +38,9 @@ _CREDIBLE: Final = 3.0
 _FARTHEST: Final = 9.0
 """A candidate is left out beyond this much more of squared misfit than the best."""
 _FILLINGS: Final = (0.4, 1.0)
-_TAPERED_SHARES: Final = np.linspace(0.36, 0.62, 131)
-"""Fractions of the section height, diameters of a tapered roller that are tried: it is of no
-standard."""
+_FREE_SHARES: Final = np.linspace(0.36, 0.62, 131)
+"""Fractions of the section height, diameters of tapered and barrel-shaped rollers that are tried:
+they are of no standard."""
 _SHARES: Final = (0.20, 0.90)
 _PITCHES: Final = (0.99, 1.0, 1.01)
 """Fractions of the mean diameter, of bearings that print no raceway."""
@@ -100,19 +100,19 @@ def roller_diameters() -> FloatArray:
 
 
 def nominal_angle(bearing: CatalogueBearing) -> float:
-    """Return α in rad: published, of a tapered bearing by e or Y, else 0.
+    """Return α in rad: published, else by e or Y where makers list these, else 0.
 
-    ISO 281:2007, table 7: e = 1.5 tan α, Y = 0.4 cot α.
+    ISO 281:2007, table 8: e = 1.5 tan α; of one row Y = 0.4 cot α, of two Y = 0.45 cot α up to e,
+    which is printed with more digits than e is.
     """
     if bearing.contact_angle is not None:
         return bearing.contact_angle
-    if not bearing.type.conical:
+    if not bearing.type.axial_limit_of_maker:
         return 0.0
-    if bearing.axial_limit is not None:
-        return atan(bearing.axial_limit / 1.5)
-    if bearing.axial_factor is not None:
-        return atan(0.4 / bearing.axial_factor)
-    return 0.0
+    two, factor = bearing.rows > 1, bearing.axial_factor
+    if factor is not None and (two or bearing.axial_limit is None):
+        return atan((0.45 if two else 0.4) / factor)
+    return 0.0 if bearing.axial_limit is None else atan(bearing.axial_limit / 1.5)
 
 
 def inferred_rollers(
@@ -147,7 +147,7 @@ def inferred_rollers(
             value=bearing.designation,
         )
     angle = nominal_angle(bearing)
-    if bearing.type.conical and angle <= 0.0:
+    if bearing.type.axial_limit_of_maker and angle <= 0.0:
         raise InputError(
             said(
                 "has neither the limit e nor the factor Y that tell its contact angle: give"
@@ -208,9 +208,10 @@ def _places(bearing: CatalogueBearing, angle: float) -> _Places:
     )
     one = 1e-3
     listed, listed_static = bearing.rated
-    kind: Any = bearing.kind
-    static = roller_static_rating(count, diameter, one, pitch, angle)
-    dynamic = roller_dynamic_rating(count, diameter, one, pitch, angle, kind=kind)
+    kind = bearing.kind
+    rows = bearing.rows
+    static = roller_static_rating(count, diameter, one, pitch, angle, rows=rows)
+    dynamic = roller_dynamic_rating(count, diameter, one, pitch, angle, kind=kind, rows=rows)
     chi, factors = unusual, practice["practice"].get(bearing.maker, practice["practice"]["iso"])
     low, high = usual["filling"]
     if bearing.roller_count is None:
@@ -260,27 +261,27 @@ def _sections(
     inner, outer = bearing.inner_raceway_diameter, bearing.outer_raceway_diameter
     if bearing.roller_diameter is not None:
         diameter = np.array([bearing.roller_diameter])
-    elif inner is not None and outer is not None and not bearing.type.conical:
+    elif inner is not None and outer is not None and bearing.type.straight:
         diameter = np.array([0.5 * (outer - inner)])
-    elif bearing.type.conical:
-        diameter = bearing.section_height * _TAPERED_SHARES
+    elif not bearing.type.straight:
+        diameter = bearing.section_height * _FREE_SHARES
     else:
         sizes, (low, high) = roller_diameters(), _SHARES
         height = bearing.section_height
         diameter = sizes[(sizes > low * height) & (sizes < high * height)]
-    is_free = bearing.type.conical and bearing.roller_diameter is None
+    is_free = not bearing.type.straight and bearing.roller_diameter is None
     known = bearing.pitch_diameter
     if known is not None:
         pitch = np.full(diameter.shape, known)
-    elif inner is not None and not bearing.type.conical:
+    elif inner is not None and bearing.type.straight:
         pitch = inner + diameter
-    elif outer is not None and not bearing.type.conical:
+    elif outer is not None and bearing.type.straight:
         pitch = outer - diameter
     else:
         mean = bearing.mean_diameter * np.array(_PITCHES)
         diameter, pitch = (a.ravel() for a in np.meshgrid(diameter, mean, indexing="ij"))
     unusual = ((pitch / bearing.mean_diameter - 1.0) / tolerance["pitch_diameter"]) ** 2
-    if known is not None or (not bearing.type.conical and (inner or outer)):
+    if known is not None or (bearing.type.straight and (inner or outer)):
         unusual = np.zeros(diameter.shape)
     if bearing.roller_diameter is None and not (inner and outer):
         height = bearing.section_height
@@ -296,7 +297,7 @@ def _room_for(bearing: CatalogueBearing, angle: float) -> float:
     """Return the length between the faces that a roller has to do with, in m."""
     width = bearing.outer_width or bearing.width
     assert width is not None
-    return float(width / np.cos(angle))
+    return float(width / bearing.rows / np.cos(angle))
 
 
 def _beyond(value: FloatArray, window: tuple[float, float]) -> FloatArray:

@@ -13,8 +13,8 @@ from rolamento.case import Case
 from rolamento.case.film_model import Supply
 from rolamento.case.rolling_bearing import RollingBearing
 from rolamento.friction.coefficient import USUAL_OIL
-from rolamento.friction.palmgren import Lubrication
-from rolamento.friction.skf import SkfConstants, constants_of
+from rolamento.friction.palmgren import Lubrication, constants_by_type
+from rolamento.friction.skf import SkfConstants, constants_by_series, constants_of
 from rolamento.lubrication import Film
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
@@ -165,13 +165,20 @@ def _of_rollers(bearing: RollingBearing, angle: float, shared: dict[str, Any]) -
     published, designation = bearing.resolved.bearing, bearing.resolved.designation
     kind = bearing.places[0].bearing.listed_type
     angle = angle or bearing.places[0].bearing.row_angle
+    series = designation.series or ""
+    if (
+        kind.barrels
+        and "E" in published.designation
+        and f"{series}E" in constants_by_series(kind.key)
+    ):
+        series = f"{series}E"
     factor = published.axial_factor or (0.4 / tan(angle) if angle else None)
     return MachineBearing(
         kind=kind.key,
         static_load_rating=1.0,
-        static_load_ratio=0.0,
+        static_load_ratio=0.0 if kind.key in constants_by_type() else None,
         contact_angle=angle,
-        constants=constants_of(kind.key, designation.series or ""),
+        constants=constants_of(kind.key, series),
         axial_factor=factor if kind.axial_limit_of_maker else None,
         **shared,
     )

@@ -34,6 +34,16 @@ Cylindrical roller bearings, and tapered ones with their axial factor Y = 0.4 co
     G_rr = R1 d_m^2.41 F_r^0.31                    G_sl = S1 d_m^0.9 F_a + S2 d_m F_r
     G_rr = R1 d_m^2.38 (F_r + R2 Y F_a)^0.31       G_sl = S1 d_m^0.82 (F_r + S2 Y F_a)
 
+Spherical roller bearings, each the lesser of two, for point and for line contact:
+
+    G_rr = R1 d_m^1.85 (F_r + R2 F_a)^0.54         G_sl = S1 d_m^0.25 (F_r^4 + S2 F_a^4)^(1/3)
+    G_rr = R3 d_m^2.3 (F_r + R4 F_a)^0.31          G_sl = S3 d_m^0.94 (F_r^3 + S4 F_a^3)^(1/3)
+
+Toroidal ones likewise, under a radial load:
+
+    G_rr = R1 d_m^1.97 F_r^0.54                    G_sl = S1 d_m^-0.19 F_r^(5/3)
+    G_rr = R2 d_m^2.37 F_r^0.31                    G_sl = S2 d_m^1.05 F_r
+
 Source: SKF, Rolling bearings (catalogue 10000 EN, 2013), "The SKF model for calculating the
 frictional moment", equations and table 2a; the constants of deep-groove series and of single-row,
 double-row and four-point contact angular-contact bearings from table 2b, in data/skf_friction.toml,
@@ -106,6 +116,8 @@ class SkfConstants:
     s2: float
     r3: float = 0.0
     s3: float = 0.0
+    r4: float = 0.0
+    s4: float = 0.0
     k_z: float = 3.1
     contact_angle: float | None = None
 
@@ -173,6 +185,8 @@ def _of_row(kind: str, row: Mapping[str, Any]) -> SkfConstants:
         row.get("S2", 0.0),
         row.get("R3", 0.0),
         row.get("S3", 0.0),
+        row.get("R4", 0.0),
+        row.get("S4", 0.0),
         BEARING_TYPE[kind],
         None if angle is None else radians(angle),
     )
@@ -343,6 +357,28 @@ def _cones(g: _Given) -> _Both:
     return rolling, g.c.s1 * g.mean**0.82 * (g.fr + g.c.s2 * pushed)
 
 
+def _barrels(g: _Given) -> _Both:
+    """The lesser of point and line contact, each for rolling and for sliding."""
+    c, mean, third = g.c, g.mean, 1.0 / 3.0
+    rolling = np.minimum(
+        c.r1 * mean**1.85 * (g.fr + c.r2 * g.fa) ** 0.54,
+        c.r3 * mean**2.3 * (g.fr + c.r4 * g.fa) ** 0.31,
+    )
+    sliding = np.minimum(
+        c.s1 * mean**0.25 * (g.fr**4 + c.s2 * g.fa**4) ** third,
+        c.s3 * mean**0.94 * (g.fr**3 + c.s4 * g.fa**3) ** third,
+    )
+    return rolling, sliding
+
+
+def _torus(g: _Given) -> _Both:
+    """The lesser of point and line contact; under a radial load only."""
+    c, mean, fr = g.c, g.mean, g.fr
+    rolling = np.minimum(c.r1 * mean**1.97 * fr**0.54, c.r2 * mean**2.37 * fr**0.31)
+    sliding = np.minimum(c.s1 * mean**-0.19 * fr ** (5.0 / 3.0), c.s2 * mean**1.05 * fr)
+    return np.where(g.fa > 0.0, np.nan, rolling), np.where(g.fa > 0.0, np.nan, sliding)
+
+
 _FORMULAS: Final[Mapping[str, Callable[[_Given], _Both]]] = {
     "grooves": _grooves,
     "inclined": _inclined,
@@ -350,6 +386,8 @@ _FORMULAS: Final[Mapping[str, Callable[[_Given], _Both]]] = {
     "washers": _washers,
     "cylinders": _cylinders,
     "cones": _cones,
+    "barrels": _barrels,
+    "torus": _torus,
 }
 """The equations of table 2a, by their names in data/skf_friction.toml."""
 

@@ -141,6 +141,11 @@ class BearingType:
         return self.element == BARREL
 
     @property
+    def straight(self) -> bool:
+        """Whether its rollers are cylinders, of standard sizes between printed raceways."""
+        return self.has_rollers and not self.conical and not self.barrels
+
+    @property
     def has_rollers(self) -> bool:
         """Whether rollers roll in it."""
         return self.element != BALL
