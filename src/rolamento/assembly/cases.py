@@ -345,7 +345,9 @@ def _check_own_fields(bearing: RollingBearing, arrays: Mapping[str, FloatArray])
     foreign: tuple[str, ...] = ()
     if bearing.bearing_type.has_rollers:
         conical = bearing.bearing_type.conical
-        foreign = ("diametral_clearance",) if conical else ("contact_angle", "roller_half_angle")
+        foreign = ("diametral_clearance",) if conical else ("roller_half_angle",)
+        if not conical and not bearing.bearing_type.inclined:
+            foreign = ("contact_angle", *foreign)
     for leaf in foreign:
         if f"bearing.{leaf}" in arrays:
             raise InputError(

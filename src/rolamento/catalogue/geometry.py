@@ -129,7 +129,10 @@ class InternalGeometry:
     @property
     def idle(self) -> tuple[Part, ...]:
         """Parts of the designation that are understood and change no result."""
-        return self.designation.letters.idle
+        idle = self.designation.letters.idle
+        if not self.bearing.type.aligns:
+            return idle
+        return tuple(part for part in idle if part.meaning != _TAPERED)  # which has its clearance
 
     @property
     def notes(self) -> tuple[Note, ...]:

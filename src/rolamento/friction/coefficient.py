@@ -131,8 +131,14 @@ def coefficient_by_regime(solved: Solved) -> tuple[Coefficient, Coefficient, Coe
     kind = lubricant_of(solved.case).oil.oil_type or USUAL_OIL
     film = SLIDING_FULL_FILM[kind]
     usual = [SLIDING_FULL_FILM[one] for one in _USUAL_OILS] if kind in _USUAL_OILS else [film]
-    of_lines = toml_of("skf_friction")["full_film"].values()
-    lines = [full_film_of(one) or max(of_lines) for one in rows.element]
+    # a type that has none of its own has that of the oil, as balls have
+    of_rows = [full_film_of(one) for one in rows.element]
+    spread = toml_of("skf_friction")["full_film"].values()
+    low, high = (
+        np.array([end(usual) if one is None else end(spread) for one in of_rows])
+        for end in (min, max)
+    )
+    lines = [film if one is None else one for one in of_rows]
     # of rows that differ, the ball models take the one with the thinnest film
     balls = part.max(axis=1, keepdims=True)
 
@@ -145,6 +151,6 @@ def coefficient_by_regime(solved: Solved) -> tuple[Coefficient, Coefficient, Coe
 
     return (
         made(SLIDING_BOUNDARY, film, np.array(lines)),
-        made(SLIDING_BOUNDARY, min(usual), min(of_lines)),
-        made(SLIDING_AT_START, max(usual), max(of_lines)),
+        made(SLIDING_BOUNDARY, min(usual), low),
+        made(SLIDING_AT_START, max(usual), high),
     )

@@ -111,6 +111,35 @@ def line_hysteresis(
     return np.asarray(np.asarray(loss) * np.asarray(load_per_length) * width)
 
 
+def curved_slip_moment(
+    load_per_length: FloatArray, place: FloatArray, curvature: FloatArray
+) -> FloatArray:
+    """Return ∫ q |x² - x_0²|/(2R) dx along a contact that is curved; N·m.
+
+    Parameters
+    ----------
+    load_per_length, place
+        (..., slices), q at the middles x of slices of one width; N/m, m.
+    curvature
+        (...), 1/R of the pressed surface in the plane of the roller's axis; 1/m.
+
+    Returns
+    -------
+    Array (...): times μ and the roll it is the power of friction of a roller whose middle runs
+    ahead and whose ends lag behind. Two lines at ±x_0 roll truly, half of the load between them,
+    so that the tractions balance. Heathcote (1921); Harris (1991), chapter 14.
+    """
+    q = np.nan_to_num(load_per_length)
+    width = place[..., 1:2] - place[..., :1]
+    square = place**2
+    order = np.argsort(square, axis=-1, kind="stable")
+    below = np.cumsum(np.take_along_axis(q, order, axis=-1), axis=-1)
+    half = np.argmax(below >= 0.5 * below[..., -1:], axis=-1)[..., np.newaxis]
+    rolls = np.take_along_axis(np.take_along_axis(square, order, axis=-1), half, axis=-1)
+    apart = (q * np.abs(square - rolls)).sum(axis=-1) * width[..., 0]
+    return np.asarray(0.5 * np.nan_to_num(curvature) * apart)
+
+
 def slip_moment(load_per_length: FloatArray, place: FloatArray) -> FloatArray:
     """∫ q |x - x_0| dx along the contact, half of the load lying beyond x_0; N·m.
 

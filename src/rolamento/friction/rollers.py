@@ -17,9 +17,10 @@ from typing import Final
 
 import numpy as np
 
-from rolamento.case.roller_bearing import USUAL_RIB_HEIGHT, RollerBearing
+from rolamento.case.roller_bearing import PROFILE_SHARE, USUAL_RIB_HEIGHT, RollerBearing
 from rolamento.friction.line_losses import (
     RIB_FILM,
+    curved_slip_moment,
     inlet_force,
     line_hysteresis,
     rib_coefficient,
@@ -62,6 +63,8 @@ class RollerShape:
     length: FloatArray
     axis: FloatArray
     taper: FloatArray
+    inner_curve: FloatArray
+    outer_curve: FloatArray
     rib_height: FloatArray
     end_radius: FloatArray
 
@@ -128,8 +131,34 @@ def _shape_of_row(solved: Solved, index: int) -> dict[str, FloatArray]:
         "length": number("roller_length", bearing.roller_length),
         "axis": number("contact_angle", bearing.row_angle) - taper,
         "taper": taper,
+        **_curves(bearing, diameter, rows.pitch_diameter[:, index], number),
         "rib_height": np.where(np.isnan(given), USUAL_RIB_HEIGHT * diameter, given),
         "end_radius": number("roller_end_radius", bearing.roller_end_radius),
+    }
+
+
+def _curves(
+    bearing: RollerBearing,
+    diameter: FloatArray,
+    pitch: FloatArray,
+    number: Callable[[str, float | None], FloatArray],
+) -> dict[str, FloatArray]:
+    """1/R of the pressed surface along the roller, on each race; of barrels, else 0.
+
+    R = 2 r_r r/(r_r + r), halfway between the profiles; Harris (1991), eq. 2.18.
+    """
+    if not bearing.bearing_type.barrels:
+        return {"inner_curve": 0.0 * diameter, "outer_curve": 0.0 * diameter}
+    sphere = 0.5 * pitch / np.cos(number("contact_angle", bearing.row_angle)) + 0.5 * diameter
+    outer = number("outer_raceway_radius", bearing.outer_raceway_radius)
+    outer = np.where(np.isnan(outer), sphere, outer)
+    inner = number("inner_raceway_radius", bearing.inner_raceway_radius)
+    inner = np.where(np.isnan(inner), outer, inner)
+    profile = number("roller_profile_radius", bearing.roller_profile_radius)
+    profile = np.where(np.isnan(profile), PROFILE_SHARE * outer, profile)
+    return {
+        "inner_curve": 0.5 * (1.0 / profile + 1.0 / inner),
+        "outer_curve": 0.5 * (1.0 / profile + 1.0 / outer),
     }
 
 
@@ -184,23 +213,33 @@ def roller_sliding(
         parameter = rib_film_parameter(setting, shape)
         under = rib_coefficient(np.nan_to_num(parameter), setting.coefficient.boundary)
         at_rib = np.where(np.isnan(parameter), mu, under)
-    force = np.where(loaded, np.abs(rollers.rib_force), 0.0) * at_rib
-    two_ribs = np.array([not type_of_element(one).conical for one in solved.rows.element])
-    both = two_ribs[solved.rows.row_of_element]
+    force = np.where(loaded & _ribbed(solved), np.abs(rollers.rib_force), 0.0) * at_rib
+    straight = np.array([type_of_element(one).straight for one in solved.rows.element])
+    both = straight[solved.rows.row_of_element]
     rib = ContactLoss(
         np.where(force > 0.0, force * shape.rib("inner").sliding, 0.0),
         np.where((force > 0.0) & both, force * shape.rib("outer").sliding, 0.0),
     )
     motion = shape.motion
 
-    def along(line: Line, spin: FloatArray) -> FloatArray:
-        moment = slip_moment(line.load_per_length, rollers.slice_place)
-        return np.where(loaded, mu * moment * np.abs(spin), 0.0)
+    def along(line: Line, spin: FloatArray, roll: FloatArray, curve: FloatArray) -> FloatArray:
+        q, x = line.load_per_length, rollers.slice_place
+        power = slip_moment(q, x) * np.abs(spin)
+        if (curve > 0.0).any():
+            power = power + curved_slip_moment(q, x, curve) * np.abs(roll)
+        return np.where(loaded, mu * power, 0.0)
 
     slip = ContactLoss(
-        along(rollers.inner, motion.inner_spin), along(rollers.outer, motion.outer_spin)
+        along(rollers.inner, motion.inner_spin, motion.inner_roll, shape.inner_curve),
+        along(rollers.outer, motion.outer_spin, motion.outer_roll, shape.outer_curve),
     )
     return {"rib": rib, "rolling_slip": slip}
+
+
+def _ribbed(solved: Solved) -> BoolArray:
+    """Which rollers lean on ribs; barrels are guided by a loose ring; (elements,)."""
+    ribs = np.array([not type_of_element(one).barrels for one in solved.rows.element])
+    return np.asarray(ribs[solved.rows.row_of_element])
 
 
 def starting_losses(setting: Setting) -> dict[str, ContactLoss]:
@@ -286,7 +325,7 @@ def _limits(setting: Setting) -> dict[str, BoolArray]:
         end = 0.5 * solved.rows.per_element(solved.rows.effective_length)
         fast = SLIPS * 0.5 * np.abs(motion.ball_speed) * shape.diameter
         slips = bears & (np.maximum(abs(motion.inner_spin), abs(motion.outer_spin)) * end > fast)
-        presses = bears & (np.abs(rollers.rib_force) > 0.0)
+        presses = bears & _ribbed(solved) & (np.abs(rollers.rib_force) > 0.0)
     unknown = presses & np.isnan(rib_film_parameter(setting, shape))
     return {
         "full_film": (setting.regime == "full_film")

@@ -28,6 +28,7 @@ from rolamento.document import (
     Title,
     Tone,
 )
+from rolamento.types import TYPES
 from rolamento.words import manner, marked, said
 
 __all__ = ["KINDS", "bearing_page", "search_page"]
@@ -37,18 +38,7 @@ _SHORT_NAMES: Final = {
     "axial_dynamic_rating": "Ca", "axial_static_rating": "C0a",
     "inner_raceway_diameter": "F_w", "outer_raceway_diameter": "E_w", "axial_limit": "e",
 }  # fmt: skip
-KINDS: Final = {
-    "deep_groove": marked("deep-groove ball bearing"),
-    "angular_contact": marked("angular-contact ball bearing"),
-    "double_row": marked("double-row angular-contact ball bearing"),
-    "four_point": marked("four-point contact ball bearing"),
-    "self_aligning": marked("self-aligning ball bearing"),
-    "thrust": marked("single-direction thrust ball bearing"),
-    "cylindrical": marked("cylindrical roller bearing"),
-    "tapered": marked("tapered roller bearing"),
-    "needle": marked("needle roller bearing"),
-    "drawn_cup": marked("drawn cup needle roller bearing"),
-}
+KINDS: Final = {key: one.name for key, one in TYPES.items()}
 _OF_THRUST: Final = {
     "width": marked("height T"),
     "dynamic_rating": marked("dynamic axial load rating Ca"),
@@ -220,7 +210,7 @@ def bearing_page(geometry: InternalGeometry) -> Document:
         rollers = [one for one in geometry.candidates if isinstance(one, RollerCandidate)]
         balls = [one for one in geometry.candidates if isinstance(one, Candidate)]
         if rollers:
-            sections.append(_roller_candidates(rollers, tapered=bearing.kind == "tapered"))
+            sections.append(_roller_candidates(rollers, tapered=bearing.type.conical))
         if balls:
             sections.append(_candidates(balls))
     if geometry.sisters:
@@ -271,8 +261,9 @@ def _published(bearing: CatalogueBearing) -> Section:
 
 
 def _names_of(bearing: CatalogueBearing) -> Mapping[str, str]:
-    own = {"thrust": _OF_THRUST, "tapered": _OF_TAPERED}
-    return _NAMES | own.get(bearing.kind, {})
+    if bearing.type.washers:
+        return _NAMES | _OF_THRUST
+    return _NAMES | _OF_TAPERED if bearing.type.conical else _NAMES
 
 
 def _named_figures(

@@ -11,7 +11,7 @@ from rolamento.case.arrangement import Preload
 from rolamento.case.bearing import Bearing, RowPlace
 from rolamento.case.duty import AXES, LOADS, Duty
 from rolamento.case.profile import Profile
-from rolamento.case.roller_bearing import RollerBearing
+from rolamento.case.roller_bearing import RollerBearing, raceway_radii
 from rolamento.case.rolling_bearing import RollingBearing
 from rolamento.document import Entry, KeyValues, Section, Title
 from rolamento.notes import nothing_given
@@ -108,6 +108,8 @@ def _between_rings(bearing: RollerBearing) -> str:
             half=bearing.roller_half_angle or 0.0,
         )
     play = quantity(_short(bearing.diametral_clearance or 0.0), "length")
+    if bearing.bearing_type.barrels:
+        return _arcs(bearing, play)
     ribs = {
         "none": said_in("ribs", "none"),
         "+": said_in("ribs", "toward +x"),
@@ -122,8 +124,30 @@ def _between_rings(bearing: RollerBearing) -> str:
     )
 
 
+def _arcs(bearing: RollerBearing, play: str) -> str:
+    """The arcs of barrel-shaped rollers and of their races."""
+    profile, inner, outer = (
+        quantity(_short(float(radius)), "length") for radius in raceway_radii(bearing)
+    )
+    arcs = {"profile": profile, "inner": inner, "outer": outer, "play": play}
+    if not bearing.bearing_type.aligns:
+        return said(
+            "diametral clearance {play}; profile radii: rollers {profile}, inner raceway {inner},"
+            " outer raceway {outer}",
+            **arcs,
+        )
+    return said(
+        "contact angle {angle:.5 °}, diametral clearance {play}; profile radii: rollers {profile},"
+        " inner raceway {inner}; outer raceway a sphere of radius {outer}",
+        angle=bearing.row_angle,
+        **arcs,
+    )
+
+
 def _profiles(bearing: RollerBearing) -> list[str]:
     """The profile of the rollers, and those of the races that have one."""
+    if bearing.bearing_type.barrels:
+        return []
     races = {"inner": bearing.inner_profile, "outer": bearing.outer_profile}
     own = {name: profile for name, profile in races.items() if profile.kind != "none"}
     lines = [said("rollers {profile}", profile=_profile(bearing.roller_profile))]
@@ -362,6 +386,10 @@ def model_text(case: Case) -> str:
 def _line_contact(case: Case) -> str:
     """How a line of contact carries: it decides on the life of rollers."""
     slices = case.model.slices
+    if all(place.bearing.bearing_type.barrels for place in case.bearing.places):
+        return said(
+            "elliptical contacts, cut off at the rollers' ends by {slices} slices", slices=slices
+        )
     if case.model.roller_contact == "coupled":
         return said("{slices} slices coupled by the elastic half-space", slices=slices)
     return said("{slices} independent slices (ISO/TS 16281)", slices=slices)

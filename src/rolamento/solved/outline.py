@@ -6,7 +6,7 @@ from math import cos, sin
 from typing import TYPE_CHECKING, NamedTuple
 
 from rolamento.case.profile import Profile
-from rolamento.case.roller_bearing import RollerBearing
+from rolamento.case.roller_bearing import RollerBearing, raceway_radii
 from rolamento.contact.profile import drop
 from rolamento.numerics import FloatArray
 
@@ -17,7 +17,9 @@ __all__ = ["RollerOutline", "roller_outline"]
 
 
 class RollerOutline(NamedTuple):
-    """A roller's outline and those of its races over its length, taper taken out; (slices,), m.
+    """A roller's outline and those of its races over its length; (slices,), m.
+
+    A taper is taken out, of barrel-shaped rollers the curvature of the outer race.
 
     place: from the roller's middle, toward +x of its row. drop: of its profile. inner, outer: how
     far it overlaps the races; below zero a gap. tilt, ring_tilt: slope of its axis and of the inner
@@ -64,8 +66,15 @@ def roller_outline(solved: Solved, roller: int) -> RollerOutline:
             tapered=row.bearing_type.conical,
         )
 
-    own = dropped(row.roller_profile)
-    races = {"inner": dropped(row.inner_profile), "outer": dropped(row.outer_profile)}
+    if row.bearing_type.barrels:
+        # what they have in common with the outer raceway is taken out, as a taper is
+        profile, inner_race, outer_race = (float(radius) for radius in raceway_radii(row))
+        own = 0.5 * place**2 * (1.0 / profile - 1.0 / outer_race)
+        hollow = 0.5 * place**2 * (1.0 / inner_race - 1.0 / outer_race)
+        races = {"inner": -hollow, "outer": 0.0 * place}
+    else:
+        own = dropped(row.roller_profile)
+        races = {"inner": dropped(row.inner_profile), "outer": dropped(row.outer_profile)}
     tilt, azimuth = float(rollers.tilt[0, roller]), float(solved.elements.azimuth[0, roller])
     ry, rz = float(solved.displacement.ry[0]), float(solved.displacement.rz[0])
     ring = sign * (rz * sin(azimuth) - ry * cos(azimuth))

@@ -14,6 +14,7 @@ from rolamento.speeds.minimum_load import (
     minimum_radial_load,
     minimum_radial_load_of_rollers,
     minimum_share,
+    minimum_share_source,
     roller_load_factor,
 )
 from rolamento.speeds.permissible import HeatShares, heat_shares, speed_ratio
@@ -38,6 +39,7 @@ __all__ = [
     "minimum_radial_load",
     "minimum_radial_load_of_rollers",
     "minimum_share",
+    "minimum_share_source",
     "reference_coefficients",
     "reference_heat_flow",
     "roller_load_factor",

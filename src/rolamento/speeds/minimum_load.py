@@ -31,6 +31,7 @@ __all__ = [
     "minimum_radial_load",
     "minimum_radial_load_of_rollers",
     "minimum_share",
+    "minimum_share_source",
     "roller_load_factor",
 ]
 
@@ -55,6 +56,12 @@ def minimum_share(element: str = "ball") -> float | None:
         return float(data["share"])
     share = data["rollers"].get(element)
     return share if isinstance(share, float) else None
+
+
+def minimum_share_source(element: str) -> str:
+    """Return where `minimum_share` of such rollers is from."""
+    rollers = toml_of("speeds")["minimum_load"]["rollers"]
+    return str(rollers["sources"].get(element, rollers["source"]))
 
 
 class RollerLoadFactor(NamedTuple):

@@ -14,7 +14,7 @@ from rolamento.case.preload_classes import level_of_force
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.catalogue import InternalGeometry, parse_designation
 from rolamento.errors import InputError
-from rolamento.friction.palmgren import friction_load
+from rolamento.friction.palmgren import constants_by_type, friction_load
 from rolamento.io.json import plain
 from rolamento.life.equivalent_load import equivalent_load
 from rolamento.life.equivalent_load import minimum_axial_load as minimum_thrust_load
@@ -36,6 +36,7 @@ from rolamento.speeds import (
     minimum_radial_load,
     minimum_radial_load_of_rollers,
     minimum_share,
+    minimum_share_source,
     reference_coefficients,
     reference_heat_flow,
     roller_load_factor,
@@ -491,7 +492,12 @@ class _Asked:
         kind = self.case.bearing.places[0].bearing.bearing_type
         if not kind.has_rollers:
             kind = of_balls(angled=given.contact_angle is not None)
-        load = float(friction_load(radial, axial, kind.key, given.contact_angle or 0.0))
+        if kind.key not in constants_by_type() and axial:
+            notes.append(Note("no_permissible_speed_under_axial_load"))
+            return None
+        load = radial
+        if kind.key in constants_by_type():
+            load = float(friction_load(radial, axial, kind.key, given.contact_angle or 0.0))
         mean = 0.5 * (given.bore + given.outside_diameter)
         shares = heat_shares(
             speed, mean, reference_heat_flow(*sizes), viscosity=self.viscosity, load=load,
@@ -605,7 +611,10 @@ class _Asked:
         given, (radial, _) = self.boundary, self.loads
         share = minimum_share(self.element)
         if share is not None:
-            source = Note("source_minimum_of_rollers", {"share": share})
+            source = Note(
+                "source_minimum_of_rollers",
+                {"share": share, "source": minimum_share_source(self.element)},
+            )
             needed = share * given.dynamic_rating * given.rows
             return [MinimumLoad("radial", needed, radial, source)]
         found = roller_load_factor(given.series)

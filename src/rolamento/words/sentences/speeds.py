@@ -125,7 +125,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     "source_speed_class": marked("{source}: mean n·d_m of {bearings}"),
     "source_minimum_share": marked("P ≥ {share:.3} C; SKF catalogue 10000 EN"),
-    "source_minimum_of_rollers": marked("{share:.3} C; SKF catalogue 10000 EN"),
+    "source_minimum_of_rollers": marked("{share:.3} C; {source}"),
     "source_minimum_of_cylindrical": marked(
         "k_r (6 + 4 n/n_r) (d_m/100)², k_r {factor:.3}; SKF catalogue 10000 EN"
     ),
@@ -157,6 +157,10 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     "no_static_rating_for_speed": marked(
         "The thermal reference speed needs C_0: give life.static_rating."
+    ),
+    "no_permissible_speed_under_axial_load": marked(
+        "How an axial load of such bearings counts in their friction is not on file: there is no"
+        " thermally permissible speed under one."
     ),
     "no_permissible_speed": marked(
         "The permissible speed needs a lubricant and its temperature: --lubricant, --temperature."
