@@ -43,7 +43,9 @@ def head(solved: Solved) -> Section:
 
 def untitled(case: Case) -> str:
     """Return what a case without a title is called: by what rolls in it."""
-    names = {place.bearing.bearing_type.untitled for place in case.bearing.places}
+    whole = case.bearing.kind is not None
+    bearings = [case.bearing] if whole else [place.bearing for place in case.bearing.places]
+    names = {bearing.bearing_type.untitled for bearing in bearings}
     return said(names.pop()) if len(names) == 1 else said("Set of bearings of several kinds")
 
 
