@@ -13,6 +13,7 @@ import rolamento as ro
 from rolamento.catalogue import catalogue
 from rolamento.errors import InputError
 from rolamento.friction.line_losses import curved_slip_moment
+from rolamento.friction.skf import series_constants, skf_moment
 from rolamento.pages.given import head, model_text
 from rolamento.ratings import roller_dynamic_rating
 from rolamento.ratings.rollers import roller_static_rating
@@ -104,9 +105,10 @@ def test_its_life_is_rated_as_two_rows(fan: ro.Analysis) -> None:
 def test_contacts_and_skf_agree_on_the_torque(fan: ro.Analysis) -> None:
     """Two models that share nothing: within 15 % running and starting."""
     assert fan.friction is not None
-    contacts = fan.friction.models["roller_sliding"].total[0]
-    skf = fan.friction.models["skf"].total[0]
-    assert contacts == pytest.approx(skf, rel=0.15)
+    skf = fan.friction.models["skf"]
+    assert fan.friction.torque[0] == pytest.approx(skf.total[0], rel=0.15)
+    assert skf.starting is not None
+    assert fan.friction.starting_torque[0] == pytest.approx(skf.starting[0], rel=0.15)
 
 
 def test_formula_of_skf_by_hand() -> None:
