@@ -55,7 +55,7 @@ def test_designations_of_any_maker_are_read(text: str, listed: str, clearance: f
 
 def test_the_inside_reproduces_the_ratings() -> None:
     for one in catalogue().bearings:
-        if one.kind != "spherical" or one.bore <= 24e-3:
+        if one.kind != "spherical":
             continue
         bearing = ro.RollerBearing.named(one.designation)
         shape = (
@@ -89,7 +89,7 @@ def test_the_list_agrees_with_the_formulas_of_the_standard() -> None:
 
 def test_a_bore_without_a_class_asks_for_its_clearance() -> None:
     with pytest.raises(InputError, match="ISO 5753-1 has no range at a bore of 20 mm"):
-        ro.RollerBearing.named("21304")
+        ro.RollerBearing.named("21304 K")  # tapered bores begin over 24 mm
 
 
 def test_its_life_is_rated_as_two_rows(fan: ro.Analysis) -> None:
