@@ -272,6 +272,8 @@ def _free_directions(solved: Solved) -> Iterator[Note]:
         type_of_element(one).floats for one in solved.rows.element
     ):
         free[0] = False  # cylindrical rollers let a shaft shift: that is what they are for
+    if solved.rollers is not None and solved.case.bearing.bearing_type.washers:
+        free[1:3] = False  # flat washers do not hold each other
     arm = 0.5 * float(solved.rows.pitch_diameter[0, 0])
     arms = np.array([1.0, 1.0, 1.0, arm, arm])
     scaled = solved.stiffness.array[0] / np.outer(arms, arms)

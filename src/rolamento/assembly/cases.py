@@ -21,7 +21,7 @@ from rolamento.errors import InputError
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
 from rolamento.rows.ball.row import BallRow, Traction
-from rolamento.rows.row import Row
+from rolamento.rows.row import Driven, Row
 from rolamento.words import said
 
 __all__ = ["Cases", "PlacedRow", "RowState", "spread"]
@@ -222,15 +222,12 @@ def _unconstrained(
     Every contact of a thrust bearing pushes toward -x. Only where nothing else acts, at rest, may
     the axial load be zero.
     """
-    unconstrained = np.zeros(len(free), np.bool_)
     if not bearing.bearing_type.washers:
-        return unconstrained
-    from rolamento.rows.grooves import GrooveRow
-
-    if isinstance(row, GrooveRow):
-        acts = (load[:, 1:] != 0.0).any(axis=1) | row.driven
-        unconstrained = free[:, 0] & ((load[:, 0] < 0.0) | ((load[:, 0] == 0.0) & acts))
-    return unconstrained
+        return np.zeros(len(free), np.bool_)
+    acts = (load[:, 1:] != 0.0).any(axis=1)
+    if isinstance(row, Driven):
+        acts = acts | row.driven
+    return np.asarray(free[:, 0] & ((load[:, 0] < 0.0) | ((load[:, 0] == 0.0) & acts)))
 
 
 def _maker(of_kind: tuple[str, str]) -> Any:

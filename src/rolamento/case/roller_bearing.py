@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Annotated, Any, ClassVar, Final, Self, cast
+from typing import Annotated, Any, ClassVar, Final, Self, cast, get_args
 
 import numpy as np
 from pydantic import ConfigDict, Field, model_validator
@@ -51,6 +51,8 @@ knowledge of how high ribs are (a fifth of the diameter), not a figure of a sour
 _MOST_INTERFERENCE: Final = 0.02
 """Fraction of the roller diameter: beyond is no elastic contact."""
 _ROUNDING: Final = 1e-12
+_RIGHT: Final = 1e-9
+"""rad: within it an angle is a right one."""
 PROFILE_SHARE: Final = 0.97
 """Radius of the profile of barrel-shaped rollers over that of the outer race, if not given: what
 other programs suppose; no standard says."""
@@ -147,7 +149,9 @@ def _too_many_rollers(bearing: RollerBearing) -> InputError:
 
 
 def _cones_meet_the_axis(bearing: Any) -> Any:
-    """Whether 0 < α - 2φ and α < 90°."""
+    """Whether 0 < α - 2φ and α < 90°; rollers between flat washers stand at 90°."""
+    if bearing.bearing_type.washers:
+        return abs(bearing.contact_angle - 0.5 * math.pi) < _RIGHT
     if not bearing.bearing_type.conical:
         return True
     angle, half_angle = bearing.contact_angle, bearing.roller_half_angle
@@ -155,6 +159,13 @@ def _cones_meet_the_axis(bearing: Any) -> Any:
 
 
 def _cones_do_not(bearing: RollerBearing) -> InputError:
+    if bearing.bearing_type.washers:
+        return InputError(
+            said("of rollers between flat washers is 90 deg"),
+            field="contact_angle",
+            value=readable(bearing.row_angle, "angle"),
+            example='contact_angle = "90 deg"',
+        )
     return InputError(
         said(
             "must be less than half the contact angle, {half}, and the contact angle "
@@ -303,6 +314,13 @@ def _check_rings(bearing: RollerBearing) -> None:
             value=bearing.kind,
             example=f'element = "{kind.element}"',
         )
+    for name in ("arrangement", "rows", "preload"):
+        if bearing.kind is not None and getattr(bearing, name) is not None:
+            raise InputError(
+                said('does not go with kind = "{kind}"', kind=bearing.kind),
+                field=name,
+                example=said("leave it out, or leave out kind"),
+            )
     if kind.barrels and kind.aligns and bearing.outer_raceway_radius is not None:
         raise InputError(
             said("is not given of such a bearing: its outer race is a sphere about its centre"),
@@ -382,9 +400,10 @@ class RollerBearing(RollingBearing):
         α of tapered rollers, that of the outer raceway's line of action, and of barrel-shaped ones;
         in rad.
     kind
-        Of the rings of barrel-shaped rollers: ``"spherical"``, two rows at ± the contact angle in
+        Of the rings. Of barrel-shaped rollers: ``"spherical"``, two rows at ± the contact angle in
         an outer ring that is a sphere about the bearing's centre; ``"toroidal"``, one row whose
-        races are tori. One row in a sphere if not given.
+        races are tori; one row in a sphere if not given. Of cylindrical ones: ``"thrust"``, between
+        flat washers.
     roller_half_angle
         φ of tapered rollers, half of the angle of their cone, in rad; the inner raceway's line of
         action is at α - 2φ. If not given, that of cones which all have one apex.
@@ -557,7 +576,12 @@ class RollerBearing(RollingBearing):
 
     @classmethod
     def _adjust(cls, given: Mapping[str, Any], found: dict[str, Any], *, in_file: bool) -> None:
-        """Rollers of another shape than the catalogue's have ends of their own."""
+        """Rollers of another shape than the catalogue's have their own ends; washers are flat."""
+        kind = {**given, **found}.get("kind")
+        if kind in get_args(RollerRings) and of_grooves(str(kind), ROLLER).washers:
+            if given.get("contact_angle") is None:
+                found["contact_angle"] = "90 deg" if in_file else 0.5 * math.pi
+            found.pop("diametral_clearance", None)
         if any(given.get(name) is not None for name in _SHAPE):
             found.pop("roller_end_radius", None)
 
@@ -642,7 +666,8 @@ class RollerBearing(RollingBearing):
         }
         for name, example in examples.items():
             value = getattr(self, name)
-            inclined = self.bearing_type.inclined and name == "contact_angle"
+            kind = self.bearing_type
+            inclined = (kind.inclined or kind.washers) and name == "contact_angle"
             if self.bearing_type.conical and value is None:
                 raise InputError(
                     said("is missing; tapered rollers need it"), field=name, example=example
@@ -658,6 +683,15 @@ class RollerBearing(RollingBearing):
     def _check_play(self) -> None:
         """Cylindrical and needle rollers have a clearance, cones none."""
         play, conical = self.diametral_clearance, self.bearing_type.conical
+        if self.bearing_type.washers:
+            if play is not None:
+                raise InputError(
+                    said("is not a quantity of a thrust bearing"),
+                    field="diametral_clearance",
+                    value=readable(play, "length"),
+                    example='contact_angle = "90 deg"',
+                )
+            return
         if conical and play is not None:
             raise InputError(
                 said("is of cylindrical and needle rollers; a tapered row takes a preload offset"),

@@ -44,6 +44,10 @@ Toroidal ones likewise, under a radial load:
     G_rr = R1 d_m^1.97 F_r^0.54                    G_sl = S1 d_m^-0.19 F_r^(5/3)
     G_rr = R2 d_m^2.37 F_r^0.31                    G_sl = S2 d_m^1.05 F_r
 
+Cylindrical roller thrust bearings:
+
+    G_rr = R1 d_m^2.38 F_a^0.31                    G_sl = S1 d_m^0.62 F_a
+
 Source: SKF, Rolling bearings (catalogue 10000 EN, 2013), "The SKF model for calculating the
 frictional moment", equations and table 2a; the constants of deep-groove series and of single-row,
 double-row and four-point contact angular-contact bearings from table 2b, in data/skf_friction.toml,
@@ -371,6 +375,10 @@ def _barrels(g: _Given) -> _Both:
     return rolling, sliding
 
 
+def _flat_washers(g: _Given) -> _Both:
+    return g.c.r1 * g.mean**2.38 * g.fa**0.31, g.c.s1 * g.mean**0.62 * g.fa
+
+
 def _torus(g: _Given) -> _Both:
     """The lesser of point and line contact; under a radial load only."""
     c, mean, fr = g.c, g.mean, g.fr
@@ -388,6 +396,7 @@ _FORMULAS: Final[Mapping[str, Callable[[_Given], _Both]]] = {
     "cones": _cones,
     "barrels": _barrels,
     "torus": _torus,
+    "flat_washers": _flat_washers,
 }
 """The equations of table 2a, by their names in data/skf_friction.toml."""
 

@@ -191,6 +191,16 @@ class Row(Protocol):
 
 
 @runtime_checkable
+class Driven(Protocol):
+    """A row whose elements may be thrown along the shaft."""
+
+    @property
+    def driven(self) -> BoolArray:
+        """Whether a force of their own acts on them; (cases,)."""
+        ...
+
+
+@runtime_checkable
 class SelfBalancing(Protocol):
     """A row whose kernels find the place of a ring that holds nothing else."""
 

@@ -23,6 +23,7 @@ from rolamento.types import (
     spherical,
     tapered,
     thrust_ball,
+    thrust_cylindrical,
     toroidal,
 )
 from rolamento.types._type import BALL, ROLLER, BearingType, Ribs
@@ -45,13 +46,14 @@ __all__ = [
 BearingKey = Literal[
     "deep_groove", "angular_contact", "double_row", "four_point", "self_aligning", "thrust",
     "cylindrical", "tapered", "needle", "drawn_cup", "barrel", "spherical", "toroidal",
+    "cylindrical_thrust",
 ]  # fmt: skip
 """Keys of the types, as a catalogue has them."""
 RollerElement = Literal["cylindrical", "tapered", "needle", "barrel"]
 """What rolls in a row of rollers, as a case file has it."""
 Grooves = Literal["four_point", "self_aligning", "thrust"]
 """What balls roll in, where it is not one groove a ring."""
-RollerRings = Literal["spherical", "toroidal"]
+RollerRings = Literal["spherical", "toroidal", "thrust"]
 """What rollers roll in, where it is not a plain row."""
 
 TYPES: Final[Mapping[str, BearingType]] = MappingProxyType(
@@ -71,6 +73,7 @@ TYPES: Final[Mapping[str, BearingType]] = MappingProxyType(
             barrel.TYPE,
             spherical.TYPE,
             toroidal.TYPE,
+            thrust_cylindrical.TYPE,
         )
     }
 )

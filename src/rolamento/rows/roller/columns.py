@@ -195,7 +195,7 @@ def geometry_of(bearing: Any, tapered: bool, slices: int, coupled: bool, cases: 
     diameter, pitch = column(bearing.roller_diameter), column(bearing.pitch_diameter)
     length = column(bearing.effective_length)
     whole = length if bearing.roller_length is None else column(bearing.roller_length)
-    outer = column(bearing.contact_angle if tapered else 0.0)
+    outer = column(0.0 if bearing.contact_angle is None else bearing.contact_angle)
     half = column(bearing.roller_half_angle if tapered else 0.0)
     axis = outer - half
     given = bearing.rib_height
@@ -213,7 +213,8 @@ def geometry_of(bearing: Any, tapered: bool, slices: int, coupled: bool, cases: 
     p[layout.OUTER_SHIFT] = np.cos(half + epsilon)
     p[layout.OUTER_TURN] = p[layout.LEVER] - arm * np.sin(half + epsilon)
     p[layout.INNER_CONSTANT] = p[layout.OUTER_CONSTANT] = contact_constant(length, modulus)
-    p[layout.GAP] = 0.0 if tapered else 0.25 * column(bearing.diametral_clearance)
+    play = bearing.diametral_clearance
+    p[layout.GAP] = 0.0 if play is None else 0.25 * column(play)
     p[layout.CENTRIFUGAL_SHIFT] = np.cos(axis - epsilon)
     p[layout.CENTRIFUGAL_TURN] = arm * np.sin(axis - epsilon)
     if not tapered:

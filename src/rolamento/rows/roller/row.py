@@ -107,7 +107,8 @@ class RollerRow:
     def floats(self) -> bool:
         """Whether no ribs and no cones hold it along the shaft."""
         p = self.numbers.p
-        return not (self.numbers.tapered or np.any(p[layout.RIB_AHEAD] + p[layout.RIB_BEHIND] > 0))
+        ribs = np.any(p[layout.RIB_AHEAD] + p[layout.RIB_BEHIND] > 0.0)
+        return not (self.numbers.tapered or ribs or np.any(p[layout.OUTER_SINE] > 0.0))
 
     @property
     def valid(self) -> BoolArray:
