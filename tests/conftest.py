@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import signal
 import subprocess
 import sys
 from collections import Counter
@@ -29,7 +30,12 @@ os.environ.setdefault("ROLAMENTO_COMPILE", "here")  # what is tested does not de
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Compile the catalogues of words, once, if they have changed since the installation."""
+    """Compile the words once, if they have changed; let Ctrl-C through even in the background.
+
+    A shell starts what it puts in the background with SIGINT ignored, and processes inherit that.
+    """
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
     if hasattr(config, "workerinput"):
         return
     subprocess.run(

@@ -110,6 +110,13 @@ CASES["tapered"] = Case(
     ),
     duty=DUTY,
 )
+CASES["toroidal"] = Case(
+    bearing=RollerBearing(
+        **ROLLERS, element="barrel", kind="toroidal", outer_raceway_radius="150 mm",
+        roller_profile_radius="140 mm", inner_raceway_radius="160 mm", diametral_clearance="20 um",
+    ),
+    duty=DUTY.replace(load=Load(fz=4e3), displacement={"x": "0 mm"}),
+)  # fmt: skip
 OF_ROLLERS = {
     **dict.fromkeys(
         ("roller_diameter", "effective_length", "roller_length", "rib_height"),
@@ -117,6 +124,9 @@ OF_ROLLERS = {
     ),
     **dict.fromkeys(("roller_half_angle", "roller_end_radius"), ("tapered",)),
     **dict.fromkeys(("axial_play", "roller_material"), ("cylindrical",)),
+    **dict.fromkeys(
+        ("roller_profile_radius", "inner_raceway_radius", "outer_raceway_radius"), ("toroidal",)
+    ),
 }
 """Which cases the fields of rollers are tried on."""
 FOR_ROLLING = (
@@ -147,6 +157,9 @@ VALUES: dict[str, tuple[float, float, tuple[float, ...]]] = {
     "bearing.axial_play": (0.0, 2e-4, (-1e-6, 2.0)),
     "bearing.rib_height": (2e-4, 2e-3, (0.0, 9e-3, 2.0)),
     "bearing.roller_end_radius": (0.1, 1.0, (0.0, 1e-3, 101.0)),
+    "bearing.roller_profile_radius": (0.1, 0.149, (0.0, 0.16, 1e3)),
+    "bearing.inner_raceway_radius": (0.141, 0.3, (0.0, 0.13, 1e3)),
+    "bearing.outer_raceway_radius": (0.141, 0.3, (0.0, 0.13, 1e3)),
     "bearing.roller_material.youngs_modulus": (1e11, 4e11, (0.0, 1e30)),
     "bearing.roller_material.poisson_ratio": (0.1, 0.45, (0.5, 0.6)),
     "bearing.roller_material.density": (2e3, 9e3, (0.0, -5.0)),

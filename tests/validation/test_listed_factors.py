@@ -15,7 +15,7 @@ from rolamento.life.equivalent_load import ListedFactors, equivalent_load, stati
 from rolamento.life.iso281_modified import fatigue_load_limit
 from rolamento.solution import solve
 
-TAPERED = [one for one in catalogue().bearings if one.axial_factor is not None]
+TAPERED = [one for one in catalogue().bearings if one.type.conical and one.axial_factor is not None]
 LIMITED = [one for one in catalogue().bearings if one.fatigue_load_limit is not None]
 
 

@@ -8,8 +8,9 @@ what it takes the place of; what readers call it stands in `labels`.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from copy import copy
 from functools import cache, cached_property
-from typing import Any, Final, Literal, get_args, get_origin
+from typing import Any, Final, Literal, cast, get_args, get_origin
 
 from pydantic import BaseModel, create_model
 from pydantic.fields import FieldInfo
@@ -253,12 +254,22 @@ def _fields_in(record: type[BaseModel], table: str) -> Iterator[_Found]:
             others = replaced(record, leaf)
             dotted = (other if "." in other else f"{table}{other}" for other in others)
             yield f"{table}{leaf}", tuple(dotted), record, info
-        known = set()
+        known: dict[str, _Found] = {}
         for one in inner:  # what they have in common is one field
             for found in _fields_in(one, f"{table}{leaf}."):
-                if found[0] not in known:
-                    known.add(found[0])
-                    yield found
+                *first, words = known.setdefault(found[0], found)
+                known[found[0]] = cast("_Found", (*first, _of_both(words, found[-1])))
+        yield from known.values()
+
+
+def _of_both(first: FieldInfo, second: FieldInfo) -> FieldInfo:
+    """The field of two records: the first one's, with the words that either may be."""
+    words = dict.fromkeys((*_choices_in(first.annotation), *_choices_in(second.annotation)))
+    if len(words) == len({*_choices_in(first.annotation)}):
+        return first
+    both = copy(first)
+    both.annotation = Literal[*words] | None  # type: ignore[assignment]
+    return both
 
 
 def _kind_of(info: FieldInfo) -> Kind:
