@@ -8,11 +8,14 @@ import numpy as np
 import pytest
 
 import rolamento as ro
+from rolamento.catalogue import catalogue, geometry_of
+from rolamento.catalogue.roller_inference import inferred_rollers
 from rolamento.contact.line import EXPONENT, pair_constant
 from rolamento.errors import InputError
 from rolamento.friction.skf import series_constants, skf_moment
 from rolamento.ratings import roller_dynamic_rating
 from rolamento.ratings.rollers import roller_static_rating
+from rolamento.tasks.speed import speed_limits
 
 FLAT: dict[str, Any] = {
     "element": "cylindrical", "kind": "thrust", "roller_count": 24, "roller_diameter": 0.0075,
@@ -111,3 +114,30 @@ def test_what_flat_washers_have_not_is_refused(changes: dict[str, Any], field: s
     with pytest.raises(InputError) as caught:
         of(**changes)
     assert caught.value.field == field
+
+
+THRUST = [one for one in catalogue().bearings if one.kind == "cylindrical_thrust"]
+
+
+def test_those_of_the_list_are_rated_by_their_rollers() -> None:
+    """C_a by ISO 281 and C_0a by ISO 76, of rollers whose diameter SKF prints."""
+    assert len(THRUST) == 54
+    for one in THRUST:
+        assert geometry_of(one.designation).bearing == one
+        found = inferred_rollers(one)[0]
+        assert found.reproduces, one.designation
+        assert found.roller_diameter == pytest.approx(one.roller_diameter)
+        assert found.effective_length < one.section_height
+
+
+def test_one_by_its_designation() -> None:
+    case = ro.Case(bearing={"designation": "81110"}, duty={"load": {"fx": "10 kN"}})
+    bearing = case.bearing
+    assert isinstance(bearing, ro.RollerBearing)
+    assert bearing.bearing_type.key == "cylindrical_thrust"
+    assert bearing.row_angle == pytest.approx(np.pi / 2)
+    solved = ro.solve(bearing, fx=10e3, inner_speed=100.0)
+    assert solved.inner.load[0] == pytest.approx(10e3 / bearing.roller_count, rel=1e-9)
+    speeds = speed_limits(case)
+    assert {"no_reference_coefficients"} <= {note.key for note in speeds.notes}
+    assert ro.fault_frequencies(bearing).notes[0].key == "rollers_slide_on_washers"

@@ -292,10 +292,14 @@ def _roller_geometry(
             candidates = _add_rollers(bearing, rank, fields, origins)
         except InputError as error:
             raise error.with_details(value=designation.text) from None
+        if bearing.clearance_factor is not None and bearing.width is not None:
+            centres = bearing.width / bearing.clearance_factor  # s²/(R_o + R_i - D_we), of C_r
+            fields["outer_raceway_radius"] = 0.5 * (centres + fields["roller_diameter"])
+            origins["outer_raceway_radius"] = "inferred"
     type_ = _type_of(bearing, designation)
     if bearing.type.grooves is not None:
         fields["kind"], origins["kind"] = bearing.type.grooves, "published"
-    if bearing.type.conical or bearing.type.inclined:
+    if bearing.type.conical or bearing.type.inclined or bearing.type.washers:
         angle = nominal_angle(bearing)
         fields["contact_angle"] = angle
         told = bearing.contact_angle is not None
@@ -311,7 +315,7 @@ def _roller_geometry(
             )
             fields["roller_end_radius"] = float(usual_end_radius(*end))
             origins["roller_end_radius"] = "assumed"
-    if bearing.type.straight:
+    if bearing.type.straight and not bearing.type.washers:
         fields["inner_ribs"], fields["outer_ribs"] = _RIBS.get(type_, ("none", "none"))
         origins["inner_ribs"] = origins["outer_ribs"] = "published"
     if not bearing.type.conical:

@@ -77,6 +77,7 @@ _PURE: Final = {
     "inner_conformity": "inner_conformity fi f_i",
     "outer_conformity": "outer_conformity fe fo f_o f_e",
     "axial_limit": "axial_limit e",
+    "clearance_factor": "clearance_factor k2 k_2",
     "axial_factor": "axial_factor y",
     "static_axial_factor": "static_axial_factor y0 y_0 yo",
     "ball_count": "ball_count number_of_balls kugelanzahl numero_de_esferas",

@@ -9,6 +9,7 @@ headings of catalogues (`rolamento.catalogue.headings`). ``# maker: NSK``, ``# k
 from __future__ import annotations
 
 import csv
+import re
 from collections.abc import Mapping
 from dataclasses import field, fields
 from itertools import pairwise
@@ -73,6 +74,8 @@ class CatalogueBearing:
         f_i and f_o, where published.
     roller_count, roller_diameter, effective_length
         Z, D_we (in the middle of a tapered roller) and L_we (m), where published.
+    clearance_factor
+        k_2 of a toroidal roller bearing: s takes k_2 s²/B off the radial clearance.
     sources
         Where each figure comes from, by its name.
     """
@@ -108,6 +111,7 @@ class CatalogueBearing:
     roller_count: int | None = None
     roller_diameter: float | None = None
     effective_length: float | None = None
+    clearance_factor: float | None = None
     sources: Mapping[str, str] = field(default_factory=dict, hash=False)
 
     def __repr__(self) -> str:
@@ -146,6 +150,11 @@ class CatalogueBearing:
         if self.has_rollers:
             return None not in (self.roller_count, self.roller_diameter, self.effective_length)
         return self.ball_count is not None and self.ball_diameter is not None
+
+    @property
+    def is_full_complement(self) -> bool:
+        """Whether rollers fill its rows, without a cage: V behind the number (DIN 623-1)."""
+        return self.has_rollers and _FULL.search(self.designation) is not None
 
     @property
     def rows(self) -> int:
@@ -193,6 +202,7 @@ FIGURES: Final = tuple(
 """Names of the figures of a `CatalogueBearing`."""
 
 
+_FULL: Final = re.compile(r"\d\s?C?VH?(?![A-Z])")
 MAX_BEARINGS: Final = 20_000
 _LONGEST_TEXT: Final = 200
 _TEXTS: Final = ("designation", "maker", "kind", "source")

@@ -210,20 +210,21 @@ def _places(bearing: CatalogueBearing, angle: float) -> _Places:
     listed, listed_static = bearing.rated
     kind = bearing.kind
     rows = bearing.rows
-    static = roller_static_rating(count, diameter, one, pitch, angle, rows=rows)
-    dynamic = roller_dynamic_rating(count, diameter, one, pitch, angle, kind=kind, rows=rows)
+    rated: dict[str, Any] = {"thrust": bearing.type.washers, "rows": rows}
+    static = roller_static_rating(count, diameter, one, pitch, angle, **rated)
+    dynamic = roller_dynamic_rating(count, diameter, one, pitch, angle, kind=kind, **rated)
     chi, factors = unusual, practice["practice"].get(bearing.maker, practice["practice"]["iso"])
-    low, high = usual["filling"]
+    low, high = practice["full_complement"] if bearing.is_full_complement else usual["filling"]
     if bearing.roller_count is None:
         chi = chi + ((filling - 0.5 * (low + high)) / (0.5 * (high - low))) ** 2
     found = []
     for factor in factors["dynamic"]:
         length = _length(bearing, static, factor * dynamic, listed, listed_static)
-        rated = factor * dynamic * (length / one) ** (7.0 / 9.0)
-        rated_static = static * (length / one)
-        error = np.zeros(count.shape) if listed is None else np.log(rated / listed)
-        error_static = (
-            np.zeros(count.shape) if listed_static is None else np.log(rated_static / listed_static)
+        computed = factor * dynamic * (length / one) ** (7.0 / 9.0)
+        computed_static = static * (length / one)
+        error, error_static = (
+            np.zeros(count.shape) if printed is None else np.log(own_rating / printed)
+            for own_rating, printed in ((computed, listed), (computed_static, listed_static))
         )
         own = chi + (error / tolerance["dynamic"]) ** 2 + (error_static / tolerance["static"]) ** 2
         if bearing.width and bearing.effective_length is None:
@@ -295,6 +296,8 @@ def _sections(
 
 def _room_for(bearing: CatalogueBearing, angle: float) -> float:
     """Return the length between the faces that a roller has to do with, in m."""
+    if bearing.type.washers:
+        return bearing.section_height
     width = bearing.outer_width or bearing.width
     assert width is not None
     return float(width / bearing.rows / np.cos(angle))

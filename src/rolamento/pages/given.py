@@ -109,6 +109,8 @@ def _between_rings(bearing: RollerBearing) -> str:
             angle=bearing.row_angle,
             half=bearing.roller_half_angle or 0.0,
         )
+    if bearing.bearing_type.washers:
+        return said("contact angle {angle:.5 °}", angle=bearing.row_angle)
     play = quantity(_short(bearing.diametral_clearance or 0.0), "length")
     if bearing.bearing_type.barrels:
         return _arcs(bearing, play)

@@ -15,6 +15,7 @@ from rolamento.speeds.minimum_load import (
     minimum_radial_load_of_rollers,
     minimum_share,
     minimum_share_source,
+    minimum_static_share,
     roller_load_factor,
 )
 from rolamento.speeds.permissible import HeatShares, heat_shares, speed_ratio
@@ -40,6 +41,7 @@ __all__ = [
     "minimum_radial_load_of_rollers",
     "minimum_share",
     "minimum_share_source",
+    "minimum_static_share",
     "reference_coefficients",
     "reference_heat_flow",
     "roller_load_factor",

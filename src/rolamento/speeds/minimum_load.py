@@ -32,6 +32,7 @@ __all__ = [
     "minimum_radial_load_of_rollers",
     "minimum_share",
     "minimum_share_source",
+    "minimum_static_share",
     "roller_load_factor",
 ]
 
@@ -56,6 +57,14 @@ def minimum_share(element: str = "ball") -> float | None:
         return float(data["share"])
     share = data["rollers"].get(element)
     return share if isinstance(share, float) else None
+
+
+def minimum_static_share(kind: str, is_full_complement: bool = False) -> float | None:
+    """Return F_r/C_0 that a type of roller bearing needs; None where its rule is another."""
+    shares = toml_of("speeds")["minimum_load"]["rollers"]["static"].get(kind)
+    if shares is None:
+        return None
+    return float(shares["full_complement" if is_full_complement else "with_cage"])
 
 
 def minimum_share_source(element: str) -> str:

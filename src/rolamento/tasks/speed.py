@@ -37,6 +37,7 @@ from rolamento.speeds import (
     minimum_radial_load_of_rollers,
     minimum_share,
     minimum_share_source,
+    minimum_static_share,
     reference_coefficients,
     reference_heat_flow,
     roller_load_factor,
@@ -462,7 +463,8 @@ class _Asked:
     def _thermal(self, limits: list[SpeedLimit], notes: list[Note]) -> HeatShares | None:
         """Reference and permissible speed; K_L and K_P."""
         given = self.boundary
-        if self.case.bearing.bearing_type.washers:
+        type_ = self.case.bearing.bearing_type
+        if type_.washers and not type_.has_rollers:
             notes.append(Note("no_reference_speed_of_thrust"))
             return None
         found = reference_coefficients(given.series)
@@ -609,6 +611,12 @@ class _Asked:
         self, limits: Sequence[SpeedLimit], notes: list[Note]
     ) -> list[MinimumLoad]:
         given, (radial, _) = self.boundary, self.loads
+        bearing = self.case.bearing
+        is_full = bearing.published is not None and bearing.published.is_full_complement
+        static_share = minimum_static_share(bearing.bearing_type.key, is_full)
+        if static_share is not None:
+            source = Note("source_minimum_static", {"share": static_share})
+            return [MinimumLoad("radial", static_share * given.static_rating, radial, source)]
         share = minimum_share(self.element)
         if share is not None:
             source = Note(

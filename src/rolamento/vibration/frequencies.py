@@ -552,6 +552,8 @@ def axis_angle(bearing: RollerBearing) -> float:
 
 def _apex_notes(bearing: RollerBearing) -> tuple[Note, ...]:
     """Say so where the cones of rollers and raceways cannot roll truly."""
+    if bearing.bearing_type.washers:
+        return (Note("rollers_slide_on_washers"),)
     if bearing.bearing_type.barrels:  # which roll at their middle by their shape
         return ()
     half, axis = bearing.roller_half_angle or 0.0, axis_angle(bearing)

@@ -54,6 +54,9 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " middle and slide at their ends; by the angles alone the cage would have the order"
         " {order_by_angles:.4f}."
     ),
+    "rollers_slide_on_washers": marked(
+        "Cylindrical rollers between flat washers roll at their middle and slide at their ends."
+    ),
     "waviness_of_rollers": marked(
         "Waviness: of waves that run straight along the line of contact; the formulas were"
         " published for ball bearings under axial load."

@@ -126,6 +126,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "source_speed_class": marked("{source}: mean n·d_m of {bearings}"),
     "source_minimum_share": marked("P ≥ {share:.3} C; SKF catalogue 10000 EN"),
     "source_minimum_of_rollers": marked("{share:.3} C; {source}"),
+    "source_minimum_static": marked("{share:.3} C_0; SKF, CARB toroidal roller bearings, loads"),
     "source_minimum_of_cylindrical": marked(
         "k_r (6 + 4 n/n_r) (d_m/100)², k_r {factor:.3}; SKF catalogue 10000 EN"
     ),
