@@ -165,7 +165,7 @@ def test_small_insert_bearings_depend_on_the_maker() -> None:
         ("1230", "a self-aligning ball bearing of a size in no list"),
         ("QJ 256", "a four-point contact ball bearing of a size in no list"),
         ("4205", "a double-row deep-groove ball bearing"),
-        ("C 2212", "a toroidal roller bearing"),
+        ("C 2292", "a toroidal roller bearing of a size in no list; give its"),
         ("29412", "a spherical roller thrust bearing"),
         ("62205-2RS1", "wider rings; its inside is that of the same number without the third"),
         ("608-2Z", "a deep-groove ball bearing of a series in no list; give its balls"),

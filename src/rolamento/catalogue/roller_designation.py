@@ -139,8 +139,10 @@ def _behind(one: Mapping[str, Any], design: str, maker: str) -> tuple[str, ...]:
     if listed is None:
         return ("",)
     groups = listed[one["steep"].get(design[:1], "usual") if "steep" in one else design or "plain"]
-    first = groups.get(maker, ())
-    return tuple(dict.fromkeys((*first, *(one for group in groups.values() for one in group))))
+    own = groups.get(maker, ())
+    written = [design] if one.get("as_written") and (not own or design in own) else []
+    first = (*written, *own)
+    return tuple(dict.fromkeys((*first, *(name for group in groups.values() for name in group))))
 
 
 def _meant(table: str, part: str) -> Letters:
