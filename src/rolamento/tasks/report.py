@@ -622,7 +622,9 @@ def _matters(case: Case, name: str, told: Set[str]) -> bool:
         return False
     if table == "model" and leaf in _OF_FRICTION_CONTROL:
         return case.model.raceway_control == "friction"
-    if name == "bearing.element":
+    if name == "bearing.element" or (
+        table == "bearing" and leaf in case.bearing.bearing_type.idle_fields
+    ):
         return False
     if table == "life" and case.life is None:
         return leaf == "reliability"
