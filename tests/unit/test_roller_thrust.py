@@ -120,8 +120,8 @@ THRUST = [one for one in catalogue().bearings if one.kind == "cylindrical_thrust
 
 
 def test_those_of_the_list_are_rated_by_their_rollers() -> None:
-    """C_a by ISO 281 and C_0a by ISO 76, of rollers whose diameter SKF prints."""
-    assert len(THRUST) == 54
+    """C_a by ISO 281 and C_0a by ISO 76, of rollers whose diameter SKF and NSK print."""
+    assert len(THRUST) == 54 + 57
     for one in THRUST:
         assert geometry_of(one.designation).bearing == one
         found = inferred_rollers(one)[0]
