@@ -25,6 +25,7 @@ NEIGHBOURS: Final = 3
 FAR: Final = 1.3
 
 SMALLEST = "the smallest of its series, whose rings are thin"
+SHORT = "VE240: rollers of C 5915 V in a wider ring, for more axial displacement"
 KNOWN = {
     "dynamic_rating": {
         "SEA 45 15deg": "the last with balls of 3.17 mm, in a thicker section",
@@ -33,12 +34,16 @@ KNOWN = {
         "7000A": SMALLEST, "NA 4900": SMALLEST, "RNA 4900": SMALLEST, "51100": SMALLEST,
         "SEB 20 15deg": "the list begins with 17 mm, of the thinner section",
         "SEB 20 25deg": "as with 15°",
+        "C 6915 V": SHORT,
     },
     "static_rating": {
         "SEA 45 15deg": "as its C", "SEA 45 25deg": "as its C", "NA 4900": SMALLEST,
-        "RNA 4900": SMALLEST, "51100": SMALLEST, "30303 D": SMALLEST,
+        "RNA 4900": SMALLEST, "51100": SMALLEST, "30303 D": SMALLEST, "C 6915 V": SHORT,
     },
-    "limiting_speed": {},
+    "limiting_speed": dict.fromkeys(
+        ("C 4040 V", "C 4044 V", "C 4120 V", "C 4138 V", "C 4140 V"),
+        "without a cage it falls faster than 1/d",
+    ),
 }  # fmt: skip
 EXPONENTS = {"dynamic_rating": 1.75, "static_rating": 2.0, "limiting_speed": -1.0}
 

@@ -219,7 +219,7 @@ _FORCES: Final = (
     "dynamic_rating", "static_rating", "axial_dynamic_rating", "axial_static_rating",
     "fatigue_load_limit",
 )  # fmt: skip
-_FACTORS: Final = ("axial_limit", "axial_factor", "static_axial_factor")
+_FACTORS: Final = ("axial_limit", "axial_factor", "static_axial_factor", "clearance_factor")
 _COUNTS: Final = ("ball_count", "roller_count")
 _RATIOS: Final = ("f0", "inner_conformity", "outer_conformity", *_FACTORS)
 _DIMENSIONS: Final[Mapping[str, Dimension]] = {
