@@ -184,6 +184,29 @@ def test_many_cases_are_as_single_ones() -> None:
     assert friction(varied, friction_coefficient=0.1).torque_by_source["rolling_slip"][1] > 1e-6
 
 
+@pytest.mark.parametrize(
+    ("bearing", "field", "values"),
+    [
+        # cones keep one apex: the half angle follows the diameter
+        ({k: v for k, v in TAPERED.items() if k != "roller_half_angle"},
+         "roller_diameter", (7.0e-3, 7.6e-3)),
+        ({"element": "barrel", "kind": "toroidal", "roller_count": 14, "roller_diameter": "11 mm",
+          "effective_length": "14 mm", "pitch_diameter": "70.5 mm", "diametral_clearance": "20 um",
+          "outer_raceway_radius": "90 mm"}, "outer_raceway_radius", (0.08, 0.1)),
+        ({**TAPERED, "roller_end_radius": "150 mm"}, "roller_end_radius", (0.12, 0.2)),
+    ],
+)  # fmt: skip
+def test_a_batch_over_geometry_is_as_single_ones(
+    bearing: dict[str, Any], field: str, values: tuple[float, float]
+) -> None:
+    load = {"fz": "3 kN"} if bearing["element"] == "barrel" else {"fz": "3 kN", "fx": "2 kN"}
+    one = case(bearing, **load)
+    batch = friction(solve(one, {f"bearing.{field}": values}))
+    for i, value in enumerate(values):
+        alone = friction(solve(one.replace(bearing=one.bearing.replace(**{field: value}))))
+        assert batch.torque[i] == pytest.approx(alone.torque[0], rel=1e-8)
+
+
 def test_a_preloaded_pair_takes_twice_the_torque_of_one() -> None:
     """O arrangement, 500 N: each bearing bears the preload."""
     pair = {**TAPERED, "arrangement": "DB", "spacing": "40 mm", "preload": "500 N"}

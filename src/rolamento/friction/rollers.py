@@ -13,11 +13,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import fields
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 
-from rolamento.case.roller_bearing import PROFILE_SHARE, USUAL_RIB_HEIGHT, RollerBearing
+from rolamento.case.parameters import RollerParameters, parameters_of
+from rolamento.case.roller_bearing import USUAL_RIB_HEIGHT, raceway_radii
 from rolamento.friction.line_losses import (
     RIB_FILM,
     curved_slip_moment,
@@ -111,55 +112,39 @@ class RollerShape:
 
 
 def _shape_of_row(solved: Solved, index: int) -> dict[str, FloatArray]:
-    rows, place = solved.rows, solved.case.bearing.places[index]
-    bearing, nothing = place.bearing, np.full(len(solved), np.nan)
-    if not isinstance(bearing, RollerBearing):
-        return {part.name: nothing for part in fields(RollerShape)}
+    rows, place, whole = solved.rows, solved.case.bearing.places[index], solved.case.bearing
+    if not place.bearing.bearing_type.has_rollers:
+        return {part.name: np.full(len(solved), np.nan) for part in fields(RollerShape)}
+    arrays = {name: solved.field(name) for name in solved.varied if name.startswith("bearing.")}
+    row = parameters_of(whole, place.bearing, whole.own_fields(index), arrays)
 
-    def number(name: str, own: float | None) -> FloatArray:
-        full = f"bearing.{name}"
-        if full in solved.varied:
-            return solved.field(full)
-        return nothing if own is None else np.full(len(solved), own)
+    def column(value: Any, otherwise: Any = np.nan) -> FloatArray:
+        return np.broadcast_to(otherwise if value is None else value, len(solved))
 
-    diameter = rows.ball_diameter[:, index]
-    taper = number("roller_half_angle", bearing.roller_half_angle or 0.0)
-    given = number("rib_height", bearing.rib_height)
+    taper = column(row.roller_half_angle, 0.0)
+    inner_curve, outer_curve = _curves(row)
     return {
-        "diameter": diameter,
+        "diameter": rows.ball_diameter[:, index],
         "pitch": rows.pitch_diameter[:, index],
-        "length": number("roller_length", bearing.roller_length),
-        "axis": number("contact_angle", bearing.row_angle) - taper,
+        "length": column(row.roller_length),
+        "axis": column(row.contact_angle, 0.0) - taper,
         "taper": taper,
-        **_curves(bearing, diameter, rows.pitch_diameter[:, index], number),
-        "rib_height": np.where(np.isnan(given), USUAL_RIB_HEIGHT * diameter, given),
-        "end_radius": number("roller_end_radius", bearing.roller_end_radius),
+        "inner_curve": column(inner_curve),
+        "outer_curve": column(outer_curve),
+        "rib_height": column(row.rib_height, USUAL_RIB_HEIGHT * row.roller_diameter),
+        "end_radius": column(row.roller_end_radius),
     }
 
 
-def _curves(
-    bearing: RollerBearing,
-    diameter: FloatArray,
-    pitch: FloatArray,
-    number: Callable[[str, float | None], FloatArray],
-) -> dict[str, FloatArray]:
+def _curves(row: RollerParameters) -> tuple[Any, Any]:
     """1/R of the pressed surface along the roller, on each race; of barrels, else 0.
 
     R = 2 r_r r/(r_r + r), halfway between the profiles; Harris (1991), eq. 2.18.
     """
-    if not bearing.bearing_type.barrels:
-        return {"inner_curve": 0.0 * diameter, "outer_curve": 0.0 * diameter}
-    sphere = 0.5 * pitch / np.cos(number("contact_angle", bearing.row_angle)) + 0.5 * diameter
-    outer = number("outer_raceway_radius", bearing.outer_raceway_radius)
-    outer = np.where(np.isnan(outer), sphere, outer)
-    inner = number("inner_raceway_radius", bearing.inner_raceway_radius)
-    inner = np.where(np.isnan(inner), outer, inner)
-    profile = number("roller_profile_radius", bearing.roller_profile_radius)
-    profile = np.where(np.isnan(profile), PROFILE_SHARE * outer, profile)
-    return {
-        "inner_curve": 0.5 * (1.0 / profile + 1.0 / inner),
-        "outer_curve": 0.5 * (1.0 / profile + 1.0 / outer),
-    }
+    if not row.bearing_type.barrels:
+        return 0.0, 0.0
+    profile, inner, outer = raceway_radii(row)
+    return 0.5 * (1.0 / profile + 1.0 / inner), 0.5 * (1.0 / profile + 1.0 / outer)
 
 
 # --- sliding -----------------------------------------------------------------------------------
