@@ -12,6 +12,8 @@ ROLLER: Final = "roller"
 BARREL: Final = "barrel"
 Ribs = Literal["none", "+", "-", "both"]
 """At which ends of the rollers a ring has a rib: toward +x, toward -x, or both."""
+OF_RIBS: Final = ("inner_ribs", "outer_ribs", "axial_play", "rib_height")
+"""Fields that change nothing of rollers without ribs."""
 
 
 @frozen(kw_only=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import radians
 from typing import Final
 
-from rolamento.types._type import BearingType
+from rolamento.types._type import OF_RIBS, BearingType
 from rolamento.words import marked
 
 TYPE: Final = BearingType(
@@ -24,7 +24,7 @@ TYPE: Final = BearingType(
     inclined=True,
     mountable=False,
     class_table="spherical",
-    idle_fields=("inner_ribs", "outer_ribs", "axial_play", "rib_height", "preload"),
+    idle_fields=(*OF_RIBS, "preload"),
     # Schaeffler permits 4° at low load and turning inner ring; the limit of the note is the lower
     # one that makers give of spherical roller bearings
     usual_misalignment=radians(1.5),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import radians
 from typing import Final
 
-from rolamento.types._type import BearingType
+from rolamento.types._type import OF_RIBS, BearingType
 from rolamento.words import marked
 
 TYPE: Final = BearingType(
@@ -32,6 +32,6 @@ TYPE: Final = BearingType(
     mountable=False,
     class_table="spherical",
     axial_limit_of_maker=True,
-    idle_fields=("inner_ribs", "outer_ribs", "axial_play", "rib_height", "preload"),
+    idle_fields=(*OF_RIBS, "preload"),
     usual_misalignment=radians(1.5),  # NSK, Rolling Bearings (CAT. No. E1102e): 1° to 2.5°
 )

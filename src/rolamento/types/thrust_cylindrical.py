@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
-from rolamento.types._type import BearingType
+from rolamento.types._type import OF_RIBS, BearingType
 from rolamento.words import marked
 
 TYPE: Final = BearingType(
@@ -24,6 +24,6 @@ TYPE: Final = BearingType(
     rated_together=True,
     washers=True,
     mountable=False,
-    idle_fields=("inner_ribs", "outer_ribs", "axial_play", "rib_height", "preload"),
+    idle_fields=(*OF_RIBS, "preload"),
     carries_axial=True,
 )

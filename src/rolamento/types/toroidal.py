@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import radians
 from typing import Final
 
-from rolamento.types._type import BearingType
+from rolamento.types._type import OF_RIBS, BearingType
 from rolamento.words import marked
 
 TYPE: Final = BearingType(
@@ -25,6 +25,6 @@ TYPE: Final = BearingType(
     floats=True,
     mountable=False,
     class_table="toroidal",
-    idle_fields=("inner_ribs", "outer_ribs", "axial_play", "rib_height", "preload"),
+    idle_fields=(*OF_RIBS, "preload"),
     usual_misalignment=radians(0.5),  # SKF, Rolling bearings (17000 EN): up to 0.5°
 )
