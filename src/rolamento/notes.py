@@ -34,6 +34,7 @@ from rolamento.roller_notes import (
 )
 from rolamento.status import (
     CONVERGED,
+    GREATEST_APPROACH,
     INVALID_INPUT,
     NO_EQUILIBRIUM,
     OVER_SHOULDER,
@@ -52,9 +53,6 @@ _MILLION: Final = 1e3 * pi / 30.0
 _FASTEST: Final = 4.0 * _MILLION
 """n d_m beyond which no ball bearing is known to have run. Bamberger, Zaretsky and Signer
 (1976) ran main-shaft bearings of jet engines at 3e6 mm·rpm, by the bore."""
-_GREATEST_APPROACH: Final = 0.02
-"""Fraction of the ball's diameter: what the solver takes for an overload."""
-
 _PRESSURE_LIMIT: Final = 4.2e9
 _PRESSURE_LIMIT_SELF_ALIGNING: Final = 4.6e9
 """Pa; permanent set of 1e-4 ball diameters at the contact of ball and race (ISO 76:2006)."""
@@ -548,7 +546,7 @@ def advice_on(solved: Solved, case: int = 0) -> Note | None:
     rolls = any(place.bearing.element != "ball" for place in given.bearing.places)
     if code == OVERLOADED:
         key = "overloaded_rollers" if rolls else "overloaded"
-        return Note(key, {"limit": _GREATEST_APPROACH})
+        return Note(key, {"limit": GREATEST_APPROACH})
     if code == OVER_SHOULDER and given.bearing.bearing_type.washers:
         return _out_of_the_washers(solved[case])
     if code == OVER_SHOULDER:

@@ -15,6 +15,9 @@ OVER_SHOULDER: Final = 6
 TOLERANCE: Final = 5e-9
 """Residual of ring and elements at which a case may be shown: half of what is promised."""
 
+GREATEST_APPROACH: Final = 0.02
+"""Approach over an element's diameter, far beyond any elastic contact: of more it is overloaded."""
+
 STATUS_NAMES: Final = {
     CONVERGED: "converged",
     NO_EQUILIBRIUM: "no_equilibrium",

@@ -31,7 +31,7 @@ slices; docs/theory/barrel-rollers.md.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 from typing import Any, Final, Self, cast
 
 import numpy as np
@@ -43,6 +43,7 @@ from rolamento.contact.hertz import effective_modulus, elliptical_contact
 from rolamento.contact.line import EXPONENT, half_width, max_pressure, slice_places
 from rolamento.kinematics import BallMotion, centrifugal_force
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.numerics.root import increasing_root
 from rolamento.records import frozen
 from rolamento.roller_kinematics import (
     roller_body,
@@ -54,16 +55,20 @@ from rolamento.rows.row import Indices, IntArray, Response, RowGeometry, RowSize
 from rolamento.rows.sphere import rotation_of
 from rolamento.solved import Elements, Index, Pressed, Tables
 from rolamento.solved.rollers import Line, Rollers
-from rolamento.status import CONVERGED, INVALID_INPUT, NOT_CONVERGED, OVERLOADED, TOLERANCE
+from rolamento.solved.tables import taken
+from rolamento.status import (
+    CONVERGED,
+    GREATEST_APPROACH,
+    INVALID_INPUT,
+    NOT_CONVERGED,
+    OVERLOADED,
+    TOLERANCE,
+)
 
 __all__ = ["BarrelRow", "barrel_row"]
 
 WHOLE: Final = 0.9
 """Part of the roller's length up to which the ellipse is whole."""
-_GREATEST: Final = 0.02
-"""Approach over the roller's diameter, beyond which no contact is elastic."""
-_MOST_STEPS: Final = 80
-_EXACT: Final = 4e-16
 
 
 @frozen(eq=False)
@@ -163,15 +168,7 @@ class _Numbers:
 
     def part(self, index: Any) -> _Numbers:
         """The same of some of the cases."""
-        return cast(_Numbers, _taken(self, index))
-
-
-def _taken(record: Any, index: Any) -> Any:
-    made = {}
-    for one in fields(record):
-        value = getattr(record, one.name)
-        made[one.name] = value[index] if isinstance(value, np.ndarray) else _taken(value, index)
-    return replace(record, **made)
+        return taken(self, index)
 
 
 @dataclass(slots=True)
@@ -228,7 +225,7 @@ class BarrelRow:
     element_count: int
     geometry: RowGeometry
     sound: BoolArray
-    free_along: bool
+    floats: bool
 
     @property
     def cases(self) -> int:
@@ -239,11 +236,6 @@ class BarrelRow:
     def faces(self) -> tuple[float, ...]:
         """One arc a ring."""
         return (1.0,)
-
-    @property
-    def floats(self) -> bool:
-        """Whether the outer race lets the shaft shift: a torus does."""
-        return self.free_along
 
     @property
     def aside(self) -> FloatArray | None:
@@ -322,7 +314,7 @@ class BarrelRow:
         with np.errstate(invalid="ignore", divide="ignore"):
             residual = np.where(size > 0.0, np.abs(off).max(axis=1) / size, 0.0)
         number = np.full(len(place), CONVERGED)
-        number[(seen.approach.max(axis=1) > _GREATEST * n.diameter)] = OVERLOADED
+        number[(seen.approach.max(axis=1) > GREATEST_APPROACH * n.diameter)] = OVERLOADED
         number[~(residual <= TOLERANCE)] = NOT_CONVERGED
         number[~self.valid[which]] = INVALID_INPUT
         return BarrelResponse(
@@ -489,37 +481,25 @@ def _shared(
 ) -> tuple[FloatArray, _Pair, _Pair, FloatArray]:
     """Share an approach among both contacts of a roller, Q_o(δ_o) = Q_i(δ - δ_o) + F.
 
-    δ_o; Q_i and Q_o; their derivatives; what is left. Newton's method in a bracket.
+    δ_o; Q_i and Q_o; their derivatives; what is left.
     """
     weak_i, weak_o = (race.stiffness[:, None] ** (-2.0 / 3.0) for race in (n.inner, n.outer))
     closed = np.maximum(approach, 0.0)
-    low, high = np.zeros_like(approach), closed + 1e-3 * n.diameter[:, np.newaxis]
-    depth = closed * (weak_o / (weak_i + weak_o))
-    depth = np.where(approach > 0.0, depth, np.maximum(thrown, 0.0) ** (2.0 / 3.0) * weak_o)
+    start = closed * (weak_o / (weak_i + weak_o))
+    start = np.where(approach > 0.0, start, np.maximum(thrown, 0.0) ** (2.0 / 3.0) * weak_o)
 
-    def off(at: FloatArray) -> tuple[FloatArray, _Pair, _Pair]:
+    def both(at: FloatArray) -> tuple[_Pair, _Pair]:
         inner, soft_i = n.inner.load(approach - at)
         outer, soft_o = n.outer.load(at)
-        return outer - inner - thrown, (inner, outer), (soft_i, soft_o)
+        return (inner, outer), (soft_i, soft_o)
 
-    for _ in range(_MOST_STEPS):  # what a roller under its own force alone needs
-        short = off(high)[0] < 0.0
-        if not short.any():
-            break
-        high = np.where(short, 2.0 * high, high)
-    left, loads, slopes = off(depth)
-    for _ in range(_MOST_STEPS):
-        low, high = np.where(left < 0.0, depth, low), np.where(left > 0.0, depth, high)
-        wrong = np.abs(left) > _EXACT * (loads[0] + loads[1])
-        with np.errstate(invalid="ignore", divide="ignore"):
-            step = depth - left / (slopes[0] + slopes[1])
-        step = np.where((step > low) & (step < high), step, 0.5 * (low + high))
-        step = np.where(wrong, step, depth)
-        if not wrong.any() or np.array_equal(step, depth):
-            break
-        depth = step
-        left, loads, slopes = off(depth)
-    return depth, loads, slopes, left
+    def left(at: FloatArray) -> _Pair:
+        (inner, outer), slopes = both(at)
+        return outer - inner - thrown, slopes[0] + slopes[1]
+
+    depth, _ = increasing_root(left, start, np.zeros_like(start), np.full_like(start, np.inf))
+    loads, slopes = both(depth)
+    return depth, loads, slopes, loads[1] - loads[0] - thrown
 
 
 # --- from a case to its numbers -------------------------------------------------------------------
@@ -551,8 +531,8 @@ def barrel_row(
         modulus=n.modulus,
         effective_length=n.length,
     )
-    toroidal = bool(np.any(n.outer_r < -1e-9 * n.pitch))
-    return BarrelRow(n, bearing.element_count, geometry, np.ones(cases, np.bool_), toroidal)
+    floats = place.bearing.bearing_type.floats
+    return BarrelRow(n, bearing.element_count, geometry, np.ones(cases, np.bool_), floats)
 
 
 def _numbers(

@@ -24,7 +24,14 @@ from rolamento.numerics.newton import (
     SHORTENINGS,
     STEPS,
 )
-from rolamento.status import CONVERGED, NOT_CONVERGED, OVER_SHOULDER, OVERLOADED, TOLERANCE
+from rolamento.status import (
+    CONVERGED,
+    GREATEST_APPROACH,
+    NOT_CONVERGED,
+    OVER_SHOULDER,
+    OVERLOADED,
+    TOLERANCE,
+)
 
 TERMS: Final = 14
 """Chebyshev terms in cos α, from -1 to 1, that give K to 1e-13 of its value up to D/d_m = 0.3,
@@ -38,8 +45,6 @@ POSITION_ROUNDING: Final = 4.0 * float(np.finfo(np.float64).eps)
 """Fraction of an arc's length L: how exactly a ball has a place beside it."""
 EDGE: Final = 1e-9
 """Cosine: a contact at the very end of a half circle is past it."""
-GREATEST_APPROACH: Final = 0.02
-"""Fraction of the ball's diameter: beyond is no elastic contact."""
 FAR: Final = 0.3
 """Fraction of the groove centres' distance: the longest step."""
 DEGREES: Final = 5

@@ -31,6 +31,7 @@ from rolamento.rows.ball.single import (
 from rolamento.rows.ball.types import Array, Two
 from rolamento.status import (
     CONVERGED,
+    GREATEST_APPROACH,
     NO_EQUILIBRIUM,
     NOT_CONVERGED,
     OVER_SHOULDER,
@@ -41,7 +42,6 @@ from rolamento.status import (
 
 NEEDS_INERTIA: Final = 7  # to be solved again: at rest this would be the result
 
-GREATEST_APPROACH: Final = 0.02  # of the ball diameter: far beyond any elastic contact
 FRICTION_SLACK: Final = 1e-6  # of a ball's load, at a contact that carries none
 LOST_ANGLE: Final = 1e-9  # rad, below which a one-sided bearing has left its shoulder
 

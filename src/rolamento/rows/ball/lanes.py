@@ -17,7 +17,6 @@ from rolamento.numerics.compiled import filling, inline_exact, inline_fast, vect
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.accept import (
     FRICTION_SLACK,
-    GREATEST_APPROACH,
     LOST_ANGLE,
     max_with_nan,
     own_scale,
@@ -46,6 +45,7 @@ from rolamento.rows.ball.types import (
     Three,
     Two,
 )
+from rolamento.status import GREATEST_APPROACH
 
 N = np.uintp(layout.LANES)
 

@@ -16,7 +16,7 @@ import numpy as np
 from rolamento.numerics.compiled import shared
 from rolamento.numerics.dense import solve_dense
 from rolamento.rows.ball import layout
-from rolamento.rows.ball.accept import GREATEST_APPROACH, max_with_nan
+from rolamento.rows.ball.accept import max_with_nan
 from rolamento.rows.ball.settle import settle
 from rolamento.rows.ball.single import (
     Ring,
@@ -30,7 +30,7 @@ from rolamento.rows.ball.single import (
     static_ball,
 )
 from rolamento.rows.ball.types import Array
-from rolamento.status import NO_EQUILIBRIUM, OVERLOADED
+from rolamento.status import GREATEST_APPROACH, NO_EQUILIBRIUM, OVERLOADED
 
 RING_STEPS: Final = 60
 SHORTENINGS: Final = 25

@@ -15,7 +15,6 @@ from rolamento.geometry import Race
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
 from rolamento.rows.ball import layout
-from rolamento.rows.ball.accept import GREATEST_APPROACH
 from rolamento.rows.ball.detail import ContactTable, axial_load, ball_table
 from rolamento.rows.ball.problem import (
     Columns,
@@ -246,7 +245,7 @@ class BallRow:
                 if not (np.abs(step) > PRESS_PRECISION * reach).any():
                     break
             near = np.abs(load * sine - wanted) <= status.TOLERANCE * wanted
-            held = near & (approach <= GREATEST_APPROACH * p[layout.BALL_DIAMETER])
+            held = near & (approach <= status.GREATEST_APPROACH * p[layout.BALL_DIAMETER])
             held &= (cosine > p[layout.INNER_EDGE]) & (cosine > p[layout.OUTER_EDGE])
             return np.asarray(np.where(held, a1 - p[layout.AXIAL_OFFSET], np.nan))
 

@@ -15,7 +15,6 @@ from rolamento.numerics.dense import solve_dense
 from rolamento.rows.roller import layout
 from rolamento.rows.roller.roller import (
     EXPONENT,
-    GREATEST_APPROACH,
     OVERSHOOT,
     SHORTENINGS,
     SUMS,
@@ -100,7 +99,7 @@ def ring_forces(
 def heaviest(p: Array, column: int) -> float:
     """Load per length beyond which is no elastic contact (N/m)."""
     greatest = max(p[layout.INNER_CONSTANT, column], p[layout.OUTER_CONSTANT, column])
-    depth = GREATEST_APPROACH * p[layout.DIAMETER, column]
+    depth = status.GREATEST_APPROACH * p[layout.DIAMETER, column]
     return float(greatest / p[layout.LENGTH, column] * depth**EXPONENT)
 
 

@@ -39,8 +39,6 @@ LIGHTER: Final = 100.0
 NEGLIGIBLE: Final = 1e-7
 """Fraction of the roller's diameter: an approach whose load is none, beside which rollers are in
 balance."""
-GREATEST_APPROACH: Final = 0.02
-"""Fraction of the roller's diameter: beyond is no elastic contact."""
 ADDED: Final = 1e-9
 """Over the stiffness of a contact: added to a roller's own, so that what nothing holds stays."""
 LONGEST: Final = 0.05
