@@ -53,6 +53,10 @@ def test_a_bearing_by_its_designation() -> None:
     assert isinstance(case.bearing, RollerBearing)
     assert case.bearing.bearing_type.key == "toroidal"
     assert case.bearing.diametral_clearance == middle_clearance(0.05, "C4", "toroidal")
+    tapered = geometry_of("C 3044 K/C3")  # 220 mm: 288 to 363 µm; a cylindrical bore 262 to 337
+    assert tapered.fields["diametral_clearance"] == pytest.approx(325.5e-6)
+    assert geometry_of("C 3044/C3").fields["diametral_clearance"] == pytest.approx(299.5e-6)
+    assert tapered.idle == ()
     solved = solve(case)
     assert solved.converged.all()
     assert solved.load.array[0, 2] == pytest.approx(1e4, rel=1e-9)

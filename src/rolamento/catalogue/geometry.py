@@ -130,7 +130,7 @@ class InternalGeometry:
     def idle(self) -> tuple[Part, ...]:
         """Parts of the designation that are understood and change no result."""
         idle = self.designation.letters.idle
-        if not self.bearing.type.aligns:
+        if self.bearing.type.class_table_of_tapered_bore is None:
             return idle
         return tuple(part for part in idle if part.meaning != _TAPERED)  # which has its clearance
 
@@ -320,9 +320,7 @@ def _roller_geometry(
         origins["inner_ribs"] = origins["outer_ribs"] = "published"
     if not bearing.type.conical:
         named = designation.clearance_class or "CN"
-        table = bearing.type.class_table
-        if table and bearing.type.aligns and _has_tapered_bore(designation):
-            table = f"{table}_tapered"
+        table = _class_table(bearing, designation)
         if type_ not in _WITHOUT_INNER and table is not None:
             clearance = middle_clearance(bearing.bore, named, table)
             if clearance is not None:
@@ -362,8 +360,11 @@ def _type_of(bearing: CatalogueBearing, designation: Designation) -> str:
     return bearing.type.usual_letters or ("K" if is_cage and bearing.type.as_a_cage else "")
 
 
-def _has_tapered_bore(designation: Designation) -> bool:
-    return any(meaning == _TAPERED for _, meaning in designation.meanings)
+def _class_table(bearing: CatalogueBearing, designation: Designation) -> str | None:
+    """Where the classes of its clearance stand, of a tapered bore where it has its own."""
+    tapered = any(meaning == _TAPERED for _, meaning in designation.meanings)
+    of_bore = bearing.type.class_table_of_tapered_bore if tapered else None
+    return of_bore or bearing.type.class_table
 
 
 def _axial_play(designation: Designation) -> float | None:
@@ -599,9 +600,8 @@ def _add_play(
         angle = designation.contact_angle
     named = designation.clearance_class or "CN"
     if bearing.type.aligns:
-        tapered = _has_tapered_bore(designation)
-        table = f"{bearing.type.class_table}_tapered" if tapered else bearing.type.class_table
-        clearance = middle_clearance(bearing.bore, named, table or "")
+        table = _class_table(bearing, designation) or ""
+        clearance = middle_clearance(bearing.bore, named, table)
         if clearance is not None and angle is not None:
             fields["diametral_clearance"] = clearance
             origins["diametral_clearance"] = "assumed"

@@ -71,6 +71,8 @@ class BearingType:
         where no class is taken.
     class_table
         From which the clearance of a designation is taken; None of one that has no class.
+    class_table_of_tapered_bore
+        The same of a tapered bore, where it has classes of its own.
     usual_letters, as_a_cage
         What stands before the number of one whose designation does not say; whether it may be a
         cage with its needles alone.
@@ -112,6 +114,7 @@ class BearingType:
     conformity: float | None = None
     clearance_table: str | None = None
     class_table: str | None = None
+    class_table_of_tapered_bore: str | None = None
     usual_letters: str = ""
     as_a_cage: bool = False
     axial_limit_of_maker: bool = False

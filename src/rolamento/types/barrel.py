@@ -24,6 +24,7 @@ TYPE: Final = BearingType(
     inclined=True,
     mountable=False,
     class_table="spherical",
+    class_table_of_tapered_bore="spherical_tapered",
     idle_fields=(*OF_RIBS, "preload"),
     # Schaeffler permits 4° at low load and turning inner ring; the limit of the note is the lower
     # one that makers give of spherical roller bearings

@@ -23,4 +23,5 @@ TYPE: Final = BearingType(
     mountable=False,
     conformity=SELF_ALIGNING_CONFORMITY,
     class_table="self_aligning",
+    class_table_of_tapered_bore="self_aligning_tapered",
 )

@@ -31,6 +31,7 @@ TYPE: Final = BearingType(
     inclined=True,
     mountable=False,
     class_table="spherical",
+    class_table_of_tapered_bore="spherical_tapered",
     axial_limit_of_maker=True,
     idle_fields=(*OF_RIBS, "preload"),
     usual_misalignment=radians(1.5),  # NSK, Rolling Bearings (CAT. No. E1102e): 1° to 2.5°

@@ -25,6 +25,7 @@ TYPE: Final = BearingType(
     floats=True,
     mountable=False,
     class_table="toroidal",
+    class_table_of_tapered_bore="toroidal_tapered",
     idle_fields=(*OF_RIBS, "preload"),
     usual_misalignment=radians(0.5),  # SKF, Rolling bearings (17000 EN): up to 0.5°
 )
