@@ -166,11 +166,7 @@ def _of_rollers(bearing: RollingBearing, angle: float, shared: dict[str, Any]) -
     kind = bearing.places[0].bearing.listed_type
     angle = angle or bearing.places[0].bearing.row_angle
     series = designation.series or ""
-    if (
-        kind.barrels
-        and "E" in published.designation
-        and f"{series}E" in constants_by_series(kind.key)
-    ):
+    if "E" in published.designation and f"{series}E" in constants_by_series(kind.key):
         series = f"{series}E"
     factor = published.axial_factor or (0.4 / tan(angle) if angle else None)
     return MachineBearing(
