@@ -44,6 +44,7 @@ from rolamento.status import (
 )
 from rolamento.types import type_of_element
 from rolamento.words import Note
+from rolamento.words.naming import of_element
 
 if TYPE_CHECKING:
     from rolamento.solved import Solved
@@ -618,9 +619,11 @@ def _no_equilibrium(solved: Solved, axis: int) -> Note:
     case, bearing = solved.case, solved.case.bearing
     radial, axial_load = _given_forces(solved)
     if bearing.bearing_type.washers:
+        note = Note("thrust_pushed_aside" if axial_load > 0.0 else "thrust_unsupported")
         if _is_washers(case) and axial_load > 0.0 and radial > _RADIAL_SHARE * axial_load:
-            return Note("thrust_carries_no_radial_load", {"radial": radial, "axial": axial_load})
-        return Note("thrust_pushed_aside" if axial_load > 0.0 else "thrust_unsupported")
+            values = {"radial": radial, "axial": axial_load}
+            note = Note("thrust_carries_no_radial_load", values)
+        return of_element(note, bearing.bearing_type.rolls)
     if bearing.bearing_type.aligns and axis > 2:
         return Note("sphere_holds_no_moment", {"axis": AXES[axis]})
     if any(place.bearing.element != "ball" for place in bearing.places):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, Final
 
+from rolamento.words.naming import by_element
 from rolamento.words.sentences import Sentence
 from rolamento.words.speaking import ENGLISH, counted, language, marked, said, said_in
 
@@ -501,22 +502,45 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " bearing.outer_shoulder_height)."
     ),
     "thrust_over_shoulder": _thrust_over_shoulder,
-    "thrust_carries_no_radial_load": marked(
-        "A thrust ball bearing carries no radial load: the {radial:.4 N} given here push its balls"
-        " out of their grooves, which the axial load of {axial:.4 N} cannot prevent. Let a radial"
-        " bearing on the shaft carry it, and hold this one with duty.displacement.y and"
-        " duty.displacement.z; or choose an angular contact bearing, such as one of series 72."
+    "thrust_carries_no_radial_load": by_element(
+        marked(
+            "A thrust ball bearing carries no radial load: the {radial:.4 N} given here push its"
+            " balls out of their grooves, which the axial load of {axial:.4 N} cannot prevent. Let"
+            " a radial bearing on the shaft carry it, and hold this one with duty.displacement.y"
+            " and duty.displacement.z; or choose an angular contact bearing, such as one of series"
+            " 72."
+        ),
+        marked(
+            "A cylindrical roller thrust bearing carries no radial load: its washers are flat, and"
+            " nothing resists the {radial:.4 N} given here. Let a radial bearing on the shaft carry"
+            " it, and hold this one with duty.displacement.y and duty.displacement.z."
+        ),
     ),
-    "thrust_unsupported": marked(
-        "Nothing supports the inner ring along x: a thrust ball bearing carries axial load of the"
-        " shaft toward +x only, and needs some to keep its balls in their grooves. Reverse the"
-        " load, add axial load (duty.load.fx), or hold the ring with duty.displacement.x."
+    "thrust_unsupported": by_element(
+        marked(
+            "Nothing supports the inner ring along x: a thrust ball bearing carries axial load of"
+            " the shaft toward +x only, and needs some to keep its balls in their grooves. Reverse"
+            " the load, add axial load (duty.load.fx), or hold the ring with duty.displacement.x."
+        ),
+        marked(
+            "Nothing supports the shaft washer along x: a cylindrical roller thrust bearing carries"
+            " axial load of the shaft toward +x only, and no radial load. Reverse the load, add"
+            " axial load (duty.load.fx), or hold the washer with duty.displacement.x; let a radial"
+            " bearing on the shaft carry a radial load."
+        ),
     ),
-    "thrust_pushed_aside": marked(
-        "The axial load does not hold the balls in their grooves against the radial load or the"
-        " moment: a thrust bearing bears these only as far as its contact angles change and its"
-        " balls stay loaded. Add axial load, or hold the ring with duty.displacement, as a radial"
-        " bearing on the shaft does."
+    "thrust_pushed_aside": by_element(
+        marked(
+            "The axial load does not hold the balls in their grooves against the radial load or the"
+            " moment: a thrust bearing bears these only as far as its contact angles change and its"
+            " balls stay loaded. Add axial load, or hold the ring with duty.displacement, as a"
+            " radial bearing on the shaft does."
+        ),
+        marked(
+            "The axial load does not keep the washers together against the moment, which they hold"
+            " only while rollers on both sides are loaded. Add axial load, or hold the washer with"
+            " duty.displacement.ry and duty.displacement.rz, as other bearings on the shaft do."
+        ),
     ),
     "sphere_holds_no_moment": _sphere_holds_no_moment,
     "unconstrained_ball": marked(
