@@ -42,7 +42,6 @@ from rolamento.status import (
     TOLERANCE,
     UNCONSTRAINED_BALL,
 )
-from rolamento.types import type_of_element
 from rolamento.words import Note
 from rolamento.words.naming import of_element
 
@@ -97,7 +96,7 @@ def notes_on(solved: Solved) -> tuple[Note, ...]:
         _other_than_said, _lost_rows, _lost_contacts, _pressures, _past_edge, _shoulders,
         _speeds, _tilts, _free_directions, _free_tilt, _control, _orbits, _gyroscopic_slip,
         _gyroscopic_left_out, _arches, _rolling, _estimated_geometry, _letters, _nearly_lost,
-        _radial_load_on_thrust, _four_point_load,
+        _radial_load_on_thrust, _four_point_load, _axial_load_on_torus,
     )  # fmt: skip
     notes = tuple(note for check in checks for note in check(solved))
     return notes if solved.rollers is None else (*notes, *notes_on_rollers(solved))
@@ -267,9 +266,7 @@ def _free_directions(solved: Solved) -> Iterator[Note]:
     free = _free(solved)
     if solved.case.bearing.bearing_type.aligns:
         free[3:] = False  # see _free_tilt
-    if solved.rollers is not None and all(
-        type_of_element(one).floats for one in solved.rows.element
-    ):
+    if solved.rollers is not None and all(one.floats for one in solved.case.bearing.row_types):
         free[0] = False  # cylindrical rollers let a shaft shift: that is what they are for
     if solved.rollers is not None and solved.case.bearing.bearing_type.washers:
         free[1:3] = False  # flat washers do not hold each other
@@ -510,6 +507,17 @@ def nothing_given(solved: Solved) -> bool:
     given = [f"duty.load.{name}" for name in LOADS] + [f"duty.displacement.{name}" for name in AXES]
     known = (solved.field(name)[0] for name in given)
     return not (any(value and isfinite(value) for value in known) or solved.loaded[0].any())
+
+
+def _axial_load_on_torus(solved: Solved) -> Iterator[Note]:
+    """An axial load on a toroidal bearing, which lets the shaft shift until the rollers wedge."""
+    axial = float(solved.load.fx[0])
+    radial = float(np.hypot(solved.load.fy[0], solved.load.fz[0]))
+    if any(one.floats and one.barrels for one in solved.case.bearing.row_types) and (
+        abs(axial) > _RADIAL_SHARE * radial
+    ):
+        values = {"axial": axial, "shift": abs(float(solved.displacement.x[0]))}
+        yield Note("toroidal_under_axial_load", values)
 
 
 def _given_forces(solved: Solved) -> tuple[float, float]:

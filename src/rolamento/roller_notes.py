@@ -12,7 +12,7 @@ from rolamento.case import Case
 from rolamento.case.duty import AXES
 from rolamento.contact.line import PRESSURE_LIMIT
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.types import BearingType, type_of_element
+from rolamento.types import BearingType
 from rolamento.words import Note
 
 if TYPE_CHECKING:
@@ -105,7 +105,7 @@ def _misaligned(solved: Solved) -> Iterator[Note]:
 
 def usual_misalignments(solved: Solved) -> list[tuple[float, BearingType]]:
     """Tilt (rad) that makers let pass of each row for which a source gives it, with its type."""
-    kinds = map(type_of_element, solved.rows.element)
+    kinds = solved.case.bearing.row_types
     return [(one.usual_misalignment, one) for one in kinds if one.usual_misalignment is not None]
 
 
@@ -135,7 +135,9 @@ def _ends(solved: Solved, rollers: Rollers) -> Iterator[Note]:
                 "max_pressure": float(end[worst]),
                 "ratio": float(end[worst] / inside[worst]) if inside[worst] > 0.0 else None,
             }
-            found.append((float(end[worst]), {**values, **which_elements(solved, high)}))
+            barrels = all(one.barrels for one in solved.case.bearing.row_types)
+            own = {"barrels": True} if barrels else {}
+            found.append((float(end[worst]), {**values, **which_elements(solved, high), **own}))
     if found:  # of both races the one that suffers more
         worse = max(found, key=lambda one: one[0])[1]
         yield Note("edge_pressure_peak" if coupled else "edges_bear", worse)
@@ -172,7 +174,7 @@ def rollers_without_equilibrium(
     tilts
         Whether the ring is free to tilt.
     """
-    kinds = [place.bearing.bearing_type for place in case.bearing.places]
+    kinds = case.bearing.row_types
     if axis == 0 and all(one.floats for one in kinds):
         return Note("ribs_do_not_hold")
     if axis == 0 and all(one.conical for one in kinds):

@@ -168,3 +168,21 @@ def test_misalignment_has_the_makers_limit() -> None:
     fine = [n.key for n in ro.solve(case, ry="10 mrad").notes[0]]
     assert "rollers_misaligned" not in fine
     assert degrees(atan(0.018)) == pytest.approx(1.03, abs=0.01)  # where makers begin: 1°
+
+
+def test_a_torus_has_its_own_limits() -> None:
+    """0.5° of tilt, not the 1.5° of a sphere, and no axial load (SKF, CARB)."""
+    case = ro.Case(
+        bearing={"designation": "C 2210"}, duty={"inner_speed": "500 rpm", "load": {"fz": "5 kN"}}
+    )
+    assert [one.key for one in case.bearing.row_types] == ["toroidal"]
+    tilted = ro.solve(case, {"duty.displacement.ry": [0.01]})
+    (note,) = [note for note in tilted.notes[0] if note.key == "rollers_misaligned"]
+    assert note.values["limit"] == pytest.approx(np.radians(0.5))
+    pushed, free = (ro.solve(case.with_(fx=fx)) for fx in (2e3, 0.0))
+    keys = {note.key for note in pushed.notes[0]}
+    assert "toroidal_under_axial_load" in keys
+    assert "direction_unsupported" not in keys
+    assert "toroidal_under_axial_load" not in {note.key for note in free.notes[0]}
+    spherical = ro.RollerBearing.named("22211 E")
+    assert [one.key for one in spherical.row_types] == ["spherical", "spherical"]

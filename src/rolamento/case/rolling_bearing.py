@@ -317,6 +317,14 @@ class RollingBearing(Record):
         return self.kind is not None and (kind.rows > 1 or kind.has_arches)
 
     @property
+    def row_types(self) -> tuple[BearingType, ...]:
+        """The type of each row: the bearing's own where its rings are not plain."""
+        places = self.places
+        if self.kind is not None:
+            return (self.bearing_type,) * len(places)
+        return tuple(place.bearing.bearing_type for place in places)
+
+    @property
     def rows_of_one_bearing(self) -> int:
         """Rows that makers rate together: of a double-row, four-point or self-aligning bearing.
 

@@ -43,9 +43,7 @@ def head(solved: Solved) -> Section:
 
 def untitled(case: Case) -> str:
     """Return what a case without a title is called: by what rolls in it."""
-    whole = case.bearing.kind is not None
-    bearings = [case.bearing] if whole else [place.bearing for place in case.bearing.places]
-    names = {bearing.bearing_type.untitled for bearing in bearings}
+    names = {one.untitled for one in case.bearing.row_types}
     return said(names.pop()) if len(names) == 1 else said("Set of bearings of several kinds")
 
 

@@ -76,6 +76,16 @@ def _edge_pressure_peak(values: Values) -> str:
 
 
 def _edges_bear(values: Values) -> str:
+    if values.get("barrels"):
+        return said(
+            "The ends of {rollers} bear their share at the {race} race ({where}):"
+            " {max_pressure:.0f MPa} at the outermost slices. Slices do not show the peak of"
+            " pressure at an edge.",
+            rollers=_rollers(values),
+            race=race_of(values),
+            where=where_of(values),
+            max_pressure=values["max_pressure"],
+        )
     return said(
         "The ends of {rollers} bear their share at the {race} race ({where}):"
         " {max_pressure:.0f MPa} at the outermost slices. Independent slices do not show the peak"
@@ -147,6 +157,11 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     "edge_pressure_peak": _edge_pressure_peak,
     "edges_bear": _edges_bear,
+    "toroidal_under_axial_load": marked(
+        "Toroidal roller bearings are not for axial load (SKF, CARB): {axial:.4 N} shift the inner"
+        " ring by {shift:.3 mm} until the rollers wedge between the raceways. The equivalent load"
+        " P = F_r does not include it. Let another bearing locate the shaft."
+    ),
     "direction_unsupported_by_rollers": marked(
         "No rolling element supports the ring along {axis}: it carries no load there, and the"
         " displacement shown is arbitrary."
