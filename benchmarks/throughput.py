@@ -13,11 +13,11 @@ import rolamento
 from benchmarks import duty_sets
 from benchmarks.duty_sets import Floats
 from benchmarks.figures import Figure, Findings, Target, alternately, at_least, seconds
-from rolamento.assembly import spread
 from rolamento.numerics.compiled import shared
 from rolamento.rows.ball import lanes, layout
 from rolamento.rows.ball.run import solve_columns
 from rolamento.solved import Solved
+from rolamento.system import spread
 
 PROMISED_RESIDUAL: Final = 1e-8
 

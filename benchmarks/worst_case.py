@@ -18,9 +18,9 @@ from benchmarks.duty_sets import Floats
 from benchmarks.figures import Figure, Findings, below
 from benchmarks.robustness import CASES_PER_BEARING, KINDS, SEED, random_case, random_duties
 from rolamento import status
-from rolamento.assembly import spread
 from rolamento.rows.ball.row import BallRow
 from rolamento.rows.ball.run import MOST_WORK, solve_columns
+from rolamento.system import spread
 
 NAME: Final = "time of one case"
 PARTS: Final = (50.0, 99.0, 99.9)

@@ -11,7 +11,6 @@ from typing import Any, Unpack
 import numpy as np
 from numpy.typing import ArrayLike
 
-from rolamento.assembly import solve_cases, spread
 from rolamento.case import Case, case_of
 from rolamento.case.bearing import Bearing
 from rolamento.case.roller_bearing import RollerBearing
@@ -21,6 +20,7 @@ from rolamento.numerics import FloatArray
 from rolamento.numerics.threads import thread_count
 from rolamento.records import frozen
 from rolamento.solved import Delivered, Index, Preloading, PreloadStage, Solved
+from rolamento.system import solve_cases, spread
 from rolamento.units import readable
 from rolamento.words import Note, said
 
@@ -181,7 +181,7 @@ class Refused:
                 field.checked(value, in_file=False)
         case = self.case.with_(values)
         if case.mounting is not None and case.bearing.is_set:
-            from rolamento.assembly.mounted import running_set
+            from rolamento.system.mounted import running_set
 
             return running_set(case)
         from rolamento.clearance import operating_case
@@ -193,7 +193,7 @@ def _solve_varied(case: Case, given: Mapping[str, FloatArray], threads: int | No
     if case.mounting is None:
         return _solve_many(case, given, threads)
     if case.bearing.is_set:
-        from rolamento.assembly.mounted import solve_mounted
+        from rolamento.system.mounted import solve_mounted
 
         solved = solve_mounted(case, bounded(given), threads=threads)
         delivered = _delivered(solved, case, given)
@@ -252,7 +252,7 @@ def _solve_one(case: Case, loss: bool) -> Solved:
         case = operating_case(case, found)
     solved = _solve_many(case, {}, threads=1)
     if case.bearing.preload is not None and solved.converged[0]:
-        from rolamento.assembly.preload import preload_of
+        from rolamento.system.preload import preload_of
 
         solved = replace(solved, preloading=partial(preload_of, case, loss=loss))
     if given.mounting is not None:
@@ -261,7 +261,7 @@ def _solve_one(case: Case, loss: bool) -> Solved:
 
 
 def _solve_mounted_set(case: Case, loss: bool) -> Solved:
-    from rolamento.assembly.mounted import notes_on_set, preload_stages, running_set
+    from rolamento.system.mounted import notes_on_set, preload_stages, running_set
 
     running = running_set(case)
     stages = preload_stages(case)
@@ -277,8 +277,8 @@ def _preload_of_mounted(
     case: Case, running: Case, stages: tuple[PreloadStage, ...], loss: bool
 ) -> Preloading | None:
     """Return the preload of a mounted set, at rest that of its warm stage."""
-    from rolamento.assembly.mounted import LIMITS
-    from rolamento.assembly.preload import preload_of
+    from rolamento.system.mounted import LIMITS
+    from rolamento.system.preload import preload_of
 
     preload, mounting = preload_of(running, loss=loss), case.mounting
     if preload is None or mounting is None or not stages:

@@ -17,10 +17,10 @@ import pytest
 from numpy.typing import NDArray
 
 from rolamento import Bearing, Case, Duty, Model
-from rolamento.assembly import solve_cases, spread
 from rolamento.geometry import ring_geometry
 from rolamento.solution import solve
 from rolamento.solved import Solved
+from rolamento.system import solve_cases, spread
 
 Floats = NDArray[np.float64]
 RPM = math.pi / 30.0

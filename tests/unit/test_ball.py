@@ -7,12 +7,12 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from rolamento.assembly import spread
 from rolamento.case import Case
 from rolamento.kinematics import BallMotion, ball_motion, grip, orbital_speed
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.ball import contact_exact
 from rolamento.rows.ball.single import inner_length, linearised
+from rolamento.system import spread
 
 CONTROLS = [(1.0, 0.0), (1.0, 1.0), (-1.0, 0.0)]
 """(sigma, lambda_i under outer control): outer, shared, inner."""

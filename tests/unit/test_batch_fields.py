@@ -16,8 +16,8 @@ from rolamento import (
     UnknownKeyError,
     solve,
 )
-from rolamento.assembly.preload import preload_of
 from rolamento.case.varied import SHORT_NAMES, batch_fields, bounded, varied_arrays
+from rolamento.system.preload import preload_of
 
 ANGULAR: dict[str, Any] = {
     "ball_count": 16,

@@ -12,7 +12,6 @@ import numpy as np
 import pytest
 
 import rolamento
-from rolamento.assembly import spread
 from rolamento.case import Case
 from rolamento.numerics.threads import ready
 from rolamento.rows.ball import layout
@@ -21,6 +20,7 @@ from rolamento.rows.ball.blocks import Batch
 from rolamento.rows.ball.mirror import mirror
 from rolamento.rows.ball.run import Solution
 from rolamento.rows.ball.set_blocks import solve_sets
+from rolamento.system import spread
 
 
 @pytest.mark.parametrize("speed", [0.0, 1047.0], ids=["static", "moving"])

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import rolamento as ro
-from rolamento import assembly
+from rolamento import system
 from rolamento.errors import InputError
 from rolamento.lubrication import film as film_of
 from rolamento.lubrication.film_control import ShearedFilm, balanced_on_film
@@ -82,11 +82,11 @@ def test_slip_speed_is_limiting_friction_over_shear() -> None:
 
 def test_without_film_it_is_coulomb() -> None:
     """A film of no thickness neither shears nor lifts."""
-    cases, nothing = assembly.spread(case()), np.zeros((1, 16, 2))
+    cases, nothing = system.spread(case()), np.zeros((1, 16, 2))
     film = ShearedFilm(
         nothing, nothing, np.array([MU]), np.array([0.03]), np.array([2e-8]), True, True
     )
-    one, other = assembly.balance(cases), assembly.balance(cases, film)
+    one, other = system.balance(cases), system.balance(cases, film)
     np.testing.assert_array_equal(one.place, other.place)
     np.testing.assert_array_equal(one.force, other.force)
 
@@ -115,11 +115,11 @@ def test_loads_are_those_of_the_lifted_contacts() -> None:
 
 def test_the_film_belongs_to_the_motion_that_it_brings_about() -> None:
     balanced, settled, felt = balanced_on_film(
-        assembly.spread(case(traction="film", film_in_contact=True))
+        system.spread(case(traction="film", film_in_contact=True))
     )
     assert settled.all()
-    cases = assembly.spread(case(traction="film", film_in_contact=True))
-    again = film_of(assembly.result(cases, balanced)).inner.central_thickness
+    cases = system.spread(case(traction="film", film_in_contact=True))
+    again = film_of(system.result(cases, balanced)).inner.central_thickness
     np.testing.assert_allclose(felt.lift[..., 0], np.nan_to_num(again), rtol=1e-5)
 
 

@@ -7,7 +7,6 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from rolamento.assembly import spread
 from rolamento.case import Case
 from rolamento.numerics.compiled import Kernel
 from rolamento.rows.ball import lanes, layout
@@ -34,6 +33,7 @@ from rolamento.rows.ball.single import (
     static_ball,
 )
 from rolamento.status import CONVERGED, TOLERANCE
+from rolamento.system import spread
 
 BALLS = 16
 N = layout.LANES

@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rolamento.assembly import spread
 from rolamento.case import Case
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.mirror import AXES, mirror, planes
 from rolamento.rows.ball.problem import directions
 from rolamento.rows.ball.run import Solution, solve_columns
+from rolamento.system import spread
 
 CASES = 60
 NEXT_TO_NOTHING = 1e-250

@@ -13,9 +13,6 @@ import typer
 from typer.testing import CliRunner
 
 from rolamento import Case, InputError, parse_case
-from rolamento.assembly import solve_cases, spread
-from rolamento.assembly.mounted import LIMITS, preload_stages, running_set
-from rolamento.assembly.preload import first_lift_off, preload_at
 from rolamento.cli.clearance import clearance
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.document.terminal import terminal
@@ -24,6 +21,9 @@ from rolamento.pages.state import state_page
 from rolamento.solution import solve
 from rolamento.solved import PreloadStage, Solved
 from rolamento.static import race_stiffness
+from rolamento.system import solve_cases, spread
+from rolamento.system.mounted import LIMITS, preload_stages, running_set
+from rolamento.system.preload import first_lift_off, preload_at
 from rolamento.tasks.clearance import mounted_clearance, mounted_samples
 
 PAIR = """

@@ -16,10 +16,10 @@ from hypothesis import strategies as st
 from tests.one_case import solve_one
 
 from rolamento import Bearing, Case, Displacement, Duty, Load, Solved
-from rolamento.assembly import Cases
-from rolamento.assembly import preload as search
 from rolamento.solution import solve
 from rolamento.solved import Preloading
+from rolamento.system import Cases
+from rolamento.system import preload as search
 
 SPINDLE: dict[str, Any] = {
     "ball_count": 22,

@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rolamento.assembly import spread
 from rolamento.case import Case
 from rolamento.case.bearing import Bearing
 from rolamento.errors import InputError
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.problem import ring_arms
 from rolamento.static import race_stiffness
+from rolamento.system import spread
 
 
 @pytest.mark.parametrize(

@@ -10,8 +10,6 @@ import numpy as np
 import pytest
 
 from rolamento import Case, InputError, load_case, parse_case
-from rolamento.assembly.mounted import preload_stages, running_set
-from rolamento.assembly.preload import preload_of
 from rolamento.case import case_of
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.clearance import (
@@ -22,6 +20,8 @@ from rolamento.clearance import (
 )
 from rolamento.io.data import toml_of
 from rolamento.solution import solve
+from rolamento.system.mounted import preload_stages, running_set
+from rolamento.system.preload import preload_of
 from rolamento.tasks.clearance import mounted_clearance, mounted_samples
 
 RPM = pi / 30.0

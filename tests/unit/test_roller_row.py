@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 from pydantic import ValidationError
 from scipy.optimize import root
 
-from rolamento.assembly.cases import spread
 from rolamento.case import Case
 from rolamento.rows.roller import layout
 from rolamento.rows.roller.row import RollerRow
 from rolamento.solution import solve
+from rolamento.system.cases import spread
 
 Array = NDArray[np.float64]
 
@@ -50,7 +50,7 @@ def row_of(case: Case) -> RollerRow:
 
 
 def held_at(row: RollerRow, place: Array) -> Any:
-    return row.respond(place[np.newaxis], np.array([0]), np.ones((1, row.element_count)))
+    return row.respond(place[np.newaxis], np.array([0]))
 
 
 # --- an independent roller: points and normals in the plane, nothing eliminated -------------------
@@ -179,7 +179,7 @@ def test_every_roller_is_in_balance_by_an_independent_evaluation(name: str) -> N
         apex = roller.radius / np.tan(half) + 0.5 * given.roller_length
         roller.rib(given.roller_length, given.contact_height, given.roller_end_radius or apex, half)
     azimuths = 2.0 * np.pi * np.arange(row.element_count) / row.element_count
-    answer = row.answer(held, np.ones((1, 1)), np.ones((1, 1), np.int64), np.zeros(1, bool))
+    answer = row.answer(held, np.ones((1, 1), np.int64), np.zeros(1, bool))
     tables = answer.tables()
     total = np.zeros(5)
     loaded = 0

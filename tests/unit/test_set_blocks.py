@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 import rolamento
-from rolamento.assembly.cases import spread
-from rolamento.assembly.solve import solve_cases
 from rolamento.numerics import FloatArray
 from rolamento.rows.ball import sets
 from rolamento.rows.ball.row import BallRow
+from rolamento.system.cases import spread
+from rolamento.system.solve import solve_cases
 
 CASES = 40
 BALLS: dict[str, Any] = {
@@ -115,7 +115,7 @@ def test_pressed_in_is_where_the_solver_puts_the_ring() -> None:
     free, load = np.zeros((30, 5), np.bool_), np.zeros((30, 5))
     free[:, 0], load[:, 0] = True, force
     asked = replace(row, p=row.p.of(np.arange(30))).asked(free, load, np.zeros_like(load))
-    held = asked.alone(np.ones((1, row.element_count)))
+    held = asked.alone()
     expected = np.where(held.number == 0, held.place[:, 0], np.nan)
     assert np.isnan(expected).any()
     found = row.press_in(force)

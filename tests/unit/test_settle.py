@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rolamento.assembly import spread
 from rolamento.case import Case
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.settle import _bracketed, free_ball, in_place, settle
 from rolamento.rows.ball.single import linearised
+from rolamento.system import spread
 
 
 @pytest.fixture(params=[50.0, 1000.0, 1500.0], ids=lambda speed: f"{speed:.0f} rad/s")

@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from tests.one_case import solve_one
 
 from rolamento import Case, Lubricant, Model, load_case
-from rolamento.assembly import spread
 from rolamento.friction.slip import BallVelocity, Patch, relative_motion
 from rolamento.friction.traction import contact_friction, ellipse_mesh
 from rolamento.kinematics import RacewayControl, ball_motion
@@ -35,6 +34,7 @@ from rolamento.rows.ball.traction.ball import (
 )
 from rolamento.rows.ball.traction.contact import FORCES, SUMS, add_friction, ellipse_nodes
 from rolamento.rows.ball.traction.solve import case_constants
+from rolamento.system import spread
 
 Floats = NDArray[np.float64]
 MU = 0.08

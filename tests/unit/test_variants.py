@@ -14,7 +14,6 @@ from matplotlib.figure import Figure
 from typer.testing import CliRunner
 
 from rolamento import Case, load_case
-from rolamento.assembly.preload import first_lift_off, preload_at, preload_loss, preload_of
 from rolamento.case.variant import (
     AS_GIVEN,
     Variant,
@@ -28,6 +27,7 @@ from rolamento.errors import InputError
 from rolamento.plots.sweep import compared_histograms, compared_lines, study_lines
 from rolamento.solution import solve
 from rolamento.studies import Axis, Study, parse_study, run, study_to_json, study_to_toml
+from rolamento.system.preload import first_lift_off, preload_at, preload_loss, preload_of
 from rolamento.tasks.drawing import draw
 
 SPRING = 'spring:bearing.preload={ spring = "500 N" }'

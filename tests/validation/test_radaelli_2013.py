@@ -15,11 +15,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rolamento.assembly import solve_cases, spread
 from rolamento.rows.ball import layout
 from rolamento.solution import solve
 from rolamento.solved import Solved
 from rolamento.static import axial_load, radial_load
+from rolamento.system import solve_cases, spread
 from rolamento.verification import Check
 from rolamento.verification.check import half_unit, published
 from rolamento.verification.harris_1991 import bearing_209, bearing_218, radaelli_steel

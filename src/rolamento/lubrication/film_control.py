@@ -15,13 +15,13 @@ from typing import Final
 
 import numpy as np
 
-from rolamento import assembly
-from rolamento.assembly import Balanced, Cases, solve_cases
+from rolamento import system
 from rolamento.lubrication.films import film
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.oil import roelands
 from rolamento.records import frozen
 from rolamento.solved import Solved
+from rolamento.system import Balanced, Cases, solve_cases
 
 PASSES: Final = 25
 SAME: Final = 1e-6
@@ -63,15 +63,15 @@ def solved_on_film(cases: Cases) -> Solved:
     A case whose film still changes after `PASSES` solutions has no result.
     """
     balanced, settled, _ = balanced_on_film(cases)
-    return assembly.result(cases, balanced.without(~settled))
+    return system.result(cases, balanced.without(~settled))
 
 
 def balanced_on_film(cases: Cases) -> tuple[Balanced, BoolArray, ShearedFilm]:
     """The last balance, which cases have settled, and the film that they were balanced with."""
     after = _film_felt(cases, solve_cases(cases))
     for _ in range(PASSES):
-        before, balanced = after, assembly.balance(cases, after)
-        after = _film_felt(cases, assembly.result(cases, balanced))
+        before, balanced = after, system.balance(cases, after)
+        after = _film_felt(cases, system.result(cases, balanced))
         moved = np.abs(after.thickness - before.thickness).max(axis=(1, 2), initial=0.0)
         settled = ~(moved > SAME * after.thickness.max(axis=(1, 2), initial=0.0))
         if settled.all():

@@ -152,7 +152,7 @@ def _step(
     matrix[:, range(unknowns), range(unknowns)] += added
     # scaled for the determinant and for the solution alike: both meet the same pivots
     matrix /= greatest[:, np.newaxis, np.newaxis]
-    singular = ~(np.abs(np.linalg.det(matrix)) > 0.0)
+    singular = ~(np.abs(np.linalg.slogdet(matrix)[0]) > 0.0)
     matrix[singular] = np.eye(unknowns)
     step = np.linalg.solve(matrix, (rest / greatest[:, np.newaxis])[..., np.newaxis])[..., 0]
     step[singular] = np.nan

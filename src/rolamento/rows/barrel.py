@@ -30,14 +30,12 @@ slices; docs/theory/barrel-rollers.md.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from typing import Any, Final, Self, cast
 
 import numpy as np
 
-from rolamento.case import Case
-from rolamento.case.bearing import RowPlace
+from rolamento.case.parameters import RollerParameters
 from rolamento.case.roller_bearing import raceway_radii
 from rolamento.contact.hertz import effective_modulus, elliptical_contact
 from rolamento.contact.line import EXPONENT, half_width, max_pressure, slice_places
@@ -51,7 +49,7 @@ from rolamento.roller_kinematics import (
     roller_motion,
 )
 from rolamento.rows.ball.problem import directions
-from rolamento.rows.row import Indices, IntArray, Response, RowGeometry, RowSizes
+from rolamento.rows.row import Indices, IntArray, Response, RowGeometry, RowSizes, Running
 from rolamento.rows.sphere import rotation_of
 from rolamento.solved import Elements, Index, Pressed, Tables
 from rolamento.solved.rollers import Line, Rollers
@@ -193,6 +191,11 @@ class BarrelResponse:
         """There is but one path; (cases,)."""
         return np.zeros(len(self.place), np.bool_)
 
+    @property
+    def memory(self) -> FloatArray | None:
+        """It begins anew at every place."""
+        return None
+
     def put(self, cases: Indices, part: Self) -> None:
         """Copy what some of the cases answered to their places."""
         for one in fields(self):
@@ -251,7 +254,7 @@ class BarrelRow:
 
     @property
     def sizes(self) -> RowSizes:
-        """For the assembly."""
+        """For the system."""
         n = self.numbers
         both = (n.inner.stiffness ** (-2.0 / 3.0) + n.outer.stiffness ** (-2.0 / 3.0)) ** -1.5
         return RowSizes(
@@ -268,7 +271,9 @@ class BarrelRow:
 
     # --- solving --------------------------------------------------------------------------------
 
-    def respond(self, place: FloatArray, which: Indices, control: FloatArray) -> BarrelResponse:
+    def respond(
+        self, place: FloatArray, which: Indices, memory: FloatArray | None = None
+    ) -> BarrelResponse:
         """Hold some of the cases at a place; (len(which), 5)."""
         n = self.numbers.part(which)
         rotation, turns = rotation_of(place[:, 3], place[:, 4])
@@ -341,13 +346,7 @@ class BarrelRow:
         """No preload is put on such rows; (cases,), NaN."""
         return np.full(self.cases, np.nan)
 
-    def verdict(self, held: Response, control: FloatArray, which: Index) -> IntArray:
-        """Return the control as it is: rollers roll on both races; (cases, elements)."""
-        return control.astype(np.int64)
-
-    def answer(
-        self, held: Response, control: FloatArray, shown: IntArray, lost: BoolArray
-    ) -> BarrelAnswer:
+    def answer(self, held: Response, shown: IntArray, lost: BoolArray) -> BarrelAnswer:
         """Keep what the tables are made from, of cases that are not lost."""
         rollers = cast(BarrelResponse, held)
         rollers.place[lost], rollers.depth[lost] = np.nan, np.nan
@@ -505,23 +504,11 @@ def _shared(
 # --- from a case to its numbers -------------------------------------------------------------------
 
 
-def barrel_row(
-    case: Case,
-    place: RowPlace,
-    bearing: Any,
-    varied: Mapping[str, FloatArray],
-    cases: int,
-    *,
-    threads: int | None = None,
-    fast: bool = True,
-) -> BarrelRow:
-    """The numbers of a row of barrel-shaped rollers; there is but one path, fast or not.
-
-    bearing: `RollerParameters` of the row.
-    """
+def barrel_row(bearing: RollerParameters, running: Running) -> BarrelRow:
+    """The numbers of a row of barrel-shaped rollers; there is but one path, fast or not."""
     with np.errstate(invalid="ignore", divide="ignore"):
-        n = _numbers(case, place, bearing, varied, cases)
-    nothing = np.full(cases, np.nan)
+        n = _numbers(bearing, running)
+    nothing = np.full(running.cases, np.nan)
     geometry = RowGeometry(
         ball_diameter=n.diameter,
         pitch_diameter=n.pitch,
@@ -531,17 +518,12 @@ def barrel_row(
         modulus=n.modulus,
         effective_length=n.length,
     )
-    floats = place.bearing.bearing_type.floats
-    return BarrelRow(n, bearing.element_count, geometry, np.ones(cases, np.bool_), floats)
+    floats, sound = bearing.bearing_type.floats, np.ones(running.cases, np.bool_)
+    return BarrelRow(n, bearing.element_count, geometry, sound, floats)
 
 
-def _numbers(
-    case: Case, place: RowPlace, bearing: Any, varied: Mapping[str, FloatArray], cases: int
-) -> _Numbers:
-    def column(value: Any) -> FloatArray:
-        return np.array(np.broadcast_to(np.asarray(value, np.float64), cases))
-
-    duty, model = case.duty, case.model
+def _numbers(bearing: RollerParameters, running: Running) -> _Numbers:
+    column, model = running.column, running.model
     diameter, pitch = column(bearing.roller_diameter), column(bearing.pitch_diameter)
     length, angle = column(bearing.effective_length), column(bearing.contact_angle or 0.0)
     whole = column(bearing.roller_length)
@@ -553,14 +535,10 @@ def _numbers(
         _race(diameter, pitch, angle, length, profile, radius, modulus, slices, sign)
         for radius, sign in ((inner_radius, -1.0), (outer_radius, 1.0))
     ]
-    speeds = [
-        column(varied.get(f"duty.{name}", getattr(duty, name)))
-        for name in ("inner_speed", "outer_speed")
-    ]
+    speeds = column(running.inner_speed), column(running.outer_speed)
     motion = roller_motion(diameter, pitch, angle, 0.0, *speeds)
     body = roller_body(diameter, whole, 0.0, column(bearing.roller_material.density))
     force = centrifugal_force(body.mass, pitch, motion.orbital_speed)
-    first = varied.get("duty.first_ball_azimuth", np.asarray(duty.first_ball_azimuth))
     return _Numbers(
         inner=races[0],
         outer=races[1],
@@ -576,7 +554,7 @@ def _numbers(
         modulus=modulus,
         force=column(model.centrifugal_force * force),
         moment=column(model.gyroscopic_moment * roller_gyroscopic_moment(body, motion)),
-        first=column(first + place.phase),
+        first=column(running.azimuth),
         place=slices,
         motion=motion,
     )

@@ -370,7 +370,7 @@ def settle_cases(
     settled: NDArray[np.bool_],
     steps: NDArray[np.int64],
 ) -> None:
-    """Let the rings of the cases go until the loads balance: a proposal, for `assembly` to judge.
+    """Let the rings of the cases go until the loads balance: a proposal, to be judged as any.
 
     free, load (cases, 5): where the load is given, and it; rings (cases, 5): where they begin,
     written; settled and steps (cases): whether each came to rest, and in how many steps.

@@ -22,7 +22,7 @@ Anderson (1973), Analysis of an arched outer-race ball bearing, for the arcs.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass, fields
 from functools import lru_cache
 from typing import Any, Final, Self, cast
@@ -30,8 +30,8 @@ from typing import Any, Final, Self, cast
 import numpy as np
 from numpy.polynomial import chebyshev
 
-from rolamento.case import Case
-from rolamento.case.bearing import Bearing, RowPlace
+from rolamento.case.bearing import Bearing
+from rolamento.case.parameters import BallParameters
 from rolamento.contact.hertz import effective_modulus, series_stiffness
 from rolamento.geometry import edge_cosine, groove_places
 from rolamento.kinematics import (
@@ -47,7 +47,7 @@ from rolamento.records import frozen
 from rolamento.rows import flanks as kernels
 from rolamento.rows.ball.problem import directions
 from rolamento.rows.flanks import ROUNDING, TERMS
-from rolamento.rows.row import Indices, IntArray, Response, RowGeometry, RowSizes
+from rolamento.rows.row import Indices, IntArray, Response, RowGeometry, RowSizes, Running
 from rolamento.solved import Elements, Index, Pressed, Tables
 from rolamento.static import race_stiffness
 from rolamento.status import INVALID_INPUT
@@ -125,6 +125,11 @@ class GroovesResponse:
         """(cases, 5), N and N·m."""
         return np.asarray(self.face_forces.sum(axis=1))
 
+    @property
+    def memory(self) -> FloatArray | None:
+        """It begins anew at every place."""
+        return None
+
     def put(self, cases: Indices, part: Self) -> None:
         """Copy what some of the cases answered to their places."""
         for one in fields(self):
@@ -178,7 +183,7 @@ class GrooveRow:
 
     @property
     def sizes(self) -> RowSizes:
-        """For the assembly."""
+        """For the system."""
         n = self.numbers
         reach = n.inner.length + n.outer.length
         return RowSizes(
@@ -200,7 +205,9 @@ class GrooveRow:
 
     # --- solving --------------------------------------------------------------------------------
 
-    def respond(self, place: FloatArray, which: Indices, control: FloatArray) -> GroovesResponse:
+    def respond(
+        self, place: FloatArray, which: Indices, memory: FloatArray | None = None
+    ) -> GroovesResponse:
         """Hold some of the cases at a place; (len(which), 5)."""
         held = self.no_response(len(which))
         held.place[:] = place
@@ -262,13 +269,7 @@ class GrooveRow:
         """No preload is put on such rows; (cases,), NaN."""
         return np.full(self.cases, np.nan)
 
-    def verdict(self, held: Response, control: FloatArray, which: Index) -> IntArray:
-        """Return the control as it is: what guides a ball has no part in this balance."""
-        return control.astype(np.int64)
-
-    def answer(
-        self, held: Response, control: FloatArray, shown: IntArray, lost: BoolArray
-    ) -> GrooveAnswer:
+    def answer(self, held: Response, shown: IntArray, lost: BoolArray) -> GrooveAnswer:
         """Keep what the tables are made from, of cases that are not lost."""
         balls = cast(GroovesResponse, held)
         balls.position[lost], balls.place[lost] = np.nan, np.nan
@@ -385,84 +386,57 @@ class GrooveAnswer:
 # --- from a case to its numbers -------------------------------------------------------------------
 
 
-def four_point_row(
-    case: Case,
-    place: RowPlace,
-    bearing: Any,
-    varied: Mapping[str, FloatArray],
-    cases: int,
-    *,
-    threads: int | None = None,
-    fast: bool = True,
-) -> GrooveRow:
-    """The numbers of a four-point row; bearing: attributes, numbers or arrays (cases,).
+def four_point_row(bearing: BallParameters, running: Running) -> GrooveRow:
+    """The numbers of a four-point row.
 
     Both arcs of a ring stand off its middle by s = (f - ½) D sin α_s.
     """
     with np.errstate(invalid="ignore", divide="ignore"):
-        return _row(case, place, bearing, varied, cases, (1.0, -1.0), threads)
+        return _row(bearing, running, (1.0, -1.0))
 
 
-def thrust_row(
-    case: Case,
-    place: RowPlace,
-    bearing: Any,
-    varied: Mapping[str, FloatArray],
-    cases: int,
-    *,
-    threads: int | None = None,
-    fast: bool = True,
-) -> GrooveRow:
+def thrust_row(bearing: BallParameters, running: Running) -> GrooveRow:
     """The numbers of a thrust row; as `four_point_row`."""
     with np.errstate(invalid="ignore", divide="ignore"):
-        return _row(case, place, bearing, varied, cases, (1.0,), threads)
+        return _row(bearing, running, (1.0,))
 
 
-def _row(
-    case: Case,
-    place: RowPlace,
-    bearing: Any,
-    varied: Mapping[str, FloatArray],
-    cases: int,
-    flanks: tuple[float, ...],
-    threads: int | None,
-) -> GrooveRow:
-    diameter, pitch = (_column(getattr(bearing, n), cases) for n in _BALLS)
+def _row(bearing: BallParameters, running: Running, flanks: tuple[float, ...]) -> GrooveRow:
+    cases, column, model = running.cases, running.column, running.model
+    diameter, pitch = (column(getattr(bearing, n)) for n in _BALLS)
     given = {n: getattr(bearing, n) for n in ("contact_angle", "diametral_clearance")}
     shim = bearing.shim_angle if len(flanks) > 1 else None
     places = groove_places(
         diameter, pitch, bearing.inner_conformity, bearing.outer_conformity,
         shim_angle=shim, **given,
     )  # fmt: skip
-    inner_length, outer_length, axial, radial, arm = (_column(one, cases) for one in places)
+    inner_length, outer_length, axial, radial, arm = (column(one) for one in places)
     reach = inner_length + outer_length
     angle = np.arccos(np.clip(radial / reach, -1.0, 1.0))
     if shim is None:
-        own = _column(bearing.contact_angle, cases)
+        own = column(bearing.contact_angle)
         shifts = {"inner": axial, "outer": 0.0 * axial}
         toward = np.stack([np.sin(own), np.cos(own)], axis=1)
         bottom, angle = toward, own
     else:
-        sine = np.sin(_column(shim, cases))
+        sine = np.sin(column(shim))
         shifts = {"inner": inner_length * sine, "outer": outer_length * sine}
         toward = np.tile([1.0, 0.0], (cases, 1))
         bottom = np.tile([0.0, 1.0], (cases, 1))
-    plain = not any(name.startswith("bearing.") for name in varied)
-    fits = _stiffness_of(place.bearing) if plain else _stiffness(bearing, cases)
+    record = running.record
+    fits = _stiffness(bearing, cases) if record is None else _stiffness_of(record)
     races = {
         race: _Race(
             length=length,
             shift=shifts[race],
-            edge=_column(edge_cosine(bearing, race), cases),  # type: ignore[arg-type]
+            edge=column(edge_cosine(bearing, race)),  # type: ignore[arg-type]
             stiffness=np.broadcast_to(fit, (TERMS, cases)),
         )
         for race, length, fit in zip(
             ("inner", "outer"), (inner_length, outer_length), fits, strict=True
         )
     }
-    duty, model = case.duty, case.model
-    speeds = [_column(varied.get(f"duty.{n}", getattr(duty, n)), cases) for n in _SPEEDS]
-    first = varied.get("duty.first_ball_azimuth", np.asarray(duty.first_ball_azimuth))
+    speeds = column(running.inner_speed), column(running.outer_speed)
     mass = ball_mass(diameter, bearing.ball_material.density)
     orbit = nominal_orbit(diameter / pitch * np.cos(angle), *speeds)
     modulus = effective_modulus(bearing.ring_material, bearing.ball_material)
@@ -476,12 +450,12 @@ def _row(
         angle=angle,
         toward=toward,
         bottom=bottom,
-        mass=_column(mass, cases),
+        mass=column(mass),
         inner_speed=speeds[0],
         outer_speed=speeds[1],
-        first=_column(first + place.phase, cases),
-        orbit=_column(orbit, cases),
-        force=_column(model.centrifugal_force * centrifugal_force(mass, pitch, orbit), cases),
+        first=column(running.azimuth),
+        orbit=column(orbit),
+        force=column(model.centrifugal_force * centrifugal_force(mass, pitch, orbit)),
         shown_moment=np.full(cases, float(model.gyroscopic_moment)),
     )
     shown = 0.0 if bearing.contact_angle is None else bearing.contact_angle
@@ -491,11 +465,11 @@ def _row(
     return GrooveRow(
         numbers,
         _columns(numbers),
-        place.bearing.element_count,
+        bearing.element_count,
         flanks,
-        RowGeometry(*(_column(one, cases) for one in geometry)),
+        RowGeometry(*(column(one) for one in geometry)),
         np.ones(cases, np.bool_),
-        threads,
+        running.threads,
     )
 
 

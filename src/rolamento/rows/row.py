@@ -2,19 +2,21 @@
 
 Many cases of one row, each *held* at a place of its inner ring: x, y, z (m), ry, rz (rad) in the
 row's own frame, in which it carries axial load toward +x. It answers force and stiffness, the size
-of the forces that make them up and how it went; afterwards its tables. `assembly` puts rows on a
-ring by nothing else.
+of the forces that make them up and how it went; afterwards its tables. `rolamento.system` puts rows
+between rings by `Row` alone; what only some rows can is asked by the small protocols behind it.
 
 All arrays run over cases and are in SI; forces are those of the ring on the row (N, N·m).
 """
 
 from __future__ import annotations
 
-from typing import Protocol, Self, runtime_checkable
+from collections.abc import Sequence
+from typing import Any, Protocol, Self, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rolamento.case.model import Model
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
 from rolamento.solved import Answer, Index
@@ -25,7 +27,7 @@ IntArray = NDArray[np.int64]
 
 @frozen
 class RowSizes:
-    """What an assembly needs to know to begin and to end; (cases,) each, SI.
+    """What a system of rows needs to know to begin and to end; (cases,) each, SI.
 
     arm: radius on which a tilt acts. diameter: of an element. reach: the distance between centres
     of curvature, of which an element's approach is a part. stiffness: K of one element in
@@ -50,6 +52,46 @@ class RowGeometry:
     free_contact_angle: FloatArray
     modulus: FloatArray
     effective_length: FloatArray | None = None
+
+
+@frozen(eq=False, kw_only=True)
+class Running:
+    """How a row runs in many cases, and what may solve them; numbers or arrays (cases,), SI.
+
+    Attributes
+    ----------
+    cases
+        how many
+    inner_speed, outer_speed
+        of the rings
+    azimuth
+        of the first element
+    spacing
+        between the rows of the bearing, where it is given
+    model
+        what acts on the elements
+    record
+        the row's record where all cases have its geometry, so that what follows from it may be
+        known already; None where that varies
+    threads
+        as many as there are processors by default
+    fast
+        whether the fast path is tried
+    """
+
+    cases: int
+    inner_speed: Any
+    outer_speed: Any
+    azimuth: Any
+    spacing: Any
+    model: Model
+    record: Any
+    threads: int | None = None
+    fast: bool = True
+
+    def column(self, value: Any) -> FloatArray:
+        """A number or an array as a new array over the cases."""
+        return np.array(np.broadcast_to(np.asarray(value, np.float64), self.cases))
 
 
 def alike_in_all_cases(numbers: FloatArray) -> bool:
@@ -95,6 +137,14 @@ class Response(Protocol):
         """Whether the fast path needed help; (cases,)."""
         ...
 
+    @property
+    def memory(self) -> FloatArray | None:
+        """Numbers from which the row may begin at a place nearby; (cases, any).
+
+        NaN where there are none; None of a row that always begins anew.
+        """
+        ...
+
     def put(self, cases: Indices, part: Self) -> None:
         """Copy what some of the cases answered to their places."""
         ...
@@ -136,7 +186,7 @@ class Row(Protocol):
 
     @property
     def sizes(self) -> RowSizes:
-        """For the assembly."""
+        """For the system."""
         ...
 
     @property
@@ -153,11 +203,12 @@ class Row(Protocol):
         """Take some cases for invalid: they are left alone."""
         ...
 
-    def respond(self, place: FloatArray, which: Indices, control: FloatArray) -> Response:
+    def respond(
+        self, place: FloatArray, which: Indices, memory: FloatArray | None = None
+    ) -> Response:
         """Hold some of the cases at a place; (len(which), 5).
 
-        control: the race that guides each element, +1 outer or -1 inner, (len(which), elements);
-        for rows that have such a choice.
+        memory: of the response of the same cases at a place nearby; (len(which), any).
         """
         ...
 
@@ -173,19 +224,29 @@ class Row(Protocol):
         """Place along x under an axial force at rest; (cases,), m, NaN where there is none."""
         ...
 
-    def verdict(self, held: Response, control: FloatArray, which: Index) -> IntArray:
-        """Which race would guide each element by its own criterion; (cases, elements).
+    def answer(self, held: Response, shown: IntArray, lost: BoolArray) -> Answer:
+        """Keep what the tables are made from, of cases that are not lost.
 
-        which: the cases that are held.
+        shown: what the result says of the race that guides each element, (cases, elements).
         """
         ...
 
-    def answer(
-        self, held: Response, control: FloatArray, shown: IntArray, lost: BoolArray
-    ) -> Answer:
-        """Keep what the tables are made from, of cases that are not lost.
 
-        shown: the guiding race that they name.
+@runtime_checkable
+class Guided(Protocol):
+    """A row whose elements may be guided by either race: raceway control."""
+
+    def guided(self, control: FloatArray) -> Self:
+        """The same row, guided so: +1 by the outer race, -1 by the inner.
+
+        control: (cases, elements), or (1, elements) for all cases alike.
+        """
+        ...
+
+    def verdict(self, held: Response, which: Index) -> IntArray:
+        """Which race would guide each element by the row's own criterion; (cases, elements).
+
+        which: the cases that are held.
         """
         ...
 
@@ -213,5 +274,140 @@ class SelfBalancing(Protocol):
 
         free: whether the load is given on a degree of freedom, else the place; place: that, or
         where to begin; of the chosen cases, (len(which), 5) each.
+        """
+        ...
+
+
+class Alone(Response, Protocol):
+    """The answer of a row that has balanced its own ring: where that is, and in how many steps."""
+
+    @property
+    def place(self) -> FloatArray:
+        """(cases, 5), m and rad."""
+        ...
+
+    @property
+    def iterations(self) -> IntArray:
+        """(cases,)."""
+        ...
+
+    @property
+    def unsupported(self) -> IntArray:
+        """The degree of freedom that nothing holds, or -1; (cases,)."""
+        ...
+
+
+@runtime_checkable
+class WholeBearing(Guided, Protocol):
+    """A row that is a whole bearing by itself: ring and elements are balanced in one go."""
+
+    @property
+    def cases(self) -> int:
+        """Number of cases."""
+        ...
+
+    @property
+    def element_count(self) -> int:
+        """Elements in the row."""
+        ...
+
+    def asked(self, free: BoolArray, load: FloatArray, place: FloatArray) -> Self:
+        """Put in what is asked of the ring: as `SelfBalancing`, of all cases."""
+        ...
+
+    def alone(self, which: Indices | None = None) -> Alone:
+        """Balance ring and elements of all cases, or some."""
+        ...
+
+    def rolled(self, start: Alone, traction: Traction) -> Alone:
+        """Let friction alone move the elements; start: under outer raceway control."""
+        ...
+
+
+class Film(Protocol):
+    """A film between elements and races, that shears instead of Coulomb's friction."""
+
+    @property
+    def lift(self) -> FloatArray:
+        """Its thickness where it enters the geometry, else zero; (cases, elements, 2), m."""
+        ...
+
+    def slip_speed(self, case: int, across: FloatArray, along: FloatArray) -> FloatArray:
+        """The slip at which the sheared film would reach the limiting friction, μ p h / η.
+
+        across, along: nodes in units of the axes, (nodes,). Returns (elements, 2, nodes), m/s.
+        """
+        ...
+
+
+@frozen
+class Traction:
+    """What friction control takes beside the row: μ and the cage's drag (N·m), (cases,)."""
+
+    friction: FloatArray
+    cage_drag: FloatArray
+    mesh: str
+    film: Film | None = None
+
+
+@frozen
+class OnRing:
+    """Rows on one ring, as their kernels may solve them together.
+
+    Lengths are in m; tilts times the first row's arm, and moments over it, make one unit of all.
+
+    Attributes
+    ----------
+    which
+        the cases of the rows that are asked for; (n,)
+    ways
+        how each row faces, +1 or -1
+    levers, arms, press
+        of each row: how far from its centre the ring's is, the radius on which a tilt acts, and how
+        far the clamped rings press it in; (n,) each
+    sprung
+        whether springs push the outer rings of the rows that face -x: a sixth unknown
+    free, target, start
+        which unknowns are free, the load that is asked of them, and where they begin; (n, 6)
+    sound
+        which cases can be solved; (n,)
+    """
+
+    which: Indices
+    ways: Sequence[float]
+    levers: Sequence[FloatArray]
+    arms: Sequence[FloatArray]
+    press: Sequence[FloatArray]
+    sprung: bool
+    free: BoolArray
+    target: FloatArray
+    start: FloatArray
+    sound: BoolArray
+
+
+@frozen
+class Proposal:
+    """Where rings and rows of many cases came to rest, and whether that may be shown.
+
+    place, force (n, 6), stiffness (n, 6, 6): scaled as `OnRing`; residual, steps, sound (n,).
+    """
+
+    place: FloatArray
+    force: FloatArray
+    stiffness: FloatArray
+    residual: FloatArray
+    steps: IntArray
+    sound: BoolArray
+    rows: Sequence[Response]
+
+
+@runtime_checkable
+class Joint(Protocol):
+    """A row that its kernels can balance together with others on one ring."""
+
+    def together(self, rows: Sequence[Row], ring: OnRing) -> Proposal | None:
+        """Balance the rings of some cases, with all their rows, of which this is the first.
+
+        None where the kernels do not know such rows, or it takes no compiler.
         """
         ...

@@ -13,20 +13,29 @@ at the speed of one cage; what is left of them is neglected.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import Any, Self, cast
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Self, cast
 
 import numpy as np
 
-from rolamento.case import Case
-from rolamento.case.bearing import RowPlace
+from rolamento.case.parameters import BallParameters
 from rolamento.errors import InputError
 from rolamento.geometry import sphere_conformity
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
 from rolamento.rows.ball.row import BallAnswer, BallResponse, BallRow, ball_row
-from rolamento.rows.row import Indices, IntArray, Response, RowGeometry, RowSizes
+from rolamento.rows.row import (
+    Indices,
+    IntArray,
+    OnRing,
+    Proposal,
+    Response,
+    Row,
+    RowGeometry,
+    RowSizes,
+    Running,
+)
 from rolamento.solved import Index
 from rolamento.words import said
 
@@ -68,6 +77,11 @@ class SphereResponse:
     def safe_path(self) -> BoolArray:
         """(cases,)."""
         return self.balls.safe_path
+
+    @property
+    def memory(self) -> FloatArray | None:
+        """As the balls'."""
+        return self.balls.memory
 
     def put(self, cases: Indices, part: Self) -> None:
         """Copy what some of the cases answered to their places."""
@@ -112,7 +126,7 @@ class SphereRow:
 
     @property
     def sizes(self) -> RowSizes:
-        """For the assembly."""
+        """For the system."""
         return self.row.sizes
 
     @property
@@ -129,11 +143,49 @@ class SphereRow:
         """Take some cases for invalid: they are left alone."""
         self.row.invalidate(cases)
 
-    def respond(self, place: FloatArray, which: Indices, control: FloatArray) -> SphereResponse:
+    def guided(self, control: FloatArray) -> SphereRow:
+        """The same row, its balls guided so; (cases or 1, balls)."""
+        return replace(self, row=self.row.guided(control))
+
+    def respond(
+        self, place: FloatArray, which: Indices, memory: FloatArray | None = None
+    ) -> SphereResponse:
         """Hold some of the cases at a place; (len(which), 5)."""
         seen = np.zeros_like(place)
         seen[:, :3] = from_ring(place[:, 3:], place[:, :3])
-        return self.turned(self.row.respond(seen, which, control), place)
+        return self.turned(self.row.respond(seen, which, memory), place)
+
+    def together(self, rows: Sequence[Row], ring: OnRing) -> Proposal | None:
+        """Balance rings whose tilt is given: as the tilted ring sees them, they are not tilted."""
+        spheres = [row for row in rows if isinstance(row, SphereRow)]
+        if len(spheres) < len(rows):
+            return None
+        arm = ring.arms[0][:, np.newaxis]
+        tilt, shifts = ring.start[:, 3:5] / arm, np.arange(ring.free.shape[1]) < 3
+        target, start = np.zeros_like(ring.target), np.zeros_like(ring.start)
+        target[:, :3] = from_ring(tilt, ring.target[:, :3])
+        start[:, :3] = from_ring(tilt, ring.start[:, :3])
+        sound = ring.sound & (ring.free == shifts).all(axis=1)
+        seen = replace(ring, target=target, start=start, sound=sound)
+        found = self.row.together([row.row for row in spheres], seen)
+        if found is None:
+            return None
+        place = found.place
+        place[:, :3] = from_outside(tilt, place[:, :3])
+        place[:, 3:5] = ring.start[:, 3:5]
+        force, stiffness = np.zeros_like(found.force), np.zeros_like(found.stiffness)
+        answers, scaled = [], np.ones((len(place), 5))
+        scaled[:, 3:] = 1.0 / arm
+        for row, held, way in zip(spheres, found.rows, ring.ways, strict=True):
+            faced = np.array((way, 1.0, 1.0, way, way))
+            own = np.concatenate([place[:, :3], tilt], axis=1) * faced
+            answers.append(row.turned(cast(BallResponse, held), own))
+            back = faced * scaled
+            force[:, :5] += back * answers[-1].force
+            stiffness[:, :5, :5] += (
+                back[:, :, np.newaxis] * answers[-1].stiffness * back[:, np.newaxis, :]
+            )
+        return replace(found, force=force, stiffness=stiffness, rows=answers)
 
     def turned(self, balls: BallResponse, place: FloatArray) -> SphereResponse:
         """What balls that are held where a tilted ring has them answer to the outer ring."""
@@ -162,41 +214,27 @@ class SphereRow:
         """No preload is put on such rows; (cases,), NaN."""
         return np.full(self.cases, np.nan)
 
-    def verdict(self, held: Response, control: FloatArray, which: Index) -> IntArray:
+    def verdict(self, held: Response, which: Index) -> IntArray:
         """Jones's criterion for every ball; (cases, balls)."""
-        return self.row.verdict(cast(SphereResponse, held).balls, control, which)
+        return self.row.verdict(cast(SphereResponse, held).balls, which)
 
-    def answer(
-        self, held: Response, control: FloatArray, shown: IntArray, lost: BoolArray
-    ) -> BallAnswer:
+    def answer(self, held: Response, shown: IntArray, lost: BoolArray) -> BallAnswer:
         """Keep what the tables are made from, of cases that are not lost."""
-        return self.row.answer(cast(SphereResponse, held).balls, control, shown, lost)
+        return self.row.answer(cast(SphereResponse, held).balls, shown, lost)
 
 
-def sphere_row(
-    case: Case,
-    place: RowPlace,
-    bearing: Any,
-    varied: Mapping[str, FloatArray],
-    cases: int,
-    *,
-    threads: int | None = None,
-    fast: bool = True,
-) -> SphereRow:
+def sphere_row(bearing: BallParameters, running: Running) -> SphereRow:
     """The numbers of a row whose outer race and place follow from its angle.
-
-    bearing: `BallParameters` of the bearing.
 
     Raises
     ------
     InputError
         If neither an angle nor a spacing says where the row is.
     """
-    spacing = varied.get("bearing.spacing", case.bearing.spacing)
     if bearing.contact_angle is not None:
         tangent = np.tan(bearing.contact_angle)
-    elif spacing is not None:
-        tangent = spacing / bearing.pitch_diameter
+    elif running.spacing is not None:
+        tangent = running.spacing / bearing.pitch_diameter
     else:
         raise InputError(
             said("is missing; a self-aligning bearing given by its clearance needs it"),
@@ -209,9 +247,9 @@ def sphere_row(
         diametral_clearance=None,
         outer_conformity=sphere_conformity(bearing.ball_diameter, bearing.pitch_diameter, tangent),
     )
-    row = ball_row(case, place, alone, varied, cases, threads=threads, fast=fast)
-    axial = 0.5 * bearing.pitch_diameter * tangent + np.zeros(cases)
-    return SphereRow(row.with_play(play + np.zeros(cases)), axial)
+    row = ball_row(alone, replace(running, record=None))
+    axial = running.column(0.5 * bearing.pitch_diameter * tangent)
+    return SphereRow(row.with_play(running.column(play)), axial)
 
 
 def from_ring(tilt: FloatArray, vector: FloatArray) -> FloatArray:

@@ -14,8 +14,8 @@ from rolamento.case.duty import LOADS
 from rolamento.studies.outputs import Evaluation, Floats, Output
 
 if TYPE_CHECKING:
-    from rolamento.assembly.preload import Lost
     from rolamento.solved import Solved
+    from rolamento.system.preload import Lost
 
 _PRELOAD: Final = ("bearing.preload",)
 
@@ -54,19 +54,19 @@ def _of_preload() -> Iterator[Output]:
 
 
 def _first_lift_off(solved: Solved) -> Lost:
-    from rolamento.assembly.preload import first_lift_off
+    from rolamento.system.preload import first_lift_off
 
     return first_lift_off(solved)
 
 
 def _preload_loss(solved: Solved) -> Lost:
-    from rolamento.assembly.preload import preload_loss
+    from rolamento.system.preload import preload_loss
 
     return preload_loss(solved)
 
 
 def _preload_at(solved: Solved, *, running: bool) -> Floats:
-    from rolamento.assembly.preload import preload_at
+    from rolamento.system.preload import preload_at
 
     return preload_at(solved, running=running)
 

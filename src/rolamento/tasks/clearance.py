@@ -67,7 +67,7 @@ def mounted_clearance(case: Case) -> Mounted:
     if case.mounting is None or not case.bearing.is_set:
         found = clearance_of_case(case)
         return Mounted((found,), (), _notes_on(found), of_set=False)
-    from rolamento.assembly.mounted import clearances_of_set, notes_on_set, preload_stages
+    from rolamento.system.mounted import clearances_of_set, notes_on_set, preload_stages
 
     rows = clearances_of_set(case)
     stages = preload_stages(case)

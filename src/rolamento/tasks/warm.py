@@ -119,8 +119,8 @@ _OIL: Final[dict[str, Any]] = {
 
 
 def _balls() -> None:
-    from rolamento.assembly import spread
     from rolamento.rows.ball.run import compile_all
+    from rolamento.system import spread
 
     row = cast("BallRow", spread(_case(_BALLS), threads=1).rows[0].row)
     compile_all(row.p, np.ones((1, row.element_count)), row.element_count)

@@ -14,6 +14,7 @@ from rolamento.rows.ball import layout
 from rolamento.rows.ball.settle import in_place
 from rolamento.rows.ball.single import (
     LOAD_FLOOR,
+    OneCase,
     Ring,
     add_force,
     add_to_cage,
@@ -47,19 +48,7 @@ LOST_ANGLE: Final = 1e-9  # rad, below which a one-sided bearing has left its sh
 
 
 @filling
-def judge(
-    p: Array,
-    case: int,
-    moving: bool,
-    control: Array,
-    cosines: Array,
-    sines: Array,
-    u: Array,
-    cage: float,
-    x: Array,
-    ring: Ring,
-    errors: Array,
-) -> tuple[int, float, int]:
+def judge(one: OneCase, cage: float) -> tuple[int, float, int]:
     """Measure a proposal: (code, residual, unsupported degree of freedom or -1).
 
     The residual is the greatest of the ring's (over the greatest load on it or in it), the
@@ -68,8 +57,10 @@ def judge(
     they turn, the inertia left out counts, over the heaviest ball's load.
 
     Fills the ring's reaction and its matrix, the derivative of the reaction with every ball and
-    the cage following; places the balls of a bearing without inertia. errors (balls, 2) is room.
+    the cage following; places the balls of a bearing without inertia.
     """
+    p, case, moving, ring, errors = one.p, one.case, one.moving, one.ring, one.errors
+    control, cosines, sines, u, x = one.control, one.cosines, one.sines, one.u, one.x
     empty_ring(p, case, cage, ring)
     lag = ring.lag[0]
     one_sided = p[layout.ONE_SIDED, case] > 0.0

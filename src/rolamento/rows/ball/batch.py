@@ -10,7 +10,7 @@ first needs it.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,7 +32,14 @@ from rolamento.rows.ball.continuation import heaviest_factor, put_factors, solve
 from rolamento.rows.ball.edges import solve_off_groove
 from rolamento.rows.ball.robust import escaped, solve_robust
 from rolamento.rows.ball.settle import held_up
-from rolamento.rows.ball.single import OFF_GROOVE, direction, groove, read_ring, ring_around
+from rolamento.rows.ball.single import (
+    OFF_GROOVE,
+    OneCase,
+    direction,
+    groove,
+    read_ring,
+    ring_around,
+)
 from rolamento.rows.ball.types import Array, Order, Output
 
 STEPWISE: Final = 0.8
@@ -95,7 +102,7 @@ def _refuse_unsound(batch: Batch, order: Order, done: NDArray[np.bool_], out: Ou
     for k in range(order.size):
         done[k] = room[k] + bearing != 0.0
         if done[k]:
-            out[6][order[k]] = status.INVALID_INPUT
+            out.code[order[k]] = status.INVALID_INPUT
 
 
 @inline_exact
@@ -120,7 +127,7 @@ def propose_at_rest(batch: Batch, order: Order, done: NDArray[np.bool_], out: Ou
     code INVALID_INPUT and is left alone. out: as `solve_some`.
     """
     displacement, cage, position, reaction, stiffness, residual, code, unsupported = out[:8]
-    iterations, safe = out[8], out[9]
+    iterations, safe = out.iterations, out.safe
     _refuse_unsound(batch, order, done, out)
     some = order[~done]
     balls = batch.cosines.size
@@ -135,33 +142,36 @@ def propose_at_rest(batch: Batch, order: Order, done: NDArray[np.bool_], out: Ou
         code[case], unsupported[case], safe[case] = status.NOT_CONVERGED, -1, False
         if iterations[case] > 0:
             control = _put_column(batch, case, p)
-            code[case], residual[case], unsupported[case] = judge(
-                p, 0, False, control, batch.cosines, batch.sines, displacement[case], cage[case],
+            one = OneCase(
+                p, 0, False, control, batch.cosines, batch.sines, displacement[case],
                 position[case], ring, errors,
             )  # fmt: skip
+            code[case], residual[case], unsupported[case] = judge(one, cage[case])
             read_ring(ring, p[layout.ARM, 0], reaction[case], stiffness[case])
         done[place] = code[case] != status.NOT_CONVERGED and code[case] != status.OVER_SHOULDER
 
 
 @kernel
 def propose_moving(
-    batch: Batch, order: Order, cautious: bool, done: NDArray[np.bool_], out: Output
+    batch: Batch, order: Order, cautious: bool, warm: bool, done: NDArray[np.bool_], out: Output
 ) -> None:
     """Balance rings and balls of cases with inertia in lanes, and judge them there.
 
-    As `propose_at_rest`; cautious: as `blocks.solve_moving`. What is not accepted is left to be
+    As `propose_at_rest`; cautious: as `blocks.solve_moving`; warm: whether ring, balls and cage
+    begin where they stand in out. What is not accepted is left to be
     judged one by one, where it settled (iterations > 0).
     """
     displacement, cage, position, reaction, stiffness, residual, code, unsupported = out[:8]
-    iterations, safe = out[8], out[9]
+    iterations, safe = out.iterations, out.safe
     _refuse_unsound(batch, order, done, out)
     some = order[~done]
     if some.size == 0:
         return
     room = room_for(batch.mirror.seats.shape[0])
     accepted = np.zeros(some.size, np.bool_)
-    solve_static(batch, some, True, room, displacement, position, iterations)
-    solve_moving(batch, some, cautious, room, displacement, cage, position, iterations)
+    if not warm:
+        solve_static(batch, some, True, room, displacement, position, iterations)
+    solve_moving(batch, some, cautious, warm, room, displacement, cage, position, iterations)
     judge_blocks(
         batch, some, room, displacement, cage, position, reaction, stiffness, residual, accepted
     )
@@ -187,7 +197,7 @@ def solve_safely(
     has no start.
     """
     displacement, cage, position, reaction, stiffness, residual, code, unsupported = out[:8]
-    iterations, safe = out[8], out[9]
+    iterations, safe = out.iterations, out.safe
     cosines, sines = batch.cosines, batch.sines
     ring, errors = ring_around(cosines.size), np.zeros((cosines.size, 2))
     p = np.empty((layout.DUTY + batch.bearing.shape[0], 1))
@@ -195,10 +205,9 @@ def solve_safely(
         case = order[place]
         control = _put_column(batch, case, p)
         u, x = displacement[case], position[case]
+        one = OneCase(p, 0, moving, control, cosines, sines, u, x, ring, errors)
         if iterations[case] > 0 and code[case] == status.NOT_CONVERGED:
-            code[case], residual[case], unsupported[case] = judge(
-                p, 0, moving, control, cosines, sines, u, cage[case], x, ring, errors
-            )
+            code[case], residual[case], unsupported[case] = judge(one, cage[case])
         # a proposal that is not quite there is a start; failing that, begin anew
         escaping, fate, started = -1, status.NO_EQUILIBRIUM, iterations[case] != 0
         for attempt in range(3 if anew else 1):
@@ -208,16 +217,12 @@ def solve_safely(
                 cage[case] = p[layout.NOMINAL_ORBIT, 0]
                 _start_safely(p, 0, moving, control, cosines, sines, cage[case], u, x, attempt == 1)
             ring.work[0] = SHARE * work[place]
-            _, steps, escaping, cage[case] = solve_robust(
-                p, 0, moving, control, cosines, sines, u, cage[case], x, ring
-            )
+            _, steps, escaping, cage[case] = solve_robust(one, cage[case])
             work[place] -= SHARE * work[place] - ring.work[0]
             fate = escaped(p, 0, cosines.size, ring)
             safe[case] = True
             iterations[case] = abs(iterations[case]) + steps
-            code[case], residual[case], unsupported[case] = judge(
-                p, 0, moving, control, cosines, sines, u, cage[case], x, ring, errors
-            )
+            code[case], residual[case], unsupported[case] = judge(one, cage[case])
         if anew and code[case] == status.NOT_CONVERGED and escaping >= 0:
             code[case] = fate
             unsupported[case] = escaping if fate == status.NO_EQUILIBRIUM else -1
@@ -228,7 +233,7 @@ def solve_safely(
 def solve_stepwise(batch: Batch, moving: bool, order: Order, work: Array, out: Output) -> None:
     """Solve cases one by one from a heavy load or from rest, step by step; as `solve_safely`."""
     displacement, cage, position, reaction, stiffness, residual, code, unsupported = out[:8]
-    iterations, safe = out[8], out[9]
+    iterations, safe = out.iterations, out.safe
     cosines, sines = batch.cosines, batch.sines
     ring, errors = ring_around(cosines.size), np.zeros((cosines.size, 2))
     p = np.empty((layout.DUTY + batch.bearing.shape[0], 1))
@@ -241,7 +246,7 @@ def solve_stepwise(batch: Batch, moving: bool, order: Order, work: Array, out: O
         _start_safely(heavy, 0, False, control, cosines, sines, 0.0, u, x, True)
         ring.work[0] = STEPWISE * work[place]
         code[case], residual[case], unsupported[case], steps, cage[case] = solve_by_steps(
-            p, 0, moving, control, cosines, sines, u, x, ring, errors
+            OneCase(p, 0, moving, control, cosines, sines, u, x, ring, errors)
         )
         work[place] -= STEPWISE * work[place] - ring.work[0]
         safe[case] = True
@@ -253,7 +258,7 @@ def solve_stepwise(batch: Batch, moving: bool, order: Order, work: Array, out: O
 def solve_past_edge(batch: Batch, moving: bool, order: Order, work: Array, out: Output) -> None:
     """Balance rings without the balls that have left their groove; as `solve_safely`."""
     displacement, cage, position, reaction, stiffness, residual, code, unsupported = out[:8]
-    iterations, safe = out[8], out[9]
+    iterations, safe = out.iterations, out.safe
     cosines, sines = batch.cosines, batch.sines
     ring, errors = ring_around(cosines.size), np.zeros((cosines.size, 2))
     p = np.empty((layout.DUTY + batch.bearing.shape[0], 1))
@@ -262,10 +267,13 @@ def solve_past_edge(batch: Batch, moving: bool, order: Order, work: Array, out: 
         case = order[place]
         on_groove[:] = _put_column(batch, case, p)
         ring.work[0] = work[place]
-        code[case], residual[case], unsupported[case], steps, cage[case] = solve_off_groove(
-            p, 0, moving, on_groove, cosines, sines, displacement[case], cage[case],
-            position[case], ring, errors,
+        one = OneCase(
+            p, 0, moving, on_groove, cosines, sines, displacement[case], position[case], ring,
+            errors,
         )  # fmt: skip
+        code[case], residual[case], unsupported[case], steps, cage[case] = solve_off_groove(
+            one, cage[case]
+        )
         safe[case] = True
         iterations[case] += steps
         read_ring(ring, p[layout.ARM, 0], reaction[case], stiffness[case])
@@ -285,26 +293,22 @@ def solve_some(
     moving: whether these cases have inertia; fast: whether to try the lanes; most_work: how
     often a ball may be evaluated beside them before a case is given up; form: of the kernels,
     compiled or plain.
-    out: displacement (cases, 5), the cage's speed (cases), position (cases, balls, 2), reaction
-    (cases, 5), stiffness (cases, 5, 5), residual, code, unsupported and iterations (cases), safe
-    (cases): whether a case was solved one by one. Tilts in the displacement are scaled as in
-    `layout`.
     """
-    code, iterations = out[6], out[8]
+    code, iterations = out.code, out.iterations
     done = np.zeros(len(order), np.bool_)
     if not fast:
         with np.errstate(invalid="ignore"):
             _refuse_unsound(batch, order, done, out)
         left, cautious = order[~done], None
         code[left], iterations[left] = status.NOT_CONVERGED, 0
-        out[7][left], out[9][left] = -1, False
+        out.unsupported[left], out.safe[left] = -1, False
     elif moving:
-        form(propose_moving)(batch, order, True, done, out)
+        form(propose_moving)(batch, order, True, False, done, out)
         left = order[~done]
         cautious = [array[left].copy() for array in (*out[:3], iterations)]
         if left.size:
             done = np.zeros(left.size, np.bool_)
-            form(propose_moving)(batch, left, False, done, out)
+            form(propose_moving)(batch, left, False, False, done, out)
             cautious, left = [array[~done] for array in cautious], left[~done]
     else:
         form(propose_at_rest)(batch, order, done, out)
@@ -342,20 +346,21 @@ def _from_neighbour(
     """Balance some of the moving cases under their loads times a factor, and go on from there."""
     order, which, work = cases
     some, every = order[which], np.arange(np.count_nonzero(which))
-    near, found = _part(batch, some), tuple(array[some] for array in out)
+    near, pieces = _part(batch, some), list[Any](array[some] for array in out)
+    found = Output(*pieces)
     near.duty[layout.APPLIED : layout.IMPOSED] *= factor
     done = np.zeros(some.size, np.bool_)
     if fast:
-        form(propose_moving)(near, every, True, done, found)
+        form(propose_moving)(near, every, True, False, done, found)
     else:
         own = SHARE * work[which]
         work[which] -= own
-        found[8][:] = 0
+        found.iterations[:] = 0
         form(solve_safely)(near, True, every, True, own, found)
-        done = found[6] == status.CONVERGED
+        done = found.code == status.CONVERGED
     for whole, part in zip(out, found, strict=True):
         whole[some[done]] = part[done]
-    out[6][some] = status.NOT_CONVERGED
+    out.code[some] = status.NOT_CONVERGED
     from_there = which.copy()
     from_there[which] = done
     _try(form(solve_safely), batch, True, (order, from_there, work), out, False)

@@ -295,7 +295,7 @@ def solve_static(
     room: Room,
     displacement: Array,
     position: Array,
-    iterations: Array,
+    iterations: Order,
 ) -> None:
     """Newton's method on the ring alone, every ball on the line of the groove centres.
 
@@ -356,16 +356,18 @@ def solve_moving(
     batch: Batch,
     order: Order,
     cautious: bool,
+    warm: bool,
     room: Room,
     displacement: Array,
     cage: Array,
     position: Array,
-    iterations: Array,
+    iterations: Order,
 ) -> None:
     """Newton's method on ring and balls together, from the displacement and position given.
 
     cautious: whether the cage is held back until the ring is near balance, late steps are short and
-    balls that leave the inner groove are taken off it; a few cases settle only without.
+    balls that leave the inner groove are taken off it; a few cases settle only without. warm:
+    whether the cage's speed is given too.
     A lane that has settled, failed or run out of steps takes the next case. Writes displacement
     (cases, 5), cage (cases), position (cases, balls, 2) and iterations (cases): zero where a lane
     failed, negative where it ran out of steps.
@@ -388,6 +390,8 @@ def solve_moving(
                 put_displacement(w, lane, displacement[case])
                 _put_positions(b, lane, position[case], batch.mirror.seats)
                 w[layout.CAUTION * _LANES + lane] = 1.0 if cautious else 0.0
+                if warm:
+                    w[layout.CAGE * _LANES + lane] = cage[case]
                 room.holds[lane] = case
                 room.groupings[lane] = 0
                 waiting += 1

@@ -19,7 +19,7 @@ from rolamento.numerics.compiled import inline_exact, shared
 from rolamento.rows.ball import accept, layout
 from rolamento.rows.ball.accept import inertia_of, judge
 from rolamento.rows.ball.robust import escaped, solve_robust
-from rolamento.rows.ball.single import Ring
+from rolamento.rows.ball.single import OneCase
 from rolamento.rows.ball.types import Array
 
 HEAVY: Final = 0.05
@@ -56,21 +56,13 @@ def put_factors(p: Array, case: int, load: float, speed: float, part: Array) -> 
 
 
 @shared
-def _follow(
-    p: Array,
-    case: int,
-    moving: bool,
-    first: float,
-    control: Array,
-    cosines: Array,
-    sines: Array,
-    u: Array,
-    x: Array,
-    ring: Ring,
-    errors: Array,
-) -> tuple[int, float, int, int, float]:
+def _follow(one: OneCase, moving: bool, first: float) -> tuple[int, float, int, int, float]:
     """Follow the equilibrium from a first factor to 1: of the speed if moving, else of the load."""
+    p, case, u, x, ring = one.p, one.case, one.u, one.x, one.ring
     part = np.empty((p.shape[0], 1))
+    on_the_way = OneCase(
+        part, 0, moving, one.control, one.cosines, one.sines, u, x, ring, one.errors
+    )
     ratio, factor, done, steps = BOLDEST, first, 0.0, 0
     cage = first * p[layout.NOMINAL_ORBIT, case] if moving else 0.0
     good_u, good_x, good_cage = u.copy(), x.copy(), cage
@@ -78,15 +70,11 @@ def _follow(
     code, residual, unsupported = status.NOT_CONVERGED, np.nan, -1
     for _ in range(MOST_STEPS):
         put_factors(p, case, 1.0 if moving else factor, factor if moving else 1.0, part)
-        _, more, escaping, cage = solve_robust(
-            part, 0, moving, control, cosines, sines, u, cage, x, ring
-        )
+        _, more, escaping, cage = solve_robust(on_the_way, cage)
         steps += more
-        code, residual, unsupported = judge(
-            part, 0, moving, control, cosines, sines, u, cage, x, ring, errors
-        )
+        code, residual, unsupported = judge(on_the_way, cage)
         if code == status.NOT_CONVERGED and escaping >= 0 and not moving:
-            code = escaped(part, 0, cosines.size, ring)
+            code = escaped(part, 0, x.shape[0], ring)
             lost = escaping if code == status.NO_EQUILIBRIUM else -1
             return code, residual, lost, steps, cage
         if code != status.NOT_CONVERGED:
@@ -112,45 +100,22 @@ def _follow(
 
 
 @shared
-def solve_by_steps(
-    p: Array,
-    case: int,
-    moving: bool,
-    control: Array,
-    cosines: Array,
-    sines: Array,
-    u: Array,
-    x: Array,
-    ring: Ring,
-    errors: Array,
-) -> tuple[int, float, int, int, float]:
+def solve_by_steps(one: OneCase) -> tuple[int, float, int, int, float]:
     """Equilibrium of a case from a start pressed in, in u and x: at rest first, then up to speed.
 
     Returns (code, residual, unsupported) as `judge` does, (iterations, cage's speed).
     """
-    code, residual, unsupported, steps, cage = _follow(
-        p,
-        case,
-        False,
-        heaviest_factor(p, case, cosines.size),
-        control,
-        cosines,
-        sines,
-        u,
-        x,
-        ring,
-        errors,
-    )
+    p, case, balls = one.p, one.case, one.cosines.size
+    first = heaviest_factor(p, case, balls)
+    code, residual, unsupported, steps, cage = _follow(one, False, first)
     done = code in (status.CONVERGED, status.OVER_SHOULDER, accept.NEEDS_INERTIA)
-    if not moving or not done:
+    if not one.moving or not done:
         return code, residual, unsupported, steps, cage
     heaviest = 0.0
-    for j in range(cosines.size):
-        heaviest = max(heaviest, errors[j, 1])
+    for j in range(balls):
+        heaviest = max(heaviest, one.errors[j, 1])
     first = min(sqrt(FIRST * heaviest / inertia_of(p, case)), 1.0)
     if not first > 0.0:
         return status.NOT_CONVERGED, residual, -1, steps, cage
-    code, residual, unsupported, more, cage = _follow(
-        p, case, True, first, control, cosines, sines, u, x, ring, errors
-    )
+    code, residual, unsupported, more, cage = _follow(one, True, first)
     return code, residual, unsupported, steps + more, cage

@@ -16,21 +16,19 @@ from rolamento.numerics.compiled import shared
 from rolamento.rows.ball import layout
 from rolamento.rows.ball.accept import judge
 from rolamento.rows.ball.robust import solve_robust
-from rolamento.rows.ball.single import OFF_GROOVE, Ring, changes_groove, direction, groove
-from rolamento.rows.ball.types import Array
+from rolamento.rows.ball.single import OFF_GROOVE, OneCase, changes_groove, direction, groove
 
 TRIALS: Final = 8
 OFF: Final = 3.0
 
 
 @shared
-def _regroup(
-    p: Array, case: int, control: Array, cosines: Array, sines: Array, u: Array, x: Array
-) -> int:
+def _regroup(one: OneCase) -> int:
     """Take balls off the inner groove or put them on, in control; how many changed."""
+    p, case, control, u, x = one.p, one.case, one.control, one.u, one.x
     changed = 0
-    for j in range(cosines.size):
-        c, s = direction(p, case, cosines[j], sines[j])
+    for j in range(control.size):
+        c, s = direction(p, case, one.cosines[j], one.sines[j])
         a1, a2 = groove(p, case, u, c, s)
         off = abs(control[j]) >= OFF_GROOVE
         if changes_groove(off, a1, a2, x[j, 0], x[j, 1], p[layout.INNER_LENGTH, case]):
@@ -40,34 +38,20 @@ def _regroup(
 
 
 @shared
-def solve_off_groove(
-    p: Array,
-    case: int,
-    moving: bool,
-    control: Array,
-    cosines: Array,
-    sines: Array,
-    u: Array,
-    cage: float,
-    x: Array,
-    ring: Ring,
-    errors: Array,
-) -> tuple[int, float, int, int, float]:
-    """Balance the ring without the balls that its groove has left; u and x in place.
+def solve_off_groove(one: OneCase, cage: float) -> tuple[int, float, int, int, float]:
+    """Balance the ring without the balls that its groove has left; control is changed.
 
-    control (balls,) is changed. Returns (code, residual, unsupported) as `judge` does, (iterations,
+    Returns (code, residual, unsupported) as `judge` does, (iterations,
     cage's speed); over_shoulder where no set of balls on the groove holds by itself.
     """
     steps = 0
     code, residual, unsupported = status.OVER_SHOULDER, 0.0, -1
     for _ in range(TRIALS):
-        if _regroup(p, case, control, cosines, sines, u, x) == 0:
+        if _regroup(one) == 0:
             return code, residual, unsupported, steps, cage
-        _, more, _, cage = solve_robust(p, case, moving, control, cosines, sines, u, cage, x, ring)
+        _, more, _, cage = solve_robust(one, cage)
         steps += more
-        code, residual, unsupported = judge(
-            p, case, moving, control, cosines, sines, u, cage, x, ring, errors
-        )
+        code, residual, unsupported = judge(one, cage)
         if code != status.CONVERGED and code != status.OVER_SHOULDER:
             break
     return status.OVER_SHOULDER, residual, -1, steps, cage

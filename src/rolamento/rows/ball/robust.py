@@ -19,6 +19,7 @@ from rolamento.rows.ball import layout
 from rolamento.rows.ball.accept import max_with_nan
 from rolamento.rows.ball.settle import settle
 from rolamento.rows.ball.single import (
+    OneCase,
     Ring,
     add_to_cage,
     add_to_ring,
@@ -53,23 +54,14 @@ another."""
 
 
 @shared
-def _settle_balls(
-    p: Array,
-    case: int,
-    moving: bool,
-    control: Array,
-    cosines: Array,
-    sines: Array,
-    u: Array,
-    cage: float,
-    x: Array,
-    ring: Ring,
-) -> tuple[bool, float]:
+def _settle_balls(one: OneCase, cage: float) -> tuple[bool, float]:
     """Settle every ball, from and into x, at the places of the ring and the speed of the cage.
 
     Sums up what they ask of ring and cage. Returns (whether all settled, the greatest load of a
     ball); stops at one that does not settle.
     """
+    p, case, moving, ring = one.p, one.case, one.moving, one.ring
+    control, cosines, sines, u, x = one.control, one.cosines, one.sines, one.u, one.x
     empty_ring(p, case, cage, ring)
     greatest = 0.0
     for j in range(cosines.size):
@@ -100,30 +92,18 @@ def _settle_balls(
 
 
 @shared
-def evaluate(
-    p: Array,
-    case: int,
-    moving: bool,
-    control: Array,
-    cosines: Array,
-    sines: Array,
-    u: Array,
-    cage: float,
-    x: Array,
-    ring: Ring,
-) -> tuple[bool, float, float, float]:
+def evaluate(one: OneCase, cage: float) -> tuple[bool, float, float, float]:
     """Bring balls and cage into balance at the ring's place u; sum up what they ask of the ring.
 
     Returns (whether they are, the greatest load of a ball, the cage's speed, its residual before
     the last step). The ring's force and stiffness are those with balls and cage following.
     """
+    p, case, moving, x, ring = one.p, one.case, one.moving, one.x, one.ring
     slowest = min(p[layout.INNER_SPEED, case], p[layout.OUTER_SPEED, case])
     fastest = max(p[layout.INNER_SPEED, case], p[layout.OUTER_SPEED, case])
     greatest, behind = 0.0, np.inf
     for _ in range(CAGE_STEPS if moving else 1):
-        settled, greatest = _settle_balls(
-            p, case, moving, control, cosines, sines, u, cage, x, ring
-        )
+        settled, greatest = _settle_balls(one, cage)
         if not (settled and moving) or ring.lag_by_cage[0] == 0.0:
             return settled, greatest, cage, 0.0
         behind = cage_residual(p, case, ring.lag[0], ring.pull[0])
@@ -135,7 +115,7 @@ def evaluate(
         near = behind <= NEAR_CAGE
         if not (slowest < speed < fastest or near):
             speed = 0.5 * (slowest + fastest)
-        for j in range(cosines.size):
+        for j in range(len(x)):
             x[j, 0] += ring.follow[j, 4] * (speed - cage)
             x[j, 1] += ring.follow[j, 5] * (speed - cage)
         cage = speed
@@ -213,25 +193,15 @@ def _dot(a: Array, b: Array) -> float:
 
 @shared
 def _line_search(
-    p: Array,
-    case: int,
-    moving: bool,
-    control: Array,
-    cosines: Array,
-    sines: Array,
-    u: Array,
-    cage: float,
-    x: Array,
-    step: Array,
-    slope: float,
-    ring: Ring,
-    unbalanced: Array,
+    one: OneCase, cage: float, step: Array, slope: float, unbalanced: Array
 ) -> tuple[bool, float, float, float]:
     """Move the ring along the step until it does not overshoot by much, balls and cage with it.
 
     slope: the unbalanced load along the step, at its start. A ring that has lost all its balls
     has overshot, however small the load that is left unbalanced. Returns what `evaluate` does.
     """
+    p, case, moving, ring = one.p, one.case, one.moving, one.ring
+    cosines, sines, u, x = one.cosines, one.sines, one.u, one.x
     reach = 0.3 * (p[layout.INNER_LENGTH, case] + p[layout.OUTER_LENGTH, case])
     part = min(1.0, reach / sqrt(_dot(step, step)))
     touched = ring.load[0] > 0.0
@@ -259,9 +229,7 @@ def _line_search(
             follows = moving and sqrt(dx1 * dx1 + dx2 * dx2) < farthest
             x[j, 0] = from_x[j, 0] + (dx1 if follows else 0.0)
             x[j, 1] = from_x[j, 1] + (dx2 if follows else 0.0)
-        settled, greatest, cage, behind = evaluate(
-            p, case, moving, control, cosines, sines, u, from_cage + change, x, ring
-        )
+        settled, greatest, cage, behind = evaluate(one, from_cage + change)
         if ring.work[0] < 0.0:
             break
         if not settled:
@@ -280,30 +248,18 @@ def _line_search(
 
 
 @shared
-def solve_robust(
-    p: Array,
-    case: int,
-    moving: bool,
-    control: Array,
-    cosines: Array,
-    sines: Array,
-    u: Array,
-    start: float,
-    x: Array,
-    ring: Ring,
-) -> tuple[bool, int, int, float]:
+def solve_robust(one: OneCase, start: float) -> tuple[bool, int, int, float]:
     """Equilibrium of one case from the start (u, cage's speed, x), u and x in place.
 
     Returns (settled, iterations, escaping, cage's speed); escaping is the degree of freedom along
     which the ring runs away from its balls, or -1. Fills the ring's sums; once its work is spent,
     the search ends.
     """
+    p, case, u, ring = one.p, one.case, one.u, one.ring
     unbalanced, step = np.zeros(5), np.zeros(5)
     ring.follow[:] = 0.0  # of another case, where a ball of this one does not settle at once
     damping, nearest = 0.0, np.inf
-    settled, greatest, cage, behind = evaluate(
-        p, case, moving, control, cosines, sines, u, start, x, ring
-    )
+    settled, greatest, cage, behind = evaluate(one, start)
     for iteration in range(1, RING_STEPS + 1):
         error, scale = _unbalance(p, case, ring.reaction, greatest, unbalanced)
         balanced = settled and error <= PRECISION * scale
@@ -312,9 +268,7 @@ def solve_robust(
         if not error < np.inf or damping > MOST_DAMPING or ring.work[0] < 0.0:
             break
         if balanced:  # but for the cage
-            settled, greatest, cage, behind = evaluate(
-                p, case, moving, control, cosines, sines, u, cage, x, ring
-            )
+            settled, greatest, cage, behind = evaluate(one, cage)
             continue
         for i in range(layout.DEGREES_OF_FREEDOM):
             if abs(u[i]) > p[layout.BALL_DIAMETER, case]:
@@ -326,9 +280,7 @@ def solve_robust(
         if not (solvable and slope > 0.0):
             damping = max(100.0 * damping, LEAST_DAMPING)
             continue
-        settled, greatest, cage, behind = _line_search(
-            p, case, moving, control, cosines, sines, u, cage, x, step, slope, ring, unbalanced
-        )
+        settled, greatest, cage, behind = _line_search(one, cage, step, slope, unbalanced)
         if not settled:
             break
         damping = 0.01 * damping if damping > LEAST_DAMPING else 0.0

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any, Final, Self, cast
+from typing import Final, Self, cast
 
 import numpy as np
 
 from rolamento import status
-from rolamento.case import Case
-from rolamento.case.bearing import RowPlace
+from rolamento.case.parameters import BallParameters
 from rolamento.geometry import Race
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
@@ -25,7 +24,18 @@ from rolamento.rows.ball.problem import (
 )
 from rolamento.rows.ball.rolling import Rolling as Motion
 from rolamento.rows.ball.run import Solution, ball_azimuths, row_verdict, solve_columns
-from rolamento.rows.row import Indices, Response, RowGeometry, RowSizes
+from rolamento.rows.row import (
+    Alone,
+    Indices,
+    OnRing,
+    Proposal,
+    Response,
+    Row,
+    RowGeometry,
+    RowSizes,
+    Running,
+    Traction,
+)
 from rolamento.solved import (
     Elements,
     Index,
@@ -37,25 +47,12 @@ from rolamento.solved import (
     taken,
 )
 
-if TYPE_CHECKING:
-    from rolamento.rows.ball.traction.solve import Film
-
-__all__ = ["BallRow", "Traction", "ball_row"]
+__all__ = ["BallRow", "ball_row"]
 
 
 PRESS_STEPS: Final = 60
 PRESS_PRECISION: Final = 1e-15
 """Fraction of the distance between groove centres: the last step of a row that is pressed in."""
-
-
-@frozen
-class Traction:
-    """What friction control takes beside the row: μ and the cage's drag (N·m), (cases,)."""
-
-    friction: FloatArray
-    cage_drag: FloatArray
-    mesh: str
-    film: Film | None = None
 
 
 @dataclass(slots=True)
@@ -110,9 +107,19 @@ class BallResponse:
         return self.solution.iterations
 
     @property
+    def unsupported(self) -> IntArray:
+        """(cases,)."""
+        return self.solution.unsupported
+
+    @property
     def safe_path(self) -> BoolArray:
         """(cases,)."""
         return self.solution.safe
+
+    @property
+    def memory(self) -> FloatArray | None:
+        """Where moving balls are, and the cage's speed; those at rest begin anew."""
+        return None if np.isnan(self.solution.cage).all() else self.solution.memory
 
     def put(self, cases: Indices, part: Self) -> None:
         """Copy what some of the cases answered to their places."""
@@ -121,11 +128,15 @@ class BallResponse:
 
 @frozen
 class BallRow:
-    """Many cases of a row of balls; p: their numbers as `layout` has them, a column a case."""
+    """Many cases of a row of balls; p: their numbers as `layout` has them, a column a case.
+
+    control: the race that guides each ball, +1 outer or -1 inner; (cases or 1, balls).
+    """
 
     p: Columns
     element_count: int
     geometry: RowGeometry
+    control: FloatArray
     threads: int | None = None
     fast: bool = True
 
@@ -157,7 +168,7 @@ class BallRow:
 
     @property
     def sizes(self) -> RowSizes:
-        """For the assembly."""
+        """For the system."""
         p = self.p
         reach = p[layout.INNER_LENGTH] + p[layout.OUTER_LENGTH]
         sine = np.clip(p[layout.AXIAL_OFFSET], 0.0, None) / reach
@@ -191,28 +202,49 @@ class BallRow:
         p[layout.IMPOSED : layout.IMPOSED + 5] = place.T * arms
         return self
 
-    def alone(self, control: FloatArray, which: Indices | None = None) -> BallResponse:
+    def guided(self, control: FloatArray) -> BallRow:
+        """The same row, its balls guided so; (cases or 1, balls)."""
+        return replace(self, control=control)
+
+    def control_of(self, which: Index) -> FloatArray:
+        """What guides the balls of some of the cases; (len(which) or 1, balls)."""
+        return self.control if len(self.control) == 1 else self.control[which]
+
+    def alone(self, which: Indices | None = None) -> BallResponse:
         """Balance ring and balls of a bearing that is this row: the monolithic fast path.
 
-        control: (cases or 1, balls), of the chosen cases; the row has been `asked`.
+        The row has been `asked`.
         """
-        return self._solved(self.p if which is None else self.p.of(which), control)
+        if which is None:
+            return self._solved(self.p, self.control)
+        return self._solved(self.p.of(which), self.control_of(which))
 
-    def respond(self, place: FloatArray, which: Indices, control: FloatArray) -> BallResponse:
+    def respond(
+        self, place: FloatArray, which: Indices, memory: FloatArray | None = None
+    ) -> BallResponse:
         """Hold some of the cases at a place; (len(which), 5)."""
         p = self.p.of(which)
         p[layout.FREE : layout.FREE + 5] = 0.0
         p[layout.APPLIED : layout.APPLIED + 5] = 0.0
         p[layout.IMPOSED : layout.IMPOSED + 5] = place.T * ring_arms(p)
-        return self._solved(p, control)
+        return self._solved(p, self.control_of(which), memory)
+
+    def together(self, rows: Sequence[Row], ring: OnRing) -> Proposal | None:
+        """Balance rings with several rows of balls in lanes; None where there are others."""
+        from rolamento.rows.ball import sets
+
+        balls = [row for row in rows if isinstance(row, BallRow) and row.fast]
+        return sets.settle(balls, ring) if len(balls) == len(rows) else None
 
     def no_response(self, cases: int) -> BallResponse:
         """Make room for so many cases without a result."""
         return BallResponse(Solution.empty(cases, self.element_count), ring_arms(self.p).T)
 
-    def _solved(self, p: Columns, control: FloatArray) -> BallResponse:
+    def _solved(
+        self, p: Columns, control: FloatArray, memory: FloatArray | None = None
+    ) -> BallResponse:
         solution = solve_columns(
-            p, control, self.element_count, threads=self.threads, fast=self.fast
+            p, control, self.element_count, threads=self.threads, fast=self.fast, memory=memory
         )
         return BallResponse(solution, ring_arms(p).T)
 
@@ -249,26 +281,26 @@ class BallRow:
             held &= (cosine > p[layout.INNER_EDGE]) & (cosine > p[layout.OUTER_EDGE])
             return np.asarray(np.where(held, a1 - p[layout.AXIAL_OFFSET], np.nan))
 
-    def verdict(self, held: Response, control: FloatArray, which: Index) -> IntArray:
+    def verdict(self, held: Response, which: Index) -> IntArray:
         """Jones's criterion for every ball; (cases, balls)."""
-        return row_verdict(self.p.of(which), control, cast(BallResponse, held).solution)
+        balls = cast(BallResponse, held)
+        return row_verdict(self.p.of(which), self.control_of(which), balls.solution)
 
-    def rolled(self, start: BallResponse, traction: Traction) -> BallResponse:
+    def rolled(self, start: Alone, traction: Traction) -> BallResponse:
         """Let friction alone move the balls of a bearing that is this row.
 
         start: under outer raceway control, of all cases.
         """
         from rolamento.rows.ball.traction.solve import solve_rolling
 
+        balls = cast(BallResponse, start)
         solution, motion = solve_rolling(
-            self.p, start.solution, self.element_count, traction.friction, traction.cage_drag,
+            self.p, balls.solution, self.element_count, traction.friction, traction.cage_drag,
             mesh=traction.mesh, film=traction.film, threads=self.threads,
         )  # fmt: skip
-        return BallResponse(solution, start.arms, motion)
+        return BallResponse(solution, balls.arms, motion)
 
-    def answer(
-        self, held: Response, control: FloatArray, shown: IntArray, lost: BoolArray
-    ) -> BallAnswer:
+    def answer(self, held: Response, shown: IntArray, lost: BoolArray) -> BallAnswer:
         """Keep what the tables are made from, of cases that are not lost."""
         balls = cast(BallResponse, held)
         solution = balls.solution
@@ -277,7 +309,7 @@ class BallRow:
             balls.motion.forget(lost)
         return BallAnswer(
             self.p,
-            np.broadcast_to(control, (self.cases, self.element_count)),
+            np.broadcast_to(self.control, (self.cases, self.element_count)),
             solution.position,
             solution.displacement,
             shown,
@@ -285,41 +317,29 @@ class BallRow:
         )
 
 
-def ball_row(
-    case: Case,
-    place: RowPlace,
-    bearing: Any,
-    varied: Mapping[str, FloatArray],
-    cases: int,
-    *,
-    threads: int | None = None,
-    fast: bool = True,
-) -> BallRow:
-    """The numbers of a row of balls.
-
-    bearing: the row's `Bearing`, or an object with arrays (cases,) for its attributes.
-    """
-    if any(name.startswith("bearing.") for name in varied):
+def ball_row(bearing: BallParameters, running: Running) -> BallRow:
+    """The numbers of a row of balls."""
+    cases = running.cases
+    if running.record is None:
         with np.errstate(invalid="ignore", divide="ignore"):
             own = bearing_columns(bearing, cases)
     else:
-        own = bearing_column(place.bearing).copy()
+        own = bearing_column(running.record).copy()
     p = Columns(np.empty((layout.DUTY, cases)), own)  # zeros would come page by page
     p.duty[...] = 0.0
-    duty = case.duty
-    p[layout.INNER_SPEED] = varied.get("duty.inner_speed", duty.inner_speed)
-    p[layout.OUTER_SPEED] = varied.get("duty.outer_speed", duty.outer_speed)
-    apply_model(p, case.model)
-    first = varied.get("duty.first_ball_azimuth", np.asarray(duty.first_ball_azimuth))
-    p[layout.COS_FIRST] = np.cos(first + place.phase)
-    p[layout.SIN_FIRST] = np.sin(first + place.phase)
+    p[layout.INNER_SPEED] = running.inner_speed
+    p[layout.OUTER_SPEED] = running.outer_speed
+    apply_model(p, running.model)
+    p[layout.COS_FIRST] = np.cos(running.azimuth)
+    p[layout.SIN_FIRST] = np.sin(running.azimuth)
     angle = 0.0 if bearing.contact_angle is None else bearing.contact_angle
     numbers = (
         bearing.ball_diameter, bearing.pitch_diameter, bearing.inner_conformity,
         bearing.outer_conformity, angle, p[layout.MODULUS],
     )  # fmt: skip
     geometry = RowGeometry(*(np.broadcast_to(np.asarray(n, np.float64), cases) for n in numbers))
-    return BallRow(p, place.bearing.element_count, geometry, threads, fast)
+    balls = bearing.element_count
+    return BallRow(p, balls, geometry, np.ones((1, balls)), running.threads, running.fast)
 
 
 @frozen

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from rolamento import status
 from rolamento.numerics.compiled import Kernel
-from rolamento.numerics.threads import ready, share_out
+from rolamento.numerics.threads import goes_plainly, ready, share_out
 from rolamento.rows.ball import accept, layout
 from rolamento.rows.ball.batch import (
     propose_at_rest,
@@ -96,12 +96,17 @@ class Solution:
             array[cases] = np.nan if array.dtype == np.float64 else 0
         self.code[cases], self.unsupported[cases] = status.INVALID_INPUT, -1
 
-    def arrays(self) -> tuple[NDArray[np.generic], ...]:
-        """All arrays, in the order that the kernel takes them."""
-        return (
+    def arrays(self) -> Output:
+        """All arrays, as the kernels take them."""
+        return Output(
             self.displacement, self.cage, self.position, self.reaction, self.stiffness,
             self.residual, self.code, self.unsupported, self.iterations, self.safe,
         )  # fmt: skip
+
+    @property
+    def memory(self) -> Floats:
+        """Where balls are, and the cage's speed, for `solve_columns` to begin with; (cases, n)."""
+        return np.column_stack([self.position.reshape(len(self.cage), -1), self.cage])
 
     def put(self, cases: NDArray[np.intp], part: Self) -> None:
         """Copy the solution of some of the cases to their places."""
@@ -117,12 +122,14 @@ def solve_columns(
     threads: int | None = None,
     fast: bool = True,
     most_work: float = MOST_WORK,
+    memory: Floats | None = None,
 ) -> Solution:
     """Solve every column of parameters.
 
     control: +1 or -1 (cases, balls) or (1, balls); most_work: how often a ball may be evaluated on
-    a case beside the fast path. Columns that are not finite get the code INVALID_INPUT and are left
-    alone.
+    a case beside the fast path; memory: of a `Solution` of columns much like these, from which
+    moving balls begin where it is no NaN, their rings held. Columns that are not finite get the
+    code INVALID_INPUT and are left alone.
     """
     cases = p.cases
     solution = Solution.room(cases, balls)
@@ -137,12 +144,20 @@ def solve_columns(
             some = np.flatnonzero(which & (plane == number))
             _run_threads(own, some, moving, threads, fast, most_work, solution)
 
+    near = np.zeros(cases, np.bool_)
+    if memory is not None and fast and not goes_plainly(propose_moving, little=cases <= FEW):
+        near = moving & np.isfinite(memory).all(axis=1)
+        _begin_nearby(p, memory, near, solution)
+        for number in (0, *AXES):
+            own = batch._replace(mirror=mirror(balls, number))
+            _run_warm(own, np.flatnonzero(near & (plane == number)), threads, solution)
+        near &= solution.code == status.CONVERGED
     if not moving.all():
         run(~moving, False)
         # what is left out of those is part of their residual: some have to be solved with it
         again = (solution.code == accept.NEEDS_INERTIA) | (solution.code == status.NOT_CONVERGED)
         moving |= again & turns(p)
-    run(moving, True)
+    run(moving & ~near, True)
     solution.forget(solution.code == status.INVALID_INPUT)
     return solution
 
@@ -161,7 +176,7 @@ def compile_all(p: Columns, control: Floats, balls: int) -> None:
     """Compile every kernel that some case may need, whether these cases do or not."""
     batch, out = _batch(p, control, balls), Solution.empty(p.cases, balls).arrays()
     none, done, work = np.zeros(0, np.int64), np.zeros(0, np.bool_), np.zeros(0)
-    ready(propose_moving)(batch, none, True, done, out)
+    ready(propose_moving)(batch, none, True, False, done, out)
     ready(propose_at_rest)(batch, none, done, out)
     ready(solve_safely)(batch, True, none, True, work, out)
     for rarely in (solve_stepwise, solve_past_edge):
@@ -185,6 +200,25 @@ def has_inertia(p: Columns) -> NDArray[np.bool_]:
     with np.errstate(invalid="ignore"):
         approach = LEAST_INERTIA * p[layout.OUTER_LENGTH]
         return np.asarray(force > p[layout.SERIES_STIFFNESS] * approach * np.sqrt(approach))
+
+
+def _begin_nearby(p: Columns, memory: Floats, near: NDArray[np.bool_], solution: Solution) -> None:
+    """Put rings where they are held, and balls and cage where they were."""
+    solution.displacement[near] = p[layout.IMPOSED : layout.IMPOSED + 5].T[near]
+    solution.position[near] = memory[near, :-1].reshape(-1, *solution.position.shape[1:])
+    solution.cage[near] = memory[near, -1]
+
+
+def _run_warm(
+    batch: Batch, which: NDArray[np.intp], threads: int | None, solution: Solution
+) -> None:
+    """Balance balls from where they stand; what does not settle is left not converged."""
+    out, done = solution.arrays(), np.zeros(len(which), np.bool_)
+
+    def run(kernel: Callable[..., Any], first: int, last: int) -> None:
+        kernel(batch, which[first:last], True, True, done[first:last], out)
+
+    share_out(propose_moving, run, len(which), chunk=CHUNK, threads=threads, little=False)
 
 
 def _run_threads(
@@ -227,7 +261,7 @@ def _interpret(batch: Batch, moving: bool, case: int, out: Output) -> bool:
         solve_some(batch, moving, np.array([case]), False, PLAIN_WORK, out, _plain)
     except (ZeroDivisionError, OverflowError, ValueError):
         return False
-    return int(out[6][case]) != status.NOT_CONVERGED
+    return int(out.code[case]) != status.NOT_CONVERGED
 
 
 def _plain(kernel: Kernel[..., None]) -> Callable[..., None]:

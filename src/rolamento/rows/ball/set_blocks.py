@@ -2,7 +2,7 @@
 
 As `blocks` does for one row, many cases in lanes; then each row is held in exact arithmetic where
 the proposal has it, and judged there. What comes out with a verdict on every row and the ring in
-balance is final; everything else is left to `rolamento.assembly.ring`.
+balance is final; everything else is left to `rolamento.system.ring`.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from rolamento.rows.ball.blocks import (
     read_position,
 )
 from rolamento.rows.ball.set_lanes import SLIDE, STAND_ROWS, TILT, UNKNOWNS, WAY
-from rolamento.rows.ball.single import FAR, Ring, read_ring, ring_around
+from rolamento.rows.ball.single import FAR, OneCase, Ring, read_ring, ring_around
 from rolamento.rows.ball.types import Array
 from rolamento.status import CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED, OVERLOADED
 
@@ -32,7 +32,7 @@ MOVING_STEPS: Final = 30
 START_TOLERANCE: Final = 1e-2  # of a static start for moving balls
 TOLERANCE: Final = 1e-8  # before the last step, which squares it
 PRECISION: Final = 1e-10
-"""Precision of the ring's exact balance, as `rolamento.assembly.ring` asks for it."""
+"""Precision of the ring's exact balance, as `rolamento.system.ring` asks for it."""
 
 PRESS: Final = STAND_ROWS  # how far the clamped rings press a row in
 STANDING: Final = STAND_ROWS + 1  # numbers that say how a row stands on the ring
@@ -373,10 +373,11 @@ def _judge(
         _standing(rows.stand, row, k, found.place[case], u)
         for i in range(column.shape[0]):
             column[i, 0] = rows.p[row, i, k]
-        code, residual, _ = judge(
+        one = OneCase(
             column, 0, moving, control[a:z], rows.cosines[a:z], rows.sines[a:z], u,
-            found.cage[row, case], found.position[case, a:z], ring, work.errors[: z - a],
+            found.position[case, a:z], ring, work.errors[: z - a],
         )  # fmt: skip
+        code, residual, _ = judge(one, found.cage[row, case])
         found.code[row, case], found.row_residual[row, case] = code, residual
         sound = sound and code in (CONVERGED, OVERLOADED, NO_EQUILIBRIUM)
         reaction, row_stiffness = found.reaction[row, case], found.row_stiffness[row, case]

@@ -1,7 +1,7 @@
 """A ring that carries several rows, in lanes: what they ask of it, its step, and theirs.
 
 Each row has a workspace of its own, as `lanes` has it, and stands where the ring holds it:
-v = T u + e, with the T of `rolamento.assembly.ring`. The ring's force is the sum of T' f and its
+v = T u + e, with the T of `rolamento.system.ring`. The ring's force is the sum of T' f and its
 stiffness that of T' k T. All is scaled as in `layout`, the ring's tilts by an arm of its own.
 """
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Final, cast
+from typing import Final
 
 import numpy as np
 
 from rolamento import status
-from rolamento.numerics import BoolArray, FloatArray
+from rolamento.numerics import FloatArray
 from rolamento.numerics.threads import goes_plainly, ready, side_by_side
 from rolamento.records import frozen
 from rolamento.rows.ball import layout
@@ -26,9 +26,9 @@ from rolamento.rows.ball.set_blocks import (
     solve_sets,
 )
 from rolamento.rows.ball.set_lanes import LEVER, SLIDE, TILT, UNKNOWNS, WAY
-from rolamento.rows.row import Indices, IntArray, Row
+from rolamento.rows.row import Indices, IntArray, OnRing, Proposal
 
-__all__ = ["Proposal", "balls_only", "settle", "standing"]
+__all__ = ["settle", "standing"]
 
 CHUNK: Final = 1000
 """Cases of a call: their numbers lie together, no power of two apart."""
@@ -38,74 +38,26 @@ _HEAVIEST: Final = 4.5
 """How much more the heaviest ball of a row carries than the mean."""
 
 
-@frozen
-class Proposal:
-    """Where rings and rows of many cases came to rest, and whether that may be shown.
-
-    place, force (cases, 6), stiffness (cases, 6, 6): scaled; residual, steps, sound (cases,).
-    """
-
-    place: FloatArray
-    force: FloatArray
-    stiffness: FloatArray
-    residual: FloatArray
-    steps: IntArray
-    sound: BoolArray
-    rows: list[BallResponse]
-
-
-def balls_only(rows: Sequence[Row]) -> Sequence[BallRow] | None:
-    """The rows, where all of them are rows of balls whose fast path is wanted."""
-    if all(isinstance(row, BallRow) and row.fast for row in rows):
-        return cast(Sequence[BallRow], rows)
-    return None
-
-
-def standing(
-    ways: Sequence[float],
-    levers: Sequence[FloatArray],
-    arms: Sequence[FloatArray],
-    press: Sequence[FloatArray],
-    *,
-    sprung: bool,
-) -> FloatArray:
-    """How each row stands on a ring whose arm is that of the first, as `set_blocks.Rows` has it.
-
-    ways: +1 or -1; levers, arms, press: (n,) each, m; sprung: whether springs push the outer rings
-    of the rows that face -x.
-    """
-    stand = np.empty((len(ways), STANDING, len(arms[0])))
-    for own, way, lever, arm, pressed in zip(stand, ways, levers, arms, press, strict=True):
-        own[WAY], own[LEVER], own[TILT] = way, lever / arms[0], way * arm / arms[0]
-        own[SLIDE] = 1.0 if sprung and way < 0.0 else 0.0
+def standing(ring: OnRing) -> FloatArray:
+    """How each row stands on the ring, as `set_blocks.Rows` has it."""
+    arms = ring.arms[0]
+    stand = np.empty((len(ring.ways), STANDING, len(arms)))
+    parts = zip(stand, ring.ways, ring.levers, ring.arms, ring.press, strict=True)
+    for own, way, lever, arm, pressed in parts:
+        own[WAY], own[LEVER], own[TILT] = way, lever / arms, way * arm / arms
+        own[SLIDE] = 1.0 if ring.sprung and way < 0.0 else 0.0
         own[PRESS] = pressed
     return stand
 
 
-def settle(
-    rows: Sequence[BallRow],
-    which: Indices,
-    control: FloatArray,
-    stand: FloatArray,
-    asked: tuple[FloatArray, FloatArray, FloatArray],
-    sound: BoolArray,
-) -> Proposal | None:
-    """Balance the rings of some cases, with all their rows; None where that takes no compiler.
-
-    Parameters
-    ----------
-    which : cases of the rows; (n,). sound : those of them that can be solved.
-    control : +1 or -1 for the balls of all rows; (n or 1, balls).
-    stand : how each row stands on the ring, as `set_blocks.Rows`; (rows, STANDING, n).
-    asked : which unknowns are free, what is asked of them, and where they begin; (n, 6) each,
-        scaled.
-    """
+def settle(rows: Sequence[BallRow], ring: OnRing) -> Proposal | None:
+    """Balance the rings of some cases, with all their rows; None where that takes no compiler."""
     if goes_plainly(solve_sets, little=False):
         return None
-    run = _Run.of(rows, which, control, stand, asked)
+    run = _Run.of(rows, ring)
     inertia = np.stack([has_inertia(p) for p in run.columns])
-    still = sound & ~inertia.any(axis=0)
-    moving = sound & inertia.all(axis=0)
+    still = ring.sound & ~inertia.any(axis=0)
+    moving = ring.sound & inertia.all(axis=0)
     if still.any():
         run.solve(np.flatnonzero(still), moving=False)
         # what is left out of those is part of their residual: some have to be solved with it
@@ -141,6 +93,13 @@ def _bounded(
     return BalanceRequest(free, target, start, 3.0 * into + play, firm)
 
 
+def _control_of(rows: Sequence[BallRow], which: Indices) -> FloatArray:
+    """What guides the balls of all rows; (cases or 1, balls)."""
+    parts = [row.control_of(which) for row in rows]
+    cases = max(len(part) for part in parts)
+    return np.concatenate([np.broadcast_to(p, (cases, p.shape[1])) for p in parts], axis=1)
+
+
 @frozen
 class _Run:
     """The numbers of the cases and the room for what is found; columns: of each row."""
@@ -153,16 +112,12 @@ class _Run:
     found: Balance
 
     @classmethod
-    def of(
-        cls,
-        rows: Sequence[BallRow],
-        which: Indices,
-        control: FloatArray,
-        stand: FloatArray,
-        asked: tuple[FloatArray, FloatArray, FloatArray],
-    ) -> _Run:
+    def of(cls, rows: Sequence[BallRow], ring: OnRing) -> _Run:
+        which = ring.which
         every = len(which) == rows[0].cases
         columns = [row.p if every else row.p.of(which) for row in rows]
+        control, stand = _control_of(rows, which), standing(ring)
+        asked = ring.free.astype(np.float64), ring.target, ring.start
         count, n = len(rows), len(which)
         balls = sum(row.element_count for row in rows)
         five = layout.DEGREES_OF_FREEDOM

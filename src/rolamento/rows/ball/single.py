@@ -64,6 +64,27 @@ class Ring(NamedTuple):
     work: Array
 
 
+class OneCase(NamedTuple):
+    """One case, as the exact kernels take it.
+
+    p: parameters, of which `case` is a column. moving: whether the balls have inertia. control,
+    cosines, sines (balls,): what guides each ball, and where it stands from the first. u (5,): the
+    ring's place, scaled, and x (balls, 2) the balls', both changed in place. ring, errors (balls,
+    2): room for the sums and for the balls' residuals.
+    """
+
+    p: Array
+    case: int
+    moving: bool
+    control: Array
+    cosines: Array
+    sines: Array
+    u: Array
+    x: Array
+    ring: Ring
+    errors: Array
+
+
 @shared
 def ring_around(balls: int) -> Ring:
     """Make room for the sums over so many balls."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 Array: TypeAlias = NDArray[np.float64]
 Order: TypeAlias = NDArray[np.int64]
 """Numbers of cases, as they are taken."""
-Output: TypeAlias = tuple[NDArray[Any], ...]
 
 Two: TypeAlias = tuple[float, float]
 Three: TypeAlias = tuple[float, float, float]
@@ -41,3 +40,23 @@ Settled: TypeAlias = tuple[bool, float, float, Linearised]
 """Whether a ball's place was found, X1, X2, and the ball there."""
 StaticBall: TypeAlias = tuple[float, float, Three, Six, float, Five]
 """X1, X2, force, stiffness, scale and touch of a ball without inertia."""
+
+
+class Output(NamedTuple):
+    """What the kernels find, in the arrays that they fill.
+
+    displacement (cases, 5): scaled as in `layout`; cage (cases,): its speed; position (cases,
+    balls, 2); reaction (cases, 5), stiffness (cases, 5, 5): SI; residual, code, unsupported and
+    iterations (cases,); safe (cases,): whether a case was solved one by one.
+    """
+
+    displacement: Array
+    cage: Array
+    position: Array
+    reaction: Array
+    stiffness: Array
+    residual: Array
+    code: Order
+    unsupported: Order
+    iterations: Order
+    safe: NDArray[np.bool_]

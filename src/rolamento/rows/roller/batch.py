@@ -182,7 +182,7 @@ def settle_cases(
     settled: NDArray[np.bool_],
     steps: NDArray[np.int64],
 ) -> None:
-    """Let the rings of the cases go until the loads balance: a proposal, for `assembly` to judge.
+    """Let the rings of the cases go until the loads balance: a proposal, to be judged as any.
 
     As `hold_cases`; rings: places (cases, 5), settled: whether, and steps: in how many, (cases,)
     each, all written.

@@ -11,15 +11,14 @@ Harris, Rolling Bearing Analysis, 3rd ed. (1991), chapters 2 and 8; docs/theory/
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import fields, replace
 from functools import lru_cache
 from typing import Any, Final
 
 import numpy as np
 
-from rolamento.case import Case
-from rolamento.case.bearing import RowPlace
+from rolamento.case.parameters import RollerParameters
 from rolamento.case.roller_bearing import USUAL_RIB_HEIGHT, RollerBearing
 from rolamento.contact.coupled import body_term, influence_table, scratch
 from rolamento.contact.hertz import effective_modulus
@@ -38,6 +37,7 @@ from rolamento.roller_kinematics import (
 )
 from rolamento.rows.roller import layout
 from rolamento.rows.roller.roller import Line
+from rolamento.rows.row import Running
 
 __all__ = ["Cut", "Geometry", "Numbers", "geometry_of", "numbers_of"]
 
@@ -148,23 +148,21 @@ class Numbers:
         )
 
 
-def numbers_of(
-    case: Case, place: RowPlace, bearing: Any, varied: Mapping[str, FloatArray], cases: int
-) -> Numbers:
-    """Make the numbers; bearing: the fields of `RollerBearing`, numbers or arrays (cases,).
+def numbers_of(bearing: RollerParameters, running: Running) -> Numbers:
+    """Make the numbers of a row.
 
     The roller's inertia acts at its centroid, which a taper has toward its large end.
     """
-    duty, model = case.duty, case.model
+    cases, model = running.cases, running.model
     coupled = model.roller_contact == "coupled"
-    if any(name.startswith("bearing.") for name in varied):
-        conical = place.bearing.bearing_type.conical
+    if running.record is None:
+        conical = bearing.bearing_type.conical
         geometry = geometry_of(bearing, conical, model.slices, coupled, cases)
     else:
-        geometry = _alone(place.bearing, model.slices, coupled).repeated(cases)
+        geometry = _alone(running.record, model.slices, coupled).repeated(cases)
     p, body, axis = geometry.p, geometry.body, geometry.axis
     diameter, pitch = p[layout.DIAMETER], 2.0 * p[layout.ARM]
-    speeds = [_column(varied.get(f"duty.{n}", getattr(duty, n)), cases) for n in _SPEEDS]
+    speeds = running.column(running.inner_speed), running.column(running.outer_speed)
     motion = roller_motion(diameter, pitch, axis, geometry.half_angle, *speeds)
     at_centroid = pitch + 2.0 * body.centroid * np.sin(axis)
     force = model.centrifugal_force * centrifugal_force(
@@ -174,9 +172,8 @@ def numbers_of(
     p[layout.CENTRIFUGAL] = force
     # M_g is what turns the roller's momentum; the roller resists it
     p[layout.MOMENT] = force * body.centroid * np.cos(axis) - moment
-    first = varied.get("duty.first_ball_azimuth", np.asarray(duty.first_ball_azimuth))
-    p[layout.COS_FIRST] = np.cos(first + place.phase)
-    p[layout.SIN_FIRST] = np.sin(first + place.phase)
+    p[layout.COS_FIRST] = np.cos(running.azimuth)
+    p[layout.SIN_FIRST] = np.sin(running.azimuth)
     return Numbers(p, geometry, motion, force, moment)
 
 

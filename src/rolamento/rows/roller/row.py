@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any, Final, Self, cast
+from typing import Final, Self, cast
 
 import numpy as np
 
-from rolamento.case import Case
-from rolamento.case.bearing import RowPlace
+from rolamento.case.parameters import RollerParameters
 from rolamento.contact.line import EXPONENT, half_width, max_pressure
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
@@ -23,6 +21,7 @@ from rolamento.rows.row import (
     Response,
     RowGeometry,
     RowSizes,
+    Running,
     alike_in_all_cases,
 )
 from rolamento.solved import Elements, Index, Pressed, Tables
@@ -78,6 +77,11 @@ class RollerResponse:
         """There is but one path; (cases,)."""
         return np.zeros(len(self.place), np.bool_)
 
+    @property
+    def memory(self) -> FloatArray | None:
+        """It begins anew at every place."""
+        return None
+
     def put(self, cases: Indices, part: Self) -> None:
         """Copy what some of the cases answered to their places."""
         self.place[cases] = part.place
@@ -126,7 +130,7 @@ class RollerRow:
 
     @property
     def sizes(self) -> RowSizes:
-        """For the assembly.
+        """For the system.
 
         stiffness: K of Q = K δ^1.5 that is as stiff at a thousandth of the roller's diameter.
         """
@@ -146,8 +150,10 @@ class RollerRow:
 
     # --- solving --------------------------------------------------------------------------------
 
-    def respond(self, place: FloatArray, which: Indices, control: FloatArray) -> RollerResponse:
-        """Hold some of the cases at a place; (len(which), 5). Nothing guides a roller but races."""
+    def respond(
+        self, place: FloatArray, which: Indices, memory: FloatArray | None = None
+    ) -> RollerResponse:
+        """Hold some of the cases at a place; (len(which), 5)."""
         p = self.numbers.p[:, which]
         p[layout.IMPOSED : layout.IMPOSED + 5] = place.T
         found = hold(p, self.numbers.cut.part(which), self.element_count, self.threads)
@@ -164,9 +170,8 @@ class RollerRow:
     ) -> tuple[FloatArray, BoolArray, IntArray]:
         """Where the ring of a bearing that is this row comes to rest; (len(which), 5), m and rad.
 
-        free, load, place: as `assembly` has them, of the chosen cases; (len(which), 5) each. With
-        it, whether it did, or has run off, and in how many steps: a proposal, found in one go by
-        the kernels.
+        As `rows.row.SelfBalancing`; settled too where it has run off. Found in one go by the
+        kernels.
         """
         p = self.numbers.p[:, which]
         p[layout.FREE : layout.FREE + 5] = free.T
@@ -195,18 +200,12 @@ class RollerRow:
         free, load = np.zeros((len(which), 5), np.bool_), np.zeros((len(which), 5))
         free[:, 0], load[:, 0] = True, force[which]
         place, _, _ = still.equilibrium(free, load, np.zeros_like(load), which)
-        force_there = still.respond(place, which, np.ones((1, 1))).force[:, 0]
+        force_there = still.respond(place, which).force[:, 0]
         near = np.abs(force_there - force[which]) <= 1e-9 * np.abs(force[which])
         found[which] = np.where(near, place[:, 0], np.nan)
         return np.full(self.cases, found[0]) if alike else found
 
-    def verdict(self, held: Response, control: FloatArray, which: Index) -> IntArray:
-        """Return the control as it is: rollers roll on both races; (cases, elements)."""
-        return control.astype(np.int64)
-
-    def answer(
-        self, held: Response, control: FloatArray, shown: IntArray, lost: BoolArray
-    ) -> RollerAnswer:
+    def answer(self, held: Response, shown: IntArray, lost: BoolArray) -> RollerAnswer:
         """Keep what the tables are made from, of cases that are not lost."""
         rollers = cast(RollerResponse, held)
         solution = rollers.solution
@@ -219,24 +218,12 @@ class RollerRow:
         )
 
 
-def roller_row(
-    case: Case,
-    place: RowPlace,
-    bearing: Any,
-    varied: Mapping[str, FloatArray],
-    cases: int,
-    *,
-    threads: int | None = None,
-    fast: bool = True,
-) -> RollerRow:
-    """The numbers of a row of rollers; there is but one path, fast or not.
-
-    bearing: the row's `RollerBearing`, or an object with arrays (cases,) for its attributes.
-    """
+def roller_row(bearing: RollerParameters, running: Running) -> RollerRow:
+    """The numbers of a row of rollers; there is but one path, fast or not."""
     with np.errstate(invalid="ignore", divide="ignore"):
-        numbers = numbers_of(case, place, bearing, varied, cases)
+        numbers = numbers_of(bearing, running)
     p = numbers.p
-    nothing = np.full(cases, np.nan)
+    nothing = np.full(running.cases, np.nan)
     angle = numbers.geometry.axis + numbers.geometry.half_angle
     geometry = RowGeometry(
         ball_diameter=p[layout.DIAMETER].copy(),
@@ -247,7 +234,7 @@ def roller_row(
         modulus=numbers.geometry.modulus,
         effective_length=p[layout.LENGTH].copy(),
     )
-    return RollerRow(numbers, place.bearing.element_count, geometry, threads)
+    return RollerRow(numbers, bearing.element_count, geometry, running.threads)
 
 
 @frozen

@@ -7,7 +7,7 @@ motions and its loads; a case that does not settle is left without a result.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, Final, Protocol
+from typing import Any, Final
 
 import numpy as np
 
@@ -38,6 +38,7 @@ from rolamento.rows.ball.traction.ball import (
     Rig,
 )
 from rolamento.rows.ball.traction.contact import ellipse_nodes
+from rolamento.rows.row import Film
 
 SMOOTHEST: Final = 1.0
 """Where the friction begins: the smoothing speed over |ω_i - ω_o| D."""
@@ -89,22 +90,6 @@ def solve_rolling(
     share_out(kernel, run, len(wanted), chunk=1, threads=threads, little=False)
     _check_power(p, drag, solution, rolling)
     return solution, rolling
-
-
-class Film(Protocol):
-    """A film between balls and races, that shears instead of Coulomb's friction."""
-
-    @property
-    def lift(self) -> Floats:
-        """Its thickness where it enters the geometry, else zero; (cases, balls, 2), m."""
-        ...
-
-    def slip_speed(self, case: int, across: Floats, along: Floats) -> Floats:
-        """The slip at which the sheared film would reach the limiting friction, μ p h / η.
-
-        across, along: nodes in units of the axes, (nodes,). Returns (balls, 2, nodes), m/s.
-        """
-        ...
 
 
 @frozen
@@ -242,4 +227,4 @@ def _axes_polynomials(p: Columns, conformity: Floats, race: Race) -> Floats:
     )
 
 
-__all__ = ["MESHES", "Film", "solve_rolling"]
+__all__ = ["MESHES", "solve_rolling"]

@@ -18,14 +18,14 @@ from typing import Any, Final
 
 import numpy as np
 
-from rolamento.assembly.cases import spread
-from rolamento.assembly.solve import solve_cases
 from rolamento.case import Case
 from rolamento.case.duty import AXES, LOADS, Duty
 from rolamento.case.varied import is_of_mounting
 from rolamento.numerics import BoolArray, FloatArray, IntArray
 from rolamento.records import frozen
 from rolamento.solved import Preloading, Solved
+from rolamento.system.cases import spread
+from rolamento.system.solve import solve_cases
 
 __all__ = ["Lost", "between_rows", "first_lift_off", "preload_at", "preload_loss", "preload_of"]
 
@@ -139,7 +139,7 @@ class _Given:
         """Press-in of each row, whatever the load; None where it depends on the solution."""
         if self.case.mounting is not None or self.case.bearing.preload is None:
             return None
-        from rolamento.assembly.ring import pressed_in
+        from rolamento.system.ring import pressed_in
 
         return pressed_in(spread(self.case, self.values, threads=1))
 
@@ -265,7 +265,7 @@ def _solved(
 ) -> Solved:
     """Solve cases; those of a mounted set with the geometry that each of them runs with."""
     if case.mounting is not None:
-        from rolamento.assembly.mounted import solve_mounted
+        from rolamento.system.mounted import solve_mounted
 
         return solve_mounted(case, values, threads=1, start=start)
     cases = replace(spread(case, values, threads=1), start=start)

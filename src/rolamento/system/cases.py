@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from importlib import import_module
-from typing import Any, Final
+from typing import Any, Final, TypeVar
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from rolamento.case import Case
 from rolamento.case.bearing import (
@@ -20,14 +21,13 @@ from rolamento.case.varied import bounded, is_of_mounting, varied_arrays
 from rolamento.errors import InputError
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
-from rolamento.rows.ball.row import BallRow, Traction
-from rolamento.rows.row import Driven, Row
+from rolamento.rows.row import Driven, Guided, Row, Running, Traction, WholeBearing
 from rolamento.words import said
 
 __all__ = ["Cases", "PlacedRow", "RowState", "spread"]
 
 _PRELOADS: Final = ("force", "offset", "spring")
-_ROUNDING: Final = 1e-12
+S = TypeVar("S", bound=np.generic)
 
 
 @frozen
@@ -39,7 +39,7 @@ class RowState:
     geometry
         by field of `Bearing`; (cases,), SI, None for the rival of one that is given
     press
-        how far the clamped rings press it in, e of `rolamento.assembly.ring`; (cases,), m; None
+        how far the clamped rings press it in, e of `rolamento.system.network`; (cases,), m; None
         where it follows from the preload of the cases
     """
 
@@ -116,12 +116,28 @@ class Cases:
         return len(self.free)
 
     @property
-    def alone(self) -> BallRow | None:
-        """The row of a plain ball bearing, whose ring is the bearing's; None of any other."""
+    def alone(self) -> WholeBearing | None:
+        """The row that is the whole bearing, and balances its own ring; None of any other."""
         placed = self.rows[0]
         plain = len(self.rows) == 1 and placed.sign > 0.0 and placed.press is None
         plain = plain and not np.any(placed.position != 0.0)
-        return placed.row if plain and isinstance(placed.row, BallRow) else None
+        return placed.row if plain and isinstance(placed.row, WholeBearing) else None
+
+    def guided(self, control: FloatArray) -> Cases:
+        """The same cases, their elements guided so; (cases or 1, elements), row after row."""
+        parts = self.split(control)
+        rows = (
+            replace(placed, row=placed.row.guided(own))
+            if isinstance(placed.row, Guided)
+            else placed
+            for placed, own in zip(self.rows, parts, strict=True)
+        )
+        return replace(self, rows=tuple(rows))
+
+    def split(self, elements: NDArray[S]) -> list[NDArray[S]]:
+        """The columns of an array over all elements, row by row."""
+        ends = np.cumsum([placed.row.element_count for placed in self.rows])[:-1]
+        return list(np.split(elements, ends, axis=1))
 
 
 def spread(
@@ -174,6 +190,7 @@ def spread(
     _check_own_fields(case.bearing, arrays)
     valid &= common.consistent
     valid &= _within_reason(displacement, common)
+    first = arrays.get("duty.first_ball_azimuth", np.asarray(case.duty.first_ball_azimuth))
     placed = []
     for index, place in enumerate(case.bearing.element_rows):
         of_row, bearing, varied = case.bearing.bearing_type, common, arrays
@@ -186,8 +203,19 @@ def spread(
             given_of_row = {f"bearing.{k}": v for k, v in geometry.items() if v is not None}
             varied = {**arrays, **given_of_row}
         valid &= bearing.consistent
-        make = _maker(of_row.row)
-        row = make(case, place, bearing, varied, cases, threads=threads, fast=fast)
+        alike = not any(name.startswith("bearing.") for name in varied)
+        running = Running(
+            cases=cases,
+            inner_speed=arrays.get("duty.inner_speed", case.duty.inner_speed),
+            outer_speed=arrays.get("duty.outer_speed", case.duty.outer_speed),
+            azimuth=first + place.phase,
+            spacing=arrays.get("bearing.spacing", case.bearing.spacing),
+            model=case.model,
+            record=place.bearing if alike else None,
+            threads=threads,
+            fast=fast,
+        )
+        row: Row = _maker(of_row.row)(bearing, running)
         position = _position(case.bearing, place, arrays, cases)
         if row.aside is not None:
             position = place.sign * row.aside

@@ -5,16 +5,21 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import fields, replace
 from functools import reduce
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from rolamento.assembly.cases import Cases
-from rolamento.assembly.guidance import S, System, solve_by_jones
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
-from rolamento.rows.ball.row import BallResponse, BallRow
-from rolamento.rows.row import Indices, IntArray, Response, RowGeometry
+from rolamento.rows.row import (
+    Alone,
+    Film,
+    Indices,
+    IntArray,
+    Response,
+    RowGeometry,
+    WholeBearing,
+)
 from rolamento.solved import (
     Answer,
     Index,
@@ -29,9 +34,10 @@ from rolamento.solved import (
 )
 from rolamento.solved.tables import GEOMETRY_COLUMNS
 from rolamento.status import NOT_CONVERGED
-
-if TYPE_CHECKING:
-    from rolamento.rows.ball.traction.solve import Film
+from rolamento.system.cases import Cases
+from rolamento.system.guidance import S, System, solve_by_jones
+from rolamento.system.network import seen_by_row
+from rolamento.system.ring import RowsOnRing, condensed
 
 
 @frozen
@@ -72,23 +78,18 @@ def balance(cases: Cases, film: Film | None = None) -> Balanced:
     held, control, shown = _guided(system, cases.case.model.raceway_control)
     if cases.case.model.raceway_control == "friction":
         held = row.rolled(held, replace(cases.traction, film=film))
-    solution = held.solution
-    status = Status(
-        solution.code, solution.residual, solution.iterations, solution.safe, solution.unsupported
-    )
+    status = Status(held.number, held.residual, held.iterations, held.safe_path, held.unsupported)
     return Balanced(status, held.place, held.force, held.stiffness, (held,), control, shown)
 
 
 def _on_ring(cases: Cases) -> Balanced:
-    from rolamento.assembly.ring import RowsOnRing, condensed
-
     system = RowsOnRing.of(cases)
     solution, control, shown = _guided(system, cases.case.model.raceway_control)
     status = Status(
         solution.number, solution.residual, solution.iterations, solution.safe_path,
         solution.unsupported,
     )  # fmt: skip
-    stiffness = condensed(solution.stiffness, cases.preload == "spring")
+    stiffness = condensed(solution.stiffness)
     place, force = solution.place[:, :5], solution.force[:, :5]
     return Balanced(status, place, force, stiffness, tuple(solution.rows), control, shown)
 
@@ -97,22 +98,24 @@ def _on_ring(cases: Cases) -> Balanced:
 class _Alone:
     """Cases of a bearing that is one row of balls, as `guidance` asks for a system."""
 
-    row: BallRow
+    row: WholeBearing
 
     @property
     def shape(self) -> tuple[int, int]:
         """Cases and balls."""
         return self.row.cases, self.row.element_count
 
-    def solve(self, control: FloatArray, which: Indices | None = None) -> BallResponse:
-        """Solve all cases, or some."""
-        return self.row.alone(control, which)
+    def guided(self, control: FloatArray) -> _Alone:
+        """The same bearing, its balls guided so."""
+        return _Alone(self.row.guided(control))
 
-    def verdict(
-        self, solution: BallResponse, control: FloatArray, which: Indices | None = None
-    ) -> IntArray:
+    def solve(self, which: Indices | None = None) -> Alone:
+        """Solve all cases, or some."""
+        return self.row.alone(which)
+
+    def verdict(self, solution: Alone, which: Indices | None = None) -> IntArray:
         """Jones's criterion for every ball of all cases, or some; (cases, balls)."""
-        return self.row.verdict(solution, control, slice(None) if which is None else which)
+        return self.row.verdict(solution, slice(None) if which is None else which)
 
 
 def _guided(system: System[S], mode: str) -> tuple[S, FloatArray, IntArray]:
@@ -120,7 +123,7 @@ def _guided(system: System[S], mode: str) -> tuple[S, FloatArray, IntArray]:
     if mode == "jones":
         return solve_by_jones(system)
     control = np.full((1, system.shape[1]), -1.0 if mode == "inner" else 1.0)
-    solution = system.solve(control)
+    solution = system.guided(control).solve()
     shown = control.astype(np.int64)
     return solution, np.broadcast_to(control, system.shape), np.broadcast_to(shown, system.shape)
 
@@ -128,14 +131,10 @@ def _guided(system: System[S], mode: str) -> tuple[S, FloatArray, IntArray]:
 def result(cases: Cases, balanced: Balanced) -> Solved:
     """Put the result together; a case without one carries NaN."""
     lost = ~balanced.status.converged
-    ends = np.cumsum([placed.row.element_count for placed in cases.rows])[:-1]
     parts = zip(
-        cases.rows, balanced.rows, np.split(balanced.control, ends, axis=1),
-        np.split(balanced.shown, ends, axis=1), strict=True,
-    )  # fmt: skip
-    answers = tuple(
-        placed.row.answer(held, control, shown, lost) for placed, held, control, shown in parts
+        cases.guided(balanced.control).rows, balanced.rows, cases.split(balanced.shown), strict=True
     )
+    answers = tuple(placed.row.answer(held, shown, lost) for placed, held, shown in parts)
     # a row is shown as often as it has faces
     faces = [(placed, face) for placed in cases.rows for face in placed.row.faces]
     geometry = [placed.row.geometry for placed, _ in faces]
@@ -181,10 +180,8 @@ def _carried(cases: Cases, balanced: Balanced, load: FloatArray) -> FloatArray:
     """What the ring carries through each row; (cases, rows, 5), in the bearing's frame."""
     if cases.alone is not None:
         return load[:, np.newaxis]
-    from rolamento.assembly.ring import transform
-
     parts = [
-        np.einsum("nij,nfi->nfj", transform(placed, sprung=False)[:, :, :5], held.face_forces)
+        np.einsum("nij,nfi->nfj", seen_by_row(placed.sign, placed.lever), held.face_forces)
         for placed, held in zip(cases.rows, balanced.rows, strict=True)
     ]
     return np.concatenate(parts, axis=1)

@@ -14,10 +14,6 @@ from typing import Any, Final, NamedTuple
 
 import numpy as np
 
-from rolamento.assembly.cases import Cases, RowState, spread
-from rolamento.assembly.preload import between_rows
-from rolamento.assembly.ring import pressed_in
-from rolamento.assembly.solve import joined, solve_cases
 from rolamento.case import Case
 from rolamento.case.arrangement import Preload
 from rolamento.case.bearing import Bearing, RowPlace
@@ -31,6 +27,10 @@ from rolamento.errors import InputError
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.rows.row import IntArray
 from rolamento.solved import PreloadStage, Solved
+from rolamento.system.cases import Cases, RowState, spread
+from rolamento.system.preload import between_rows
+from rolamento.system.ring import pressed_in
+from rolamento.system.solve import joined, solve_cases
 from rolamento.types import type_of_element
 from rolamento.units import from_si
 from rolamento.words import Note, said

@@ -43,23 +43,25 @@ S = TypeVar("S", bound=Solution)
 
 
 class System(Protocol[S]):
-    """Many cases that can be solved under a given raceway control."""
+    """Many cases that can be solved under a given raceway control; outer control by itself."""
 
     @property
     def shape(self) -> tuple[int, int]:
         """Cases and balls."""
         ...
 
-    def solve(self, control: FloatArray, which: NDArray[np.intp] | None = None) -> S:
-        """Solve all cases, or some; control: +1 or -1 (cases, balls) or (1, balls)."""
+    def guided(self, control: FloatArray) -> Self:
+        """The same cases under another control: +1 or -1, (cases or 1, balls)."""
         ...
 
-    def verdict(
-        self, solution: S, control: FloatArray, which: NDArray[np.intp] | None = None
-    ) -> NDArray[np.int64]:
+    def solve(self, which: NDArray[np.intp] | None = None) -> S:
+        """Solve all cases, or some."""
+        ...
+
+    def verdict(self, solution: S, which: NDArray[np.intp] | None = None) -> NDArray[np.int64]:
         """Jones's criterion for every ball of all cases, or some; (cases, balls).
 
-        solution, control: of those cases.
+        solution: of those cases.
         """
         ...
 
@@ -74,8 +76,8 @@ def solve_by_jones(system: System[S]) -> tuple[S, FloatArray, NDArray[np.int64]]
     """
     control = np.ones(system.shape)
     flips = np.zeros(system.shape, np.int64)
-    solution = system.solve(control)
-    verdict = system.verdict(solution, control)
+    solution = system.solve()
+    verdict = system.verdict(solution)
     for _ in range(PASSES):
         decided = (verdict != RacewayControl.INDETERMINATE) & (flips < FLIPS)
         wanted = np.where(decided, verdict, control)
@@ -86,10 +88,11 @@ def solve_by_jones(system: System[S]) -> tuple[S, FloatArray, NDArray[np.int64]]
         control = wanted
         if not len(changed):
             break
-        part = system.solve(control[changed], changed)
+        system = system.guided(control)
+        part = system.solve(changed)
         part.iterations[:] += solution.iterations[changed]
         part.safe_path[:] |= solution.safe_path[changed]
         solution.put(changed, part)
-        verdict[changed] = system.verdict(part, control[changed], changed)
+        verdict[changed] = system.verdict(part, changed)
     confirmed = np.where(verdict == control, verdict, RacewayControl.INDETERMINATE)
     return solution, control, confirmed.astype(np.int64)

@@ -1,0 +1,297 @@
+"""Rows on one rigid inner ring, or on rings clamped on one shaft: a network of one node.
+
+Springs that push the outer rings of the rows which face -x make a second node of those, free to
+slide along x. Rows of one kind may be balanced in one go by kernels of their own
+(`rolamento.rows.row.Joint`); what these do not find goes by the network, as all others do.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Final, TypeVar
+
+import numpy as np
+
+from rolamento.numerics import BoolArray, FloatArray
+from rolamento.records import frozen
+from rolamento.rows.row import Guided, Indices, IntArray, Joint, OnRing, SelfBalancing
+from rolamento.status import INVALID_INPUT, NO_EQUILIBRIUM, NOT_CONVERGED
+from rolamento.system.cases import Cases
+from rolamento.system.network import (
+    FIVE,
+    Asked,
+    Component,
+    Rest,
+    RowBetween,
+    gravest,
+    solve,
+)
+
+SLIDE: Final = FIVE
+"""The unknown of the spring-loaded outer rings: x of the second node."""
+JOINT: Final = SLIDE + 1
+"""Unknowns of rows that are balanced in one go."""
+Unknowns = TypeVar("Unknowns", FloatArray, BoolArray)
+
+
+@frozen(eq=False)
+class RowsOnRing:
+    """Cases of several rows, as `guidance` asks for a system; press: how far each is pressed in."""
+
+    cases: Cases
+    press: tuple[FloatArray, ...]
+
+    @classmethod
+    def of(cls, cases: Cases) -> RowsOnRing:
+        """Clamp the rings."""
+        return cls(cases, pressed_in(cases))
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Cases and elements."""
+        return len(self.cases), sum(placed.row.element_count for placed in self.cases.rows)
+
+    def guided(self, control: FloatArray) -> RowsOnRing:
+        """The same rows, their elements guided so; (cases or 1, elements)."""
+        return RowsOnRing(self.cases.guided(control), self.press)
+
+    @property
+    def _sprung(self) -> bool:
+        return self.cases.preload == "spring"
+
+    def _components(self) -> list[Component]:
+        return [
+            RowBetween(
+                row=placed.row,
+                inner=0,
+                outer=1 if self._sprung and placed.sign < 0.0 else None,
+                way=placed.sign,
+                lever=placed.lever,
+                press=press,
+            )
+            for placed, press in zip(self.cases.rows, self.press, strict=True)
+        ]
+
+    def solve(self, which: Indices | None = None) -> Rest:
+        """Solve all cases, or some."""
+        chosen = np.arange(len(self.cases)) if which is None else which
+        hopeless = self.cases.unconstrained[chosen] & self._sound(chosen)
+        rest = self._solve(chosen)
+        rest.number[hopeless], rest.unsupported[hopeless] = NO_EQUILIBRIUM, 0
+        rest.unsupported[rest.unsupported >= FIVE] = 0  # a slide that nothing holds: along x
+        return rest
+
+    def _solve(self, chosen: Indices) -> Rest:
+        asked = self._asked(chosen)
+        rest = self._proposed(asked)
+        near = self.cases.start is not None
+        if rest is None:
+            rest = self._by_network(asked)
+            if not near:
+                return rest
+        left = rest.number == NOT_CONVERGED
+        if near:  # what is not found from a neighbour's place may be from one's own
+            left |= asked.sound & (rest.number == NO_EQUILIBRIUM)
+        if left.any():
+            again = self._asked(chosen[left], near=False)
+            rest.put(np.flatnonzero(left), self._by_network(again))
+        return rest
+
+    def verdict(self, rest: Rest, which: Indices | None = None) -> IntArray:
+        """What guides every element of all cases, or some, by its row's own criterion.
+
+        (cases, elements); of a row without one, what it is guided by.
+        """
+        chosen = np.arange(len(self.cases)) if which is None else which
+        parts = []
+        for placed, held in zip(self.cases.rows, rest.rows, strict=True):
+            row = placed.row
+            rolling = np.ones((len(chosen), row.element_count), np.int64)
+            parts.append(row.verdict(held, chosen) if isinstance(row, Guided) else rolling)
+        return np.concatenate(parts, axis=1)
+
+    def _sound(self, chosen: Indices) -> BoolArray:
+        """Which of some cases have numbers that can be solved."""
+        cases = self.cases
+        given = np.where(cases.free, cases.load, cases.displacement)[chosen].sum(axis=1)
+        if self._sprung:
+            given = given + cases.preload_value[chosen]
+        sound = cases.valid[chosen] & np.isfinite(given)
+        sound &= np.isfinite(np.sum([press[chosen] for press in self.press], axis=0))
+        sound &= np.all([placed.row.valid[chosen] for placed in cases.rows], axis=0)
+        return np.asarray(sound)
+
+    def _asked(self, chosen: Indices, near: bool = True) -> Asked:
+        """Take some cases; near: begin at `Cases.start` where there is one."""
+        cases, rows = self.cases, [placed.row for placed in self.cases.rows]
+        unknowns = FIVE * (2 if self._sprung else 1)
+        n = len(chosen)
+        arms = np.ones((n, unknowns))
+        arms[:, 3:5] = rows[0].sizes.arm[chosen, np.newaxis]
+        free = np.zeros((n, unknowns), np.bool_)
+        target, held = np.zeros(free.shape), np.zeros(free.shape)
+        free[:, :FIVE] = cases.free[chosen]
+        target[:, :FIVE] = cases.load[chosen]
+        held[:, :FIVE] = cases.displacement[chosen]
+        if self._sprung:
+            free[:, SLIDE], target[:, SLIDE] = True, cases.preload_value[chosen]
+        target, held = target / arms, held * arms
+        touching = np.max([np.abs(press[chosen]) for press in self.press], axis=0) > 0.0
+        start = held + self._pushed(chosen, free & ~touching[:, np.newaxis], target)
+        if near and cases.start is not None:
+            place = cases.start[chosen] * arms[:, :FIVE]
+            known = free[:, :FIVE] & np.isfinite(place).all(axis=1, keepdims=True)
+            start[:, :FIVE] = np.where(known, place, start[:, :FIVE])
+        sizes = rows[0].sizes
+        sound = self._sound(chosen) & np.isfinite(start).all(axis=1)
+        return Asked(
+            chosen=chosen,
+            arms=arms,
+            free=free,
+            target=target,
+            start=start,
+            sound=sound & np.isfinite(target).all(axis=1) & ~cases.unconstrained[chosen],
+            longest=0.3 * sizes.reach[chosen],
+            limit=sizes.diameter[chosen],
+            reference=1.5e-6 * sizes.stiffness[chosen],
+        )
+
+    def _by_network(self, asked: Asked) -> Rest:
+        start = asked.start.copy()
+        before = self._propose(asked, start)
+        return solve(self._components(), replace(asked, start=start), before)
+
+    def _proposed(self, asked: Asked) -> Rest | None:
+        """Solutions by kernels that balance such rows together; None where there are none.
+
+        Judged row by row as when held there; what they do not find is left as not converged.
+        """
+        cases, chosen = self.cases, asked.chosen
+        rows = [placed.row for placed in cases.rows]
+        if not isinstance(rows[0], Joint):
+            return None
+        found = rows[0].together(
+            rows,
+            OnRing(
+                which=chosen,
+                ways=[placed.sign for placed in cases.rows],
+                levers=[placed.lever[chosen] for placed in cases.rows],
+                arms=[row.sizes.arm[chosen] for row in rows],
+                press=[press[chosen] for press in self.press],
+                sprung=self._sprung,
+                free=_of_joint(asked.free),
+                target=_of_joint(asked.target),
+                start=_of_joint(asked.start),
+                sound=asked.sound,
+            ),
+        )
+        if found is None:
+            return None
+        arms, known = asked.arms, min(asked.arms.shape[1], JOINT)
+        n, unknowns = arms.shape
+        rest = Rest.nowhere(n, unknowns, ())
+        rest.rows = list(found.rows)
+        rest.place[:], rest.force[:], rest.stiffness[:] = 0.0, 0.0, 0.0
+        rest.place[:, :known] = found.place[:, :known]
+        rest.force[:, :known] = found.force[:, :known]
+        rest.stiffness[:, :known, :known] = found.stiffness[:, :known, :known]
+        rest.place /= arms
+        rest.force *= arms
+        rest.stiffness *= arms[:, :, np.newaxis] * arms[:, np.newaxis, :]
+        rest.residual[:], rest.iterations[:] = found.residual, found.steps
+        rest.number[:], rest.unsupported[:] = gravest(rest.rows, n)
+        rest.number[~found.sound] = NOT_CONVERGED
+        rest.number[~asked.sound] = INVALID_INPUT
+        return rest
+
+    def _propose(self, asked: Asked, start: FloatArray) -> IntArray:
+        """Begin where a row that is the whole bearing says that the ring rests; in how many steps.
+
+        Only rows whose kernels know the ring have one; it is judged as any other start.
+        """
+        cases, chosen, arms = self.cases, asked.chosen, asked.arms
+        placed, steps = cases.rows[0], np.zeros(len(chosen), np.int64)
+        if len(cases.rows) > 1 or placed.sign < 0.0 or not isinstance(placed.row, SelfBalancing):
+            return steps
+        known = cases.valid[chosen] & placed.row.valid[chosen] & (self.press[0][chosen] == 0.0)
+        known &= placed.lever[chosen] == 0.0
+        if not known.any():
+            return steps
+        which = chosen[known]
+        place, settled, taken = placed.row.equilibrium(
+            cases.free[which], cases.load[which], start[known, :FIVE] / arms[known, :FIVE], which
+        )
+        rows = np.flatnonzero(known)[settled]
+        start[rows, :FIVE] = place[settled] * arms[rows, :FIVE]
+        steps[known] = taken
+        return steps
+
+    def _pushed(self, chosen: Indices, loose: BoolArray, target: FloatArray) -> FloatArray:
+        """Where what is loose begins: pushed in by the load, for rows that touch are stiff."""
+        sizes = [placed.row.sizes for placed in self.cases.rows]
+        counts = [placed.row.element_count for placed in self.cases.rows]
+        stiffness = np.sum(
+            [size.stiffness[chosen] * count for size, count in zip(sizes, counts, strict=True)],
+            axis=0,
+        )
+        begin = np.zeros(target.shape)
+        radial = np.hypot(target[:, 1], target[:, 2])
+        away = (4.5 * radial / stiffness) ** (2.0 / 3.0)
+        for i in (1, 2):
+            unit = np.divide(target[:, i], radial, where=radial > 0.0, out=np.zeros(len(chosen)))
+            begin[:, i] = np.where(loose[:, i], away * unit, 0.0)
+        axial = target[:, 0]
+        yielding = stiffness * np.maximum(sizes[0].sine[chosen], 0.2) ** 2.5
+        into = np.sign(axial) * (np.abs(axial) / yielding) ** (2.0 / 3.0)
+        if self._sprung:
+            begin[:, SLIDE] = 2.0 * (target[:, SLIDE] / yielding) ** (2.0 / 3.0)
+            into += np.where(axial == 0.0, 0.5 * begin[:, SLIDE], 0.0)
+        begin[:, 0] = np.where(loose[:, 0], into, 0.0)
+        return begin
+
+
+def _of_joint(values: Unknowns) -> Unknowns:
+    """The unknowns of rows that are balanced in one go; zero where there is no slide."""
+    more = JOINT - values.shape[1]
+    return np.pad(values, ((0, 0), (0, more))) if more > 0 else values[:, :JOINT]
+
+
+def pressed_in(cases: Cases) -> tuple[FloatArray, ...]:
+    """How far the clamped rings press each row in axially, e of `network`; (cases,) each, m.
+
+    Rows count from first contact on their own side. A clamped force is shared equally by the
+    rows that face the same way, and acts at rest; the force of a pair is that of two such rows.
+    Rows that float carry none of it.
+    """
+    held = [placed for placed in cases.rows if not placed.row.floats]
+    shares = {sign: sum(placed.sign == sign for placed in held) for sign in (1.0, -1.0)}
+    press = []
+    for placed in cases.rows:
+        if placed.press is not None:
+            press.append(placed.press)
+            continue
+        if placed.row.floats:
+            press.append(np.zeros(len(cases)))
+            continue
+        touch = placed.row.first_contact()
+        if cases.preload == "offset":
+            press.append(touch + cases.preload_value)
+        elif cases.preload in ("force", "pair"):
+            force = cases.preload_value / (shares[placed.sign] if cases.preload == "force" else 1)
+            press.append(np.where(force > 0.0, placed.row.press_in(force), touch))
+        else:
+            press.append(touch if cases.preload == "spring" else np.zeros(len(cases)))
+    return tuple(press)
+
+
+def condensed(stiffness: FloatArray) -> FloatArray:
+    """The ring's stiffness (cases, 5, 5), with the springs' slide following."""
+    ring = stiffness[:, :FIVE, :FIVE].copy()
+    if stiffness.shape[1] > FIVE:
+        slide = stiffness[:, SLIDE, SLIDE]
+        follow = np.divide(
+            stiffness[:, SLIDE, :FIVE], slide[:, np.newaxis], where=slide[:, np.newaxis] > 0.0,
+            out=np.zeros((len(slide), FIVE)),
+        )  # fmt: skip
+        ring -= stiffness[:, :FIVE, SLIDE, np.newaxis] * follow[:, np.newaxis, :]
+    return ring
