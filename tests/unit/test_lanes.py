@@ -26,6 +26,7 @@ from rolamento.rows.ball.run import Solution, solve_columns
 from rolamento.rows.ball.settle import settle
 from rolamento.rows.ball.single import (
     OFF_GROOVE,
+    OneCase,
     direction,
     groove,
     linearised,
@@ -272,9 +273,8 @@ def test_judged_in_lanes_as_one_by_one(setting: str, case_218: Case) -> None:
             if a2 <= x[j, 1] and abs(a1 - x[j, 0]) > p[layout.INNER_LENGTH, case]:
                 on_groove[j] *= OFF_GROOVE
                 off += 1
-        code, residual, _ = judge.compiled(
-            p, case, True, on_groove, cosines, sines, u, solution.cage[case], x, ring, errors
-        )
+        one = OneCase(p, int(case), True, on_groove, cosines, sines, u, x, ring, errors)
+        code, residual, _ = judge.compiled(one, solution.cage[case])
         assert code == CONVERGED
         assert residual == together.residual[case] <= TOLERANCE
         np.testing.assert_array_equal(arms * ring.reaction, together.reaction[case])
