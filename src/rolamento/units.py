@@ -77,6 +77,12 @@ Dimension = Literal[
     "time",
     "velocity",
     "power",
+    "stiffness",
+    "angular_stiffness",
+    "mass",
+    "inertia",
+    "unbalance",
+    "acceleration",
 ]
 
 _NAMES: Final[dict[Dimension, str]] = {
@@ -96,6 +102,12 @@ _NAMES: Final[dict[Dimension, str]] = {
     "time": marked("time"),
     "velocity": marked("velocity"),
     "power": marked("power"),
+    "stiffness": marked("stiffness"),
+    "angular_stiffness": marked("angular stiffness"),
+    "mass": marked("mass"),
+    "inertia": marked("moment of inertia"),
+    "unbalance": marked("unbalance"),
+    "acceleration": marked("acceleration"),
 }
 
 SI_UNIT: Final[dict[Dimension, str]] = {
@@ -115,6 +127,12 @@ SI_UNIT: Final[dict[Dimension, str]] = {
     "time": "s",
     "velocity": "m/s",
     "power": "W",
+    "stiffness": "N/m",
+    "angular_stiffness": "N m/rad",
+    "mass": "kg",
+    "inertia": "kg m^2",
+    "unbalance": "kg m",
+    "acceleration": "m/s^2",
 }
 
 
@@ -188,6 +206,30 @@ _COMMON: Final[dict[Dimension, dict[str, _Unit]]] = {
         "hp": _Unit(Fraction("745.69987158227022")),
         "cv": _Unit(Fraction("735.49875")),
     },
+    "stiffness": {
+        "N/mm": _Unit(Fraction(10**3)),
+        "N/um": _Unit(Fraction(10**6)),
+        "N/µm": _Unit(Fraction(10**6)),
+        "kN/mm": _Unit(Fraction(10**6)),
+        "N/m": _Unit(Fraction(1)),
+    },
+    "angular_stiffness": {
+        "N m/rad": _Unit(Fraction(1)),
+        "kN m/rad": _Unit(Fraction(10**3)),
+        "N mm/rad": _Unit(Fraction(1, 10**3)),
+    },
+    "mass": {"kg": _Unit(Fraction(1)), "g": _Unit(Fraction(1, 10**3))},
+    "inertia": {
+        "kg m^2": _Unit(Fraction(1)),
+        "kg mm^2": _Unit(Fraction(1, 10**6)),
+        "kg cm^2": _Unit(Fraction(1, 10**4)),
+    },
+    "unbalance": {
+        "g mm": _Unit(Fraction(1, 10**6)),
+        "kg mm": _Unit(Fraction(1, 10**3)),
+        "kg m": _Unit(Fraction(1)),
+    },
+    "acceleration": {"m/s^2": _Unit(Fraction(1)), "mm/s^2": _Unit(Fraction(1, 10**3))},
 }
 
 _LONGEST_TEXT: Final = 100
