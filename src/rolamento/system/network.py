@@ -19,8 +19,8 @@ T = S B. Rigid-body kinematics; Harris, Rolling Bearing Analysis, 3rd ed. (1991)
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Final, Protocol
 
 import numpy as np
@@ -42,6 +42,8 @@ from rolamento.status import (
 
 FIVE: Final = 5
 """Degrees of freedom of a node."""
+ALONG: Final = np.array([1.0, 0.0, 0.0, 0.0, 0.0])
+"""Of a node's degrees of freedom, x."""
 PRECISION: Final = 1e-10
 """Unbalanced force over the forces that make it up."""
 ROUNDING: Final = 1e-15
@@ -100,6 +102,10 @@ class Linear:
         stiffness = np.broadcast_to(k, (len(place), *k.shape[1:]))
         return Reaction(force, stiffness, size * (ROUNDING / PRECISION))
 
+    def moved(self, places: Mapping[int, int]) -> Linear:
+        """The same among other nodes."""
+        return replace(self, nodes=tuple(places[node] for node in self.nodes))
+
     def no_response(self, cases: int) -> Response | None:
         """There is nothing to keep."""
         return None
@@ -109,7 +115,8 @@ class Linear:
 class RowBetween:
     """A row between an inner and an outer node, or the ground where that is None.
 
-    way: σ. lever: a, (cases,), m. press: e, (cases,), m.
+    way: σ. lever: a, (cases,), m. press: e, (cases,), m. slide: the node whose x is how far its
+    outer ring has slid in its seat, pushed by springs; None where it does not.
     """
 
     row: Row
@@ -118,27 +125,39 @@ class RowBetween:
     way: float
     lever: FloatArray
     press: FloatArray
+    slide: int | None = None
 
     @property
     def nodes(self) -> tuple[int, ...]:
-        """The inner ring's, and the outer's."""
-        return (self.inner,) if self.outer is None else (self.inner, self.outer)
+        """The inner ring's, the outer's, and that of its sliding."""
+        return tuple(n for n in (self.inner, self.outer, self.slide) if n is not None)
 
     def respond(self, place: FloatArray, which: Indices, memory: FloatArray | None) -> Reaction:
         """Hold the row where its rings are."""
-        t = seen_by_row(self.way, self.lever[which])
-        apart = place[:, :FIVE] if self.outer is None else place[:, :FIVE] - place[:, FIVE:]
-        own = (t @ apart[..., np.newaxis])[..., 0]
+        inner = seen_by_row(self.way, self.lever[which])
+        parts = [inner]
+        if self.outer is not None:
+            parts.append(-inner)
+        if self.slide is not None:
+            parts.append(-inner * ALONG)
+        t = inner if len(parts) == 1 else np.concatenate(parts, axis=2)
+        own = (t @ place[..., np.newaxis])[..., 0]
         own[:, 0] += self.press[which]
         held = self.row.respond(own, which, memory)
         back = np.swapaxes(t, 1, 2)
         force = (back @ held.force[..., np.newaxis])[..., 0]
-        stiffness = back @ (held.stiffness @ t)
-        if self.outer is not None:
-            force = np.concatenate([force, -force], axis=1)
-            stiffness = np.concatenate([stiffness, -stiffness], axis=1)
-            stiffness = np.concatenate([stiffness, -stiffness], axis=2)
-        return Reaction(force, stiffness, held.scale, held)
+        return Reaction(force, back @ (held.stiffness @ t), held.scale, held)
+
+    def on_nodes(self, force: FloatArray) -> FloatArray:
+        """A force on the row in its own frame as the inner node puts it; (cases, 5)."""
+        t = seen_by_row(self.way, self.lever)
+        return np.asarray((np.swapaxes(t, 1, 2) @ force[..., np.newaxis])[..., 0])
+
+    def moved(self, places: Mapping[int, int]) -> RowBetween:
+        """The same among other nodes."""
+        outer = None if self.outer is None else places[self.outer]
+        slide = None if self.slide is None else places[self.slide]
+        return replace(self, inner=places[self.inner], outer=outer, slide=slide)
 
     def no_response(self, cases: int) -> Response | None:
         """Make room for what the row answers."""

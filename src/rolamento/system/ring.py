@@ -64,10 +64,11 @@ class RowsOnRing:
             RowBetween(
                 row=placed.row,
                 inner=0,
-                outer=1 if self._sprung and placed.sign < 0.0 else None,
+                outer=None,
                 way=placed.sign,
                 lever=placed.lever,
                 press=press,
+                slide=1 if self._sprung and placed.sign < 0.0 else None,
             )
             for placed, press in zip(self.cases.rows, self.press, strict=True)
         ]
