@@ -264,7 +264,7 @@ class TestGears:
             ("spur", {"torque": -1.0}, "torque", "must be"),
             ("spur", {"torque": math.nan}, "torque", "finite"),
             ("bevel", {"pitch_diameter": None, "teeth": 10, "module": 0.001, "face_width": 0.1},
-             "face_width", "mean diameter"),
+             "face_width", "pitch cone"),
         ],
     )  # fmt: skip
     def test_refusals(self, kind: str, fields: dict[str, Any], field: str, rule: str) -> None:
@@ -332,7 +332,7 @@ class TestBelts:
             ({"torque": 5.0}, "torque", "cannot be combined"),
             ({"slack": 1600.0}, "slack", "at most 1.5 kN"),
             ({"tight": None, "slack": None, "tension": 100.0, "torque": 100.0}, "tension",
-             "pushed"),
+             "no tension left"),
         ],
     )  # fmt: skip
     def test_refusals(self, fields: dict[str, Any], field: str, rule: str) -> None:

@@ -16,6 +16,21 @@ from rolamento.case.duty import Displacement, Duty, Load
 from rolamento.case.film_model import FilmModel
 from rolamento.case.life_model import LifeModel
 from rolamento.case.lubricant import Lubricant
+from rolamento.case.machine import (
+    Housing,
+    Machine,
+    MachineBearing,
+    Section,
+    Shaft,
+    Spring,
+    Step,
+    load_machine,
+    machine_to_json,
+    machine_to_toml,
+    parse_machine,
+    save_machine,
+)
+from rolamento.case.machine_loads import Belt, Gear, Gravity, Mass, ShaftLoad
 from rolamento.case.material import Material
 from rolamento.case.model import Model
 from rolamento.case.mounting import Mounting, SeatMaterial
@@ -26,19 +41,31 @@ from rolamento.case.temperature import Temperature
 
 __all__ = [
     "Bearing",
+    "Belt",
     "Case",
     "Displacement",
     "Duty",
     "FilmModel",
+    "Gear",
+    "Gravity",
+    "Housing",
     "LifeModel",
     "Load",
     "Lubricant",
+    "Machine",
+    "MachineBearing",
+    "Mass",
     "Material",
     "Model",
     "Mounting",
     "ReportHead",
     "RollerBearing",
     "SeatMaterial",
+    "Section",
+    "Shaft",
+    "ShaftLoad",
+    "Spring",
+    "Step",
     "Surface",
     "Temperature",
     "case_of",
@@ -46,7 +73,12 @@ __all__ = [
     "case_to_toml",
     "is_designation",
     "load_case",
+    "load_machine",
+    "machine_to_json",
+    "machine_to_toml",
     "override",
     "parse_case",
+    "parse_machine",
     "save_case",
+    "save_machine",
 ]

@@ -101,9 +101,9 @@ _ROUNDING: Final = 1e-9
 _SYMMETRY: Final = 1e-6
 _SHARES: Final = 1e-6
 _RATIO: Final = 0.01
-"""Of the pitch-line speeds of gears in mesh."""
+"""By how much the pitch-line speeds of gears in mesh may differ."""
 _SEAT: Final = 0.05
-"""Of a bore: how far the shaft may be from it before that is said."""
+"""By how much a shaft may differ from a bore before that is said."""
 _DEGREES_OF_FREEDOM: Final = 5
 _SEATS: Final = ("shaft", "housing", "inner_spacer", "outer_spacer")
 """Temperatures that act by way of the mounting alone."""
@@ -270,7 +270,7 @@ class Shaft(Record):
 
     @property
     def length(self) -> float:
-        """Of all sections; m."""
+        """Length of all sections; m."""
         return math.fsum(section.length for section in self.sections)
 
     @property
@@ -1263,7 +1263,7 @@ def _check_names(machine: Machine) -> None:
 
 
 def _check_speeds(machine: Machine) -> None:
-    """Refuse ratios to shafts that nobody knows, and those that go round in a circle."""
+    """Refuse ratios to shafts that nobody knows, and loops of them."""
     shafts = {shaft.name: shaft for shaft in machine.shafts}
     for index, shaft in enumerate(machine.shafts):
         one, seen = shaft, {shaft.name}
@@ -1273,7 +1273,7 @@ def _check_speeds(machine: Machine) -> None:
                 raise _unknown(one.of, shafts, f"shafts.{place}.of")
             if one.of in seen:
                 raise InputError(
-                    said("goes round in a circle: no shaft of it has a speed"),
+                    said("closes a loop of ratios: no shaft in it has a speed of its own"),
                     field=f"shafts.{index}.of",
                     value=shaft.of,
                     example='speed = "1480 rpm"',
@@ -1316,7 +1316,7 @@ def _check_bearing(machine: Machine, bearing: MachineBearing, field: str) -> Non
             continue
         if case.bearing.is_set:
             raise InputError(
-                said("is for single rows; a set has that of its bearing"),
+                said("is for single rows; a set takes its preload from its bearing table"),
                 field=f"{field}.{name}",
                 example='[bearings.bearing] with preload = "500 N"',
             )
@@ -1406,7 +1406,7 @@ def _check_mate(machine: Machine, gear: Gear, field: str) -> None:
             )
     if gear.helix_angle and gear.hand == mate.hand:
         raise InputError(
-            said("must not be that of its mate: outside gears in mesh have opposite hands"),
+            said("must not be that of its mate: external gears in mesh have opposite hands"),
             field=f"{field}.hand",
             value=gear.hand,
             example=f'hand = "{"left" if gear.hand == "right" else "right"}"',

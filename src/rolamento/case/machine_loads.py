@@ -40,7 +40,7 @@ Vector = tuple[float, float, float]
 STANDARD_GRAVITY: Final = 9.80665
 """m/s²; the conventional value of ISO 80000-3."""
 SLIP: Final = 1e-9
-"""Of a belt's pull: what rounding leaves of a slack strand."""
+"""What rounding may leave of a belt's pull."""
 
 
 def _named(text: str) -> str:
@@ -273,7 +273,7 @@ class Gear(Record):
             )
         if not self.diameter > 0.0:
             raise InputError(
-                said("must be less than what leaves a mean diameter above zero"),
+                said("is wider than the pitch cone is long"),
                 field="face_width",
                 value=_shown(self, "face_width"),
             )
@@ -499,7 +499,7 @@ class Belt(Record):
     Raises
     ------
     InputError
-        If a value is missing or out of range, or a strand would be pushed.
+        If a value is missing or out of range, or a strand would have no tension left.
     """
 
     name: Line = Field("", examples=["pulley"])
@@ -571,7 +571,7 @@ class Belt(Record):
         if half > self.tension * (1.0 + SLIP):
             raise InputError(
                 said(
-                    "must be at least {least}: with less the slack strand would be pushed",
+                    "must be at least {least}: with less the slack strand has no tension left",
                     least=readable(half, "force"),
                 ),
                 field="tension",
