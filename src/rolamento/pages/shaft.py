@@ -32,7 +32,8 @@ from rolamento.words.reasons import reason
 from rolamento.words.theories import theory_heads, theory_life
 
 if TYPE_CHECKING:
-    from rolamento.tasks.life import ShaftLife, SystemLife
+    from rolamento.life.system import SystemLife
+    from rolamento.tasks.life import ShaftLife
 
 __all__ = ["shaft_page", "together_statement"]
 

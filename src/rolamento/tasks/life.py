@@ -5,9 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any, Final
-
-import numpy as np
+from typing import Final
 
 from rolamento.analysis import analyse
 from rolamento.case import Case, case_of
@@ -16,20 +14,15 @@ from rolamento.friction import Friction
 from rolamento.io.json import dumps
 from rolamento.life import (
     Change,
-    Headline,
-    Life,
     LifeConditions,
     LifeSummary,
     conditions_of,
     life,
     sensitivity,
 )
-from rolamento.life.iso16281 import SLOPE
 from rolamento.life.l_able import NSK_CLEANLINESS, FactorTable, read_factor_table
 from rolamento.life.lamina import one_number_of_slices
-from rolamento.life.record import slope_of
-from rolamento.life.spectrum import shaft_life
-from rolamento.numerics import FloatArray
+from rolamento.life.system import SystemLife
 from rolamento.records import frozen
 from rolamento.solution import solve
 from rolamento.solved import Solved
@@ -85,80 +78,6 @@ class CaseLife:
             },
             indent=2,
         )
-
-
-@frozen(eq=False)
-class SystemLife:
-    """Life of several bearings that all have to survive, for the reliability of each; h.
-
-    Attributes
-    ----------
-    theories
-        of the bearings; empty without a result
-    bearing_hours
-        (bearings,); NaN without a result or rotation
-    hours
-        of all together
-    risk
-        (bearings,): share of each in what ends the life; that of an endless one is zero
-    valid
-        whether all of these lives are valid
-    below
-        whether the life of all together is a bound: that of some bearing is
-    """
-
-    theories: tuple[str, ...]
-    bearing_hours: FloatArray
-    hours: float
-    risk: FloatArray
-    valid: bool
-    below: bool
-
-    @classmethod
-    def of(cls, lives: Sequence[Life | Headline | None]) -> SystemLife:
-        """Put together the lives of bearings, each of one case."""
-        hours = np.array([np.nan if own is None else own.hours[0] for own in lives])
-        valid = all(own is not None and bool(own.valid[0]) for own in lives)
-        leads = all(own is not None and bool(own.valid[0] | own.below[0]) for own in lives)
-        return cls.combined(
-            ["" if own is None else str(np.ravel(own.theory)[0]) for own in lives],
-            hours,
-            np.array([SLOPE if own is None else slope_of(own.element) for own in lives]),
-            valid=valid,
-            below=leads and any(own is not None and bool(own.below[0]) for own in lives),
-        )
-
-    @classmethod
-    def combined(
-        cls,
-        theories: Sequence[str],
-        hours: FloatArray,
-        slopes: FloatArray,
-        *,
-        valid: bool,
-        below: bool,
-    ) -> SystemLife:
-        """Put together lives of bearings in hours, each with the slope of its Weibull law."""
-        with np.errstate(divide="ignore", invalid="ignore"):
-            together = float(shaft_life(hours, slope=slopes))
-            risk = ((together if np.isfinite(together) else np.min(hours)) / hours) ** slopes
-        return cls(
-            theories=tuple(theories),
-            bearing_hours=hours,
-            hours=together,
-            risk=np.asarray(risk / risk.sum()),
-            valid=valid,
-            below=below,
-        )
-
-    def to_mapping(self) -> dict[str, Any]:
-        """Give hours and shares as plain values; an endless life as None beside "unlimited"."""
-        return {
-            "hours": self.hours,
-            "unlimited": bool(np.isposinf(self.hours)),
-            "valid": self.valid,
-            "risk": self.risk,
-        }
 
 
 @frozen(eq=False)

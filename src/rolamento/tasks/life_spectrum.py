@@ -23,13 +23,12 @@ from rolamento.errors import FileError, InputError
 from rolamento.io.columns import folded_name, title_parts
 from rolamento.io.json import dumps
 from rolamento.io.tables import Table, read_table
-from rolamento.life import Headline, Life
-from rolamento.life.iso281 import hours
-from rolamento.life.iso16281 import THEORY as REFERENCE
+from rolamento.life import Life
+from rolamento.life.duty import DutyLife, lives_of_duty
 from rolamento.life.l_able import FactorTable
 from rolamento.life.record import slope_of
 from rolamento.life.reliability import reliability_factor, reliability_of
-from rolamento.life.spectrum import miner_life, races_under_spectrum, revolution_shares
+from rolamento.life.spectrum import revolution_shares
 from rolamento.life.theories import THEORIES
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
@@ -108,45 +107,6 @@ class DutySteps:
     def __len__(self) -> int:
         """Count the steps."""
         return len(self.shares)
-
-
-@frozen(eq=False)
-class DutyLife:
-    """A life under all steps together.
-
-    Attributes
-    ----------
-    theory
-        that it is by; of the life that leads that of the step that takes most
-    life, hours
-        millions of revolutions and hours; NaN if a step that takes part has no life
-    steps
-        if a step were all of the duty: life, hours, whether it is valid; arrays (steps,)
-    damage
-        (steps,): share of each step in what ends the life
-    valid
-        whether it is valid in every step that takes part and carries load
-    below
-        whether the life is a bound: that of some step is
-    """
-
-    theory: str
-    life: float
-    hours: float
-    steps: Life | Headline
-    damage: FloatArray
-    valid: bool
-    below: bool
-
-    def to_mapping(self) -> dict[str, Any]:
-        """Give the life as plain values; an endless one as None beside "unlimited"."""
-        return {
-            "life": self.life,
-            "hours": self.hours,
-            "unlimited": bool(np.isposinf(self.life)),
-            "valid": self.valid,
-            "upper_bound": self.below,
-        }
 
 
 @frozen(eq=False)
@@ -335,10 +295,9 @@ def life_of_duty_spectrum(
     speed = _speeds(base, duty)
     time, turns = _both_shares(duty, speed)
     mean_speed = float(time @ speed)
-    idle = rows.theories[REFERENCE.name].notes["unloaded"]
-    races = np.where(idle[:, np.newaxis], np.inf, rows.races)
-    with np.errstate(invalid="ignore"):
-        leading = np.where(np.isinf(races), races, races * rows.headline.factor[:, np.newaxis])
+    headline, theories = lives_of_duty(
+        rows.theories, rows.headline, rows.races, rows.slopes, turns, mean_speed
+    )
     wishes = base.life or LifeModel()
     return SpectrumLife(
         case=base,
@@ -347,11 +306,8 @@ def life_of_duty_spectrum(
         time_shares=time,
         revolution_shares=turns,
         mean_speed=mean_speed,
-        theories={
-            name: _summed(record, _race_lives(record, races), rows.slopes, idle, turns, mean_speed)
-            for name, record in rows.theories.items()
-        },
-        headline=_summed(rows.headline, leading, rows.slopes, idle, turns, mean_speed),
+        theories=theories,
+        headline=headline,
         reliability=wishes.reliability,
         required_life=wishes.required_life,
         stress_volume=len(duty) <= MOST_WITH_STRESS_VOLUME,
@@ -463,55 +419,6 @@ def _both_shares(steps: DutySteps, speed: FloatArray) -> tuple[FloatArray, Float
         )
     time = np.divide(steps.shares, speed, out=np.zeros(len(steps)), where=steps.shares > 0.0)
     return time / time.sum(), steps.shares
-
-
-def _race_lives(record: Life, races: FloatArray) -> FloatArray | None:
-    """Lives of the races by a theory that knows them apart, (steps, races)."""
-    if not THEORIES[record.theory].by_race:
-        return None
-    factor = record.factors["a_1"] * record.factors.get("a_iso", 1.0)
-    return np.asarray(races * np.asarray(factor)[:, np.newaxis])
-
-
-def _summed(
-    steps: Life | Headline,
-    races: FloatArray | None,
-    slopes: FloatArray,
-    idle: BoolArray,
-    turns: FloatArray,
-    mean_speed: float,
-) -> DutyLife:
-    """Sum the damage of steps, race by race where the lives of the races are known."""
-    part = (turns > 0.0) & ~idle
-    # a step in which no ball carries load is endless: no damage there
-    lives = np.where(idle, np.inf, steps.life)
-    own = lives[:, np.newaxis] if races is None else races
-    if races is None:
-        life = float(miner_life(lives, turns))
-    else:
-        half = races.shape[1] // 2
-        life = float(races_under_spectrum(races[:, :half], races[:, half:], turns, slope=slopes))
-    with np.errstate(divide="ignore", invalid="ignore"):
-        used = np.where(turns[:, np.newaxis] > 0.0, turns[:, np.newaxis] / own, 0.0)
-        total = used.sum(axis=0)
-        # of one slope the unit cancels; where slopes differ the risk is that at the end of the life
-        risk = (total * life if np.isfinite(life) else total) ** (1.0 if races is None else slopes)
-        risk = risk / risk.sum()
-        damage = np.asarray(np.where(total > 0.0, used / total, 0.0) @ risk)
-    theory, valid, below = steps.theory, steps.valid[part], steps.below[part]
-    if isinstance(steps, Headline):
-        theory = str(steps.theory[int(np.argmax(np.nan_to_num(damage)))])
-        below = below & np.all(steps.leads[part])
-        valid = steps.leads[part] & ~np.any(below)
-    return DutyLife(
-        theory=str(theory),
-        life=life,
-        hours=float(hours(life, mean_speed)),
-        steps=steps,
-        damage=damage,
-        valid=bool(part.any()) and bool(np.all(valid)),
-        below=bool(np.any(below)),
-    )
 
 
 # --- the table of steps -------------------------------------------------------------------------
