@@ -7,6 +7,8 @@ import json
 import math
 import os
 import pickle
+import random
+import tomllib
 from pathlib import Path
 from typing import Any
 
@@ -515,6 +517,7 @@ class TestHousings:
             ('stiffness = [true, 1, 1]\nunits = "N/m"', "stiffness", "must be a number"),
             ('stiffness = [-1.0, 1, 1]\nunits = "N/m"', "stiffness", "at least 0"),
             ('stiffness = [nan, 1, 1]\nunits = "N/m"', "stiffness", "finite"),
+            ("stiffness = [1, 1, 1]\nunits = []", "units", "must be one of N/m, N/mm"),
             ('stiffness = [1, 1, 1]\nunits = "lbf/in"', "units", "must be one of N/m, N/mm"),
             ("units = \"N/m\"", "stiffness", "is missing"),
             ('bearings = ["A"]', "matrix", "is missing"),
@@ -771,6 +774,50 @@ class TestForces:
                 spectrum=[Step(share=0.5), Step(share=0.5, load_factor=2.0)],
             )  # fmt: skip
         assert error.value.field == "belts.0.tension"
+
+
+JUNK = (
+    None, 0, -1, 1e308, math.nan, math.inf, 10**400, True, "", "x", "-1 mm", "1e400 mm", "5 mm",
+    "1 N", "30 deg", [], [1], {}, {"a": 1}, [[1, 2], [3]], "\0", "../x", "NU308", ["A", "A"], [{}],
+    [None], "1 N/m", {"designation": "6308"}, [{"length": "1 mm", "diameter": "1 mm"}],
+)  # fmt: skip
+KINDS = (Machine, Shaft, Section, MachineBearing, Housing, Spring, ShaftLoad, Gear, Step)
+KEYS = sorted({name for kind in KINDS for name in kind.model_fields} | {"case"})
+
+
+def places(value: Any, path: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
+    inner = value.items() if isinstance(value, dict) else ()
+    inner = enumerate(value) if isinstance(value, list) else inner
+    return [path, *(place for key, one in inner for place in places(one, (*path, key)))]
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_whatever_a_file_holds_it_is_read_or_refused(machines: Path, seed: int) -> None:
+    chance = random.Random(seed)
+    bases = [tomllib.loads((machines / f"{name}.toml").read_text("utf-8")) for name in NAMES]
+    read = 0
+    for _ in range(200):
+        mapping = copy.deepcopy(chance.choice(bases))
+        for _ in range(chance.randint(1, 2)):
+            *path, last = chance.choice(places(mapping)[1:])
+            holder: Any = mapping
+            for part in path:
+                holder = holder[part]
+            junk = copy.deepcopy(chance.choice(JUNK))
+            if chance.random() < 0.7 or isinstance(holder, list):
+                holder[last] = junk
+            elif chance.random() < 0.5:
+                del holder[last]
+            else:
+                holder[chance.choice(KEYS)] = junk
+        try:
+            found = Machine.from_mapping(mapping)
+        except InputError as error:
+            assert str(error)
+            continue
+        read += 1
+        assert Machine.from_toml(found.to_toml()) == found == parse_machine(found.to_json())
+    assert read
 
 
 def test_numbers_come_back_bit_for_bit() -> None:

@@ -1,5 +1,10 @@
 """What the user gives: bearing, duty, model, lubricant and the rest, frozen and validated."""
 
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any, Final
+
 from rolamento.case.bearing import Bearing
 from rolamento.case.case import (
     Case,
@@ -16,21 +21,6 @@ from rolamento.case.duty import Displacement, Duty, Load
 from rolamento.case.film_model import FilmModel
 from rolamento.case.life_model import LifeModel
 from rolamento.case.lubricant import Lubricant
-from rolamento.case.machine import (
-    Housing,
-    Machine,
-    MachineBearing,
-    Section,
-    Shaft,
-    Spring,
-    Step,
-    load_machine,
-    machine_to_json,
-    machine_to_toml,
-    parse_machine,
-    save_machine,
-)
-from rolamento.case.machine_loads import Belt, Gear, Gravity, Mass, ShaftLoad
 from rolamento.case.material import Material
 from rolamento.case.model import Model
 from rolamento.case.mounting import Mounting, SeatMaterial
@@ -38,6 +28,23 @@ from rolamento.case.report import ReportHead
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.case.surface import Surface
 from rolamento.case.temperature import Temperature
+
+if TYPE_CHECKING:  # else imported when asked for: few users of a case need a machine
+    from rolamento.case.machine import (
+        Housing,
+        Machine,
+        MachineBearing,
+        Section,
+        Shaft,
+        Spring,
+        Step,
+        load_machine,
+        machine_to_json,
+        machine_to_toml,
+        parse_machine,
+        save_machine,
+    )
+    from rolamento.case.machine_loads import Belt, Gear, Gravity, Mass, ShaftLoad
 
 __all__ = [
     "Bearing",
@@ -82,3 +89,36 @@ __all__ = [
     "save_case",
     "save_machine",
 ]
+
+_LATER: Final = frozenset(
+    {
+        "Belt",
+        "Gear",
+        "Gravity",
+        "Housing",
+        "Machine",
+        "MachineBearing",
+        "Mass",
+        "Section",
+        "Shaft",
+        "ShaftLoad",
+        "Spring",
+        "Step",
+        "load_machine",
+        "machine_to_json",
+        "machine_to_toml",
+        "parse_machine",
+        "save_machine",
+    }
+)
+"""What `rolamento.case.machine` has."""
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _LATER:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(importlib.import_module(f"{__name__}.machine"), name)
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

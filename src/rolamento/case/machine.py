@@ -437,7 +437,7 @@ def _with_stiffness(given: Any, info: ValidationInfo) -> Any:
     if not isinstance(given, Mapping):
         return given
     units, in_file = given.get("units"), at_the_border(info.context)
-    if units is not None and units not in _SCALES:
+    if units is not None and not (isinstance(units, str) and units in _SCALES):
         return given  # which is refused
     result = dict(given)
     for name in ("stiffness", "matrix"):
@@ -600,6 +600,15 @@ class _CaseTable(dict[str, Any]):
         return hash(json.dumps(self, sort_keys=True, default=str))
 
 
+def _given_in(table: Any) -> Any:
+    """Return a table without what is null in JSON; anything else as it is."""
+    if not isinstance(table, Mapping):
+        return table
+    return _CaseTable(
+        {name: _given_in(value) for name, value in table.items() if value is not None}
+    )
+
+
 _Table = Annotated[Any, Field(examples=["[bearings.lubricant] as a table"])]
 
 
@@ -728,7 +737,7 @@ class MachineBearing(Record):
                 raise InputError(said("must be a table"), field=name, value=table)
             tables = _over(tables, name, table if in_file else _file_form(name, table))
         for name, table in tables.items():
-            result[name] = _CaseTable(table) if isinstance(table, Mapping) else table
+            result[name] = _given_in(table)
         return result
 
     @model_validator(mode="after")
