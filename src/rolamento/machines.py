@@ -22,7 +22,7 @@ from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.solved import Solved, Status
 from rolamento.solved.machine import SeatedBearing, SolvedMachine, SolvedShaft
-from rolamento.status import CONVERGED, NO_EQUILIBRIUM
+from rolamento.status import CONVERGED, NO_EQUILIBRIUM, STATUS_NAMES
 from rolamento.system import Balanced, Cases, result, spread
 from rolamento.system.guidance import solve_by_jones
 from rolamento.system.network import FIVE, gravest, seen_by_row
@@ -352,5 +352,5 @@ def _advice(
     for name, seated in bearings.items():
         own = int(seated.solved.status.number[case])
         if own not in (CONVERGED, number) or own == number != NO_EQUILIBRIUM:
-            return Note("bearing_of_machine", {"bearing": name, "status": own})
+            return Note("bearing_of_machine", {"bearing": name, "status": STATUS_NAMES[own]})
     return Note("machine_not_converged", {})

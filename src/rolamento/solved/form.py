@@ -728,3 +728,22 @@ def _number_of(value: object, field: str) -> float:
             said("must be within ±{most:.6g}", most=_LARGEST), field=field, value=value
         )
     return float(value)
+
+
+def array(item: Mapping[str, Any], field: str, shape: tuple[int, ...]) -> FloatArray:
+    """An array of numbers or null, of a shape."""
+
+    def read(value: object, left: tuple[int, ...]) -> Any:
+        if not left:
+            return _number_of(value, field)
+        if not isinstance(value, list) or len(value) != left[0]:
+            raise InputError(said("must be a list of {count} numbers", count=left[0]), field=field)
+        return [read(one, left[1:]) for one in value]
+
+    return np.array(read(_value(item, field), shape), dtype=np.float64).reshape(shape)
+
+
+# what other forms of results read by
+table, rows, text, truth, number, value, note = (
+    _table, _list, _text, _truth, _number, _value, _note,
+)  # fmt: skip

@@ -6,18 +6,41 @@ bearing's own result counts along its own x, which is the machine's -x where it 
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
+from rolamento.case.duty import AXES, LOADS
 from rolamento.case.machine import Machine, MachineBearing, Shaft
+from rolamento.errors import FileError, InputError
+from rolamento.io.json import dumps, plain
+from rolamento.io.text import parse_mapping
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
+from rolamento.solved import form
 from rolamento.solved.result import Solved
 from rolamento.solved.tables import Status
-from rolamento.words import Note
+from rolamento.status import STATUS_NUMBERS
+from rolamento.words import Note, said
+
+if TYPE_CHECKING:
+    import pandas as pd
+    import xarray as xr
 
 __all__ = ["SeatedBearing", "SolvedMachine", "SolvedShaft"]
+
+SCHEMA: Final = 1
+KIND: Final = "machine"
+_OF_SHAFT: Final[dict[str, Callable[[int, int], tuple[int, ...]]]] = {
+    "position": lambda cases, nodes: (nodes,),
+    "diameter": lambda cases, nodes: (nodes, 2),
+    "displacement": lambda cases, nodes: (cases, nodes, 5),
+    "force": lambda cases, nodes: (cases, nodes, 2, 5),
+    "torque": lambda cases, nodes: (cases, nodes, 2),
+    "stress": lambda cases, nodes: (cases, nodes, 2),
+}
+_OF_BEARING: Final = ("inner", "outer", "force")
 
 
 @frozen(eq=False)
@@ -136,8 +159,6 @@ class SolvedMachine:
         bearing, of the part that `advice` names
     shafts, bearings
         by name
-    stiffness
-        of the whole machine at its operating points is that of `rolamento.rotor`
     notes
         what qualifies the result
     advice
@@ -170,3 +191,217 @@ class SolvedMachine:
         """What each case is called."""
         steps = self.machine.spectrum
         return tuple(step.name or str(index + 1) for index, step in enumerate(steps)) or ("",)
+
+    # --- as plain data --------------------------------------------------------------------------
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give everything as plain mappings and lists in SI units, NaN as None."""
+        status = self.status
+        return {
+            "schema": SCHEMA,
+            "kind": KIND,
+            "title": self.title,
+            "steps": [
+                {
+                    "name": name,
+                    "share": float(share),
+                    "status": str(status.code[case]),
+                    "residual": plain(float(status.residual[case])),
+                    "iterations": int(status.iterations[case]),
+                    "safe_path": bool(status.safe_path[case]),
+                    "unsupported": int(status.unsupported[case]),
+                    "advice": None if advice is None else advice.to_mapping(),
+                    "notes": [note.to_mapping() for note in self.notes[case]],
+                }
+                for case, (name, share, advice) in enumerate(
+                    zip(self.steps, self.share, self.advice, strict=True)
+                )
+            ],
+            "shafts": [
+                {
+                    "name": one.name,
+                    **{name: plain(getattr(one, name).tolist()) for name in _OF_SHAFT},
+                    "euler_load": plain(one.euler_load),
+                }
+                for one in self.shafts.values()
+            ],
+            "bearings": [
+                {
+                    "name": one.name,
+                    **{name: plain(getattr(one, name).tolist()) for name in _OF_BEARING},
+                    "tilt": plain(one.tilt.tolist()),
+                    "state": one.solved.whole_mapping(),
+                }
+                for one in self.bearings.values()
+            ],
+            "machine": self.machine.to_mapping(),
+        }
+
+    def to_json(self, *, indent: int | None = 2) -> str:
+        """Give everything as one JSON object in SI units, which `from_json` reads identically."""
+        return dumps(self.to_mapping(), indent)
+
+    @classmethod
+    def from_mapping(cls, mapping: Mapping[str, Any]) -> SolvedMachine:
+        """Read what `to_json` wrote, parsed: every number as it was written.
+
+        Raises
+        ------
+        FileError
+            If this is no result of a machine, or one of another schema.
+        InputError
+            If a key is missing or not what it should be.
+        """
+        if mapping.get("kind") != KIND or mapping.get("schema") != SCHEMA:
+            raise FileError(
+                said("is not the JSON of a solved machine"),
+                example="rolamento shaft machine.toml --json machine.json",
+            )
+        machine = Machine.from_mapping(form.table(mapping, "machine"))
+        steps = form.rows(mapping, "steps")
+        count = len(machine.spectrum) or 1
+        if len(steps) != count:
+            raise InputError(said("must be a list of {count} numbers", count=count), field="steps")
+        codes = [form.text(step, "status") for step in steps]
+        for index, code in enumerate(codes):
+            if code not in STATUS_NUMBERS:
+                raise InputError(said("is no status"), field=f"steps.{index}.status", value=code)
+        status = Status(
+            np.array([STATUS_NUMBERS[code] for code in codes]),
+            np.array([form.number(step, "residual") for step in steps]),
+            np.array([int(form.number(step, "iterations")) for step in steps]),
+            np.array([form.truth(step, "safe_path") for step in steps]),
+            np.array([int(form.number(step, "unsupported")) for step in steps]),
+        )
+        return cls(
+            machine=machine,
+            status=status,
+            shafts=_read_shafts(machine, mapping, count),
+            bearings=_read_bearings(machine, mapping, count),
+            notes=tuple(
+                tuple(form.note(one, f"steps.{i}.notes") for one in form.rows(step, "notes", 0))
+                for i, step in enumerate(steps)
+            ),
+            advice=tuple(
+                None
+                if (given := form.value(step, "advice")) is None
+                else form.note(given, f"steps.{i}.advice")
+                for i, step in enumerate(steps)
+            ),
+        )
+
+    @classmethod
+    def from_json(cls, text: str) -> SolvedMachine:
+        """Read what `to_json` wrote; raises as `from_mapping`, and if this is not JSON."""
+        return cls.from_mapping(parse_mapping(text, "json", "<text>"))
+
+    def to_xarray(self) -> xr.Dataset:
+        """Give shafts and bearings as a dataset over case, node or bearing, and axis; SI."""
+        import xarray as xr
+
+        data: dict[str, Any] = {"status": ("case", self.status.code), "share": ("case", self.share)}
+        for one in self.shafts.values():
+            node = f"node of {one.name}"
+            data[f"displacement of {one.name}"] = (("case", node, "axis"), one.displacement)
+            data[f"force of {one.name}"] = (("case", node, "side", "load"), one.force)
+            data[f"stress of {one.name}"] = (("case", node, "side"), one.stress)
+            data[f"position of {one.name}"] = (node, one.position)
+        seated = list(self.bearings.values())
+        for name in _OF_BEARING:
+            values = np.stack([getattr(one, name) for one in seated], axis=1)
+            data[name] = (("case", "bearing", "load" if name == "force" else "axis"), values)
+        data["tilt"] = (("case", "bearing"), np.stack([one.tilt for one in seated], axis=1))
+        coordinates = {
+            "bearing": list(self.bearings), "axis": list(AXES), "load": list(LOADS),
+            "side": ["left", "right"],
+        }  # fmt: skip
+        return xr.Dataset(data, coordinates, {"title": self.title})
+
+    def to_pandas(self, table: str = "bearings") -> pd.DataFrame:
+        """Give one table as a data frame; SI.
+
+        Parameters
+        ----------
+        table
+            ``"bearings"``: forces and displacements, a line a step and bearing; ``"shafts"``: a
+            line a step and node.
+
+        Raises
+        ------
+        InputError
+            For another table.
+        """
+        import pandas as pd
+
+        cases = np.arange(len(self))
+        if table == "bearings":
+            frames = [
+                pd.DataFrame({
+                    "case": cases, "bearing": name, "status": one.solved.status.code,
+                    **dict(zip(LOADS, one.force.T, strict=True)),
+                    **dict(zip(AXES, one.inner.T, strict=True)),
+                    **{f"outer_{a}": v for a, v in zip(AXES, one.outer.T, strict=True)},
+                    "tilt": one.tilt,
+                })
+                for name, one in self.bearings.items()
+            ]  # fmt: skip
+        elif table == "shafts":
+            frames = [
+                pd.DataFrame({
+                    "case": np.repeat(cases, len(one.position)), "shaft": name,
+                    "position": np.tile(one.position, len(cases)),
+                    **dict(zip(AXES, one.displacement.reshape(-1, 5).T, strict=True)),
+                    **{
+                        f"{load}_{side}": one.force[:, :, i, j].ravel()
+                        for i, side in enumerate(("left", "right"))
+                        for j, load in enumerate(LOADS)
+                    },
+                    "stress": one.stress.max(axis=2).ravel(),
+                })
+                for name, one in self.shafts.items()
+            ]  # fmt: skip
+        else:
+            raise InputError(
+                said("must be bearings or shafts"), field="table", value=table,
+                example='solved.to_pandas("shafts")',
+            )  # fmt: skip
+        return pd.concat(frames, ignore_index=True)
+
+
+def _read_shafts(
+    machine: Machine, mapping: Mapping[str, Any], count: int
+) -> dict[str, SolvedShaft]:
+    items = form.rows(mapping, "shafts")
+    _check_count(items, len(machine.shafts), "shafts")
+    found = {}
+    for index, (shaft, item) in enumerate(zip(machine.shafts, items, strict=True)):
+        at = f"shafts.{index}."
+        nodes = len(form.rows(item, f"{at}position"))
+        arrays = {
+            name: form.array(item, f"{at}{name}", shape(count, nodes))
+            for name, shape in _OF_SHAFT.items()
+        }
+        euler = form.number(item, f"{at}euler_load")
+        found[shaft.name] = SolvedShaft(
+            shaft=shaft, euler_load=float("inf") if np.isnan(euler) else euler, **arrays
+        )
+    return found
+
+
+def _read_bearings(
+    machine: Machine, mapping: Mapping[str, Any], count: int
+) -> dict[str, SeatedBearing]:
+    items = form.rows(mapping, "bearings")
+    _check_count(items, len(machine.bearings), "bearings")
+    found = {}
+    for index, (bearing, item) in enumerate(zip(machine.bearings, items, strict=True)):
+        at = f"bearings.{index}."
+        solved = Solved.from_mapping(form.table(item, f"{at}state"))
+        arrays = {name: form.array(item, f"{at}{name}", (count, 5)) for name in _OF_BEARING}
+        found[bearing.name] = SeatedBearing(bearing=bearing, solved=solved, **arrays)
+    return found
+
+
+def _check_count(items: list[Any], count: int, field: str) -> None:
+    if len(items) != count:
+        raise InputError(said("must be a list of {count} tables", count=count), field=field)

@@ -337,6 +337,10 @@ class Solved:
 
     def to_json(self, *, indent: int | None = 2) -> str:
         """Give a single case, or all under "states" with what varied, as a JSON object in SI."""
+        return dumps(self.whole_mapping(), indent)
+
+    def whole_mapping(self) -> dict[str, Any]:
+        """Give what `to_json` writes, as plain mappings and lists; `from_mapping` reads it."""
         mapping: dict[str, Any] = self.to_mapping() if len(self) == 1 else {"schema": SCHEMA}
         if len(self) != 1:
             states = [self.to_mapping(case) for case in range(len(self))]
@@ -344,7 +348,7 @@ class Solved:
             mapping["states"] = [{k: v for k, v in s.items() if k != "case"} for s in states]
         if self.varied:
             mapping["varied"] = {name: plain(v.tolist()) for name, v in self.varied.items()}
-        return dumps(mapping, indent)
+        return mapping
 
     @classmethod
     def from_mapping(cls, mapping: Mapping[str, Any]) -> Solved:

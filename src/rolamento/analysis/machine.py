@@ -1,0 +1,158 @@
+"""A machine, solved, and all that follows for each of its bearings and for all together."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+
+import numpy as np
+
+from rolamento.analysis.analysis import Analysis, analyse
+from rolamento.case.machine import Machine
+from rolamento.errors import InputError
+from rolamento.life.duty import DutyLife, lives_of_duty
+from rolamento.life.record import slope_of
+from rolamento.life.spectrum import revolution_shares
+from rolamento.life.summary import LifeSummary
+from rolamento.life.system import SystemLife
+from rolamento.machines import shaft
+from rolamento.numerics import FloatArray
+from rolamento.records import frozen
+from rolamento.solved.machine import SeatedBearing, SolvedMachine
+from rolamento.words import Note
+
+__all__ = ["BearingLife", "MachineAnalysis", "analyse_machine"]
+
+
+@frozen(eq=False)
+class BearingLife:
+    """Life of a bearing of a machine under all steps of its spectrum.
+
+    Attributes
+    ----------
+    headline
+        the life that leads
+    theories
+        by name
+    reliability
+        S that they are for
+    """
+
+    headline: DutyLife
+    theories: Mapping[str, DutyLife]
+    reliability: float
+
+
+@frozen(eq=False)
+class MachineAnalysis:
+    """A solved machine and what follows from it.
+
+    Attributes
+    ----------
+    solved
+        of `rolamento.machines.shaft`
+    bearings
+        what follows for each, by name: film, friction, life of every step
+    lives
+        under all steps together, by name; None of a bearing that has none
+    together
+        of all bearings, by the lives that lead; None without one of each
+    theories
+        of all bearings together, by the theories that all of them have
+    notes
+        why a part is missing, by bearing
+    """
+
+    solved: SolvedMachine
+    bearings: Mapping[str, Analysis]
+    lives: Mapping[str, BearingLife | None]
+    together: SystemLife | None
+    theories: Mapping[str, SystemLife]
+    notes: Mapping[str, tuple[Note, ...]]
+
+    @property
+    def converged(self) -> bool:
+        """Whether every step has a result."""
+        return bool(self.solved.status.converged.all())
+
+    @property
+    def power(self) -> FloatArray | None:
+        """Friction loss of all bearings that have one; (cases,), W; None without any."""
+        found = [one.friction.power for one in self.bearings.values() if one.friction is not None]
+        return np.sum(found, axis=0) if found else None
+
+
+def analyse_machine(machine: Machine | SolvedMachine | str | os.PathLike[str]) -> MachineAnalysis:
+    """Solve a machine, and find what follows for its bearings: film, friction, life.
+
+    Parameters
+    ----------
+    machine
+        A `Machine`, its file, or what `rolamento.shaft` returned.
+
+    Raises
+    ------
+    InputError
+        As `rolamento.machines.shaft`, or as `rolamento.analyse` of a bearing.
+    FileError
+        If the file cannot be read.
+    """
+    solved = machine if isinstance(machine, SolvedMachine) else shaft(machine)
+    bearings, lives = {}, {}
+    notes: dict[str, tuple[Note, ...]] = {}
+    for name, seated in solved.bearings.items():
+        try:
+            own = analyse(seated.solved)
+        except InputError as error:  # of many cases, what a single one has as a note
+            own = Analysis(seated.solved, notes=(Note("part_missing", {"reason": str(error)}),))
+        bearings[name], notes[name] = own, own.notes
+        lives[name] = _life(solved, seated, own.life)
+    known = [life for life in lives.values() if life is not None]
+    whole = len(known) == len(lives)
+    slopes = np.array([slope_of(life.headline.steps.element) for life in known])
+    names = set.intersection(*(set(life.theories) for life in known)) if whole and known else set()
+    return MachineAnalysis(
+        solved=solved,
+        bearings=bearings,
+        lives=lives,
+        together=_together([life.headline for life in known], slopes) if whole else None,
+        theories={
+            name: _together([life.theories[name] for life in known], slopes)
+            for name in (known[0].theories if known else ())
+            if name in names
+        },
+        notes=notes,
+    )
+
+
+def _life(
+    solved: SolvedMachine, seated: SeatedBearing, summary: LifeSummary | None
+) -> BearingLife | None:
+    """The life under all steps; None without one in each."""
+    if summary is None or not solved.status.converged.all():
+        return None
+    own = seated.solved
+    speed = np.abs(own.field("duty.inner_speed") - own.field("duty.outer_speed"))
+    share = solved.share
+    if not np.any(speed[share > 0.0] > 0.0):
+        return None
+    races = np.concatenate([summary.reference.inner, summary.reference.outer], axis=1)
+    headline, theories = lives_of_duty(
+        summary.theories,
+        summary.headline,
+        races,
+        summary.reference.race_slopes,
+        revolution_shares(share, speed),
+        float(share @ speed),
+    )
+    return BearingLife(headline, theories, summary.headline.reliability)
+
+
+def _together(lives: list[DutyLife], slopes: FloatArray) -> SystemLife:
+    return SystemLife.combined(
+        [life.theory for life in lives],
+        np.array([life.hours for life in lives]),
+        slopes,
+        valid=all(life.valid for life in lives),
+        below=any(life.below for life in lives),
+    )
