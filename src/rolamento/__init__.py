@@ -39,6 +39,7 @@ if TYPE_CHECKING:
         weibull,
     )
     from rolamento.analysis import Analysis, analyse
+    from rolamento.analysis.machine import MachineAnalysis, analyse_machine
     from rolamento.case import (
         Case,
         case_to_json,
@@ -53,6 +54,7 @@ if TYPE_CHECKING:
     from rolamento.case.film_model import FilmModel
     from rolamento.case.life_model import LifeModel
     from rolamento.case.lubricant import Lubricant
+    from rolamento.case.machine import Machine, load_machine
     from rolamento.case.material import Material
     from rolamento.case.model import Model
     from rolamento.case.mounting import Mounting, SeatMaterial
@@ -68,6 +70,7 @@ if TYPE_CHECKING:
         UnknownKeyError,
     )
     from rolamento.life import LifeConditions, LifeSummary
+    from rolamento.machines import shaft
     from rolamento.solution import solve
     from rolamento.solved import Solved
     from rolamento.tasks.diagnosis import diagnose
@@ -86,6 +89,7 @@ __version__ = "0.2.0"
 
 _NAMES_OF_MODULES: Final = {
     "analysis": ("Analysis", "analyse"),
+    "analysis.machine": ("MachineAnalysis", "analyse_machine"),
     "case": (
         "Bearing",
         "Case",
@@ -95,6 +99,7 @@ _NAMES_OF_MODULES: Final = {
         "LifeModel",
         "Load",
         "Lubricant",
+        "Machine",
         "Material",
         "Model",
         "Mounting",
@@ -105,6 +110,7 @@ _NAMES_OF_MODULES: Final = {
         "case_to_json",
         "case_to_toml",
         "load_case",
+        "load_machine",
         "override",
         "parse_case",
         "save_case",
@@ -112,6 +118,7 @@ _NAMES_OF_MODULES: Final = {
     "catalogue": ("geometry_of",),
     "errors": ("FileError", "InputError", "RolamentoError", "UnitError", "UnknownKeyError"),
     "life": ("LifeConditions", "LifeSummary"),
+    "machines": ("shaft",),
     "solution": ("solve",),
     "solved": ("Solved",),
     "tasks.diagnosis": ("diagnose",),
@@ -172,6 +179,8 @@ __all__ = [
     "LifeSummary",
     "Load",
     "Lubricant",
+    "Machine",
+    "MachineAnalysis",
     "Material",
     "Model",
     "Mounting",
@@ -185,6 +194,7 @@ __all__ = [
     "UnknownKeyError",
     "__version__",
     "analyse",
+    "analyse_machine",
     "analysis",
     "case_to_json",
     "case_to_toml",
@@ -202,6 +212,7 @@ __all__ = [
     "kinematics",
     "life",
     "load_case",
+    "load_machine",
     "lubricant_film",
     "lubrication",
     "override",
@@ -211,6 +222,7 @@ __all__ = [
     "ratings",
     "report",
     "save_case",
+    "shaft",
     "solve",
     "speeds",
     "static",

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from rolamento.analysis.analysis import Analysis, analyse
 from rolamento.case.machine import Machine
 from rolamento.errors import InputError
+from rolamento.io.json import dumps, plain
 from rolamento.life.duty import DutyLife, lives_of_duty
 from rolamento.life.record import slope_of
 from rolamento.life.spectrum import revolution_shares
@@ -20,6 +22,10 @@ from rolamento.numerics import FloatArray
 from rolamento.records import frozen
 from rolamento.solved.machine import SeatedBearing, SolvedMachine
 from rolamento.words import Note
+
+if TYPE_CHECKING:
+    from rolamento.friction import Friction
+    from rolamento.lubrication import Film
 
 __all__ = ["BearingLife", "MachineAnalysis", "analyse_machine"]
 
@@ -41,6 +47,14 @@ class BearingLife:
     headline: DutyLife
     theories: Mapping[str, DutyLife]
     reliability: float
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give it as plain values: hours, millions of revolutions."""
+        return {
+            "reliability": self.reliability,
+            "headline": {"theory": self.headline.theory or None, **self.headline.to_mapping()},
+            "theories": {name: own.to_mapping() for name, own in self.theories.items()},
+        }
 
 
 @frozen(eq=False)
@@ -80,6 +94,40 @@ class MachineAnalysis:
         """Friction loss of all bearings that have one; (cases,), W; None without any."""
         found = [one.friction.power for one in self.bearings.values() if one.friction is not None]
         return np.sum(found, axis=0) if found else None
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give everything as plain values: the solved machine, and what follows by bearing."""
+        mapping = self.solved.to_mapping()
+        for item in mapping["bearings"]:
+            own, life = self.bearings[item["name"]], self.lives[item["name"]]
+            item["life"] = None if life is None else life.to_mapping()
+            item["steps"] = [
+                {
+                    "life": None if own.life is None else own.life.to_mapping(case),
+                    "viscosity_ratio": _at(own.film, "viscosity_ratio", case),
+                    "friction_torque": _at(own.friction, "torque", case),
+                    "friction_power": _at(own.friction, "power", case),
+                }
+                for case in range(len(self.solved))
+            ]
+            item["notes"] = [note.to_mapping() for note in self.notes[item["name"]]]
+        together = self.together
+        mapping["life"] = {
+            "headline": None if together is None else together.to_mapping(),
+            "theories": {name: own.to_mapping() for name, own in self.theories.items()},
+        }
+        return mapping
+
+    def to_json(self, *, indent: int | None = 2) -> str:
+        """Give everything as one JSON object, in SI units and hours.
+
+        `rolamento.solved.machine.SolvedMachine.from_json` reads the solved machine of it.
+        """
+        return dumps(self.to_mapping(), indent)
+
+
+def _at(record: Film | Friction | None, name: str, case: int) -> float | None:
+    return None if record is None else plain(float(getattr(record, name)[case]))
 
 
 def analyse_machine(machine: Machine | SolvedMachine | str | os.PathLike[str]) -> MachineAnalysis:

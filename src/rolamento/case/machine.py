@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import math
 import os
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Annotated, Any, Final, Literal, NamedTuple, Self, TypeVar, cast
@@ -1107,7 +1108,7 @@ class Machine(Record):
         return machine_to_json(self)
 
 
-def load_machine(path: str | os.PathLike[str]) -> Machine:
+def load_machine(path: str | os.PathLike[str], settings: Iterable[str] = ()) -> Machine:
     """Read a machine file, and the files beside it that it names.
 
     Parameters
@@ -1115,6 +1116,9 @@ def load_machine(path: str | os.PathLike[str]) -> Machine:
     path
         A TOML or JSON file, distinguished by the name's ending, else by the first character;
         ``"-"`` for standard input.
+    settings
+        Texts ``KEY=VALUE`` that go over the file: parts of a list by their names, or by their
+        numbers from 0, such as ``bearings.A.designation=6310`` or ``loads.0.fz=-8 kN``.
 
     Raises
     ------
@@ -1125,7 +1129,9 @@ def load_machine(path: str | os.PathLike[str]) -> Machine:
     """
     text, source = read_text(path)
     folder = "" if os.fspath(path) == "-" else os.path.dirname(os.fspath(path))
-    return parse_machine(text, format=format_of_path(path), source=source, folder=folder)
+    return parse_machine(
+        text, format=format_of_path(path), source=source, folder=folder, settings=settings
+    )
 
 
 def parse_machine(
@@ -1134,6 +1140,7 @@ def parse_machine(
     format: TextFormat | None = None,
     source: str = "",
     folder: str | os.PathLike[str] | None = None,
+    settings: Iterable[str] = (),
 ) -> Machine:
     """Return the machine that a TOML or JSON text describes.
 
@@ -1147,6 +1154,8 @@ def parse_machine(
         What to call the text in messages.
     folder
         In which files that it names are; without one it may name none.
+    settings
+        As of `load_machine`.
 
     Raises
     ------
@@ -1155,6 +1164,7 @@ def parse_machine(
     """
     known_format = format or format_of_text(text)
     mapping = parse_mapping(text, known_format, source)
+    mapping = with_settings(mapping, settings)
     try:
         return Machine.from_mapping(with_files(mapping, folder))
     except InputError as error:
@@ -1162,6 +1172,77 @@ def parse_machine(
             raise
         line = line_of(error.field, lines_of_machine(text, known_format))
         raise error.with_details(source=source, line=line) from None
+
+
+_PART: Final = re.compile(r'\s*(?:"([^"]*)"|([^.="]+?))\s*(\.|=)')
+"""A name of a dotted key, in quotes where it has a dot, and what comes behind it."""
+
+
+def with_settings(mapping: Mapping[str, Any], settings: Iterable[str]) -> dict[str, Any]:
+    """Return the tables of a machine file with some values set; they are not validated.
+
+    Raises
+    ------
+    InputError
+        If a setting is not ``KEY=VALUE``, or names a part that is not there.
+    """
+    result = dict(mapping)
+    for setting in settings:
+        names, at = [], 0
+        while found := _PART.match(setting, at):
+            names.append(found[1] if found[1] is not None else found[2])
+            at = found.end()
+            if found[3] == "=":
+                break
+        else:
+            raise InputError(said("must be KEY=VALUE"), value=setting, example="loads.0.fz=-8 kN")
+        _set(result, names, _given_value(setting[at:].strip()))
+    return result
+
+
+def _set(mapping: dict[str, Any], names: Sequence[str], value: object) -> None:
+    """Put a value under some names, copying what is on its way."""
+    table: Any = mapping
+    for depth, name in enumerate(names[:-1]):
+        if isinstance(table, list):
+            key: Any = _place_in(table, name, ".".join(names[: depth + 1]))
+        else:
+            key = name
+        below = table[key] if isinstance(table, list) else table.get(key, {})
+        if not isinstance(below, dict | list):
+            raise InputError(said("must be a table"), field=".".join(names[: depth + 1]))
+        table[key] = below.copy()
+        table = table[key]
+    if isinstance(table, list):
+        table[_place_in(table, names[-1], ".".join(names))] = value
+    else:
+        table[names[-1]] = value
+
+
+def _place_in(parts: list[Any], name: str, field: str) -> int:
+    """Where a part of a list is, by its name or its number."""
+    known = [str(part.get("name", "")) for part in parts if isinstance(part, dict)]
+    if name in known:
+        return known.index(name)
+    if name.isascii() and name.isdigit() and len(name) < 6 and int(name) < len(parts):
+        return int(name)
+    raise _unknown(name, [one for one in known if one], field)
+
+
+def _given_value(text: str) -> object:
+    """What a setting gives, as a file has it."""
+    if text[:1] in ("{", "["):
+        return parse_mapping(f"value = {text}", "toml", "").get("value")
+    if len(text) >= 2 and text[0] == text[-1] and text[0] in "\"'":
+        return text[1:-1]
+    if text in ("true", "false"):
+        return text == "true"
+    for number in (int, float):
+        try:
+            return number(text)
+        except ValueError:
+            continue
+    return text
 
 
 def machine_to_toml(machine: Machine) -> str:

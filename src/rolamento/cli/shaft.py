@@ -1,0 +1,70 @@
+"""`rolamento shaft`: shafts on their bearings, and what follows for each."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings
+from rolamento.cli.optional_value import JsonCommand
+from rolamento.cli.options import CataloguesOption, JsonOption, LanguageOption
+from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
+from rolamento.cli.streams import STANDARD_STREAM, complain, put
+from rolamento.cli.waiting import waiting
+from rolamento.words.reasons import reason
+
+__all__ = ["app", "shaft"]
+
+app = typer.Typer()
+
+
+@app.command(
+    cls=JsonCommand,
+    epilog="Examples: new --machine machine.toml, then shaft machine.toml; shaft machine.toml"
+    " --set loads.0.fz='-8 kN' --set bearings.A.designation=6310; shaft machine.toml --json"
+    " result.json --xlsx result.xlsx; shaft machine.toml --report machine.pdf.",
+)
+@with_outputs
+def shaft(
+    machine: Annotated[
+        str,
+        typer.Argument(
+            metavar="MACHINE", help="Machine file (TOML or JSON); - for standard input."
+        ),
+    ],
+    settings: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--set",
+            metavar="KEY=VALUE",
+            help="Override a field of the machine: parts by name, or by number from 0. Repeatable.",
+        ),
+    ] = None,
+    catalogues: CataloguesOption = None,
+    json: JsonOption = None,
+    outputs: Outputs = NOWHERE,
+    lang: LanguageOption = None,
+) -> None:
+    """Show shafts on their bearings: loads, tilts, deflections, lives.
+
+    Every bearing is solved with the shaft, nonlinear and at speed, in each step of the spectrum.
+    """
+    with plain_endings(lang):
+        outputs.check({"--json": json}, machine)
+        from rolamento.tasks.machines import analysed_machine
+
+        with waiting(lang):
+            found = analysed_machine(machine, settings or (), catalogues or ())
+        if json is not None:
+            put(found.to_json() + "\n", json)
+        from rolamento.pages.machine import machine_page
+
+        outputs.show(lambda: machine_page(found), json)
+        if STANDARD_STREAM in (json, outputs.csv):
+            for case, code in enumerate(found.solved.status.code):
+                if not found.solved.status.converged[case]:
+                    name = found.solved.steps[case]
+                    why = reason(str(code))
+                    complain(f"{name}: {why}" if name else why)
+    raise typer.Exit(SOLVED if found.converged else NO_RESULT)

@@ -1,0 +1,481 @@
+"""The page of `shaft`: bearings, shafts and gears of a machine, and what they reach together."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from math import inf, isfinite
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from rolamento.document import (
+    Block,
+    CellContent,
+    Column,
+    Document,
+    Entry,
+    KeyValues,
+    Notes,
+    Number,
+    Remark,
+    Section,
+    Statement,
+    Table,
+    Title,
+    Tone,
+)
+from rolamento.numerics import FloatArray
+from rolamento.pages.life import none_valid, percent
+from rolamento.pages.notes import notes_section
+from rolamento.units import HOUR
+from rolamento.words import ENDLESS, Note, said
+from rolamento.words.headlines import parted
+from rolamento.words.reasons import reason
+from rolamento.words.theories import theory_life
+
+if TYPE_CHECKING:
+    from rolamento.analysis.machine import MachineAnalysis
+    from rolamento.solved.machine import SeatedBearing, SolvedMachine, SolvedShaft
+
+__all__ = ["machine_page"]
+
+_MOST_STEPS: Final = 12
+"""Steps that a page shows; files have all of them."""
+
+
+def machine_page(found: MachineAnalysis) -> Document:
+    """Return the page of a machine: without a result it says why and what to do.
+
+    Parameters
+    ----------
+    found
+        Of `rolamento.analysis.machine.analyse_machine`.
+    """
+    solved = found.solved
+    title = solved.title or said("Machine without a title")
+    sections = [
+        Section("", (Title(title), _given(solved)), key="given"),
+        Section(said("Life of all bearings together"), _life(found), key="life"),
+        _bearings(found),
+        _shafts(solved),
+        *_gears(solved),
+        *_housed(solved),
+        *notes_section(_remarks(found)),
+    ]
+    if not solved.status.converged.any():
+        sections = [sections[0], *notes_section(_remarks(found))]
+    return Document(title, tuple(sections), kind="machine", main="bearings")
+
+
+# --- the head -------------------------------------------------------------------------------------
+
+
+def _given(solved: SolvedMachine) -> KeyValues:
+    machine = solved.machine
+    shafts = [
+        said(
+            "{name}: {length:.6g mm} long, {speed:.5g rpm}",
+            name=shaft.name, length=shaft.length, speed=machine.speed(shaft.name),
+        )
+        for shaft in machine.shafts
+    ]  # fmt: skip
+    bearings = [
+        said(
+            "{name}: {bearing} on {shaft} at {position:.5g mm}{how}",
+            name=one.name,
+            bearing=one.case.bearing.designation or said("own geometry"),
+            shaft=one.shaft,
+            position=one.position,
+            how=_how(one.located, one.turned),
+        )
+        for one in machine.bearings
+    ]
+    entries = [
+        Entry(said("shafts"), "\n".join(shafts)),
+        Entry(said("bearings"), "\n".join(bearings)),
+    ]
+    if machine.spectrum:
+        entries.append(Entry(said("spectrum"), said("{count} steps", count=len(solved))))
+    return KeyValues((*entries, *_status(solved)))
+
+
+def _how(located: str, turned: bool) -> str:
+    parts = []
+    if located == "floating":
+        parts.append(said("floating"))
+    elif located != "both":
+        parts.append(said("held toward {way} only", way=located))
+    if turned:
+        parts.append(said("faces {way}", way="−x"))
+    return "".join(f", {part}" for part in parts)
+
+
+def _status(solved: SolvedMachine) -> list[Entry]:
+    status = solved.status
+    if status.converged.all():
+        text = said(
+            "✓ converged in {iterations} iterations, residual {residual:.1e}",
+            iterations=int(status.iterations.max()),
+            residual=float(status.residual.max()),
+        )
+        return [Entry(said("status"), text, "good")]
+    entries = []
+    for case in np.flatnonzero(~status.converged)[:_MOST_STEPS].tolist():
+        why = f"✗ {reason(str(status.code[case]))}"
+        name = solved.steps[case]
+        entries.append(Entry(said("status"), f"{name}: {why}" if name else why, "bad-strong"))
+        if (advice := solved.advice[case]) is not None:
+            entries.append(Entry(said("advice"), advice.text))
+    return entries
+
+
+# --- life -----------------------------------------------------------------------------------------
+
+
+def _life(found: MachineAnalysis) -> tuple[Block, ...]:
+    together = found.together
+    sentences: list[tuple[str, Tone]] = []
+    names = list(found.lives)
+    missing = [name for name, life in found.lives.items() if life is None]
+    if not found.converged:
+        text = said("Without a result of every step there is no life of the machine.")
+        sentences.append((text, "bad-strong"))
+    elif together is None:
+        text = said("There is no life of all bearings together: {names} has none.",
+                    names=", ".join(missing))  # fmt: skip
+        sentences.append((text, "warning"))
+    elif not (together.valid or together.below):
+        sentences.append((none_valid("element"), "bad-strong"))
+    elif np.isnan(together.hours):
+        text = said("Nothing turns at one of the bearings: there are no hours.")
+        sentences.append((text, "warning"))
+    else:
+        first = next(life for life in found.lives.values() if life is not None)
+        theories = dict.fromkeys(name for name in together.theories if name)
+        values = {
+            "reliability": first.reliability,
+            "count": len(names),
+            "hours": together.hours * HOUR,
+            "theory": "; ".join(map(theory_life, theories)),
+        }
+        if together.below:
+            text = said(
+                "With {reliability:.7 %} reliability the {count} bearings together reach less than "
+                "{hours:.3r h} (upper bound of the {theory}).",
+                **values,
+            )
+        else:
+            text = said(
+                "With {reliability:.7 %} reliability the {count} bearings together reach "
+                "{hours:.3r h} ({theory}).",
+                **values,
+            )
+        sentences.append((text, "strong"))
+        if np.all(np.isfinite(together.risk)):
+            most = int(np.argmax(together.risk))
+            limit = said(
+                "Bearing {number} limits it: it contributes {share} of the failure probability.",
+                number=names[most],
+                share=percent(float(together.risk[most])),
+            )
+            sentences.append((limit, ""))
+    statements = tuple(Statement(text, tone, indent=2) for text, tone in sentences)
+    return (*statements, *_cautions(found))
+
+
+def _cautions(found: MachineAnalysis) -> tuple[Notes, ...]:
+    """What qualifies the headline, with the bearings that it is about."""
+    named: dict[Note, list[str]] = {}
+    for name, own in found.bearings.items():
+        for case in range(len(found.solved)):
+            leading = () if own.life is None else own.life.qualifications(case)
+            for note in (*leading, *parted(own.solved.notes[case])[0]):
+                if name not in named.setdefault(note, []):
+                    named[note].append(name)
+    remarks = []
+    for note, names in _each_once(named):
+        text = note.text
+        if len(names) < len(found.bearings):
+            text = said("{bearing}: {text}", bearing=", ".join(names), text=text)
+        remarks.append(Remark(text, note.key, "warning"))
+    return (Notes(tuple(remarks)),) if remarks else ()
+
+
+def _remarks(found: MachineAnalysis) -> list[Note]:
+    """What else the reader should know, of the machine and of its bearings."""
+    first: dict[tuple[str, object], Note] = {}
+    for note in (note for case in found.solved.notes for note in case):
+        first.setdefault((note.key, note.values.get("shaft", note.text)), note)
+    notes = list(first.values())
+    named: dict[Note, list[str]] = {}
+    for name, own in found.bearings.items():
+        of_cases = (note for case in own.solved.notes for note in parted(case)[1])
+        for note in dict.fromkeys((*own.notes, *of_cases)):
+            named.setdefault(note, []).append(name)
+    for note, names in _each_once(named):
+        text = said("{bearing}: {text}", bearing=", ".join(names), text=note.text)
+        notes.append(Note("text", {"text": text}))
+    return list(dict.fromkeys(notes))
+
+
+def _each_once(named: dict[Note, list[str]]) -> Iterable[tuple[Note, list[str]]]:
+    """Notes of one key, said once for each group of bearings: those of the first case count."""
+    seen: set[tuple[str, str]] = set()
+    for note, names in named.items():
+        fresh = [name for name in names if (note.key, name) not in seen]
+        seen |= {(note.key, name) for name in names}
+        if fresh:
+            yield note, fresh
+
+
+# --- tables ---------------------------------------------------------------------------------------
+
+
+def _lines(
+    solved: SolvedMachine, parts: Sequence[str]
+) -> tuple[list[int], tuple[tuple[int, str], ...]]:
+    """The steps that are shown, and the lines above those of each, where there are several."""
+    steps = list(range(min(len(solved), _MOST_STEPS)))
+    if len(solved) == 1:
+        return steps, ()
+    heads = tuple(
+        (
+            index * len(parts),
+            said(
+                "{name}: {share:.4g %} of the time",
+                name=solved.steps[case],
+                share=float(solved.share[case]),
+            ),
+        )
+        for index, case in enumerate(steps)
+    )
+    return steps, heads
+
+
+def _bearings(found: MachineAnalysis) -> Section:
+    solved = found.solved
+    names = list(solved.bearings)
+    steps, groups = _lines(solved, names)
+    lines = [(solved.bearings[name], case) for case in steps for name in names]
+
+    def every(values: Iterable[float]) -> list[CellContent]:
+        return [None if not isfinite(value) else value for value in values]
+
+    hours = [_hours(found, one, case) for one, case in lines]
+    columns = (
+        Column(head=said("bearing"), values=[one.name for one, _ in lines], key="bearing"),
+        Column(head="F_r", unit="N", key="radial_force",
+               values=every(float(one.radial_force[c]) for one, c in lines)),
+        Column(head="F_a", unit="N", key="axial_force",
+               values=every(float(one.force[c, 0]) for one, c in lines)),
+        Column(head="M", unit="N·m", key="moment", most=3,
+               values=every(float(np.hypot(*one.force[c, 3:])) for one, c in lines)),
+        Column(head=said("tilt"), unit="mrad", key="tilt", figures=3, most=3,
+               values=every(float(one.tilt[c]) for one, c in lines),
+               tones=[_tilt_tone(one, c) for one, c in lines]),
+        Column(head=said("permissible"), unit="mrad", key="permissible_tilt", figures=3,
+               values=every(permissible_tilt(one) for one, _ in lines)),
+        Column(head="p_max", unit="MPa", key="max_pressure", most=0,
+               values=every(_pressure(one, c) for one, c in lines)),
+        Column(head="S_0", key="static_safety", figures=3,
+               values=every(_safety(found, one, c) for one, c in lines)),
+        Column(head="κ", key="viscosity_ratio", figures=3,
+               values=every(_kappa(found, one, c) for one, c in lines)),
+        Column(head=said("life"), unit="h", key="life", form=".3r [h]", align="right",
+               values=hours),
+        Column(head=said("loss"), unit="W", key="power", figures=3,
+               values=every(_power(found, one, c) for one, c in lines)),
+    )  # fmt: skip
+    known = tuple(
+        column
+        for column in columns
+        if any(value is not None for value in column.values) or column.key in ("bearing", "tilt")
+    )
+    legends = (
+        said(
+            "forces and moment of the shaft on the inner ring, F_a toward +x; tilt between the"
+            " rings; permissible: what makers let pass of such bearings; life of each step alone"
+        ),
+    )
+    table = Table(columns=known, key="bearings", legends=legends, groups=groups)
+    return Section(said("Bearings"), (table,), key="bearings")
+
+
+def permissible_tilt(one: SeatedBearing) -> float:
+    """The misalignment that makers let pass of such a bearing; NaN where no source says; rad."""
+    kinds = one.solved.case.bearing.row_types
+    known = [kind.usual_misalignment for kind in kinds if kind.usual_misalignment is not None]
+    return min(known, default=float("nan"))
+
+
+def _tilt_tone(one: SeatedBearing, case: int) -> Tone:
+    return "warning" if float(one.tilt[case]) > permissible_tilt(one) else ""
+
+
+def _pressure(one: SeatedBearing, case: int) -> float:
+    found = [contacts.max_pressure[case] for contacts in one.solved.contacts.values()]
+    return float(np.max(found)) if np.isfinite(found).any() else float("nan")
+
+
+def _safety(found: MachineAnalysis, one: SeatedBearing, case: int) -> float:
+    life = found.bearings[one.name].life
+    return float("nan") if life is None else float(life.loads.safety[case])
+
+
+def _kappa(found: MachineAnalysis, one: SeatedBearing, case: int) -> float:
+    film = found.bearings[one.name].film
+    return float("nan") if film is None else float(film.viscosity_ratio[case])
+
+
+def _hours(found: MachineAnalysis, one: SeatedBearing, case: int) -> CellContent:
+    life = found.bearings[one.name].life
+    if life is None:
+        return None
+    headline = life.headline
+    hours = float(headline.hours[case])
+    if not (headline.valid[case] or headline.below[case]) or np.isnan(hours):
+        return None
+    if hours == inf:
+        return ENDLESS
+    return Number(hours * HOUR, ".3r [h]", before="<" if headline.below[case] else "")
+
+
+def _power(found: MachineAnalysis, one: SeatedBearing, case: int) -> float:
+    friction = found.bearings[one.name].friction
+    return float("nan") if friction is None else float(friction.power[case])
+
+
+def _shafts(solved: SolvedMachine) -> Section:
+    names = list(solved.shafts)
+    steps, groups = _lines(solved, names)
+    lines = [(solved.shafts[name], case) for case in steps for name in names]
+
+    def peak(values: FloatArray, one: SolvedShaft) -> tuple[float, float]:
+        if not np.isfinite(values).any():
+            return float("nan"), float("nan")
+        place = int(np.nanargmax(values))
+        return float(values[place]), float(one.position[place])
+
+    deflections = [peak(one.deflection[c], one) for one, c in lines]
+    stresses = [peak(one.stress[c].max(axis=1), one) for one, c in lines]
+    moments = [peak(one.bending_moment[c].max(axis=1), one) for one, c in lines]
+
+    def column(head: str, key: str, unit: str, values: list[float], most: int = 2) -> Column:
+        shown: list[CellContent] = [v if isfinite(v) else None for v in values]
+        return Column(head=head, values=shown, unit=unit, key=key, most=most)
+
+    at = said("at")
+    columns = (
+        Column(head=said("shaft"), values=[one.name for one, _ in lines], key="shaft"),
+        column(said("deflection"), "deflection", "µm", [v for v, _ in deflections]),
+        column(at, "deflection_at", "mm", [x for _, x in deflections], 1),
+        column(said("slope"), "slope", "mrad", [float(o.slope[c].max()) for o, c in lines], 3),
+        column(said("bending\nmoment"), "bending_moment", "N·m", [v for v, _ in moments]),
+        column(at, "bending_moment_at", "mm", [x for _, x in moments], 1),
+        column(said("torque"), "torque", "N·m",
+               [float(np.abs(o.torque[c]).max()) for o, c in lines]),
+        column(said("stress"), "stress", "MPa", [v for v, _ in stresses], 1),
+        column(at, "stress_at", "mm", [x for _, x in stresses], 1),
+    )  # fmt: skip
+    legends = (
+        said(
+            "greatest values along each shaft, and how far from its left end; nominal equivalent"
+            " stress at the surface (von Mises), without notches"
+        ),
+    )
+    table = Table(columns=columns, key="shafts", legends=legends, groups=groups)
+    return Section(said("Shafts"), (table, *_curves(solved)), key="shafts")
+
+
+def _curves(solved: SolvedMachine) -> tuple[Table, ...]:
+    """All nodes of all shafts, for files."""
+    steps = range(len(solved))
+    lines = [
+        (case, one, node)
+        for case in steps
+        for one in solved.shafts.values()
+        for node in range(len(one.position))
+    ]
+
+    def column(key: str, unit: str, values: Iterable[float]) -> Column:
+        shown: list[CellContent] = [v if isfinite(v) else None for v in values]
+        return Column(head=key, values=shown, unit=unit, key=key)
+
+    columns = (
+        Column(head="step", values=[solved.steps[c] or "1" for c, _, _ in lines], key="step"),
+        Column(head="shaft", values=[one.name for _, one, _ in lines], key="shaft"),
+        column("position", "mm", (float(one.position[n]) for _, one, n in lines)),
+        *(
+            column(name, unit, (float(one.displacement[c, n, i]) for c, one, n in lines))
+            for i, (name, unit) in enumerate(
+                (("x", "µm"), ("y", "µm"), ("z", "µm"), ("ry", "mrad"), ("rz", "mrad"))
+            )
+        ),
+        *(
+            column(f"{name}_{side}", unit, (float(one.force[c, n, j, i]) for c, one, n in lines))
+            for j, side in enumerate(("left", "right"))
+            for i, (name, unit) in enumerate(
+                (("fx", "N"), ("fy", "N"), ("fz", "N"), ("my", "N·m"), ("mz", "N·m"))
+            )
+        ),
+        column("stress", "MPa", (float(one.stress[c, n].max()) for c, one, n in lines)),
+    )
+    return (Table(columns=columns, key="nodes", only_in_files=True),)
+
+
+def _gears(solved: SolvedMachine) -> list[Section]:
+    machine = solved.machine
+    if not machine.gears:
+        return []
+    names = [gear.name or f"{said('gear')} {i + 1}" for i, gear in enumerate(machine.gears)]
+    steps, groups = _lines(solved, names)
+    lines = [
+        (name, solved.shafts[gear.shaft].displacement_at(gear.position)[case], gear)
+        for case in steps
+        for name, gear in zip(names, machine.gears, strict=True)
+    ]
+
+    def column(head: str, key: str, unit: str, values: list[float]) -> Column:
+        shown: list[CellContent] = [v if isfinite(v) else None for v in values]
+        return Column(head=head, values=shown, unit=unit, key=key, figures=3, most=3)
+
+    columns = (
+        Column(head=said("gear"), values=[name for name, _, _ in lines], key="gear"),
+        Column(head=said("shaft"), values=[gear.shaft for _, _, gear in lines], key="shaft"),
+        column("x", "x", "µm", [float(u[0]) for _, u, _ in lines]),
+        column("y", "y", "µm", [float(u[1]) for _, u, _ in lines]),
+        column("z", "z", "µm", [float(u[2]) for _, u, _ in lines]),
+        column("ry", "ry", "mrad", [float(u[3]) for _, u, _ in lines]),
+        column("rz", "rz", "mrad", [float(u[4]) for _, u, _ in lines]),
+    )
+    legends = (said("displacement and slope of the shaft at each gear"),)
+    table = Table(columns=columns, key="gears", legends=legends, groups=groups)
+    return [Section(said("Gears"), (table,), key="gears")]
+
+
+def _housed(solved: SolvedMachine) -> list[Section]:
+    """How outer rings move that are not held."""
+    moved = [
+        one
+        for one in solved.bearings.values()
+        if one.bearing.outer_shaft is None and np.nan_to_num(one.outer).any()
+    ]
+    if not moved:
+        return []
+    names = [one.name for one in moved]
+    steps, groups = _lines(solved, names)
+    lines = [(one, case) for case in steps for one in moved]
+    axes = (("x", "µm"), ("y", "µm"), ("z", "µm"), ("ry", "mrad"), ("rz", "mrad"))
+    columns = (
+        Column(head=said("bearing"), values=[one.name for one, _ in lines], key="bearing"),
+        *(
+            Column(
+                head=axis, unit=unit, key=axis, figures=3, most=3,
+                values=[float(one.outer[c, i]) for one, c in lines],
+            )
+            for i, (axis, unit) in enumerate(axes)
+        ),
+    )  # fmt: skip
+    legends = (said("displacement of outer rings in yielding or sliding seats"),)
+    table = Table(columns=columns, key="outer_rings", legends=legends, groups=groups)
+    return [Section(said("Outer rings"), (table,), key="outer_rings")]
