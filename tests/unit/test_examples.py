@@ -97,8 +97,8 @@ def test_every_file_is_of_an_example() -> None:
     there = {
         path.relative_to(FOLDER).as_posix()
         for path in FOLDER.rglob("*")
-        if path.is_file() and not {"__pycache__", "machines"} & set(path.parts)
-    }  # machines are read; there is no command yet to try on them
+        if path.is_file() and "__pycache__" not in path.parts
+    }
     assert there <= named
     assert all(ex.source(file).is_file() for ex in EXAMPLES.values() for file in ex.files)
 

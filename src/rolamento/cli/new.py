@@ -25,7 +25,7 @@ app = typer.Typer()
 
 @app.command(
     cls=JsonCommand,
-    epilog="Examples: new 6310/C3; new 'S 6012 C' --lang pt -o spindle.toml.",
+    epilog="Examples: new 6310/C3; new 'S 6012 C' --lang pt -o spindle.toml; new --machine.",
 )
 def new(
     designation: Annotated[
@@ -44,6 +44,9 @@ def new(
             help="File to write, by default named after the bearing; - is standard output.",
         ),
     ] = None,
+    machine: Annotated[
+        bool, typer.Option("--machine", help="A machine file instead: shafts on their bearings.")
+    ] = False,
     force: ForceOption = False,
     catalogue: CataloguesOption = None,
     lang: LanguageOption = None,
@@ -53,9 +56,12 @@ def new(
     It solves as it is, and shows every field that there is, with an example.
     """
     from rolamento.catalogue import catalogues
-    from rolamento.tasks.new_case import case_template, file_name
+    from rolamento.tasks.new_case import case_template, file_name, machine_template
 
     with plain_endings(lang), catalogues(catalogue or ()):
+        if machine:
+            _write_machine(machine_template(), designation, output, force)
+            return
         path = file_name(designation) if output is None else output
         _check_ending(path)
         text = case_template(designation)
@@ -67,6 +73,24 @@ def new(
             ["rolamento solve", path, *(f"--catalogue {own}" for own in catalogue or ())]
         )
         print_text(said("Wrote {path}; now try: {command}", path=path, command=command) + "\n")
+
+
+def _write_machine(text: str, designation: str | None, output: str | None, force: bool) -> None:
+    """Write the template of a machine, which is of no bearing in particular."""
+    if designation is not None:
+        raise InputError(
+            said("cannot be combined with {before}", before="--machine"),
+            source="DESIGNATION",
+            value=designation,
+        )
+    path = "machine.toml" if output is None else output
+    _check_ending(path)
+    if path == STANDARD_STREAM:
+        put(text, path)
+        return
+    _write(text, path, force)
+    command = f"rolamento shaft {path}"
+    print_text(said("Wrote {path}; now try: {command}", path=path, command=command) + "\n")
 
 
 @app.command(

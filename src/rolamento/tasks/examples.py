@@ -55,6 +55,10 @@ def _script(name: str, shows: str) -> Example:
     return Example(shows, f"python {name}.py", (f"{name}.py",))
 
 
+def _machine(name: str, shows: str) -> Example:
+    return Example(shows, f"rolamento shaft machines/{name}.toml", (f"machines/{name}.toml",))
+
+
 EXAMPLES: Final = {
     "6310_motor": _case(
         "6310_motor",
@@ -132,6 +136,23 @@ EXAMPLES: Final = {
         "ricci_fleury",
         marked("space mechanism: three balls, boundary lubrication, friction torque"),
         "friction ricci_fleury.toml --over duty.load.fx=10..200N",
+    ),
+    "motor": _machine("motor", marked("machine: electric motor, fixed and floating bearing")),
+    "gear_unit": _machine(
+        "gear_shaft", marked("machine: gear shaft on NU 308 and 6308 under a spectrum")
+    ),
+    "pinion": _machine(
+        "pinion", marked("machine: overhung bevel pinion on tapered bearings back to back")
+    ),
+    "pinion_x": _machine("pinion_x", marked("machine: the same face to face")),
+    "spindle": _machine(
+        "spindle", marked("machine: spindle on a spring-preloaded pair and a floating bearing")
+    ),
+    "three_supports": _machine(
+        "three_supports", marked("machine: shaft on three bearings with clearance")
+    ),
+    "coaxial": _machine(
+        "coaxial", marked("machine: two coaxial shafts with a bearing between them")
     ),
     "6310_clearance": Example(
         marked("study: a motor bearing over temperature and clearance class"),

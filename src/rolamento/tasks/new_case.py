@@ -6,6 +6,7 @@ import math
 import textwrap
 import tomllib
 from collections.abc import Iterator, Mapping
+from importlib import resources
 from typing import TYPE_CHECKING, Any, Final, cast
 
 from rolamento.case import Case, parse_case
@@ -20,7 +21,7 @@ from rolamento.words import marked, said
 if TYPE_CHECKING:
     from rolamento.catalogue import CatalogueBearing
 
-__all__ = ["TABLES", "case_template", "file_name"]
+__all__ = ["TABLES", "case_template", "file_name", "machine_template"]
 
 TABLES: Final = {
     "": marked("Every value has its unit. Lines that begin with # are optional: what they show is "
@@ -109,6 +110,12 @@ def case_template(designation: str | None = None) -> str:
     text = "\n".join(lines) + "\n"
     parse_case(text)  # what is written can be read
     return text
+
+
+def machine_template() -> str:
+    """Return the text of a machine file to start from, which solves as it is."""
+    file = resources.files("rolamento") / "data" / "machine_template.toml"
+    return file.read_text(encoding="utf-8")
 
 
 def file_name(designation: str | None) -> str:
