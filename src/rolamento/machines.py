@@ -10,7 +10,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from dataclasses import replace
-from math import pi
+from math import pi, radians
 from typing import Final
 
 import numpy as np
@@ -32,6 +32,8 @@ from rolamento.words import Note, said
 
 __all__ = ["shaft", "solve_machine"]
 
+MOST_TILT: Final = radians(5.0)
+"""Between the rings of a bearing: what a `Duty` takes."""
 BUCKLING_SHARE: Final = 0.05
 """Of the Euler load: an axial force above it has a say in the bending, which is left out."""
 
@@ -68,6 +70,7 @@ def solve_machine(machine: Machine) -> SolvedMachine:
     cases = [_running(machine, index) for index in range(len(machine.bearings))]
     structure = structure_of(machine, cases)
     rest, control = _solved(structure)
+    tilted = _too_far(structure, rest)
     bearings = _bearings(structure, rest, control)
     outside = structure.carried(rest)
     shafts = {
@@ -85,7 +88,10 @@ def solve_machine(machine: Machine) -> SolvedMachine:
         shafts=shafts,
         bearings=bearings,
         notes=tuple(_notes(machine, shafts, case) for case in range(len(structure))),
-        advice=tuple(_advice(structure, rest, bearings, case) for case in range(len(structure))),
+        advice=tuple(
+            tilted.get(case) or _advice(structure, rest, bearings, case)
+            for case in range(len(structure))
+        ),
     )
 
 
@@ -147,6 +153,19 @@ def _solved(structure: Structure) -> tuple[MachineRest, FloatArray]:
 # --- results --------------------------------------------------------------------------------------
 
 
+def _too_far(structure: Structure, rest: MachineRest) -> dict[int, Note]:
+    """Advice on cases whose rings are tilted beyond what the equations are for: no result."""
+    found: dict[int, Note] = {}
+    for seat in structure.seats:
+        outer = 0.0 if seat.outer is None else rest.place[:, seat.outer, 3:]
+        tilt = np.abs(rest.place[:, seat.inner, 3:] - outer).max(axis=1)
+        for case in np.flatnonzero((rest.number == CONVERGED) & (tilt > MOST_TILT)).tolist():
+            values = {"bearing": seat.bearing.name, "tilt": float(tilt[case]), "most": MOST_TILT}
+            found.setdefault(case, Note("tilted_too_far", values))
+    rest.number[list(found)] = NO_EQUILIBRIUM
+    return found
+
+
 def _bearings(
     structure: Structure, rest: MachineRest, control: FloatArray
 ) -> dict[str, SeatedBearing]:
@@ -171,6 +190,8 @@ def _bearings(
             force += (back @ row.force[..., np.newaxis])[:, :FIVE, 0]
             size = t.shape[2]
             stiffness[:, :size, :size] += back @ (row.stiffness @ t)
+        lost = rest.number != CONVERGED
+        place[lost], force[lost], stiffness[lost] = np.nan, np.nan, np.nan
         number, unsupported = gravest(rows, n)
         number = np.where(settled & (rest.number == CONVERGED), number, rest.number)
         status = Status(
@@ -181,8 +202,7 @@ def _bearings(
         solved = _solved_bearing(
             seat, Balanced(status, place, force, own_stiffness, rows, own, own.astype(np.int64))
         )
-        lost = rest.number != CONVERGED
-        shown = np.where(lost[:, np.newaxis], np.nan, force * turn)
+        shown = force * turn
         found[seat.bearing.name] = SeatedBearing(
             seat.bearing, solved, _without(inner, lost), _without(outer, lost), shown
         )

@@ -42,8 +42,9 @@ SHOULDER: Final = 1e10
 """Stiffness of a shoulder that an outer ring leans on one way; N/m."""
 LONGEST: Final = 0.3
 """Longest step of a node at a time, over the distance between centres of curvature."""
-FARTHEST: Final = 0.5
-"""How far a node may go before it counts as running away, over the largest element's diameter."""
+FARTHEST: Final = 0.3
+"""How far a node may go before it counts as running away, over the largest element's diameter, and
+besides what springs and housings yield under all loads at once."""
 STEPS: Final = (0.2, 0.4, 0.6, 0.8, 1.0)
 """Parts of the load by which a machine is loaded where the whole at once leads nowhere."""
 
@@ -318,6 +319,19 @@ class Structure:
         loose = (beam for beam in self.beams if group[beam.first] != group[nodes])
         return next(loose, None)
 
+    def yields(self, chosen: Indices) -> FloatArray:
+        """How far the softest spring or housing would yield under all loads at once; (n,), m."""
+        rates = [
+            rate
+            for spring in self.springs
+            for rate in np.diagonal(spring.matrix[0]).reshape(-1, FIVE)[:, :3].ravel()
+            if rate > 0.0
+        ]
+        if not rates:
+            return np.zeros(len(chosen))
+        forces = self.load[chosen].reshape(len(chosen), -1, FIVE)[..., :3]
+        return np.asarray(np.abs(forces).sum(axis=(1, 2)) / min(rates))
+
     def carried(self, rest: MachineRest) -> FloatArray:
         """What acts on each node from outside the beams: loads, rows and springs.
 
@@ -414,7 +428,8 @@ class _Condensed:
                 start=start * arms,
                 sound=sound,
                 longest=LONGEST * np.min([size.reach[chosen] for size in sizes], axis=0),
-                limit=FARTHEST * np.max([size.diameter[chosen] for size in sizes], axis=0),
+                limit=structure.yields(chosen)
+                + FARTHEST * np.max([size.diameter[chosen] for size in sizes], axis=0),
                 reference=1.5e-6 * np.max([size.stiffness[chosen] for size in sizes], axis=0),
             ),
         )

@@ -56,6 +56,10 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "shaft_not_held": _not_held,
     "ring_not_held": _ring_not_held,
     "bearing_of_machine": _bearing,
+    "tilted_too_far": marked(
+        "The rings of bearing {bearing} are tilted by {tilt:.3g °}, more than the {most:.3g °} that"
+        " the equations are for: the shaft hangs on it alone, or bends far too much."
+    ),
     "machine_not_converged": marked(
         "No balance was found. Check the clearances and which bearings are located, or begin with"
         " less load."
