@@ -8,7 +8,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rolamento import Case, Duty, Load, RollerBearing, solve
+from rolamento import Case, Duty, InputError, Load, RollerBearing, solve
+from rolamento.case import parse_case
 from rolamento.catalogue import geometry_of
 from rolamento.catalogue.records import CatalogueBearing
 from rolamento.catalogue.roller_inference import inferred_rollers, roller_diameters
@@ -73,7 +74,8 @@ def test_ribs_and_rows(name: str, inner: str, outer: str, rows: int) -> None:
     ("name", "clearance_class", "clearance"),
     [
         ("NN 3020", "CN", 67.5), ("NN 3020 K", "CC", 92.5), ("NN 3020 K CC1", "CC1", 35.0),
-        ("NNU 4926 K/SP", "CC", 120.0), ("NCF 2912 CV", "CN", 55.0),
+        ("NNU 4926 K/SP", "CC", 120.0), ("NN3020TBKRCC0P4", "CC0", 27.5),
+        ("NCF 2912 CV", "CN", 55.0),
     ],
 )  # fmt: skip
 def test_a_tapered_bore_has_its_own_classes(
@@ -90,3 +92,12 @@ def test_two_rows_share_a_radial_load() -> None:
     assert solved.status.converged
     loads = np.add.reduceat(solved.loaded.astype(np.int64), solved.rows.starts, axis=-1)
     assert loads.tolist()[0][0] == loads.tolist()[0][1]
+
+
+def test_a_taper_takes_no_fit() -> None:
+    """The class is of the tapered bore, and shaft tolerances are of cylindrical seats."""
+    text = '[bearing]\ndesignation = "{}"\n[duty.load]\nfz = "5 kN"\n[mounting]\n'
+    text += 'shaft_tolerance = "k5"\nhousing_tolerance = "H7"'
+    assert parse_case(text.format("NN 3020")).mounting is not None
+    with pytest.raises(InputError, match="tapered bore"):
+        parse_case(text.format("NN 3020 K"))

@@ -207,6 +207,12 @@ class InternalGeometry:
         )
 
     @property
+    def is_on_a_taper(self) -> bool:
+        """Whether its bore is tapered, and has clearance classes of its own."""
+        own = self.bearing.type.class_table_of_tapered_bore is not None
+        return own and _is_tapered(self.designation)
+
+    @property
     def clearance_class(self) -> ClearanceClass | None:
         """The class of the designation, CN if a bearing that has one names none."""
         if self.bearing.type.class_table is None or not self.has_inner_ring:
