@@ -147,7 +147,7 @@ def test_small_insert_bearings_depend_on_the_maker() -> None:
     ("text", "kind"),
     [
         ("NU 2910", "a cylindrical roller bearing of a size or series in no list; give its"),
-        ("NN 3010", "a cylindrical roller bearing"),
+        ("NN 3210", "a cylindrical roller bearing"),
         ("NUP296 NSK", "a cylindrical roller bearing"),
         ("30296", "a tapered roller bearing of a size or series in no list"),
         ("22299 EK/C3", "a spherical roller bearing of a size or series in no list; give its"),

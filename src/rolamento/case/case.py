@@ -258,6 +258,13 @@ class Case(Record):
                 field="mounting",
                 example="[bearing] with diametral_clearance or contact_angle as it runs",
             )
+        resolved = self.bearing.resolved
+        if self.mounting is not None and resolved is not None and resolved.is_on_a_taper:
+            raise InputError(
+                said("is not available for a tapered bore: its fit is how far the ring is driven"),
+                field="mounting",
+                example="[bearing] with diametral_clearance as it runs",
+            )
         return self
 
     @model_validator(mode="after")

@@ -367,14 +367,16 @@ def parse_designation(text: str) -> Designation:
     )
 
 
-_OF_ROLLERS: Final = re.compile(r"CC[1-5]?|CT")
+_OF_ROLLERS: Final = re.compile(r"CC[0-59]?|CT")
 """Clearance classes of NSK's that balls do not have, or where the letters mean something else."""
+_WITHIN: Final = re.compile(r"CC[0-59](?=P\d|$)")
+"""Those that NSK writes without a blank, as in NN3020TBKRCC0P4."""
 
 
 def _with_rollers(known: Mapping[str, Any], rollers: RollerNumber, before: Letters) -> Designation:
     coded = rollers.bore.removeprefix("code ")
     in_mm = coded == rollers.bore
-    groups = groups_of(rollers.rest)
+    groups = groups_of(_WITHIN.sub(r"|\g<0>|", rollers.rest))
     others = (group for group in groups if not _OF_ROLLERS.fullmatch(group))
     behind = letters_behind(others, known["text"])
     for group in filter(_OF_ROLLERS.fullmatch, groups):

@@ -50,11 +50,16 @@ _RIBS: Final = {  # inner, outer; those of one rib carry an axial load of the sh
     "NUP": ("both", "both"),
     "N": ("both", "none"),
     "NF": ("both", "+"),
+    "NCF": ("both", "+"),
+    "NJG": ("-", "both"),
+    "NN": ("both", "none"),
+    "NNU": ("none", "both"),
     "NA": ("none", "both"),
     "RNA": ("none", "both"),
 }
 """Ends at which the rings of a type have ribs; a cage alone and a drawn cup have none."""
 _WITHOUT_INNER: Final = ("RNA", "K", "HK", "BK")
+_WRITTEN_TYPE: Final = r"NNU|NN(?=\s?\d)|NUP|NU|NJG|NJ|NCF|NF|N(?=\s?\d)|RNA|NA|HK|BK|K(?=\s?\d)"
 _LEAST_ANGLE: Final = radians(1.0)
 _HALF_MICROMETRES: Final = 2e6
 """In a metre."""
@@ -202,11 +207,17 @@ class InternalGeometry:
         )
 
     @property
+    def is_on_a_taper(self) -> bool:
+        """Whether its bore is tapered, and has clearance classes of its own."""
+        own = self.bearing.type.class_table_of_tapered_bore is not None
+        return own and _is_tapered(self.designation)
+
+    @property
     def clearance_class(self) -> ClearanceClass | None:
         """The class of the designation, CN if a bearing that has one names none."""
         if self.bearing.type.class_table is None or not self.has_inner_ring:
             return None
-        return self.designation.clearance_class or "CN"
+        return _class_of(self.bearing, self.designation)
 
 
 def geometry_of(
@@ -319,7 +330,7 @@ def _roller_geometry(
         fields["inner_ribs"], fields["outer_ribs"] = _RIBS.get(type_, ("none", "none"))
         origins["inner_ribs"] = origins["outer_ribs"] = "published"
     if not bearing.type.conical:
-        named = designation.clearance_class or "CN"
+        named = _class_of(bearing, designation)
         table = _class_table(bearing, designation)
         if type_ not in _WITHOUT_INNER and table is not None:
             clearance = middle_clearance(bearing.bore, named, table)
@@ -331,6 +342,10 @@ def _roller_geometry(
         if play is not None:
             fields["axial_play"], origins["axial_play"] = play, "assumed"
     arrangement = designation.letters.arrangement
+    if bearing.type.is_double_row:  # rows that face alike, with the same ribs
+        fields["arrangement"], origins["arrangement"] = "DT", "published"
+        pitch = fields.get("pitch_diameter", bearing.mean_diameter)
+        fields["spacing"], origins["spacing"] = _row_spacing(bearing, fields, pitch)
     geometry = InternalGeometry(
         bearing=bearing,
         designation=designation,
@@ -352,7 +367,7 @@ def _type_of(bearing: CatalogueBearing, designation: Designation) -> str:
     """The type of a roller bearing by its designation, else by how its maker lists it."""
     if not bearing.type.straight:
         return ""
-    listed = re.match(r"NUP|NU|NJ|NF|N(?=\s?\d)|RNA|NA|HK|BK|K(?=\s?\d)", bearing.designation)
+    listed = re.match(_WRITTEN_TYPE, bearing.designation)
     if designation.bearing_type or listed:
         return designation.bearing_type or str(listed and listed[0])
     inner, outer = bearing.inner_raceway_diameter, bearing.outer_raceway_diameter
@@ -360,10 +375,20 @@ def _type_of(bearing: CatalogueBearing, designation: Designation) -> str:
     return bearing.type.usual_letters or ("K" if is_cage and bearing.type.as_a_cage else "")
 
 
+def _class_of(bearing: CatalogueBearing, designation: Designation) -> ClearanceClass:
+    """The class of the designation, the normal one of its bore if it names none."""
+    if designation.clearance_class is not None:
+        return designation.clearance_class
+    return bearing.type.normal_class_of_tapered_bore if _is_tapered(designation) else "CN"
+
+
+def _is_tapered(designation: Designation) -> bool:
+    return any(meaning == _TAPERED for _, meaning in designation.meanings)
+
+
 def _class_table(bearing: CatalogueBearing, designation: Designation) -> str | None:
     """Where the classes of its clearance stand, of a tapered bore where it has its own."""
-    tapered = any(meaning == _TAPERED for _, meaning in designation.meanings)
-    of_bore = bearing.type.class_table_of_tapered_bore if tapered else None
+    of_bore = bearing.type.class_table_of_tapered_bore if _is_tapered(designation) else None
     return of_bore or bearing.type.class_table
 
 

@@ -21,9 +21,11 @@ designation_data = partial(toml_of, "designations")
 """What the parts of designations mean."""
 
 ClearanceClass = Literal[
-    "C2", "CN", "C3", "C4", "C5", "CM", "CT", "CC1", "CC2", "CC", "CC3", "CC4", "CC5"
-]
-"""CC of rollers between rings that are not interchangeable, CM and CT of electric motors."""
+    "C2", "CN", "C3", "C4", "C5", "CM", "CT",
+    "CC9", "CC0", "CC1", "CC2", "CC", "CC3", "CC4", "CC5",
+]  # fmt: skip
+"""CC of rollers between rings that are not interchangeable (CC9 and CC0: of tapered bores), CM and
+CT of electric motors."""
 
 _CLASS: Final = re.compile(r"C[0-9N]")
 _TOLERANCE_AND_CLASS: Final = re.compile(r"(P[456])([2345])(?!\d)")

@@ -214,7 +214,7 @@ def _places(bearing: CatalogueBearing, angle: float) -> _Places:
     static = roller_static_rating(count, diameter, one, pitch, angle, **rated)
     dynamic = roller_dynamic_rating(count, diameter, one, pitch, angle, kind=kind, **rated)
     chi, factors = unusual, practice["practice"].get(bearing.maker, practice["practice"]["iso"])
-    low, high = practice["full_complement"] if bearing.is_full_complement else usual["filling"]
+    low, high = practice["filling_without_cage"] if bearing.is_full_complement else usual["filling"]
     if bearing.roller_count is None:
         chi = chi + ((filling - 0.5 * (low + high)) / (0.5 * (high - low))) ** 2
     found = []

@@ -245,6 +245,12 @@ def _own_offsets(bearing: RollingBearing) -> bool:
 
 def _arrangement(bearing: RollingBearing) -> str:
     places = bearing.places
+    if bearing.rows_of_one_bearing > 1 and len({place.sign for place in places}) == 1:
+        return said(
+            "{count} rows in one bearing, {spacing} between them",
+            count=len(places),
+            spacing=quantity(bearing.spacing or 0.0, "length"),
+        )
     if bearing.arrangement is not None:
         return said(
             "{name}, {kind} ({faces}), {spacing} between rows",

@@ -297,7 +297,9 @@ def required_sentence(required: float, reliability: float, *, below: bool = Fals
 
 
 def _what(solved: Solved) -> str:
-    return said("this set") if solved.case.bearing.is_set else said("this bearing")
+    bearing = solved.case.bearing
+    is_set = bearing.is_set and bearing.rows_of_one_bearing == 1
+    return said("this set") if is_set else said("this bearing")
 
 
 def _life(solved: Solved, leading: Headline) -> _Sentence:

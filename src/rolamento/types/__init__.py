@@ -17,7 +17,9 @@ from rolamento.types import (
     cylindrical,
     deep_groove,
     double_row,
+    double_row_cylindrical,
     four_point,
+    full_complement,
     needle,
     self_aligning,
     spherical,
@@ -46,7 +48,7 @@ __all__ = [
 BearingKey = Literal[
     "deep_groove", "angular_contact", "double_row", "four_point", "self_aligning", "thrust",
     "cylindrical", "tapered", "needle", "drawn_cup", "barrel", "spherical", "toroidal",
-    "cylindrical_thrust",
+    "cylindrical_thrust", "full_complement", "double_row_cylindrical",
 ]  # fmt: skip
 """Keys of the types, as a catalogue has them."""
 RollerElement = Literal["cylindrical", "tapered", "needle", "barrel"]
@@ -74,6 +76,8 @@ TYPES: Final[Mapping[str, BearingType]] = MappingProxyType(
             spherical.TYPE,
             toroidal.TYPE,
             thrust_cylindrical.TYPE,
+            full_complement.TYPE,
+            double_row_cylindrical.TYPE,
         )
     }
 )

@@ -10,6 +10,8 @@ from rolamento.records import frozen
 BALL: Final = "ball"
 ROLLER: Final = "roller"
 BARREL: Final = "barrel"
+ClearanceName = Literal["CN", "CC"]
+"""Normal classes: of ISO 5753-1, and of rings that are not interchangeable (JIS B 1520)."""
 Ribs = Literal["none", "+", "-", "both"]
 """At which ends of the rollers a ring has a rib: toward +x, toward -x, or both."""
 OF_RIBS: Final = ("inner_ribs", "outer_ribs", "axial_play", "rib_height")
@@ -73,6 +75,8 @@ class BearingType:
         From which the clearance of a designation is taken; None of one that has no class.
     class_table_of_tapered_bore
         The same of a tapered bore, where it has classes of its own.
+    normal_class_of_tapered_bore
+        What the class of that table is called that stands for the normal one.
     usual_letters, as_a_cage
         What stands before the number of one whose designation does not say; whether it may be a
         cage with its needles alone.
@@ -115,6 +119,7 @@ class BearingType:
     clearance_table: str | None = None
     class_table: str | None = None
     class_table_of_tapered_bore: str | None = None
+    normal_class_of_tapered_bore: ClearanceName = "CN"
     usual_letters: str = ""
     as_a_cage: bool = False
     axial_limit_of_maker: bool = False
