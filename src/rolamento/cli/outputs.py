@@ -105,7 +105,11 @@ class Outputs:
         check_outputs({**others, **self.files()}, *read, **rule)
 
     def show(
-        self, page: Callable[[], Document], json: str | None = None, *others: str | None
+        self,
+        page: Callable[[], Document],
+        json: str | None = None,
+        *others: str | None,
+        report: Callable[[], Document] | None = None,
     ) -> None:
         """Write a page where it was asked for, and on the terminal, unless data goes there.
 
@@ -115,6 +119,8 @@ class Outputs:
             Returns it; not called where nobody asked for it.
         json, others
             Where else the command has written data to.
+        report
+            Returns what a report has, where that is more than the page.
         """
         silent = STANDARD_STREAM in (self.csv, json, *others)
         if silent and not any(self.files().values()):
@@ -122,10 +128,10 @@ class Outputs:
         document = page()
         if not silent:
             show(document)
-        self.write(document)
+        self.write(document, report)
 
-    def write(self, document: Document) -> None:
-        """Write the files that were asked for."""
+    def write(self, document: Document, report: Callable[[], Document] | None = None) -> None:
+        """Write the files that were asked for; report: as of `show`."""
         if not any(self.files().values()):
             return
         from rolamento.document.tables import to_csv, to_xlsx
@@ -143,7 +149,7 @@ class Outputs:
         if self.xlsx is not None:
             write_bytes(to_xlsx(document, si=self.si), self.xlsx)
         if self.report is not None:
-            write(document, self.report)
+            write(document if report is None else report(), self.report)
 
     def _marks(self) -> tuple[str, str]:
         """Return separator and decimal mark."""

@@ -58,9 +58,9 @@ def shaft(
             found = analysed_machine(machine, settings or (), catalogues or ())
         if json is not None:
             put(found.to_json() + "\n", json)
-        from rolamento.pages.machine import machine_page
+        from rolamento.pages.machine import machine_page, machine_report
 
-        outputs.show(lambda: machine_page(found), json)
+        outputs.show(lambda: machine_page(found), json, report=lambda: machine_report(found))
         if STANDARD_STREAM in (json, outputs.csv):
             for case, code in enumerate(found.solved.status.code):
                 if not found.solved.status.converged[case]:

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from math import inf, isfinite
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from rolamento.analysis import analyse
 from rolamento.document import (
+    Beside,
     Block,
     CellContent,
     Column,
@@ -27,6 +30,7 @@ from rolamento.document import (
 from rolamento.numerics import FloatArray
 from rolamento.pages.life import none_valid, percent
 from rolamento.pages.notes import notes_section
+from rolamento.pages.state import state_page
 from rolamento.units import HOUR
 from rolamento.words import ENDLESS, Note, said
 from rolamento.words.headlines import parted
@@ -37,7 +41,7 @@ if TYPE_CHECKING:
     from rolamento.analysis.machine import MachineAnalysis
     from rolamento.solved.machine import SeatedBearing, SolvedMachine, SolvedShaft
 
-__all__ = ["machine_page"]
+__all__ = ["hardest_step", "machine_page", "machine_report"]
 
 _MOST_STEPS: Final = 12
 """Steps that a page shows; files have all of them."""
@@ -65,6 +69,39 @@ def machine_page(found: MachineAnalysis) -> Document:
     if not solved.status.converged.any():
         sections = [sections[0], *notes_section(_remarks(found))]
     return Document(title, tuple(sections), kind="machine", main="bearings")
+
+
+def machine_report(found: MachineAnalysis) -> Document:
+    """Return the page of a machine with a chapter for each bearing, in its hardest step.
+
+    Parameters
+    ----------
+    found
+        As of `machine_page`.
+    """
+    page = machine_page(found)
+    sections: list[Section | Beside] = list(page.sections)
+    for name, own in found.bearings.items():
+        if not own.solved.converged.any():
+            continue
+        case = hardest_step(found, name)
+        alone = own if len(own.solved) == 1 else analyse(own.solved.case_at(case))
+        heading = said("Bearing {bearing}", bearing=name)
+        if len(own.solved) > 1:
+            heading = said("Bearing {bearing}: {step}", bearing=name, step=found.solved.steps[case])
+        sections.append(Section(heading, key=f"bearing_{name}", level=1))
+        head, *rest = state_page(alone.solved, alone).sections
+        if isinstance(head, Section):  # the chapter has a heading already
+            head = replace(head, blocks=tuple(b for b in head.blocks if not isinstance(b, Title)))
+        sections += [head, *rest]
+    return replace(page, sections=tuple(sections))
+
+
+def hardest_step(found: MachineAnalysis, bearing: str) -> int:
+    """Return the step with a result in which a bearing is pressed hardest."""
+    seated = found.solved.bearings[bearing]
+    pressures = [_pressure(seated, case) for case in range(len(found.solved))]
+    return int(np.nanargmax(np.nan_to_num(pressures, nan=-1.0)))
 
 
 # --- the head -------------------------------------------------------------------------------------

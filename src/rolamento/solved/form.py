@@ -744,6 +744,5 @@ def array(item: Mapping[str, Any], field: str, shape: tuple[int, ...]) -> FloatA
 
 
 # what other forms of results read by
-table, rows, text, truth, number, value, note = (
-    _table, _list, _text, _truth, _number, _value, _note,
-)  # fmt: skip
+entry, table, rows, text = _entry, _table, _list, _text
+truth, number, value, note = _truth, _number, _value, _note

@@ -257,8 +257,11 @@ class SolvedMachine:
                 said("is not the JSON of a solved machine"),
                 example="rolamento shaft machine.toml --json machine.json",
             )
-        machine = Machine.from_mapping(form.table(mapping, "machine"))
-        steps = form.rows(mapping, "steps")
+        try:
+            machine = Machine.from_mapping(form.table(mapping, "machine"))
+        except InputError as error:
+            raise error.with_details(field=f"machine.{error.field}") from None
+        steps = [form.entry(s, f"steps.{i}") for i, s in enumerate(form.rows(mapping, "steps"))]
         count = len(machine.spectrum) or 1
         if len(steps) != count:
             raise InputError(said("must be a list of {count} numbers", count=count), field="steps")
@@ -374,8 +377,9 @@ def _read_shafts(
     items = form.rows(mapping, "shafts")
     _check_count(items, len(machine.shafts), "shafts")
     found = {}
-    for index, (shaft, item) in enumerate(zip(machine.shafts, items, strict=True)):
+    for index, (shaft, given) in enumerate(zip(machine.shafts, items, strict=True)):
         at = f"shafts.{index}."
+        item = form.entry(given, at[:-1])
         nodes = len(form.rows(item, f"{at}position"))
         arrays = {
             name: form.array(item, f"{at}{name}", shape(count, nodes))
@@ -394,8 +398,9 @@ def _read_bearings(
     items = form.rows(mapping, "bearings")
     _check_count(items, len(machine.bearings), "bearings")
     found = {}
-    for index, (bearing, item) in enumerate(zip(machine.bearings, items, strict=True)):
+    for index, (bearing, given) in enumerate(zip(machine.bearings, items, strict=True)):
         at = f"bearings.{index}."
+        item = form.entry(given, at[:-1])
         solved = Solved.from_mapping(form.table(item, f"{at}state"))
         arrays = {name: form.array(item, f"{at}{name}", (count, 5)) for name in _OF_BEARING}
         found[bearing.name] = SeatedBearing(bearing=bearing, solved=solved, **arrays)
