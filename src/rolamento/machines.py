@@ -67,9 +67,7 @@ def shaft(machine: Machine | str | os.PathLike[str]) -> SolvedMachine:
 
 def solve_machine(machine: Machine) -> SolvedMachine:
     """As `shaft`."""
-    cases = [_running(machine, index) for index in range(len(machine.bearings))]
-    structure = structure_of(machine, cases)
-    rest, control = _solved(structure)
+    structure, rest, control = balanced(machine)
     tilted = _too_far(structure, rest)
     bearings = _bearings(structure, rest, control)
     outside = structure.carried(rest)
@@ -93,6 +91,14 @@ def solve_machine(machine: Machine) -> SolvedMachine:
             for case in range(len(structure))
         ),
     )
+
+
+def balanced(machine: Machine) -> tuple[Structure, MachineRest, FloatArray]:
+    """Lay a machine out and find where it comes to rest; what guides each rolling element."""
+    cases = [_running(machine, index) for index in range(len(machine.bearings))]
+    structure = structure_of(machine, cases)
+    rest, control = _solved(structure)
+    return structure.guided(control), rest, control
 
 
 # --- the bearings as they run ---------------------------------------------------------------------

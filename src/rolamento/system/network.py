@@ -134,19 +134,28 @@ class RowBetween:
 
     def respond(self, place: FloatArray, which: Indices, memory: FloatArray | None) -> Reaction:
         """Hold the row where its rings are."""
-        inner = seen_by_row(self.way, self.lever[which])
-        parts = [inner]
-        if self.outer is not None:
-            parts.append(-inner)
-        if self.slide is not None:
-            parts.append(-inner * ALONG)
-        t = inner if len(parts) == 1 else np.concatenate(parts, axis=2)
+        t = self._seen(self.lever[which])
         own = (t @ place[..., np.newaxis])[..., 0]
         own[:, 0] += self.press[which]
         held = self.row.respond(own, which, memory)
         back = np.swapaxes(t, 1, 2)
         force = (back @ held.force[..., np.newaxis])[..., 0]
         return Reaction(force, back @ (held.stiffness @ t), held.scale, held)
+
+    def _seen(self, lever: FloatArray) -> FloatArray:
+        """From the displacement of its nodes to its own place; (cases, 5, 5 nodes)."""
+        inner = seen_by_row(self.way, lever)
+        parts = [inner]
+        if self.outer is not None:
+            parts.append(-inner)
+        if self.slide is not None:
+            parts.append(-inner * ALONG)
+        return inner if len(parts) == 1 else np.concatenate(parts, axis=2)
+
+    def tangent(self, held: Response) -> FloatArray:
+        """The stiffness between its nodes where it is held; (cases, 5 nodes, 5 nodes)."""
+        t = self._seen(self.lever)
+        return np.asarray(np.swapaxes(t, 1, 2) @ (held.stiffness @ t))
 
     def on_nodes(self, force: FloatArray) -> FloatArray:
         """A force on the row in its own frame as the inner node puts it; (cases, 5)."""
@@ -281,7 +290,7 @@ class _Network:
         scale, sound = np.zeros(n), np.ones(n, np.bool_)
         rows = []
         for number, component in enumerate(self._components):
-            at = _unknowns_of(component.nodes)
+            at = unknowns_of(component.nodes)
             memory = self._memories[number]
             reaction = component.respond(
                 place[:, at], chosen, None if memory is None else memory[some]
@@ -317,7 +326,7 @@ class _Network:
         return self(np.arange(len(self._chosen)), u)
 
 
-def _unknowns_of(nodes: tuple[int, ...]) -> Indices:
+def unknowns_of(nodes: tuple[int, ...]) -> Indices:
     """Where the degrees of freedom of some nodes stand among the unknowns."""
     return (FIVE * np.array(nodes)[:, np.newaxis] + np.arange(FIVE)).ravel()
 

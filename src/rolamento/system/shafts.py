@@ -33,6 +33,7 @@ from rolamento.system.network import (
     Rest,
     RowBetween,
     solve,
+    unknowns_of,
 )
 from rolamento.system.ring import pressed_in
 
@@ -332,6 +333,25 @@ class Structure:
         forces = self.load[chosen].reshape(len(chosen), -1, FIVE)[..., :3]
         return np.asarray(np.abs(forces).sum(axis=(1, 2)) / min(rates))
 
+    def tangent(self, rest: MachineRest) -> FloatArray:
+        """The stiffness of everything where it came to rest; (cases, unknowns, unknowns)."""
+        unknowns = len(self.held)
+        k = np.zeros((len(self), unknowns, unknowns))
+        for beam in self.beams:
+            for at, own in zip(beam.unknowns(), beam.elements.stiffness(), strict=True):
+                k[:, at[:, np.newaxis], at] += own
+        held = iter(rest.rest.rows)
+        parts = [(row.nodes, row.tangent(next(held))) for s in self.seats for row in s.rows()]
+        parts += [(spring.nodes, spring.matrix) for spring in self.springs]
+        for shoulder in self.shoulders:
+            place = rest.place[:, shoulder.node]
+            own = shoulder.respond(place, np.arange(len(self)), None).stiffness
+            parts.append((shoulder.nodes, own))
+        for nodes, own in parts:
+            at = unknowns_of(nodes)
+            k[:, at[:, np.newaxis], at] += own
+        return k
+
     def carried(self, rest: MachineRest) -> FloatArray:
         """What acts on each node from outside the beams: loads, rows and springs.
 
@@ -389,7 +409,7 @@ class _Condensed:
         unknowns, size = len(structure.held), FIVE * len(nodes)
         stiffness, follow = np.zeros((size, size)), np.zeros((unknowns, size))
         by_load = np.zeros((unknowns, unknowns))
-        kept = (FIVE * np.array(nodes)[:, np.newaxis] + np.arange(FIVE)).ravel()
+        kept = unknowns_of(tuple(nodes))
         follow[kept, np.arange(size)] = 1.0
         for beam in structure.beams:
             own = beam.kept(parts)

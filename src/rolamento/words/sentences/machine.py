@@ -56,6 +56,10 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "shaft_not_held": _not_held,
     "ring_not_held": _ring_not_held,
     "bearing_of_machine": _bearing,
+    "assumed_damping": marked(
+        "The damping is assumed: {damping:.1e s} times the stiffness. Amplitudes near a resonance"
+        " are as uncertain as that."
+    ),
     "tilted_too_far": marked(
         "The rings of bearing {bearing} are tilted by {tilt:.3g °}, more than the {most:.3g °} that"
         " the equations are for: the shaft hangs on it alone, or bends far too much."

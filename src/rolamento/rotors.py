@@ -1,0 +1,371 @@
+"""How a machine vibrates: modes, Campbell diagram, unbalance, stiffness at a place.
+
+Each speed has an operating point of its own: the bearings' stiffness changes with speed and load.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from typing import Final
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.optimize import linear_sum_assignment
+
+from rolamento.case.machine import Machine, Step, load_machine
+from rolamento.errors import InputError
+from rolamento.machines import balanced
+from rolamento.numerics import BoolArray, ComplexArray, FloatArray, IntArray
+from rolamento.solved.rotor import Campbell, CriticalSpeed, Modes, UnbalanceResponse, whirl_names
+from rolamento.status import CONVERGED, STATUS_NAMES
+from rolamento.system.network import FIVE
+from rolamento.system.rotor import Eigenmodes, Rotor, rotor_of, unbalance_force
+from rolamento.system.shafts import MachineRest, Structure
+from rolamento.words import Note, said
+
+__all__ = ["campbell", "compliance", "natural_modes", "unbalance_response"]
+
+DAMPING: Final = 1e-5
+"""s; of the stiffness, where a response needs some and none is given."""
+MOST_SPEEDS: Final = 2000
+MOST_MODES: Final = 60
+_AXIAL: Final = 0.9
+"""Part of the sum of all squares of shifts from which on a mode counts as axial."""
+
+Source = Machine | str | os.PathLike[str]
+
+
+def natural_modes(machine: Source, *, count: int = 8, damping: float = 0.0) -> Modes:
+    """Natural frequencies and modes at the machine's own speed and load.
+
+    Parameters
+    ----------
+    machine
+        A `Machine`, or its file; of a spectrum the first step counts.
+    count
+        How many modes, at most 60.
+    damping
+        s: the damping matrix is so many times the stiffness.
+
+    Returns
+    -------
+    Modes
+
+    Raises
+    ------
+    InputError
+        If the machine is not valid, or has no equilibrium.
+    FileError
+        If the file cannot be read.
+
+    Friswell, Penny, Garvey and Lees, Dynamics of Rotating Machines (2010), chapter 5.
+    """
+    given, structure, rest, rotor = _at_work(_machine(machine), None, damping)
+    _refuse_lost(rest)
+    found = rotor.modes(0, _checked_count(count))
+    shapes = found.shape.reshape(len(found.shape), -1, FIVE)
+    return Modes(
+        machine=given,
+        frequency=found.frequency,
+        damping_ratio=found.damping_ratio,
+        whirl=whirl_names(found.forward, _axial(shapes)),
+        position=_positions(structure),
+        shape={beam.shaft.name: shapes[:, beam.nodes] for beam in structure.beams},
+    )
+
+
+def campbell(
+    machine: Source,
+    speeds: ArrayLike,
+    *,
+    shaft: str | None = None,
+    count: int = 8,
+    orders: Sequence[float] = (1.0,),
+    damping: float = 0.0,
+) -> Campbell:
+    """Natural frequencies over speed, and where they meet orders of the rotation.
+
+    Parameters
+    ----------
+    machine
+        A `Machine`, or its file; its own speeds say how fast the shafts turn to each other.
+    speeds
+        (speeds,), rad/s, at most 2000.
+    shaft
+        Whose speeds they are; the first that turns if not given.
+    count, damping
+        As of `natural_modes`.
+    orders
+        Of the rotation, such as 2 for twice a revolution, or the teeth of a gear.
+
+    Returns
+    -------
+    Campbell
+
+    Raises
+    ------
+    InputError
+        As `natural_modes`; or if no shaft turns.
+    """
+    base = _machine(machine)
+    name = _turning(base, shaft)
+    asked = _checked_speeds(speeds)
+    given, _, rest, rotor = _at_work(base, asked / base.speed(name), damping)
+    count = _checked_count(count)
+    frequency = np.full((len(asked), count), np.nan)
+    ratio, whirl = np.full(frequency.shape, np.nan), np.full(frequency.shape, "", "U16")
+    before: Eigenmodes | None = None
+    for case in range(len(asked)):
+        if rest.number[case] != CONVERGED:
+            before = None
+            continue
+        found = rotor.modes(case, count)
+        order: IntArray = np.arange(len(found.frequency))
+        if before is not None:
+            order = _followed(before, found, rotor.mass)
+        found = Eigenmodes(found.eigenvalue[order], found.shape[order], found.forward[order])
+        shapes = found.shape.reshape(len(order), -1, FIVE)
+        frequency[case, : len(order)] = found.frequency
+        ratio[case, : len(order)] = found.damping_ratio
+        whirl[case, : len(order)] = whirl_names(found.forward, _axial(shapes))
+        before = found
+    return Campbell(
+        machine=given,
+        shaft=name,
+        speed=asked,
+        status=np.array([STATUS_NAMES[int(one)] for one in rest.number]),
+        frequency=frequency,
+        damping_ratio=ratio,
+        whirl=whirl,
+        critical=_critical(asked, frequency, whirl, orders),
+    )
+
+
+def unbalance_response(
+    machine: Source,
+    speeds: ArrayLike,
+    *,
+    shaft: str | None = None,
+    damping: float | None = None,
+) -> UnbalanceResponse:
+    """Steady vibration by the unbalances of a shaft's masses over its speed.
+
+    Parameters
+    ----------
+    machine, speeds, shaft
+        As of `campbell`.
+    damping
+        s: the damping matrix is so many times the stiffness. 1e-5 s if not given, with a note: the
+        amplitudes at resonance are as uncertain as that.
+
+    Returns
+    -------
+    UnbalanceResponse
+
+    Raises
+    ------
+    InputError
+        As `campbell`; or if nothing on the shaft is unbalanced.
+
+    Friswell, Penny, Garvey and Lees, Dynamics of Rotating Machines (2010), chapter 6.
+    """
+    base = _machine(machine)
+    name = _turning(base, shaft)
+    if not any(mass.unbalance for mass in base.masses if mass.shaft == name):
+        raise InputError(
+            said("is missing: nothing on shaft {shaft} is unbalanced", shaft=f'"{name}"'),
+            field="masses",
+            example='unbalance = "100 g mm"',
+        )
+    asked = _checked_speeds(speeds)
+    used = DAMPING if damping is None else damping
+    given, structure, rest, rotor = _at_work(base, asked / base.speed(name), used)
+    moved = np.full((len(asked), len(structure.held)), np.nan + 0j)
+    for case, speed in enumerate(asked.tolist()):
+        if rest.number[case] == CONVERGED:
+            force = unbalance_force(given, structure, speed, name)
+            moved[case] = rotor.response(case, speed, force)
+    nodes = moved.reshape(len(asked), -1, FIVE)
+    notes = () if damping is not None else (Note("assumed_damping", {"damping": DAMPING}),)
+    return UnbalanceResponse(
+        machine=given,
+        shaft=name,
+        speed=asked,
+        position=_positions(structure),
+        displacement={beam.shaft.name: nodes[:, beam.nodes] for beam in structure.beams},
+        force=_bearing_forces(structure, rest, nodes),
+        damping=used,
+        notes=notes,
+    )
+
+
+def compliance(machine: Source, shaft: str, position: float) -> FloatArray:
+    """How a place of a shaft yields to small loads there, at the operating point of each step.
+
+    Parameters
+    ----------
+    machine
+        A `Machine`, or its file.
+    shaft, position
+        The shaft's name, and the place from its left end, in m.
+
+    Returns
+    -------
+    (cases, 5, 5), m and rad by N and N·m; NaN without equilibrium. Its inverse is the stiffness
+    there.
+
+    Raises
+    ------
+    InputError
+        As `natural_modes`; or if there is no such place.
+    """
+    given = _machine(machine)
+    length = given.shaft(shaft).length
+    if not 0.0 <= position <= length:
+        raise InputError(
+            said("must be at least {at_least} and at most {at_most}", at_least=0, at_most=length),
+            field="position",
+            value=position,
+        )
+    structure, rest, _ = balanced(given)
+    beam = next(one for one in structure.beams if one.shaft.name == shaft)
+    at = FIVE * beam.node_at(position) + np.arange(FIVE)
+    free = np.flatnonzero(~structure.held)
+    unit = np.zeros((len(structure.held), FIVE))
+    unit[at, np.arange(FIVE)] = 1.0
+    tangent = structure.tangent(rest)[:, free[:, np.newaxis], free]
+    out = np.full((len(structure), FIVE, FIVE), np.nan)
+    known = rest.number == CONVERGED
+    where = np.searchsorted(free, at)
+    out[known] = np.linalg.solve(tangent[known], unit[free])[:, where]
+    return out
+
+
+# --- parts ----------------------------------------------------------------------------------------
+
+
+def _machine(source: Source) -> Machine:
+    return source if isinstance(source, Machine) else load_machine(source)
+
+
+def _at_work(
+    machine: Machine, factors: FloatArray | None, damping: float
+) -> tuple[Machine, Structure, MachineRest, Rotor]:
+    """The machine at several speeds, under the load of its first step or its only one."""
+    first = machine.spectrum[0] if machine.spectrum else None
+    by = np.array([1.0 if first is None else first.speed_factor]) if factors is None else factors
+    heavier = 1.0 if first is None else first.load_factor
+    steps = [Step(share=1.0 / len(by), speed_factor=float(one), load_factor=heavier) for one in by]
+    given = machine.replace(spectrum=steps)
+    structure, rest, _ = balanced(given)
+    speeds = {shaft.name: by * given.speed(shaft.name) for shaft in given.shafts}
+    return given, structure, rest, rotor_of(given, structure, rest, speeds, damping)
+
+
+def _refuse_lost(rest: MachineRest) -> None:
+    if rest.number[0] != CONVERGED:
+        raise InputError(
+            said("has no equilibrium; see what rolamento shaft says of it"), field="machine"
+        )
+
+
+def _turning(machine: Machine, shaft: str | None) -> str:
+    """The shaft whose speed counts."""
+    if shaft is not None:
+        if machine.speed(machine.shaft(shaft).name) == 0.0:
+            raise InputError(
+                said("does not turn; give it a speed, of which others are fractions"),
+                field="shaft",
+                value=shaft,
+                example='speed = "1480 rpm"',
+            )
+        return shaft
+    for one in machine.shafts:
+        if machine.speed(one.name) != 0.0:
+            return one.name
+    raise InputError(
+        said("does not turn; give it a speed, of which others are fractions"),
+        field="shafts.0.speed",
+        example='speed = "1480 rpm"',
+    )
+
+
+def _checked_speeds(speeds: ArrayLike) -> FloatArray:
+    asked = np.atleast_1d(np.asarray(speeds, np.float64))
+    if asked.ndim != 1 or not 1 <= asked.size <= MOST_SPEEDS or not np.isfinite(asked).all():
+        raise InputError(
+            said("must be 1 to {most} finite numbers", most=MOST_SPEEDS), field="speeds"
+        )
+    return asked
+
+
+def _checked_count(count: int) -> int:
+    if isinstance(count, bool) or not 1 <= count <= MOST_MODES:
+        raise InputError(
+            said("must be at least {at_least} and at most {at_most}", at_least=1,
+                 at_most=MOST_MODES),
+            field="count", value=count,
+        )  # fmt: skip
+    return int(count)
+
+
+def _positions(structure: Structure) -> dict[str, FloatArray]:
+    return {beam.shaft.name: beam.place - beam.shaft.position for beam in structure.beams}
+
+
+def _axial(shapes: ComplexArray) -> BoolArray:
+    """Which modes shift shafts along their axis; (modes,)."""
+    energy = (np.abs(shapes[..., :3]) ** 2).sum(axis=1)
+    return np.asarray(energy[:, 0] > _AXIAL * energy.sum(axis=1))
+
+
+def _followed(before: Eigenmodes, found: Eigenmodes, mass: FloatArray) -> IntArray:
+    """In which order modes go on from those of the speed before: by their shapes.
+
+    The modal assurance criterion, weighted by mass; Allemang and Brown (1982).
+    """
+    a, b = before.shape, found.shape
+    cross = np.abs(np.conj(a) @ mass @ b.T) ** 2
+    own = [np.einsum("mi,ij,mj->m", np.conj(s), mass, s).real for s in (a, b)]
+    likeness = cross / (own[0][:, np.newaxis] * own[1])
+    _, order = linear_sum_assignment(-likeness)
+    return np.asarray(order)
+
+
+def _critical(
+    speed: FloatArray, frequency: FloatArray, whirl: np.ndarray, orders: Sequence[float]
+) -> tuple[CriticalSpeed, ...]:
+    """Where branches meet orders of the rotation, between two speeds by a straight line."""
+    found = []
+    turned = np.abs(speed)
+    for order in orders:
+        for branch in range(frequency.shape[1]):
+            apart = frequency[:, branch] - order * turned
+            for i in np.flatnonzero(apart[:-1] * apart[1:] <= 0.0).tolist():
+                step = apart[i] - apart[i + 1]
+                part = apart[i] / step if step else 0.0
+                at = turned[i] + part * (turned[i + 1] - turned[i])
+                if at > 0.0 and not (part == 1.0 and i + 2 < len(speed)):
+                    found.append(
+                        CriticalSpeed(
+                            float(order), float(at), float(order * at), str(whirl[i, branch]),
+                            branch,
+                        )
+                    )  # fmt: skip
+    return tuple(sorted(found, key=lambda one: (one.speed, one.order)))
+
+
+def _bearing_forces(
+    structure: Structure, rest: MachineRest, nodes: ComplexArray
+) -> dict[str, ComplexArray]:
+    """What the shaft puts on each inner ring besides; (cases, 5)."""
+    found, held = {}, iter(rest.rest.rows)
+    for seat in structure.seats:
+        total = np.zeros((len(nodes), FIVE), np.complex128)
+        for row in seat.rows():
+            tangent = row.tangent(next(held))
+            moved = nodes[:, list(row.nodes)].reshape(len(nodes), -1)
+            total += (tangent[:, :FIVE] @ moved[..., np.newaxis])[..., 0]
+        found[seat.bearing.name] = total
+    return found
