@@ -27,6 +27,8 @@ BASIS: Final = 6
 """Modes without gyroscopic effects for each that is asked for: with six, frequencies are within
 1e-6 of those of all modes (`tests/unit/test_rotor.py`)."""
 LEAST_BASIS: Final = 60
+SWINGING: Final = 1e-3
+"""√(1 - ζ²) from which on a mode counts as one that swings."""
 RIGID: Final = 1e-6
 """Square of a frequency over the largest that counts as none."""
 
@@ -108,8 +110,9 @@ class Rotor:
             ]
         )
         values, vectors = eig(state)
-        chosen = np.flatnonzero(values.imag > 0.0)
-        chosen = chosen[np.argsort(values[chosen].imag)][:count]
+        # what damping keeps from swinging at all has next to no imaginary part
+        chosen = np.flatnonzero(values.imag > SWINGING * np.abs(values))
+        chosen = chosen[np.argsort(np.abs(values[chosen]))][:count]
         shape = (basis @ vectors[:size, chosen]).T / scale
         whole = np.zeros((len(chosen), len(self.mass)), np.complex128)
         whole[:, self.free] = shape

@@ -43,7 +43,7 @@ SHOULDER: Final = 1e10
 """Stiffness of a shoulder that an outer ring leans on one way; N/m."""
 LONGEST: Final = 0.3
 """Longest step of a node at a time, over the distance between centres of curvature."""
-FARTHEST: Final = 0.3
+FARTHEST: Final = 0.2
 """How far a node may go before it counts as running away, over the largest element's diameter, and
 besides what springs and housings yield under all loads at once."""
 STEPS: Final = (0.2, 0.4, 0.6, 0.8, 1.0)
