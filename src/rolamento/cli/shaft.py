@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings
 from rolamento.cli.optional_value import JsonCommand
-from rolamento.cli.options import CataloguesOption, JsonOption, LanguageOption
+from rolamento.cli.options import CataloguesOption, JsonOption, LanguageOption, PlotOption
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, put
 from rolamento.cli.waiting import waiting
+from rolamento.errors import InputError
+from rolamento.words import said
 from rolamento.words.reasons import reason
+
+if TYPE_CHECKING:
+    from rolamento.analysis.machine import MachineAnalysis
 
 __all__ = ["app", "shaft"]
 
@@ -43,6 +48,10 @@ def shaft(
     ] = None,
     catalogues: CataloguesOption = None,
     json: JsonOption = None,
+    plot: PlotOption = None,
+    step: Annotated[
+        int, typer.Option("--step", metavar="N", help="Step of the spectrum to draw, from 1.")
+    ] = 1,
     outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
 ) -> None:
@@ -51,13 +60,15 @@ def shaft(
     Every bearing is solved with the shaft, nonlinear and at speed, in each step of the spectrum.
     """
     with plain_endings(lang):
-        outputs.check({"--json": json}, machine)
+        outputs.check({"--json": json, "--plot": plot}, machine)
         from rolamento.tasks.machines import analysed_machine
 
         with waiting(lang):
             found = analysed_machine(machine, settings or (), catalogues or ())
         if json is not None:
             put(found.to_json() + "\n", json)
+        if plot is not None:
+            _draw(found, step, plot)
         from rolamento.pages.machine import machine_page, machine_report
 
         outputs.show(lambda: machine_page(found), json, report=lambda: machine_report(found))
@@ -68,3 +79,16 @@ def shaft(
                     why = reason(str(code))
                     complain(f"{name}: {why}" if name else why)
     raise typer.Exit(SOLVED if found.converged else NO_RESULT)
+
+
+def _draw(found: MachineAnalysis, step: int, path: str) -> None:
+    from rolamento.plots.machine import machine_figure
+    from rolamento.plots.saving import save_figure
+
+    if not 1 <= step <= len(found.solved):
+        raise InputError(
+            said("must be at least {at_least} and at most {at_most}", at_least=1,
+                 at_most=len(found.solved)),
+            source="--step", value=step,
+        )  # fmt: skip
+    save_figure(machine_figure(found.solved, step=step - 1), path)

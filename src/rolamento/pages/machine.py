@@ -17,6 +17,7 @@ from rolamento.document import (
     Column,
     Document,
     Entry,
+    Figure,
     KeyValues,
     Notes,
     Number,
@@ -38,6 +39,8 @@ from rolamento.words.reasons import reason
 from rolamento.words.theories import theory_life
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Picture
+
     from rolamento.analysis.machine import MachineAnalysis
     from rolamento.solved.machine import SeatedBearing, SolvedMachine, SolvedShaft
 
@@ -60,6 +63,7 @@ def machine_page(found: MachineAnalysis) -> Document:
     sections = [
         Section("", (Title(title), _given(solved)), key="given"),
         Section(said("Life of all bearings together"), _life(found), key="life"),
+        *_picture(solved),
         _bearings(found),
         _shafts(solved),
         *_gears(solved),
@@ -164,6 +168,27 @@ def _status(solved: SolvedMachine) -> list[Entry]:
         if (advice := solved.advice[case]) is not None:
             entries.append(Entry(said("advice"), advice.text))
     return entries
+
+
+def _picture(solved: SolvedMachine) -> list[Section]:
+    """Draw the machine and how it bends in its hardest step."""
+    if not solved.status.converged.any():
+        return []
+    stresses = [
+        max(float(np.nan_to_num(one.stress[case]).max()) for one in solved.shafts.values())
+        for case in range(len(solved))
+    ]
+    step = int(np.argmax(stresses))
+    name = solved.steps[step]
+    caption = said("Shafts to scale, deflection, bending moment, shear force and stress")
+
+    def draw() -> Picture:
+        from rolamento.plots.machine import machine_figure
+
+        return machine_figure(solved, step=step)
+
+    figure = Figure(caption=f"{caption}: {name}" if name else caption, draw=draw, key="machine")
+    return [Section("", (figure,), key="picture")]
 
 
 # --- life -----------------------------------------------------------------------------------------
@@ -328,13 +353,16 @@ def _bearings(found: MachineAnalysis) -> Section:
         for column in columns
         if any(value is not None for value in column.values) or column.key in ("bearing", "tilt")
     )
-    legends = (
-        said(
-            "forces and moment of the shaft on the inner ring, F_a toward +x; tilt between the"
-            " rings; permissible: what makers let pass of such bearings; life of each step alone"
-        ),
-    )
-    table = Table(columns=known, key="bearings", legends=legends, groups=groups)
+    legends = [
+        said("forces and moment of the shaft on the inner ring, F_a toward +x"),
+        said("tilt between the rings"),
+    ]
+    if any(column.key == "permissible_tilt" for column in known):
+        legends.append(said("permissible: what makers let pass of such bearings"))
+    if len(solved) > 1:
+        legends.append(said("life of each step alone"))
+    legends = ["; ".join(legends)]
+    table = Table(columns=known, key="bearings", legends=tuple(legends), groups=groups)
     return Section(said("Bearings"), (table,), key="bearings")
 
 
