@@ -42,7 +42,7 @@ _ACROSS: Final = 122.0
 _LEAST, _MOST = 38.0, 105.0
 _BELOW: Final = 118.0
 """Of the panels below, in mm."""
-_ROOM: Final = (1.85, 1.85)
+_ROOM: Final = (2.0, 2.0)
 """Greatest radii below and above the axis: for names and arrows."""
 _OUTSIDE: Final = 1.75
 """Outside diameter over the shaft's, of a bearing whose sizes nobody gives."""
