@@ -15,7 +15,7 @@ from rolamento.cli.app import app
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 BLOCKS = [
     pytest.param(block, id=f"{guide}-{number}")
-    for guide in ("case-file.md", "python.md", "report.md", "studies.md")
+    for guide in ("case-file.md", "python.md", "report.md", "shafts.md", "studies.md")
     for number, block in enumerate(
         re.findall(r"```python\n(.*?)```", (DOCS / guide).read_text("utf-8"), re.DOTALL)
     )
@@ -27,6 +27,10 @@ def test_example_runs(
     block: str, examples: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     shutil.copy(examples / "218_combined.toml", tmp_path / "case.toml")
+    (machine,) = re.findall(
+        r"```toml\n(.*?)```", (DOCS / "shafts.md").read_text("utf-8"), re.DOTALL
+    )
+    (tmp_path / "machine.toml").write_text(machine, encoding="utf-8")
     monkeypatch.chdir(tmp_path)
     exec(compile(block, "example", "exec"), {})
 

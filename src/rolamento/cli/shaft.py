@@ -26,7 +26,7 @@ app = typer.Typer()
 
 @app.command(
     cls=JsonCommand,
-    epilog="Examples: new --machine machine.toml, then shaft machine.toml; shaft machine.toml"
+    epilog="Examples: new --machine, then shaft machine.toml; shaft machine.toml"
     " --set loads.0.fz='-8 kN' --set bearings.A.designation=6310; shaft machine.toml --json"
     " result.json --xlsx result.xlsx; shaft machine.toml --report machine.pdf.",
 )
@@ -55,7 +55,7 @@ def shaft(
     outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
 ) -> None:
-    """Show shafts on their bearings: loads, tilts, deflections, lives.
+    """Show loads, tilts and lives of the bearings on shafts.
 
     Every bearing is solved with the shaft, nonlinear and at speed, in each step of the spectrum.
     """

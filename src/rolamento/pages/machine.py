@@ -145,7 +145,7 @@ def _how(located: str, turned: bool) -> str:
     if located == "floating":
         parts.append(said("floating"))
     elif located != "both":
-        parts.append(said("held toward {way} only", way=located))
+        parts.append(said("located against {way} only", way=located))
     if turned:
         parts.append(said("faces {way}", way="−x"))
     return "".join(f", {part}" for part in parts)
@@ -358,7 +358,7 @@ def _bearings(found: MachineAnalysis) -> Section:
         said("tilt between the rings"),
     ]
     if any(column.key == "permissible_tilt" for column in known):
-        legends.append(said("permissible: what makers let pass of such bearings"))
+        legends.append(said("permissible: what makers permit for such bearings"))
     if len(solved) > 1:
         legends.append(said("life of each step alone"))
     legends = ["; ".join(legends)]
