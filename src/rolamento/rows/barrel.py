@@ -42,6 +42,7 @@ from rolamento.contact.line import EXPONENT, half_width, max_pressure, slice_pla
 from rolamento.kinematics import BallMotion, centrifugal_force
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.root import increasing_root
+from rolamento.numerics.rotation import rotation_of
 from rolamento.records import frozen
 from rolamento.roller_kinematics import (
     roller_body,
@@ -50,7 +51,6 @@ from rolamento.roller_kinematics import (
 )
 from rolamento.rows.ball.problem import directions
 from rolamento.rows.row import Indices, IntArray, Response, RowGeometry, RowSizes, Running
-from rolamento.rows.sphere import rotation_of
 from rolamento.solved import Elements, Index, Pressed, Tables
 from rolamento.solved.rollers import Line, Rollers
 from rolamento.solved.tables import taken

@@ -23,6 +23,7 @@ from rolamento.case.parameters import BallParameters
 from rolamento.errors import InputError
 from rolamento.geometry import sphere_conformity
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.numerics.rotation import rotation_of
 from rolamento.records import frozen
 from rolamento.rows.ball.row import BallAnswer, BallResponse, BallRow, ball_row
 from rolamento.rows.row import (
@@ -39,10 +40,7 @@ from rolamento.rows.row import (
 from rolamento.solved import Index
 from rolamento.words import said
 
-__all__ = ["SphereRow", "from_outside", "from_ring", "rotation_of"]
-
-_SMALL: float = 1e-3
-"""rad: below, the functions of the angle are taken by their series."""
+__all__ = ["SphereRow", "from_outside", "from_ring"]
 
 
 @dataclass(slots=True)
@@ -265,36 +263,3 @@ def from_outside(tilt: FloatArray, vector: FloatArray) -> FloatArray:
 
 def _times(matrix: FloatArray, vector: FloatArray) -> FloatArray:
     return np.asarray((matrix @ vector[..., np.newaxis])[..., 0])
-
-
-def rotation_of(ry: FloatArray, rz: FloatArray) -> tuple[FloatArray, tuple[FloatArray, FloatArray]]:
-    """R of the rotation vector (0, ry, rz), and its derivatives by ry and rz; (cases, 3, 3).
-
-    R = 1 + a K + b K², a = sin θ/θ, b = (1 - cos θ)/θ². Rodrigues (1840).
-    """
-    generators = np.zeros((2, 3, 3))  # of x toward -z about y, of x toward y about z
-    generators[0, 0, 2], generators[0, 2, 0] = 1.0, -1.0
-    generators[1, 0, 1], generators[1, 1, 0] = -1.0, 1.0
-    angles = (ry, rz)
-    theta = np.hypot(ry, rz)
-    small = theta < _SMALL
-    t = np.where(small, 1.0, theta)
-    square = theta**2
-    a = np.where(small, 1.0 - square / 6.0, np.sin(t) / t)
-    b = np.where(small, 0.5 - square / 24.0, (1.0 - np.cos(t)) / t**2)
-    # a'(θ)/θ and b'(θ)/θ
-    a_slope = np.where(small, -1.0 / 3.0 + square / 30.0, (t * np.cos(t) - np.sin(t)) / t**3)
-    b_slope = np.where(
-        small, -1.0 / 12.0 + square / 180.0, (t * np.sin(t) - 2.0 * (1.0 - np.cos(t))) / t**4
-    )
-    k = sum(
-        angle[:, np.newaxis, np.newaxis] * g for angle, g in zip(angles, generators, strict=True)
-    )
-    k = np.asarray(k)
-    a, b, a_slope, b_slope = (f[:, np.newaxis, np.newaxis] for f in (a, b, a_slope, b_slope))
-    rotation = np.eye(3) + a * k + b * k @ k
-    turns = []
-    for angle, g in zip(angles, generators, strict=True):
-        share = angle[:, np.newaxis, np.newaxis]
-        turns.append(a * g + b * (g @ k + k @ g) + share * (a_slope * k + b_slope * k @ k))
-    return rotation, (turns[0], turns[1])

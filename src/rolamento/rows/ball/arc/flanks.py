@@ -1,4 +1,4 @@
-"""Balls on one or two flanks, one at a time: the kernels of `rolamento.rows.grooves`.
+"""Balls on one or two flanks, one at a time: the kernels of `rolamento.rows.ball.arc.grooves`.
 
 A case is a column of `COLUMN` numbers, SI. A ball's place (x, r) is counted from the middle of the
 outer ring's groove centres, that of the inner ring's groove stands at a centre (x, r) from there.

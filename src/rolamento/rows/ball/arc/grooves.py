@@ -44,9 +44,9 @@ from rolamento.numerics import BoolArray, FloatArray
 from rolamento.numerics.compiled import Kernel
 from rolamento.numerics.threads import share_out
 from rolamento.records import frozen
-from rolamento.rows import flanks as kernels
+from rolamento.rows.ball.arc import flanks as kernels
+from rolamento.rows.ball.arc.flanks import ROUNDING, TERMS
 from rolamento.rows.ball.problem import directions
-from rolamento.rows.flanks import ROUNDING, TERMS
 from rolamento.rows.row import Indices, IntArray, Response, RowGeometry, RowSizes, Running
 from rolamento.solved import Elements, Index, Pressed, Tables
 from rolamento.static import race_stiffness
