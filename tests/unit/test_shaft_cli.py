@@ -166,3 +166,37 @@ def test_the_template_of_a_machine_solves(tmp_path: Path, monkeypatch: pytest.Mo
     awake = [line for line in awake if not line.startswith(("Every value", "begin with", "x runs"))]
     Path("all.toml").write_text("\n".join(awake), encoding="utf-8")
     assert ro.shaft("all.toml").status.converged.all()
+
+
+def test_over_a_field(tmp_path: Path) -> None:
+    """Preload of a pinion: forces as at each point alone; a point that is refused says why."""
+    table, picture = tmp_path / "over.csv", tmp_path / "over.png"
+    data = tmp_path / "over.json"
+    pinion = str(EXAMPLES / "pinion.toml")
+    code, out, _ = run(
+        pinion, "--over", "bearings.pinion side.preload=0..2kN", "--points", "3", "--csv",
+        str(table), "--plot", str(picture), "--json", str(data),
+    )  # fmt: skip
+    assert code == 0
+    assert "over bearings.pinion side.preload" in " ".join(out.split())
+    assert picture.stat().st_size > 10_000
+    found = json.loads(data.read_text(encoding="utf-8"))
+    assert found["values"] == [0.0, 1.0, 2.0]
+    alone = ro.shaft(load_machine(pinion, ["bearings.pinion side.preload=1 kN"]))
+    for name, one in alone.bearings.items():
+        np.testing.assert_allclose(
+            found["bearings"][name]["radial_force"][1], one.radial_force[0], rtol=1e-9
+        )
+    rows = list(csv.DictReader(table.read_text(encoding="utf-8").splitlines()))
+    assert len(rows) == 3
+    code, out, _ = run(pinion, "--over", "bearings.pinion side.position=40..900mm", "--points", "2")
+    assert code == 1
+    assert "is not on shaft" in " ".join(out.split())
+
+
+@pytest.mark.parametrize("over", ["loads", "loads.0.fz=1", "loads.0.fz=1kN..2mm", "a=1..2"])
+def test_what_is_no_range_is_refused(over: str) -> None:
+    """One message, exit code 2."""
+    code, _, err = run(GEAR_SHAFT, "--over", over, "--points", "2")
+    assert code == 2
+    assert "Traceback" not in err

@@ -11,7 +11,7 @@ from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import CataloguesOption, JsonOption, LanguageOption, PlotOption
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, put
-from rolamento.cli.waiting import waiting
+from rolamento.cli.waiting import progress_of, waiting
 from rolamento.errors import InputError
 from rolamento.words import said
 from rolamento.words.reasons import reason
@@ -52,6 +52,17 @@ def shaft(
     step: Annotated[
         int, typer.Option("--step", metavar="N", help="Step of the spectrum to draw, from 1.")
     ] = 1,
+    over: Annotated[
+        str | None,
+        typer.Option(
+            "--over",
+            metavar="KEY=FIRST..LAST",
+            help="Vary a field of the machine, such as loads.0.fz=-1..-10kN.",
+        ),
+    ] = None,
+    points: Annotated[
+        int, typer.Option("--points", metavar="N", help="With --over, values of it, 2 to 500.")
+    ] = 15,
     outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
 ) -> None:
@@ -63,6 +74,9 @@ def shaft(
         outputs.check({"--json": json, "--plot": plot}, machine)
         from rolamento.tasks.machines import analysed_machine
 
+        if over is not None:
+            converged = _vary(machine, over, settings, catalogues, points, json, plot, outputs)
+            raise typer.Exit(SOLVED if converged else NO_RESULT)
         with waiting(lang):
             found = analysed_machine(machine, settings or (), catalogues or ())
         if json is not None:
@@ -92,3 +106,32 @@ def _draw(found: MachineAnalysis, step: int, path: str) -> None:
             source="--step", value=step,
         )  # fmt: skip
     save_figure(machine_figure(found.solved, step=step - 1), path)
+
+
+def _vary(
+    machine: str,
+    over: str,
+    settings: list[str] | None,
+    catalogues: list[str] | None,
+    points: int,
+    json: str | None,
+    plot: str | None,
+    outputs: Outputs,
+) -> bool:
+    """Show a machine over one of its fields; return whether every point has a result."""
+    from rolamento.pages.machine import machine_over_page
+    from rolamento.tasks.machines import machine_over
+
+    with progress_of(said("machines solved")) as progress:
+        found = machine_over(
+            machine, over, settings or (), catalogues or (), points=points, progress=progress
+        )
+    if json is not None:
+        put(found.to_json() + "\n", json)
+    if plot is not None:
+        from rolamento.plots.machine import machine_over_figure
+        from rolamento.plots.saving import save_figure
+
+        save_figure(machine_over_figure(found), plot)
+    outputs.show(lambda: machine_over_page(found), json)
+    return found.converged

@@ -13,6 +13,7 @@ from rolamento.analysis import analyse
 from rolamento.document import (
     Beside,
     Block,
+    Break,
     CellContent,
     Column,
     Document,
@@ -43,8 +44,9 @@ if TYPE_CHECKING:
 
     from rolamento.analysis.machine import MachineAnalysis
     from rolamento.solved.machine import SeatedBearing, SolvedMachine, SolvedShaft
+    from rolamento.tasks.machines import MachineCurve
 
-__all__ = ["hardest_step", "machine_page", "machine_report"]
+__all__ = ["hardest_step", "machine_over_page", "machine_page", "machine_report"]
 
 _MOST_STEPS: Final = 12
 """Steps that a page shows; files have all of them."""
@@ -544,3 +546,64 @@ def _housed(solved: SolvedMachine) -> list[Section]:
     legends = (said("displacement of outer rings in yielding or sliding seats"),)
     table = Table(columns=columns, key="outer_rings", legends=legends, groups=groups)
     return [Section(said("Outer rings"), (table,), key="outer_rings")]
+
+
+# --- over a field ---------------------------------------------------------------------------------
+
+
+def machine_over_page(found: MachineCurve) -> Document:
+    """Return the page of a machine over one of its fields.
+
+    Parameters
+    ----------
+    found
+        Of `rolamento.tasks.machines.machine_over`.
+    """
+    machine = found.first.solved
+
+    def column(head: str, key: str, unit: str, values: FloatArray, most: int = 2) -> Column:
+        shown: list[CellContent] = [v if isfinite(v) else None for v in values.tolist()]
+        form = ".3r [h]" if unit == "h" else ""
+        return Column(head=head, values=shown, unit=unit, key=key, most=most, form=form)
+
+    columns = [
+        Column(head=f"{found.key}\n{found.unit}", values=found.values.tolist(), key="value", most=4,
+               figures=5),
+        column(said("life"), "hours", "h", HOUR * found.hours),
+    ]  # fmt: skip
+    for name in machine.bearings:
+        columns += [
+            column(f"{name}\nF_r", f"{name}_radial_force", "N",
+                   found.of_bearing(name, "radial_force"), 1),
+            column(said("tilt"), f"{name}_tilt", "mrad", found.of_bearing(name, "tilt"), 3),
+            column("p_max", f"{name}_max_pressure", "MPa",
+                   found.of_bearing(name, "max_pressure"), 0),
+            column(said("life"), f"{name}_hours", "h", HOUR * found.of_bearing(name, "hours")),
+        ]  # fmt: skip
+    for name in machine.shafts:
+        columns += [
+            column(f"{name}\n{said('deflection')}", f"{name}_deflection", "µm",
+                   found.of_shaft(name, "deflection")),
+            column(said("stress"), f"{name}_stress", "MPa", found.of_shaft(name, "stress"), 1),
+        ]  # fmt: skip
+    each = 4
+    heads = [*machine.bearings, said("Shafts")]
+    breaks = tuple(Break(2 + each * index, name) for index, name in enumerate(heads))
+    legends = (said("the greatest of all steps; life of all bearings together, and of each"),)
+    table = Table(columns=tuple(columns), key="over", legends=legends, fixed=2, breaks=breaks)
+    title = machine.title or said("Machine without a title")
+    heading = said("{title} over {field}", title=title, field=found.key)
+
+    def draw() -> Picture:
+        from rolamento.plots.machine import machine_over_figure
+
+        return machine_over_figure(found)
+
+    figure = Figure(caption=heading, draw=draw, key="over")
+    refused = {text: Note("text", {"text": text}) for text in found.refused if text}
+    sections = [
+        Section("", (Title(heading),), key="given"),
+        Section("", (figure, table), key="over"),
+        *notes_section(refused.values()),
+    ]
+    return Document(heading, tuple(sections), kind="machine_over", main="over")

@@ -28,7 +28,7 @@ _NAMES_OF_MODULES: Final = {
         "sn_figure",
         "what_helps",
     ),
-    "machine": ("campbell_figure", "machine_figure", "modes_figure"),
+    "machine": ("campbell_figure", "machine_figure", "machine_over_figure", "modes_figure"),
     "roller": (
         "compared_rollers",
         "pressure_along_rollers",

@@ -18,6 +18,7 @@ from rolamento.plots.frame import (
     label_x,
     label_y,
     legend_above,
+    log_scale,
 )
 from rolamento.plots.style import INNER, MILLIMETRE, OUTER, SERIES, WIDTH, Series, styled
 from rolamento.plots.texts import number
@@ -29,8 +30,9 @@ if TYPE_CHECKING:
     from rolamento.case.machine import Machine, MachineBearing, Shaft
     from rolamento.solved.machine import SolvedMachine, SolvedShaft
     from rolamento.solved.rotor import Campbell, Modes
+    from rolamento.tasks.machines import MachineCurve
 
-__all__ = ["campbell_figure", "machine_figure", "modes_figure"]
+__all__ = ["campbell_figure", "machine_figure", "machine_over_figure", "modes_figure"]
 
 _MM: Final = 1e3
 _SHAFT: Final = "#D9DEE3"
@@ -368,6 +370,45 @@ def _marks(axes: Axes, solved: SolvedMachine) -> None:
     for one in machine.bearings:
         axes.axvline(_MM * _x(machine, one.shaft, one.position), color=GREY, linewidth=0.6,
                      linestyle=":", zorder=0)  # fmt: skip
+
+
+# --- over a field ---------------------------------------------------------------------------------
+
+
+def machine_over_figure(found: MachineCurve) -> Figure:
+    """Draw a machine over one of its fields: lives, pressures, tilts and deflections.
+
+    Parameters
+    ----------
+    found
+        From `rolamento.tasks.machines.machine_over`.
+    """
+    machine, x = found.first.solved, found.values
+    with styled():
+        figure = Figure(figsize=(WIDTH * MILLIMETRE, 0.85 * WIDTH * MILLIMETRE))
+        lives, pressures, tilts, bent = figure.subplots(2, 2, sharex=True).ravel()
+        for name, style in zip(machine.bearings, SERIES * 20, strict=False):
+            look = style.keywords()
+            lives.plot(x, found.of_bearing(name, "hours"), label=name, **look)
+            pressures.plot(x, 1e-6 * found.of_bearing(name, "max_pressure"), **look)
+            tilts.plot(x, 1e3 * found.of_bearing(name, "tilt"), **look)
+        lives.plot(x, found.hours, color="black", linewidth=2.0, label=said("together"))
+        for name, style in zip(machine.shafts, SERIES * 20, strict=False):
+            bent.plot(x, 1e6 * found.of_shaft(name, "deflection"), label=name, **style.keywords())
+        for axes, label in (
+            (lives, said("Life (h)")), (pressures, said("Maximum pressure (MPa)")),
+            (tilts, said("Tilt between the rings (mrad)")), (bent, said("Deflection (µm)")),
+        ):  # fmt: skip
+            label_y(axes, label)
+        log_scale(lives, "y")
+        for axes in (pressures, tilts, bent):
+            axes.set_ylim(bottom=0.0)
+        for axes in (tilts, bent):
+            label_x(axes, f"{found.key} ({found.unit})" if found.unit else found.key)
+        legend_above(lives)
+        legend_above(bent)
+        add_title(figure, machine.title or said("Machine without a title"))
+    return figure
 
 
 # --- vibration ------------------------------------------------------------------------------------
