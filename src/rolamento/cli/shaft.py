@@ -55,7 +55,7 @@ def shaft(
     outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
 ) -> None:
-    """Show shafts on their bearings: loads, tilts, deflections, lives.
+    """Solve shafts on their bearings: loads, tilts, deflection, life.
 
     Every bearing is solved with the shaft, nonlinear and at speed, in each step of the spectrum.
     """
