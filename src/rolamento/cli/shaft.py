@@ -55,7 +55,7 @@ def shaft(
     outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
 ) -> None:
-    """Solve shafts on their bearings: loads, tilts, deflection, life.
+    """Solve shafts on their bearings: load, tilt, deflection, life.
 
     Every bearing is solved with the shaft, nonlinear and at speed, in each step of the spectrum.
     """
