@@ -2,20 +2,46 @@
 
 from __future__ import annotations
 
+import json
 import re
 import shlex
 import shutil
+import tomllib
 from pathlib import Path
 
 import pytest
 from typer.testing import CliRunner
 
+from rolamento.case.machine import (
+    Belt,
+    Gear,
+    Gravity,
+    Housing,
+    Machine,
+    MachineBearing,
+    Mass,
+    Section,
+    Shaft,
+    ShaftLoad,
+    Spring,
+    Step,
+    parse_machine,
+)
 from rolamento.cli.app import app
+from rolamento.tasks.examples import EXAMPLES
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
+GUIDES = ["case-file.md", "machine-file.md", "python.md", "report.md", "shafts.md", "studies.md"]
 BLOCKS = [
     pytest.param(block, id=f"{guide}-{number}")
-    for guide in ("case-file.md", "python.md", "report.md", "shafts.md", "studies.md")
+    for guide in (
+        "case-file.md",
+        "machine-file.md",
+        "python.md",
+        "report.md",
+        "shafts.md",
+        "studies.md",
+    )  # fmt: skip
     for number, block in enumerate(
         re.findall(r"```python\n(.*?)```", (DOCS / guide).read_text("utf-8"), re.DOTALL)
     )
@@ -102,3 +128,50 @@ def test_a_bearing_by_its_designation_as_the_front_page_has_it(
         assert result.exit_code == 0, result.output
     assert (tmp_path / "6310-C3.toml").is_file()
     assert (tmp_path / "motor.pdf").read_bytes().startswith(b"%PDF")
+
+
+MACHINE_PAGE = (DOCS / "machine-file.md").read_text("utf-8")
+PLAIN_MACHINE = """
+[[shafts]]
+name = "shaft"
+speed = "1000 rpm"
+sections = [{ length = "300 mm", diameter = "40 mm" }]
+[[bearings]]
+name = "A"
+shaft = "shaft"
+position = "20 mm"
+designation = "6208"
+"""
+
+
+@pytest.mark.parametrize("block", re.findall(r"```toml\n(.*?)```", MACHINE_PAGE, re.DOTALL))
+def test_the_machine_file_s_page_shows_valid_tables(block: str) -> None:
+    given = tomllib.loads(block)
+    machine = parse_machine(json.dumps({**tomllib.loads(PLAIN_MACHINE), **given}))
+    assert given.keys() <= machine.to_mapping().keys()
+
+
+RECORDS = {
+    "Top level": Machine, "Shafts": Shaft, "Bearings": MachineBearing, "Housings": Housing,
+    "Springs": Spring, "Loads": ShaftLoad, "Gears": Gear, "Belts": Belt, "Masses": Mass,
+    "Gravity": Gravity, "Spectrum": Step,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("heading", RECORDS)
+def test_the_machine_file_s_page_has_every_field(heading: str) -> None:
+    part = MACHINE_PAGE.partition(f"\n## {heading}\n")[2].partition("\n## ")[0]
+    shown = set(
+        re.findall(r"`\[{0,2}(\w+)\]{0,2}`", "".join(re.findall(r"^\|[^|]*\|", part, re.M)))
+    )
+    known = set(RECORDS[heading].model_fields)
+    known |= {"Shafts": set(Section.model_fields), "Bearings": {"case"}}.get(heading, set())
+    assert shown == known
+
+
+def test_the_machine_file_s_page_has_every_example() -> None:
+    shown = re.findall(r"^\| `(\w+)` \| `(\w+\.toml)` \|", MACHINE_PAGE, re.M)
+    assert sorted(file for _, file in shown) == sorted(
+        path.name for path in (ROOT / "src" / "rolamento" / "examples" / "machines").glob("*.toml")
+    )
+    assert {name for name, _ in shown} <= set(EXAMPLES)

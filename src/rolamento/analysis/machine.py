@@ -138,6 +138,12 @@ def analyse_machine(machine: Machine | SolvedMachine | str | os.PathLike[str]) -
     machine
         A `Machine`, its file, or what `rolamento.shaft` returned.
 
+    Returns
+    -------
+    MachineAnalysis
+        The solved machine, and by bearing its film, friction and life; a step without equilibrium
+        has none, and a note says why.
+
     Raises
     ------
     InputError

@@ -1120,6 +1120,11 @@ def load_machine(path: str | os.PathLike[str], settings: Iterable[str] = ()) -> 
         Texts ``KEY=VALUE`` that go over the file: parts of a list by their names, or by their
         numbers from 0, such as ``bearings.A.designation=6310`` or ``loads.0.fz=-8 kN``.
 
+    Returns
+    -------
+    Machine
+        Validated, every quantity in SI units.
+
     Raises
     ------
     FileError
