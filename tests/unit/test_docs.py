@@ -34,14 +34,7 @@ DOCS = Path(__file__).resolve().parents[2] / "docs"
 GUIDES = ["case-file.md", "machine-file.md", "python.md", "report.md", "shafts.md", "studies.md"]
 BLOCKS = [
     pytest.param(block, id=f"{guide}-{number}")
-    for guide in (
-        "case-file.md",
-        "machine-file.md",
-        "python.md",
-        "report.md",
-        "shafts.md",
-        "studies.md",
-    )  # fmt: skip
+    for guide in GUIDES
     for number, block in enumerate(
         re.findall(r"```python\n(.*?)```", (DOCS / guide).read_text("utf-8"), re.DOTALL)
     )
