@@ -101,6 +101,12 @@ def of_data() -> Iterator[tuple[str, str | None]]:
     yield from ((kind["name"], None) for kind in data["spindle"])
     for table in _TABLES:
         yield from ((meaning, None) for meaning in data[table].values())
+    with (SOURCE / "data" / "equations.toml").open("rb") as file:
+        data = tomllib.load(file)
+    for law in data["equation"]:
+        yield from ((law[name], None) for name in ("name", "source", "valid") if name in law)
+    for table in ("symbols", "roller_symbols"):
+        yield from ((meaning, None) for _, meaning, _ in data[table].values())
 
 
 def translated(language: str, *, parts: bool = True) -> Catalog:

@@ -356,7 +356,7 @@ def symbols() -> str:
     """Return the symbols of the equations, in both languages."""
     from rolamento.pages import equations as register
 
-    every = {**register.SYMBOLS, **{f"roller {k}": v for k, v in register._OF_ROLLERS.items()}}
+    every = {**register.SYMBOLS, **{f"roller {k}": v for k, v in register.ROLLER_SYMBOLS.items()}}
     rows = [
         (symbol, meaning, in_portuguese(meaning) or meaning, unit or "–")
         for symbol, meaning, unit in every.values()

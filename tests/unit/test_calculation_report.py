@@ -21,7 +21,14 @@ from rolamento.document.html import html
 from rolamento.document.pdf import pdf
 from rolamento.document.terminal import terminal
 from rolamento.errors import InputError
-from rolamento.pages.equations import EQUATIONS, REFERENCES, SYMBOLS, equations_of, references_of
+from rolamento.pages.equations import (
+    CONDITIONS,
+    EQUATIONS,
+    REFERENCES,
+    SYMBOLS,
+    equations_of,
+    references_of,
+)
 from rolamento.pages.report import report_page
 from rolamento.tasks.demonstration import EXAMPLE
 from rolamento.tasks.report import MOST_CASES, Report, calculation_report, checksum_of
@@ -308,6 +315,7 @@ def test_every_law_can_be_set_and_has_its_symbols_and_sources() -> None:
         assert law.source
         assert set(law.symbols) <= SYMBOLS.keys()
         assert set(law.references) <= REFERENCES.keys()
+        assert {condition.split()[0] for condition in law.used} <= CONDITIONS.keys()
 
 
 def test_only_what_was_used_is_shown(gearbox: Report) -> None:

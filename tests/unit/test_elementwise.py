@@ -11,10 +11,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rolamento import geometry, kinematics
+from rolamento import geometry
 from rolamento.contact import hertz
 from rolamento.geometry import Angle, race_curvature
-from rolamento.kinematics import ball_motion, surface_speeds
+from rolamento.kinematics import ball, ball_motion, surface_speeds
 from rolamento.numerics import compiled, ellipse, elliptic
 from rolamento.numerics.blocks import BLOCK, in_blocks
 from rolamento.numerics.elementwise import MANY, of_each
@@ -27,9 +27,9 @@ LOOPS: tuple[tuple[Any, Any, int, int], ...] = (
     (hertz._cubed, hertz._fill_cubed, 5, 2),
     (hertz._pressed, hertz._fill_pressed, 5, 5),
     (geometry._curvatures, geometry._fill_curvatures, 5, 2),
-    (kinematics._turned, kinematics._fill_turned, 10, 7),
-    (kinematics._orbit, kinematics._fill_orbit, 7, 1),
-    (kinematics._surfaces, kinematics._fill_surfaces, 7, 2),
+    (ball._turned, ball._fill_turned, 10, 7),
+    (ball._orbit, ball._fill_orbit, 7, 1),
+    (ball._surfaces, ball._fill_surfaces, 7, 2),
 )
 
 

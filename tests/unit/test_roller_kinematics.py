@@ -8,9 +8,12 @@ import numpy as np
 import pytest
 
 from rolamento.geometry import apex_half_angle
-from rolamento.kinematics import ball_mass, ball_motion, gyroscopic_moment, nominal_orbit
-from rolamento.roller_kinematics import (
+from rolamento.kinematics import (
     apex_mismatch,
+    ball_mass,
+    ball_motion,
+    gyroscopic_moment,
+    nominal_orbit,
     rib_motion,
     roller_body,
     roller_gyroscopic_moment,

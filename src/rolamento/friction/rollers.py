@@ -37,12 +37,11 @@ from rolamento.friction.model import (
     torque_of_losses,
 )
 from rolamento.geometry import Race
-from rolamento.kinematics import BallMotion
+from rolamento.kinematics import BallMotion, RibMotion, rib_motion, roller_motion
 from rolamento.lubrication.film_thickness import film_groups, minimum_film
 from rolamento.lubrication.films import has_film, oil_of, resistance_left
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
-from rolamento.roller_kinematics import RibMotion, rib_motion, roller_motion
 from rolamento.solved import RACES, Solved
 from rolamento.solved.rollers import Line
 from rolamento.types import TYPES, type_of_element

@@ -39,16 +39,17 @@ from rolamento.case.parameters import RollerParameters
 from rolamento.case.roller_bearing import raceway_radii
 from rolamento.contact.hertz import effective_modulus, elliptical_contact
 from rolamento.contact.line import EXPONENT, half_width, max_pressure, slice_places
-from rolamento.kinematics import BallMotion, centrifugal_force
-from rolamento.numerics import BoolArray, FloatArray
-from rolamento.numerics.root import increasing_root
-from rolamento.numerics.rotation import rotation_of
-from rolamento.records import frozen
-from rolamento.roller_kinematics import (
+from rolamento.kinematics import (
+    BallMotion,
+    centrifugal_force,
     roller_body,
     roller_gyroscopic_moment,
     roller_motion,
 )
+from rolamento.numerics import BoolArray, FloatArray
+from rolamento.numerics.root import increasing_root
+from rolamento.numerics.rotation import rotation_of
+from rolamento.records import frozen
 from rolamento.rows.ball.problem import directions
 from rolamento.rows.row import Indices, IntArray, Response, RowGeometry, RowSizes, Running
 from rolamento.solved import Elements, Index, Pressed, Tables

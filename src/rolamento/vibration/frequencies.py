@@ -11,7 +11,7 @@ times in 2π. A slipping ball rolls on the outer race, on which centrifugal forc
 slips on the inner: cage and ball slow down by the same part.
 
 Rollers have the same formulas with the angle β of their axis for α, 0 of cylindrical ones: exact
-for tapered rollers whose cone has its apex with those of the raceways (`roller_kinematics`).
+for tapered rollers whose cone has its apex with those of the raceways (`kinematics.apex_mismatch`).
 
 Sources: Harris, Rolling Bearing Analysis, 3rd ed. (1991); Braga and Almeida, equations 19 and 22.
 See docs/theory/vibration-frequencies.md.
@@ -31,10 +31,9 @@ from rolamento.case.roller_bearing import RollerBearing
 from rolamento.errors import InputError
 from rolamento.geometry import apex_half_angle, ring_geometry
 from rolamento.io.json import plain
-from rolamento.kinematics import ball_motion
+from rolamento.kinematics import apex_mismatch, ball_motion, roller_motion
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.roller_kinematics import apex_mismatch, roller_motion
 from rolamento.words import Note, said
 from rolamento.words.naming import of_element
 

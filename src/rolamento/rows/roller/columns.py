@@ -26,15 +26,16 @@ from rolamento.contact.line import contact_constant, roller_share, slice_places
 from rolamento.contact.profile import drop
 from rolamento.errors import InputError
 from rolamento.geometry import Race, apex_distance
-from rolamento.kinematics import BallMotion, centrifugal_force
-from rolamento.numerics import FloatArray
-from rolamento.records import frozen
-from rolamento.roller_kinematics import (
+from rolamento.kinematics import (
+    BallMotion,
     RollerBody,
+    centrifugal_force,
     roller_body,
     roller_gyroscopic_moment,
     roller_motion,
 )
+from rolamento.numerics import FloatArray
+from rolamento.records import frozen
 from rolamento.rows.roller import layout
 from rolamento.rows.roller.roller import Line
 from rolamento.rows.row import Running

@@ -26,7 +26,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.geometry import Race
-from rolamento.kinematics import BallMotion, nominal_orbit
+from rolamento.kinematics.ball import BallMotion, nominal_orbit
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
 
