@@ -64,6 +64,14 @@ FIGURES: Final[dict[str, tuple[str, ...]]] = {
         "--variant 'spring:bearing.preload={ spring = \"500 N\" }'",
     ),
     "6012_triple": (_STATE, "rolamento plot state.json --kind balls -o balls.png"),
+    **{
+        name: ("rolamento shaft {file} --plot machine.png",)
+        for name in ("motor", "gear_unit", "pinion_x", "spindle", "three_supports", "coaxial")
+    },
+    "pinion": (
+        "rolamento shaft {file} --plot machine.png",
+        "rolamento shaft {file} --over 'bearings.pinion side.preload=0..3kN' --plot preload.png",
+    ),
     "qj210_both_ways": (_STATE, "rolamento plot state.json --kind angles -o angles.png"),
     "51210_turntable": (
         _STATE,

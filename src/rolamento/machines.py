@@ -35,7 +35,7 @@ __all__ = ["shaft", "solve_machine"]
 MOST_TILT: Final = radians(5.0)
 """Between the rings of a bearing: what a `Duty` takes."""
 BUCKLING_SHARE: Final = 0.05
-"""Of the Euler load: an axial force above it has a say in the bending, which is left out."""
+"""Axial force over the Euler load above which its say in the bending, which is left out, counts."""
 
 
 def shaft(machine: Machine | str | os.PathLike[str]) -> SolvedMachine:

@@ -40,10 +40,10 @@ _RING: Final = "#9FB3C8"
 _ELEMENT: Final = "#F5F7FA"
 _GEAR: Final = "#E8D9B5"
 _ACROSS: Final = 122.0
-"""Of the drawing, in mm; its height follows, within bounds."""
+"""Width of the drawing, in mm; its height follows, within bounds."""
 _LEAST, _MOST = 38.0, 105.0
 _BELOW: Final = 118.0
-"""Of the panels below, in mm."""
+"""Height of the panels below, in mm."""
 _ROOM: Final = (2.0, 2.0)
 """Greatest radii below and above the axis: for names and arrows."""
 _OUTSIDE: Final = 1.75
@@ -51,7 +51,7 @@ _OUTSIDE: Final = 1.75
 _WIDTH_SHARE: Final = 0.22
 """Width over outside diameter, likewise."""
 _SMALL: Final = 1e-3
-"""Of the greatest load: what is less has no arrow."""
+"""Part of the greatest load: what is less has no arrow."""
 
 
 def machine_figure(solved: SolvedMachine, *, step: int = 0) -> Figure:

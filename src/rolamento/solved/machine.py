@@ -94,12 +94,12 @@ class SolvedShaft:
 
     @property
     def bending_moment(self) -> FloatArray:
-        """Of both planes together; (cases, nodes, 2), N·m."""
+        """Bending moment of both planes together; (cases, nodes, 2), N·m."""
         return np.asarray(np.hypot(self.force[..., 3], self.force[..., 4]))
 
     @property
     def shear_force(self) -> FloatArray:
-        """Of both planes together; (cases, nodes, 2), N."""
+        """Shear force of both planes together; (cases, nodes, 2), N."""
         return np.asarray(np.hypot(self.force[..., 1], self.force[..., 2]))
 
     def displacement_at(self, position: float) -> FloatArray:
@@ -178,12 +178,12 @@ class SolvedMachine:
 
     @property
     def title(self) -> str:
-        """Of the machine."""
+        """The title of the machine."""
         return self.machine.title
 
     @property
     def share(self) -> FloatArray:
-        """Of the time, of each case; (cases,)."""
+        """Share of the time of each case; (cases,)."""
         return np.array([step.share for step in self.machine.spectrum] or [1.0])
 
     @property

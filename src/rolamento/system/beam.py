@@ -25,7 +25,7 @@ from rolamento.numerics import FloatArray, IntArray
 from rolamento.records import frozen
 
 POINTS: Final = 16
-"""Of Gauss's quadrature along an element."""
+"""Points of Gauss's quadrature along an element."""
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(POINTS)
 _AT: Final = 0.5 * (1.0 + _NODES)
 _SHARE: Final = 0.5 * _WEIGHTS
@@ -78,7 +78,7 @@ class Elements:
     # --- stiffness ------------------------------------------------------------------------------
 
     def flexibility(self) -> FloatArray:
-        """Of each element held at its left end, by force and moment at the right; (n, 2, 2)."""
+        """Flexibility of elements held at their left ends, by F and M at the right; (n, 2, 2)."""
         section, length = self._at(_AT[np.newaxis]), self.length[:, np.newaxis]
         r = length * (1.0 - _AT)
         bend = length * _SHARE / section.bending
@@ -89,7 +89,7 @@ class Elements:
         return f
 
     def stretch(self) -> FloatArray:
-        """Of each element, by an axial force; (n,), m/N."""
+        """Stretch of each element by an axial force; (n,), m/N."""
         section = self._at(_AT[np.newaxis])
         return np.asarray(self.length * (_SHARE / section.axial).sum(axis=1))
 
@@ -155,7 +155,7 @@ class Elements:
         return m, g
 
     def mass(self) -> FloatArray:
-        """Of each element; (n,), kg."""
+        """Mass of each element; (n,), kg."""
         section = self._at(_AT[np.newaxis])
         return np.asarray(self.density * self.length * (_SHARE * section.area).sum(axis=1))
 

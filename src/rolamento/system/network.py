@@ -43,7 +43,7 @@ from rolamento.status import (
 FIVE: Final = 5
 """Degrees of freedom of a node."""
 ALONG: Final = np.array([1.0, 0.0, 0.0, 0.0, 0.0])
-"""Of a node's degrees of freedom, x."""
+"""Selects x from a node's degrees of freedom."""
 PRECISION: Final = 1e-10
 """Unbalanced force over the forces that make it up."""
 ROUNDING: Final = 1e-15

@@ -536,7 +536,7 @@ class _Layout:
 
     @property
     def nodes(self) -> int:
-        """How many there are."""
+        """Number of nodes."""
         return len(self.held) // FIVE
 
     def node(self, free: Sequence[int]) -> int:
