@@ -64,7 +64,10 @@ FIGURES: Final[dict[str, tuple[str, ...]]] = {
         "--variant 'spring:bearing.preload={ spring = \"500 N\" }'",
     ),
     "6012_triple": (_STATE, "rolamento plot state.json --kind balls -o balls.png"),
-    **dict.fromkeys(("motor", "gear_unit", "pinion_x", "spindle", "three_supports", "coaxial"), ("rolamento shaft {file} --plot machine.png",)),
+    **dict.fromkeys(
+        ("motor", "gear_unit", "pinion_x", "spindle", "three_supports", "coaxial"),
+        ("rolamento shaft {file} --plot machine.png",),
+    ),
     "pinion": (
         "rolamento shaft {file} --plot machine.png",
         "rolamento shaft {file} --over 'bearings.pinion side.preload=0..3kN' --plot preload.png",
