@@ -26,9 +26,9 @@ app = typer.Typer()
 
 @app.command(
     cls=JsonCommand,
-    epilog="Examples: new --machine machine.toml, then shaft machine.toml; shaft machine.toml"
-    " --set loads.0.fz='-8 kN' --set bearings.A.designation=6310; shaft machine.toml --json"
-    " result.json --xlsx result.xlsx; shaft machine.toml --report machine.pdf.",
+    epilog="Examples: new --machine; shaft machine.toml; shaft machine.toml --set"
+    " loads.0.fz='-8 kN' --set bearings.A.designation=6310; shaft machine.toml --json result.json"
+    " --xlsx result.xlsx; shaft machine.toml --report machine.pdf.",
 )
 @with_outputs
 def shaft(
