@@ -47,6 +47,7 @@ PAGES: Final = (
         for name in ("spindle", "gearbox", "maintenance", "test-engineer", "researcher")
     ),
     DOCS / "faq.md",
+    DOCS / "shafts.md",
     DOCS / "start.pt-BR.md",
     DOCS / "tutorials" / "maintenance.pt-BR.md",
 )

@@ -31,7 +31,7 @@ from rolamento.cli.app import app
 from rolamento.tasks.examples import EXAMPLES
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
-GUIDES = ["case-file.md", "machine-file.md", "python.md", "report.md", "shafts.md", "studies.md"]
+GUIDES = ["case-file.md", "machine-file.md", "python.md", "report.md", "studies.md"]
 BLOCKS = [
     pytest.param(block, id=f"{guide}-{number}")
     for guide in GUIDES
@@ -46,10 +46,6 @@ def test_example_runs(
     block: str, examples: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     shutil.copy(examples / "218_combined.toml", tmp_path / "case.toml")
-    (machine,) = re.findall(
-        r"```toml\n(.*?)```", (DOCS / "shafts.md").read_text("utf-8"), re.DOTALL
-    )
-    (tmp_path / "machine.toml").write_text(machine, encoding="utf-8")
     monkeypatch.chdir(tmp_path)
     exec(compile(block, "example", "exec"), {})
 
