@@ -275,6 +275,8 @@ class Structure:
     def solve(self, which: Indices | None = None) -> MachineRest:
         """Find where all nodes come to rest in all cases, or some."""
         chosen = np.arange(len(self)) if which is None else which
+        if (loose := self.loose_shaft()) is not None:
+            return self._running_off(loose, len(chosen))
         condensed = self._condensed
         rest = condensed.solve(self, chosen, np.zeros((len(chosen), condensed.kept.size)), 1.0)
         left = np.flatnonzero(np.isin(rest.number, (NOT_CONVERGED, NO_EQUILIBRIUM)))
@@ -285,13 +287,15 @@ class Structure:
                 settled = (again.number == CONVERGED)[:, np.newaxis]
                 start = np.where(settled, again.place, start)
             rest.put(left, again)
-        loose = self.loose_shaft()
-        if loose is not None:
-            rest.number[:], rest.unsupported[:] = NO_EQUILIBRIUM, FIVE * loose.first
-        else:
-            known = rest.unsupported >= 0
-            rest.unsupported[known] = condensed.kept[rest.unsupported[known]]
+        known = rest.unsupported >= 0
+        rest.unsupported[known] = condensed.kept[rest.unsupported[known]]
         return MachineRest(rest, condensed.whole(self.load[chosen], rest.place))
+
+    def _running_off(self, beam: Beam, cases: int) -> MachineRest:
+        """What nothing holds along x has no place, whatever its load."""
+        rest = Rest.nowhere(cases, self._condensed.kept.size, self.components())
+        rest.number[:], rest.unsupported[:] = NO_EQUILIBRIUM, FIVE * beam.first
+        return MachineRest(rest, np.full((cases, len(self.held) // FIVE, FIVE), np.nan))
 
     @cached_property
     def _condensed(self) -> _Condensed:
