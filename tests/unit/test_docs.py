@@ -149,7 +149,9 @@ RECORDS = {
 @pytest.mark.parametrize("heading", RECORDS)
 def test_the_machine_file_s_page_has_every_field(heading: str) -> None:
     part = MACHINE_PAGE.partition(f"\n## {heading}\n")[2].partition("\n## ")[0]
-    shown = set(re.findall(r"`\[{0,2}(\w+)\]{0,2}`", "".join(re.findall(r"^\|[^|]*\|", part, re.M))))
+    shown = set(
+        re.findall(r"`\[{0,2}(\w+)\]{0,2}`", "".join(re.findall(r"^\|[^|]*\|", part, re.M)))
+    )
     known = set(RECORDS[heading].model_fields)
     known |= {"Shafts": set(Section.model_fields), "Bearings": {"case"}}.get(heading, set())
     assert shown == known
