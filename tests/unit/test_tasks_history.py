@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import rolamento as ro
 from rolamento import Bearing, tasks
 from rolamento.document.terminal import terminal
 from rolamento.errors import FileError, InputError
@@ -255,3 +256,46 @@ def test_samples_in_memory_are_diagnosed() -> None:
         assert found.speed.source == source
     with pytest.raises(InputError, match="rate"):
         tasks.diagnose(signal.samples, "6205", speed=RPM)
+
+
+EXAMPLES = Path(ro.__file__).parent / "examples" / "machines"
+
+
+def test_a_machine_file_of_shafts_names_what_turns(tmp_path: Path) -> None:
+    """Shafts, a bearing between two of them, and the speed come from the file."""
+    coaxial = read_machine(EXAMPLES / "coaxial.toml")
+    assert coaxial.speed == pytest.approx(30.0 * pi)
+    assert coaxial.shafts == {"inner shaft": pytest.approx(-1.5)}
+    between = coaxial.bearings[3]
+    assert (between.ratio, between.outer_ratio) == (pytest.approx(-1.5), 1.0)
+    own = nominal_frequencies(Bearing.named("6008"), -1.5, 1.0)
+    assert between.orders()[0] == pytest.approx(1.5 * own.ball_pass_outer.order)
+    assert between.orders()[0] > between.bearing.bearing.ball_count  # type: ignore[union-attr]
+    gears = read_machine(EXAMPLES / "gear_shaft.toml")
+    assert gears.meshes == (58.0,)
+    still = (EXAMPLES / "three_supports.toml").read_text(encoding="utf-8")
+    still = still.replace('"600 rpm"', '"0 rpm"')
+    (tmp_path / "still.toml").write_text(still, encoding="utf-8")
+    with pytest.raises(InputError, match="must turn"):
+        read_machine(tmp_path / "still.toml")
+
+
+def test_a_machine_file_of_shafts_is_diagnosed(tmp_path: Path) -> None:
+    """The bearing between both shafts is named by its own frequency, at the file's speeds."""
+    machine = read_machine(EXAMPLES / "coaxial.toml")
+    assert machine.speed is not None
+    speed = machine.speed
+    sought = nominal_frequencies(Bearing.named("6008"), -1.5 * speed, speed)
+    recipe = Recipe(
+        frequencies=sought,
+        duration=8.0,
+        rate=RATE,
+        faults=(Fault(kind="inner_race"),),
+        noise=Noise(ratio=3.0),
+        seed=3,
+    )
+    write_signal(Signal(synthesise(recipe).signal.samples, RATE), tmp_path / "now.npz")
+    found = tasks.diagnose_machine(tmp_path / "now.npz", EXAMPLES / "coaxial.toml")
+    assert isinstance(found, MachineDiagnosis)
+    assert [found.alone(place) for place in range(4)] == [(), (), (), ("inner_race",)]
+    assert found.verdict == "fault"

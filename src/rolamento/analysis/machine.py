@@ -26,6 +26,7 @@ from rolamento.words import Note
 if TYPE_CHECKING:
     from rolamento.friction import Friction
     from rolamento.lubrication import Film
+    from rolamento.vibration.machine import MachineFrequency
 
 __all__ = ["BearingLife", "MachineAnalysis", "analyse_machine"]
 
@@ -95,6 +96,37 @@ class MachineAnalysis:
         found = [one.friction.power for one in self.bearings.values() if one.friction is not None]
         return np.sum(found, axis=0) if found else None
 
+    def hardest_step(self, bearing: str | None = None) -> int:
+        """Return the step in which a bearing is pressed hardest, or any of them; 0 without one."""
+        names = list(self.bearings) if bearing is None else [bearing]
+        pressures = [
+            np.nan_to_num(contacts.max_pressure, nan=-1.0).max(axis=1)
+            for name in names
+            for contacts in self.solved.bearings[name].solved.contacts.values()
+        ]
+        return int(np.max(pressures, axis=0).argmax())
+
+    def frequencies(self, step: int | None = None) -> tuple[MachineFrequency, ...]:
+        """Give the frequencies of shafts, gears and bearings, as they are under load.
+
+        Parameters
+        ----------
+        step
+            Of the spectrum, from 0; the hardest if not given.
+
+        Returns
+        -------
+        tuple of MachineFrequency
+        """
+        from rolamento.vibration.frequencies import frequencies_of
+        from rolamento.vibration.machine import frequencies_of_machine
+
+        case = self.hardest_step() if step is None else step
+        machine = self.solved.machine
+        factor = machine.spectrum[case].speed_factor if machine.spectrum else 1.0
+        by_bearing = {name: frequencies_of(own.solved[case]) for name, own in self.bearings.items()}
+        return frequencies_of_machine(machine, by_bearing, factor)
+
     def to_mapping(self) -> dict[str, Any]:
         """Give everything as plain values: the solved machine, and what follows by bearing."""
         mapping = self.solved.to_mapping()
@@ -111,6 +143,11 @@ class MachineAnalysis:
                 for case in range(len(self.solved))
             ]
             item["notes"] = [note.to_mapping() for note in self.notes[item["name"]]]
+        step = self.hardest_step()
+        mapping["frequencies"] = {
+            "step": self.solved.steps[step] or None,
+            "lines": [line.to_mapping() for line in self.frequencies(step)],
+        }
         together = self.together
         mapping["life"] = {
             "headline": None if together is None else together.to_mapping(),

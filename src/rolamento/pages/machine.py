@@ -30,11 +30,13 @@ from rolamento.document import (
     Tone,
 )
 from rolamento.numerics import FloatArray
+from rolamento.pages.frequencies import line_name
 from rolamento.pages.life import none_valid, percent
 from rolamento.pages.notes import notes_section
 from rolamento.pages.state import state_page
 from rolamento.units import HOUR
-from rolamento.words import ENDLESS, Note, said
+from rolamento.vibration.frequencies import ABBREVIATIONS
+from rolamento.words import ENDLESS, Note, marked, said
 from rolamento.words.headlines import parted
 from rolamento.words.reasons import reason
 from rolamento.words.theories import theory_life
@@ -45,8 +47,9 @@ if TYPE_CHECKING:
     from rolamento.analysis.machine import MachineAnalysis
     from rolamento.solved.machine import SeatedBearing, SolvedMachine, SolvedShaft
     from rolamento.tasks.machines import MachineCurve
+    from rolamento.vibration.machine import MachineFrequency
 
-__all__ = ["hardest_step", "machine_over_page", "machine_page", "machine_report"]
+__all__ = ["machine_over_page", "machine_page", "machine_report"]
 
 _MOST_STEPS: Final = 12
 """Steps that a page shows; files have all of them."""
@@ -70,6 +73,7 @@ def machine_page(found: MachineAnalysis) -> Document:
         _shafts(solved),
         *_gears(solved),
         *_housed(solved),
+        *_frequencies(found),
         *notes_section(_remarks(found)),
     ]
     if not solved.status.converged.any():
@@ -90,7 +94,7 @@ def machine_report(found: MachineAnalysis) -> Document:
     for name, own in found.bearings.items():
         if not own.solved.converged.any():
             continue
-        case = hardest_step(found, name)
+        case = found.hardest_step(name)
         alone = own if len(own.solved) == 1 else analyse(own.solved.case_at(case))
         heading = said("Bearing {bearing}", bearing=name)
         if len(own.solved) > 1:
@@ -101,13 +105,6 @@ def machine_report(found: MachineAnalysis) -> Document:
             head = replace(head, blocks=tuple(b for b in head.blocks if not isinstance(b, Title)))
         sections += [head, *rest]
     return replace(page, sections=tuple(sections))
-
-
-def hardest_step(found: MachineAnalysis, bearing: str) -> int:
-    """Return the step with a result in which a bearing is pressed hardest."""
-    seated = found.solved.bearings[bearing]
-    pressures = [_pressure(seated, case) for case in range(len(found.solved))]
-    return int(np.nanargmax(np.nan_to_num(pressures, nan=-1.0)))
 
 
 # --- the head -------------------------------------------------------------------------------------
@@ -546,6 +543,38 @@ def _housed(solved: SolvedMachine) -> list[Section]:
     legends = (said("displacement of outer rings in yielding or sliding seats"),)
     table = Table(columns=columns, key="outer_rings", legends=legends, groups=groups)
     return [Section(said("Outer rings"), (table,), key="outer_rings")]
+
+
+_LINES: Final = {"rotation": marked("rotation"), "mesh": marked("tooth mesh")}
+
+
+def _named(one: MachineFrequency) -> tuple[str, str]:
+    """What a frequency is called, and for short."""
+    if one.line == "rotation" or one.line == "mesh":
+        return said(_LINES[one.line]), ""
+    return line_name(one.line, one.element), ABBREVIATIONS[one.line]
+
+
+def _frequencies(found: MachineAnalysis) -> list[Section]:
+    """What turns, meshes and passes how often, in the hardest step."""
+    step = found.hardest_step()
+    lines = found.frequencies(step)
+    if not lines:
+        return []
+    columns = (
+        Column(head=said("part"), values=[one.part for one in lines], key="part"),
+        Column(head=said("frequency"), values=[_named(one)[0] for one in lines], key="line"),
+        Column(head="", values=[_named(one)[1] for one in lines], key="abbreviation"),
+        Column(head="Hz", values=[one.frequency for one in lines], key="hertz", form=".2f",
+               align="right"),
+        Column(head=said("order"), values=[one.order for one in lines], key="order", form=".4f",
+               align="right"),
+    )  # fmt: skip
+    legends = (said("under load; orders of the rotation of the first shaft that turns"),)
+    name = found.solved.steps[step]
+    heading = said("Frequencies")
+    table = Table(columns=columns, key="frequencies", legends=legends)
+    return [Section(f"{heading}: {name}" if name else heading, (table,), key="frequencies")]
 
 
 # --- over a field ---------------------------------------------------------------------------------

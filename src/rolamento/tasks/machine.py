@@ -7,9 +7,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any, Final
 
+from rolamento.case import case_of
+from rolamento.case.machine import Machine as ShaftsMachine
+from rolamento.case.machine import parse_machine
 from rolamento.errors import InputError, arguments, nearest
-from rolamento.io.text import parse_mapping, read_text
+from rolamento.io.text import format_of_path, format_of_text, parse_mapping, read_text
 from rolamento.records import frozen
+from rolamento.tasks.bearing import BearingLike
 from rolamento.tasks.diagnosis import SCHEMA, Conclusion, DiagnosisResult, diagnose
 from rolamento.units import rpm_of
 from rolamento.vibration.diagnosis import Component, FaultOrders
@@ -21,6 +25,8 @@ __all__ = ["Machine", "MachineDiagnosis", "Mounted", "diagnose_machine", "read_m
 _MOST: Final = 20
 _SAME: Final = 0.004
 """Part of a frequency within which the peaks of two bearings are one."""
+_SLOWEST, _FASTEST = 0.01, 1000.0
+"""Orders that a diagnosis looks at."""
 _LONGEST_NAME: Final = 60
 _MAIN: Final = "main"
 """Name of the shaft whose speed is given."""
@@ -39,15 +45,30 @@ class Mounted:
     ----------
     name
         in the machine, such as "motor, drive end"
-    designation
-        of the catalogue, or a case file
+    bearing
+        designation of the catalogue, case file, or case
     ratio
         speed of its shaft over that of the main one
+    outer_ratio
+        likewise of its outer ring; 0 in a housing
     """
 
     name: str
-    designation: str
+    bearing: BearingLike
     ratio: float
+    outer_ratio: float = 0.0
+
+    def orders(self) -> tuple[float, ...]:
+        """Return the orders of its faults over the main shaft."""
+        bearing = case_of(self.bearing).bearing
+        found = FaultOrders.of(nominal_frequencies(bearing, self.ratio, self.outer_ratio))
+        own = (found.fundamental(part) for part in ("outer_race", "inner_race", "ball"))
+        return tuple(abs(self.turn) * order for order in own if order is not None)
+
+    @property
+    def turn(self) -> float:
+        """Speed of the ring that turns, the inner one if both do, over the main shaft's."""
+        return self.ratio or self.outer_ratio
 
 
 @frozen
@@ -62,34 +83,83 @@ class Machine:
         speeds of the other shafts over that of the main one, by name
     meshes
         teeth that mesh in a turn of the main shaft, of each gear
+    speed
+        of the main shaft, rad/s; None if the file is silent
     """
 
     bearings: tuple[Mounted, ...]
     shafts: Mapping[str, float]
     meshes: tuple[float, ...]
+    speed: float | None = None
 
     def turning(self, ratio: float) -> tuple[float, ...]:
         """Return the orders, over a shaft of some ratio, of all else that turns."""
         orders = (*self.shafts.values(), 1.0, *self.meshes)
-        own = (order / ratio for order in orders if order != ratio)
-        return tuple(dict.fromkeys(own))[:_MOST]
+        own = (abs(order / ratio) for order in orders if order != ratio)
+        return tuple(dict.fromkeys(order for order in own if _SLOWEST <= order <= _FASTEST))[:_MOST]
 
 
 def read_machine(path: str | os.PathLike[str]) -> Machine:
-    """Read the file of a machine: ``[[bearings]]``, ``[[shafts]]`` and ``[[gears]]`` in TOML.
+    """Read the file of a machine: ``[[bearings]]``, ``[[shafts]]`` and ``[[gears]]``.
+
+    Either the few keys that a diagnosis needs, or a machine file of `rolamento shaft`, whose first
+    shaft that turns is the main one.
 
     Raises
     ------
     FileError
-        If it cannot be read, is larger than 1 MB, or is not TOML.
+        If it cannot be read, is larger than 1 MB, or is not TOML or JSON.
     InputError
-        If a shaft is not known or named twice, or a number is none.
+        If a shaft is not known or named twice, or a number is none; or as `case.load_machine`.
     """
     text, source = read_text(path)
+    text_format = format_of_path(path) or format_of_text(text)
+    mapping = parse_mapping(text, text_format, source)
+    if _has_sections(mapping):
+        folder = os.path.dirname(os.fspath(path))
+        return _of_shafts(parse_machine(text, format=text_format, source=source, folder=folder))
     try:
-        return _machine(parse_mapping(text, "toml", source))
+        return _machine(mapping)
     except InputError as error:
         raise error.with_details(source=source) from None
+
+
+def _has_sections(mapping: Mapping[str, Any]) -> bool:
+    """Whether it is a file for shafts that bend."""
+    shafts = mapping.get("shafts")
+    rows = shafts if isinstance(shafts, list) else []
+    return any(isinstance(row, dict) and "sections" in row for row in rows)
+
+
+def _of_shafts(machine: ShaftsMachine) -> Machine:
+    """What turns in a machine whose shafts are described whole."""
+    speeds = {shaft.name: machine.speed(shaft.name) for shaft in machine.shafts}
+    main = next((name for name, speed in speeds.items() if speed), None)
+    if main is None:
+        raise InputError(
+            said("must turn, at least one of them"),
+            field="shafts.0.speed",
+            example='speed = "1480 rpm"',
+        )
+    ratios = {name: speed / speeds[main] for name, speed in speeds.items()}
+    mounted = (
+        Mounted(
+            one.name,
+            one.case,
+            ratios[one.shaft],
+            0.0 if one.outer_shaft is None else ratios[one.outer_shaft],
+        )
+        for one in machine.bearings
+    )
+    meshes = (
+        gear.teeth * abs(ratios[gear.shaft]) for gear in machine.gears if gear.teeth is not None
+    )
+    return Machine(
+        bearings=tuple(one for one in mounted if one.ratio != one.outer_ratio),
+        shafts={name: ratio for name, ratio in ratios.items() if name != main},
+        meshes=tuple(dict.fromkeys(meshes)),
+        speed=abs(speeds[main]),
+    )
 
 
 def _machine(data: Mapping[str, Any]) -> Machine:
@@ -268,45 +338,38 @@ def diagnose_machine(
     FileError, InputError
         As of `rolamento.tasks.diagnose`, or if the machine's file is none.
     """
-    from rolamento.case import case_of
     from rolamento.tasks.parameters import speed_of
 
     if not isinstance(machine, Machine):
         machine = read_machine(machine)
-    speed = speed_of(inputs.pop("speed", None), "speed")
+    speed = speed_of(inputs.pop("speed", None), "speed") or machine.speed
     if speed is None:
         raise InputError(
             said("must be given with a machine: that of its main shaft"),
             field="speed",
             example=arguments(speed="1480 rpm"),
         )
-    orders = [
-        FaultOrders.of(nominal_frequencies(case_of(one.designation).bearing, 1.0))
-        for one in machine.bearings
-    ]
+    orders = [one.orders() for one in machine.bearings]
     found = []
     for place, bearing in enumerate(machine.bearings):
         others = tuple(
-            order * other.ratio / bearing.ratio
-            for number, (other, own) in enumerate(zip(machine.bearings, orders, strict=True))
+            order / abs(bearing.turn)
+            for number, own in enumerate(orders)
             if number != place
-            for order in _all_of(own)
+            for order in own
         )
+        speeds = [f"{rpm_of(speed * ratio)} rpm" for ratio in (bearing.ratio, bearing.outer_ratio)]
         one = diagnose(
             path,
-            bearing.designation,
-            speed=f"{rpm_of(speed * bearing.ratio)} rpm",
-            turning=machine.turning(bearing.ratio),
+            bearing.bearing,
+            speed=speeds[0],
+            outer_speed=speeds[1] if bearing.outer_ratio else None,
+            turning=machine.turning(bearing.turn),
             elsewhere=others,
             **inputs,
         )
         found.append(replace(one, bearing_name=f"{bearing.name} ({one.bearing_name})"))
     return MachineDiagnosis(machine, tuple(found), _shared(found))
-
-
-def _all_of(orders: FaultOrders) -> tuple[float, ...]:
-    found = (orders.fundamental(part) for part in ("outer_race", "inner_race", "ball"))
-    return tuple(order for order in found if order is not None)
 
 
 def _shared(
