@@ -24,7 +24,7 @@ from rolamento.system.rotor import Eigenmodes, Rotor, rotor_of, unbalance_force
 from rolamento.system.shafts import MachineRest, Structure
 from rolamento.words import Note, said
 
-__all__ = ["campbell", "compliance", "natural_modes", "unbalance_response"]
+__all__ = ["campbell", "compliance", "natural_modes", "turning_shaft", "unbalance_response"]
 
 DAMPING: Final = 1e-5
 """s; of the stiffness, where a response needs some and none is given."""
@@ -109,7 +109,7 @@ def campbell(
         As `natural_modes`; or if no shaft turns.
     """
     base = _machine(machine)
-    name = _turning(base, shaft)
+    name = turning_shaft(base, shaft)
     asked = _checked_speeds(speeds)
     given, _, rest, rotor = _at_work(base, asked / base.speed(name), damping)
     count = _checked_count(count)
@@ -171,7 +171,7 @@ def unbalance_response(
     Friswell, Penny, Garvey and Lees, Dynamics of Rotating Machines (2010), chapter 6.
     """
     base = _machine(machine)
-    name = _turning(base, shaft)
+    name = turning_shaft(base, shaft)
     if not any(mass.unbalance for mass in base.masses if mass.shaft == name):
         raise InputError(
             said("is missing: nothing on shaft {shaft} is unbalanced", shaft=f'"{name}"'),
@@ -187,16 +187,18 @@ def unbalance_response(
             force = unbalance_force(given, structure, speed, name)
             moved[case] = rotor.response(case, speed, force)
     nodes = moved.reshape(len(asked), -1, FIVE)
-    notes = () if damping is not None else (Note("assumed_damping", {"damping": DAMPING}),)
+    notes = [] if damping is not None else [Note("assumed_damping", {"damping": DAMPING})]
+    added, carried = _bearing_forces(structure, rest, nodes)
+    notes += _beyond_linear(asked, added, carried)
     return UnbalanceResponse(
         machine=given,
         shaft=name,
         speed=asked,
         position=_positions(structure),
         displacement={beam.shaft.name: nodes[:, beam.nodes] for beam in structure.beams},
-        force=_bearing_forces(structure, rest, nodes),
+        force=added,
         damping=used,
-        notes=notes,
+        notes=tuple(notes),
     )
 
 
@@ -242,6 +244,40 @@ def compliance(machine: Source, shaft: str, position: float) -> FloatArray:
     return out
 
 
+def turning_shaft(machine: Machine, shaft: str | None) -> str:
+    """Return the shaft whose speed counts.
+
+    Parameters
+    ----------
+    machine
+        Whose shafts they are.
+    shaft
+        Its name; None for the first that turns.
+
+    Raises
+    ------
+    InputError
+        If there is none of that name, it does not turn, or none does.
+    """
+    if shaft is not None:
+        if machine.speed(machine.shaft(shaft).name) == 0.0:
+            raise InputError(
+                said("does not turn; give it a speed, of which others are fractions"),
+                field="shaft",
+                value=shaft,
+                example='speed = "1480 rpm"',
+            )
+        return shaft
+    for one in machine.shafts:
+        if machine.speed(one.name) != 0.0:
+            return one.name
+    raise InputError(
+        said("does not turn; give it a speed, of which others are fractions"),
+        field="shafts.0.speed",
+        example='speed = "1480 rpm"',
+    )
+
+
 # --- parts ----------------------------------------------------------------------------------------
 
 
@@ -268,27 +304,6 @@ def _refuse_lost(rest: MachineRest) -> None:
         raise InputError(
             said("has no equilibrium; see what rolamento shaft says of it"), field="machine"
         )
-
-
-def _turning(machine: Machine, shaft: str | None) -> str:
-    """The shaft whose speed counts."""
-    if shaft is not None:
-        if machine.speed(machine.shaft(shaft).name) == 0.0:
-            raise InputError(
-                said("does not turn; give it a speed, of which others are fractions"),
-                field="shaft",
-                value=shaft,
-                example='speed = "1480 rpm"',
-            )
-        return shaft
-    for one in machine.shafts:
-        if machine.speed(one.name) != 0.0:
-            return one.name
-    raise InputError(
-        said("does not turn; give it a speed, of which others are fractions"),
-        field="shafts.0.speed",
-        example='speed = "1480 rpm"',
-    )
 
 
 def _checked_speeds(speeds: ArrayLike) -> FloatArray:
@@ -358,14 +373,30 @@ def _critical(
 
 def _bearing_forces(
     structure: Structure, rest: MachineRest, nodes: ComplexArray
-) -> dict[str, ComplexArray]:
-    """What the shaft puts on each inner ring besides; (cases, 5)."""
-    found, held = {}, iter(rest.rest.rows)
+) -> tuple[dict[str, ComplexArray], dict[str, FloatArray]]:
+    """What the shaft puts on each inner ring besides, (cases, 5), and what its rows carry."""
+    added, carried, held = {}, {}, iter(rest.rest.rows)
     for seat in structure.seats:
         total = np.zeros((len(nodes), FIVE), np.complex128)
+        static = np.zeros(len(nodes))
         for row in seat.rows():
-            tangent = row.tangent(next(held))
+            own = next(held)
             moved = nodes[:, list(row.nodes)].reshape(len(nodes), -1)
-            total += (tangent[:, :FIVE] @ moved[..., np.newaxis])[..., 0]
-        found[seat.bearing.name] = total
-    return found
+            total += (row.tangent(own)[:, :FIVE] @ moved[..., np.newaxis])[..., 0]
+            static += np.linalg.norm(row.on_nodes(own.force)[:, :3], axis=1)
+        added[seat.bearing.name], carried[seat.bearing.name] = total, static
+    return added, carried
+
+
+def _beyond_linear(
+    speed: FloatArray, added: dict[str, ComplexArray], carried: dict[str, FloatArray]
+) -> list[Note]:
+    """Bearings whose contact is lost and met again in each turn: no small vibration any more."""
+    notes = []
+    for name, force in added.items():
+        size = np.sqrt((np.abs(force[:, 1:3]) ** 2).sum(axis=1))
+        beyond = size > carried[name]
+        if beyond.any():
+            values = {"bearing": name, "speed": float(np.abs(speed[beyond]).min())}
+            notes.append(Note("beyond_linear", values))
+    return notes

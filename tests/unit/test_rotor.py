@@ -146,6 +146,18 @@ def test_campbell_solves_each_speed_anew() -> None:
         assert one.frequency == pytest.approx(one.order * one.speed)
 
 
+def test_a_response_that_lifts_the_balls_off_is_named() -> None:
+    """A resonance adds more force than rows carry; a hundredth of the unbalance does not."""
+    machine = Machine.from_file(MOTOR)
+    at_resonance = [14_932.0 * np.pi / 30.0]
+    found = unbalance_response(machine, at_resonance, damping=1e-5)
+    assert [note.key for note in found.notes] == ["beyond_linear"] * 2
+    assert {note.values["bearing"] for note in found.notes} == {b.name for b in machine.bearings}
+    small = machine.masses[0].unbalance / 100.0
+    machine = machine.replace(masses=[machine.masses[0].replace(unbalance=small)])
+    assert not unbalance_response(machine, at_resonance, damping=1e-5).notes
+
+
 def test_unbalance_of_a_machine_names_the_damping_that_it_assumes() -> None:
     """Given or assumed; amplitudes grow with the square of a low speed."""
     machine = Machine.from_file(MOTOR)

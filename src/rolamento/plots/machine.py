@@ -23,16 +23,23 @@ from rolamento.plots.frame import (
 from rolamento.plots.style import INNER, MILLIMETRE, OUTER, SERIES, WIDTH, Series, styled
 from rolamento.plots.texts import number
 from rolamento.words import said
+from rolamento.words.whirl import whirl_name
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from rolamento.case.machine import Machine, MachineBearing, Shaft
     from rolamento.solved.machine import SolvedMachine, SolvedShaft
-    from rolamento.solved.rotor import Campbell, Modes
+    from rolamento.solved.rotor import Campbell, Modes, UnbalanceResponse
     from rolamento.tasks.machines import MachineCurve
 
-__all__ = ["campbell_figure", "machine_figure", "machine_over_figure", "modes_figure"]
+__all__ = [
+    "campbell_figure",
+    "machine_figure",
+    "machine_over_figure",
+    "modes_figure",
+    "response_figure",
+]
 
 _MM: Final = 1e3
 _SHAFT: Final = "#D9DEE3"
@@ -432,7 +439,7 @@ def campbell_figure(found: Campbell) -> Figure:
             named = [str(one) for one in found.whirl[:, branch] if one]
             kind = max(set(named), key=named.count) if named else ""
             style = looks.get(kind, SERIES[6])
-            label = "_" if kind in shown else said(_WHIRL.get(kind, kind))
+            label = "_" if kind in shown else whirl_name(kind)
             shown.add(kind)
             axes.plot(rpm, hertz[:, branch], label=label, **style.keywords())
         for order in sorted({one.order for one in found.critical} | {1.0}):
@@ -449,14 +456,6 @@ def campbell_figure(found: Campbell) -> Figure:
         legend_above(axes)
         add_title(figure, found.machine.title or said("Machine without a title"))
     return figure
-
-
-_WHIRL: Final = {
-    "forward": "forward whirl",
-    "backward": "backward whirl",
-    "along a line": "along a line",
-    "axial": "axial",
-}
 
 
 def modes_figure(found: Modes, *, count: int = 4) -> Figure:
@@ -490,10 +489,38 @@ def _mode(axes: Axes, found: Modes, mode: int) -> None:
             largest = values[np.abs(values).argmax()]
             turned = (values * np.conj(largest) / max(abs(largest), 1e-300)).real
             axes.plot(x, turned, label=text, **style.keywords())
-    whirl = said(_WHIRL.get(str(found.whirl[mode]), ""))
+    whirl = whirl_name(str(found.whirl[mode]))
     hertz = float(found.frequency[mode]) / (2.0 * np.pi)
     axes.set_ylabel(f"{number(hertz)} Hz\n{whirl}", fontsize=8.0, parse_math=False)
     axes.set_ylim(-1.1, 1.1)
+
+
+def response_figure(found: UnbalanceResponse) -> Figure:
+    """Draw what unbalance does over speed: orbits of the shafts, and forces at the bearings.
+
+    Parameters
+    ----------
+    found
+        From `rolamento.rotors.unbalance_response`.
+    """
+    with styled():
+        figure = Figure(figsize=(WIDTH * MILLIMETRE, 0.75 * WIDTH * MILLIMETRE))
+        orbits, forces = figure.subplots(2, 1, sharex=True)
+        rpm = 30.0 / np.pi * np.abs(found.speed)
+        for number_, name in enumerate(found.displacement):
+            orbits.plot(rpm, 1e6 * found.amplitude(name).max(axis=1), label=name,
+                        **SERIES[number_ % len(SERIES)].keywords())  # fmt: skip
+        for number_, name in enumerate(found.force):
+            forces.plot(rpm, found.force_amplitude(name), label=name,
+                        **SERIES[number_ % len(SERIES)].keywords())  # fmt: skip
+        label_y(orbits, said("Greatest orbit (µm)"))
+        label_y(forces, said("Force at bearing (N)"))
+        label_x(forces, said("Speed of {shaft} (rpm)", shaft=found.shaft))
+        for axes in (orbits, forces):
+            log_scale(axes, "y")
+            legend_above(axes)
+        add_title(figure, found.machine.title or said("Machine without a title"))
+    return figure
 
 
 def _directions() -> Iterable[tuple[int, str, Series]]:

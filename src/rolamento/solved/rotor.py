@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import asdict
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.case.machine import Machine
+from rolamento.io.json import plain
 from rolamento.numerics import ComplexArray, FloatArray
 from rolamento.records import frozen
 from rolamento.words import Note
@@ -56,6 +59,16 @@ class Modes:
     def __len__(self) -> int:
         """Count the modes."""
         return len(self.frequency)
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give everything but the machine as plain values in SI units; shapes in two parts."""
+        return {
+            "frequency": plain(self.frequency),
+            "damping_ratio": plain(self.damping_ratio),
+            "whirl": self.whirl.tolist(),
+            "shapes": _parts(self.position, self.shape),
+            "notes": [note.to_mapping() for note in self.notes],
+        }
 
 
 @frozen
@@ -115,6 +128,19 @@ class Campbell:
     critical: tuple[CriticalSpeed, ...]
     notes: tuple[Note, ...] = ()
 
+    def to_mapping(self) -> dict[str, Any]:
+        """Give everything but the machine as plain values in SI units, NaN as None."""
+        return {
+            "shaft": self.shaft,
+            "speed": plain(self.speed),
+            "status": self.status.tolist(),
+            "frequency": plain(self.frequency),
+            "damping_ratio": plain(self.damping_ratio),
+            "whirl": self.whirl.tolist(),
+            "critical": [asdict(one) for one in self.critical],
+            "notes": [note.to_mapping() for note in self.notes],
+        }
+
 
 @frozen(eq=False)
 class UnbalanceResponse:
@@ -153,3 +179,36 @@ class UnbalanceResponse:
         y, z = self.displacement[shaft][..., 1], self.displacement[shaft][..., 2]
         forward, backward = 0.5 * np.abs(z - 1j * y), 0.5 * np.abs(z + 1j * y)
         return np.asarray(forward + backward)
+
+    def force_amplitude(self, bearing: str) -> FloatArray:
+        """Greatest radial force in a turn that unbalance adds at a bearing; (speeds,), N."""
+        y, z = self.force[bearing][:, 1], self.force[bearing][:, 2]
+        return np.asarray(0.5 * (np.abs(z - 1j * y) + np.abs(z + 1j * y)))
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give everything but the machine as plain values in SI units, NaN as None."""
+        return {
+            "shaft": self.shaft,
+            "speed": plain(self.speed),
+            "damping": self.damping,
+            "displacement": _parts(self.position, self.displacement),
+            "amplitude": {name: plain(self.amplitude(name)) for name in self.displacement},
+            "force": {
+                name: {"real": plain(own.real), "imaginary": plain(own.imag)}
+                for name, own in self.force.items()
+            },
+            "notes": [note.to_mapping() for note in self.notes],
+        }
+
+
+def _parts(
+    position: Mapping[str, FloatArray], complex_: Mapping[str, ComplexArray]
+) -> dict[str, Any]:
+    return {
+        name: {
+            "position": plain(position[name]),
+            "real": plain(own.real),
+            "imaginary": plain(own.imag),
+        }
+        for name, own in complex_.items()
+    }

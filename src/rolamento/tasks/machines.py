@@ -19,7 +19,7 @@ from rolamento.records import frozen
 from rolamento.tasks.parameters import Progress
 from rolamento.words import said
 
-__all__ = ["MachineCurve", "analysed_machine", "machine_over"]
+__all__ = ["MachineCurve", "analysed_machine", "machine_over", "read_range"]
 
 
 def analysed_machine(
@@ -53,7 +53,7 @@ def analysed_machine(
 
 POINTS: Final = 15
 MOST_POINTS: Final = 500
-_RANGE: Final = re.compile(r"(.+?)=([^=]+?)\.\.([^=]+)", re.DOTALL)
+_RANGE: Final = re.compile(r"([^=]+?)\.\.([^=]+)", re.DOTALL)
 _NUMBER: Final = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*)", re.DOTALL)
 _LONGEST: Final = 200
 
@@ -214,20 +214,46 @@ def machine_over(
 
 
 def _read_over(text: str, points: int) -> tuple[str, FloatArray, str]:
-    match = _RANGE.fullmatch(text) if len(text) <= _LONGEST else None
-    first, last = (None, None) if match is None else (
-        _NUMBER.fullmatch(match[2]), _NUMBER.fullmatch(match[3]),
-    )  # fmt: skip
-    bare = first is not None and last is not None and first[2].strip() in ("", last[2].strip())
-    if match is None or first is None or last is None or not bare:
+    key, equals, range_ = text.partition("=") if len(text) <= _LONGEST else ("", "", "")
+    if not key.strip() or not equals:
         raise InputError(
             said("must be FIELD=FIRST..LAST"),
             field="--over",
             value=text[:_LONGEST],
             example="loads.0.fz=-1..-10kN",
         )
+    return key.strip(), *read_range(range_, points, "--over", "loads.0.fz=-1..-10kN")
+
+
+def read_range(text: str, points: int, field: str, example: str) -> tuple[FloatArray, str]:
+    """Return so many values from the first to the last of a range, and their unit.
+
+    Parameters
+    ----------
+    text
+        ``"0..6000 rpm"``; a first value without a unit has that of the last.
+    points
+        How many, 2 to 500.
+    field, example
+        What to call the range in messages, and one that will do.
+
+    Raises
+    ------
+    InputError
+        If it is not of that form.
+    """
+    match = _RANGE.fullmatch(text) if len(text) <= _LONGEST else None
+    first, last = (None, None) if match is None else (
+        _NUMBER.fullmatch(match[1]), _NUMBER.fullmatch(match[2]),
+    )  # fmt: skip
+    bare = first is not None and last is not None and first[2].strip() in ("", last[2].strip())
+    if first is None or last is None or not bare:
+        raise InputError(
+            said("must be FIRST..LAST, with a unit"),
+            field=field, value=text[:_LONGEST], example=example,
+        )  # fmt: skip
     if not 2 <= points <= MOST_POINTS:
         raise InputError(
             said("must be 2 to {most}", most=MOST_POINTS), field="--points", value=points
         )
-    return match[1].strip(), np.linspace(float(first[1]), float(last[1]), points), last[2].strip()
+    return np.linspace(float(first[1]), float(last[1]), points), last[2].strip()

@@ -60,6 +60,11 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "The damping is assumed: {damping:.1e s} times the stiffness. Amplitudes near a resonance"
         " are as uncertain as that."
     ),
+    "beyond_linear": marked(
+        "Bearing {bearing}: from {speed:.5g rpm} on there are speeds at which unbalance adds more"
+        " force than its rows carry. Contact is then lost in each turn, and the response, which is"
+        " linear, is no more than an estimate."
+    ),
     "tilted_too_far": marked(
         "The rings of bearing {bearing} are tilted by {tilt:.3g °}, more than the {most:.3g °} that"
         " the equations are for: the shaft hangs on it alone, or bends far too much."
