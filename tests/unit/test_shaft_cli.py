@@ -11,11 +11,15 @@ import pytest
 from typer.testing import CliRunner
 
 import rolamento as ro
-from rolamento.case.machine import load_machine, with_settings
+from rolamento.analysis.machine import analyse_machine
+from rolamento.case.machine import Step, load_machine, with_settings
 from rolamento.cli.app import app
+from rolamento.document.tables import to_csv
+from rolamento.document.terminal import terminal
 from rolamento.errors import FileError, InputError
-from rolamento.pages.machine import machine_report
+from rolamento.pages.machine import machine_page, machine_report
 from rolamento.solved.machine import SolvedMachine
+from rolamento.types.cylindrical import TYPE as CYLINDRICAL
 
 EXAMPLES = Path(ro.__file__).parent / "examples" / "machines"
 GEAR_SHAFT = str(EXAMPLES / "gear_shaft.toml")
@@ -200,3 +204,28 @@ def test_what_is_no_range_is_refused(over: str) -> None:
     code, _, err = run(GEAR_SHAFT, "--over", over, "--points", "2")
     assert code == 2
     assert "Traceback" not in err
+
+
+@pytest.mark.parametrize(
+    ("designation", "minutes"),
+    [("NU 210", 4.0), ("NU 1010", 4.0), ("NU 2210 ECP", 2.0), ("NJ 2310", 2.0), (None, 2.0)],
+)
+def test_wide_cylindrical_rollers_bear_less_tilt(designation: str | None, minutes: float) -> None:
+    """NSK E1102: 4 minutes, of the wide series 2; the lesser where nobody knows."""
+    found = CYLINDRICAL.misalignment_of(designation)
+    assert found == pytest.approx(minutes / 60.0 * np.pi / 180.0)
+
+
+def test_many_steps_are_all_in_files_and_the_first_on_pages() -> None:
+    steps = [Step(name=f"load {i}", share=1.0 / 15.0, load_factor=0.3 + 0.05 * i)
+             for i in range(15)]  # fmt: skip
+    machine = load_machine(EXAMPLES / "three_supports.toml").replace(spectrum=steps)
+    page = machine_page(analyse_machine(machine))
+    for table in ("bearings", "shafts"):
+        lines = list(csv.DictReader(to_csv(page, table).splitlines()))
+        assert len(lines) == 15 * (3 if table == "bearings" else 1)
+        assert lines[-1]["step"] == "load 14"
+    shown = terminal(page)
+    assert "load 11: " in shown
+    assert "load 12: " not in shown
+    assert "the first 12 of 15 steps" in shown

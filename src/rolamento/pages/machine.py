@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from math import inf, isfinite
 from typing import TYPE_CHECKING, Final
@@ -292,32 +292,70 @@ def _each_once(named: dict[Note, list[str]]) -> Iterable[tuple[Note, list[str]]]
 # --- tables ---------------------------------------------------------------------------------------
 
 
-def _lines(
-    solved: SolvedMachine, parts: Sequence[str]
-) -> tuple[list[int], tuple[tuple[int, str], ...]]:
-    """The steps that are shown, and the lines above those of each, where there are several."""
-    steps = list(range(min(len(solved), _MOST_STEPS)))
-    if len(solved) == 1:
-        return steps, ()
-    heads = tuple(
-        (
-            index * len(parts),
-            said(
-                "{name}: {share:.4g %} of the time",
-                name=solved.steps[case],
-                share=float(solved.share[case]),
-            ),
+def _by_step(
+    solved: SolvedMachine,
+    parts: Sequence[str],
+    key: str,
+    legends: Sequence[str],
+    columns_of: Callable[[list[tuple[str, int]]], tuple[Column, ...]],
+) -> tuple[Table, ...]:
+    """A table of parts in every step; of many steps a page shows the first, and files have all.
+
+    columns_of: of parts, each with the number of a step.
+    """
+    count = len(solved)
+
+    def table(shown: int, key: str, only_in_files: bool) -> Table:
+        lines = [(part, case) for case in range(shown) for part in parts]
+        columns = columns_of(lines)
+        if count > 1:
+            names = [solved.steps[case] for _, case in lines]
+            columns += (Column(head="step", values=names, key="step", only_in_files=True),)
+        heads = tuple(
+            (
+                case * len(parts),
+                said(
+                    "{name}: {share:.4g %} of the time",
+                    name=solved.steps[case],
+                    share=float(solved.share[case]),
+                ),
+            )
+            for case in range(shown if count > 1 else 0)
         )
-        for index, case in enumerate(steps)
+        return Table(columns=columns, key=key, legends=tuple(legends), groups=heads,
+                     only_in_files=only_in_files)  # fmt: skip
+
+    if count <= _MOST_STEPS:
+        return (table(count, key, False),)
+    first = table(_MOST_STEPS, "", False)
+    more = said(
+        "the first {shown} of {count} steps; files have all", shown=_MOST_STEPS, count=count
     )
-    return steps, heads
+    return replace(first, legends=(*first.legends, more)), table(count, key, True)
 
 
 def _bearings(found: MachineAnalysis) -> Section:
     solved = found.solved
-    names = list(solved.bearings)
-    steps, groups = _lines(solved, names)
-    lines = [(solved.bearings[name], case) for case in steps for name in names]
+
+    def columns_of(named: list[tuple[str, int]]) -> tuple[Column, ...]:
+        return _of_bearings(found, [(solved.bearings[name], case) for name, case in named])
+
+    legends = [
+        said("forces and moment of the shaft on the inner ring, F_a toward +x"),
+        said("tilt between the rings"),
+    ]
+    if any(isfinite(permissible_tilt(one)) for one in solved.bearings.values()):
+        legends.append(said("permissible: what makers permit for such bearings"))
+    if len(solved) > 1:
+        legends.append(said("life of each step alone"))
+    tables = _by_step(solved, list(solved.bearings), "bearings", ["; ".join(legends)], columns_of)
+    return Section(said("Bearings"), tables, key="bearings")
+
+
+def _of_bearings(
+    found: MachineAnalysis, lines: list[tuple[SeatedBearing, int]]
+) -> tuple[Column, ...]:
+    """What is known of bearings, each in a step."""
 
     def every(values: Iterable[float]) -> list[CellContent]:
         return [None if not isfinite(value) else value for value in values]
@@ -347,29 +385,18 @@ def _bearings(found: MachineAnalysis) -> Section:
         Column(head=said("loss"), unit="W", key="power", figures=3,
                values=every(_power(found, one, c) for one, c in lines)),
     )  # fmt: skip
-    known = tuple(
+    return tuple(
         column
         for column in columns
         if any(value is not None for value in column.values) or column.key in ("bearing", "tilt")
     )
-    legends = [
-        said("forces and moment of the shaft on the inner ring, F_a toward +x"),
-        said("tilt between the rings"),
-    ]
-    if any(column.key == "permissible_tilt" for column in known):
-        legends.append(said("permissible: what makers permit for such bearings"))
-    if len(solved) > 1:
-        legends.append(said("life of each step alone"))
-    legends = ["; ".join(legends)]
-    table = Table(columns=known, key="bearings", legends=tuple(legends), groups=groups)
-    return Section(said("Bearings"), (table,), key="bearings")
 
 
 def permissible_tilt(one: SeatedBearing) -> float:
     """The misalignment that makers let pass of such a bearing; NaN where no source says; rad."""
-    kinds = one.solved.case.bearing.row_types
-    known = [kind.usual_misalignment for kind in kinds if kind.usual_misalignment is not None]
-    return min(known, default=float("nan"))
+    bearing = one.solved.case.bearing
+    known = (kind.misalignment_of(bearing.designation) for kind in bearing.row_types)
+    return min((tilt for tilt in known if tilt is not None), default=float("nan"))
 
 
 def _tilt_tone(one: SeatedBearing, case: int) -> Tone:
@@ -410,9 +437,22 @@ def _power(found: MachineAnalysis, one: SeatedBearing, case: int) -> float:
 
 
 def _shafts(solved: SolvedMachine) -> Section:
-    names = list(solved.shafts)
-    steps, groups = _lines(solved, names)
-    lines = [(solved.shafts[name], case) for case in steps for name in names]
+    legends = (
+        said(
+            "greatest values along each shaft, and how far from its left end; nominal equivalent"
+            " stress at the surface (von Mises), without notches"
+        ),
+    )
+
+    def columns_of(named: list[tuple[str, int]]) -> tuple[Column, ...]:
+        return _of_shafts([(solved.shafts[name], case) for name, case in named])
+
+    tables = _by_step(solved, list(solved.shafts), "shafts", legends, columns_of)
+    return Section(said("Shafts"), (*tables, *_curves(solved)), key="shafts")
+
+
+def _of_shafts(lines: list[tuple[SolvedShaft, int]]) -> tuple[Column, ...]:
+    """The greatest values along shafts, each in a step, and where."""
 
     def peak(values: FloatArray, one: SolvedShaft) -> tuple[float, float]:
         if not np.isfinite(values).any():
@@ -429,7 +469,7 @@ def _shafts(solved: SolvedMachine) -> Section:
         return Column(head=head, values=shown, unit=unit, key=key, most=most)
 
     at = said("at")
-    columns = (
+    return (
         Column(head=said("shaft"), values=[one.name for one, _ in lines], key="shaft"),
         column(said("deflection"), "deflection", "µm", [v for v, _ in deflections]),
         column(at, "deflection_at", "mm", [x for _, x in deflections], 1),
@@ -441,14 +481,6 @@ def _shafts(solved: SolvedMachine) -> Section:
         column(said("stress"), "stress", "MPa", [v for v, _ in stresses], 1),
         column(at, "stress_at", "mm", [x for _, x in stresses], 1),
     )  # fmt: skip
-    legends = (
-        said(
-            "greatest values along each shaft, and how far from its left end; nominal equivalent"
-            " stress at the surface (von Mises), without notches"
-        ),
-    )
-    table = Table(columns=columns, key="shafts", legends=legends, groups=groups)
-    return Section(said("Shafts"), (table, *_curves(solved)), key="shafts")
 
 
 def _curves(solved: SolvedMachine) -> tuple[Table, ...]:
@@ -492,29 +524,33 @@ def _gears(solved: SolvedMachine) -> list[Section]:
     if not machine.gears:
         return []
     names = [gear.name or f"{said('gear')} {i + 1}" for i, gear in enumerate(machine.gears)]
-    steps, groups = _lines(solved, names)
-    lines = [
-        (name, solved.shafts[gear.shaft].displacement_at(gear.position)[case], gear)
-        for case in steps
-        for name, gear in zip(names, machine.gears, strict=True)
-    ]
+    gears = dict(zip(names, machine.gears, strict=True))
 
     def column(head: str, key: str, unit: str, values: list[float]) -> Column:
         shown: list[CellContent] = [v if isfinite(v) else None for v in values]
         return Column(head=head, values=shown, unit=unit, key=key, figures=3, most=3)
 
-    columns = (
-        Column(head=said("gear"), values=[name for name, _, _ in lines], key="gear"),
-        Column(head=said("shaft"), values=[gear.shaft for _, _, gear in lines], key="shaft"),
-        column("x", "x", "µm", [float(u[0]) for _, u, _ in lines]),
-        column("y", "y", "µm", [float(u[1]) for _, u, _ in lines]),
-        column("z", "z", "µm", [float(u[2]) for _, u, _ in lines]),
-        column("ry", "ry", "mrad", [float(u[3]) for _, u, _ in lines]),
-        column("rz", "rz", "mrad", [float(u[4]) for _, u, _ in lines]),
-    )
+    def columns_of(named: list[tuple[str, int]]) -> tuple[Column, ...]:
+        places = [
+            solved.shafts[gears[name].shaft].displacement_at(gears[name].position)[case]
+            for name, case in named
+        ]
+        shafts = [gears[name].shaft for name, _ in named]
+        return (
+            Column(head=said("gear"), values=[name for name, _ in named], key="gear"),
+            Column(head=said("shaft"), values=shafts, key="shaft"),
+            *(
+                column(axis, axis, unit, [float(u[i]) for u in places])
+                for i, (axis, unit) in enumerate(_AXES)
+            ),
+        )
+
     legends = (said("displacement and slope of the shaft at each gear"),)
-    table = Table(columns=columns, key="gears", legends=legends, groups=groups)
-    return [Section(said("Gears"), (table,), key="gears")]
+    tables = _by_step(solved, names, "gears", legends, columns_of)
+    return [Section(said("Gears"), tables, key="gears")]
+
+
+_AXES: Final = (("x", "µm"), ("y", "µm"), ("z", "µm"), ("ry", "mrad"), ("rz", "mrad"))
 
 
 def _housed(solved: SolvedMachine) -> list[Section]:
@@ -526,23 +562,23 @@ def _housed(solved: SolvedMachine) -> list[Section]:
     ]
     if not moved:
         return []
-    names = [one.name for one in moved]
-    steps, groups = _lines(solved, names)
-    lines = [(one, case) for case in steps for one in moved]
-    axes = (("x", "µm"), ("y", "µm"), ("z", "µm"), ("ry", "mrad"), ("rz", "mrad"))
-    columns = (
-        Column(head=said("bearing"), values=[one.name for one, _ in lines], key="bearing"),
-        *(
-            Column(
-                head=axis, unit=unit, key=axis, figures=3, most=3,
-                values=[float(one.outer[c, i]) for one, c in lines],
-            )
-            for i, (axis, unit) in enumerate(axes)
-        ),
-    )  # fmt: skip
+
+    def columns_of(named: list[tuple[str, int]]) -> tuple[Column, ...]:
+        return (
+            Column(head=said("bearing"), values=[name for name, _ in named], key="bearing"),
+            *(
+                Column(
+                    head=axis, unit=unit, key=axis, figures=3, most=3,
+                    values=[float(solved.bearings[name].outer[case, i]) for name, case in named],
+                )
+                for i, (axis, unit) in enumerate(_AXES)
+            ),
+        )  # fmt: skip
+
     legends = (said("displacement of outer rings in yielding or sliding seats"),)
-    table = Table(columns=columns, key="outer_rings", legends=legends, groups=groups)
-    return [Section(said("Outer rings"), (table,), key="outer_rings")]
+    names = [one.name for one in moved]
+    tables = _by_step(solved, names, "outer_rings", legends, columns_of)
+    return [Section(said("Outer rings"), tables, key="outer_rings")]
 
 
 _LINES: Final = {"rotation": marked("rotation"), "mesh": marked("tooth mesh")}

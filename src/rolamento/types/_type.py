@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Final, Literal
 
 from rolamento.ratings import RatedType, RollerRated
@@ -129,6 +130,17 @@ class BearingType:
     usual_misalignment_of_wide: float | None = None
     ribbed: bool = False
     described: str = ""
+
+    def misalignment_of(self, designation: str | None) -> float | None:
+        """Return the tilt that makers let pass; the lesser one if the width is not known.
+
+        Wide are the width series from 2 on: "NU 2210", but not "NU 210" or "NU 1010".
+        """
+        if self.usual_misalignment_of_wide is None:
+            return self.usual_misalignment
+        number = re.search(r"\d{3,}", designation or "")
+        narrow = number is not None and (len(number[0]) == 3 or number[0][0] in "01")
+        return self.usual_misalignment if narrow else self.usual_misalignment_of_wide
 
     @property
     def rolls(self) -> str:
