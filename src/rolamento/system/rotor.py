@@ -10,10 +10,10 @@ Dynamics of Rotating Machines (2010), chapters 5 and 6.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cached_property
 from typing import Final
 
 import numpy as np
-from scipy.linalg import eig, eigh
 
 from rolamento.case.machine import Machine
 from rolamento.numerics import ComplexArray, FloatArray, IntArray
@@ -24,13 +24,20 @@ from rolamento.system.shafts import MachineRest, Structure
 __all__ = ["Eigenmodes", "Rotor", "rotor_of", "unbalance_force"]
 
 BASIS: Final = 6
-"""Modes without gyroscopic effects for each that is asked for: with six, frequencies are within
-1e-6 of those of all modes (`tests/unit/test_rotor.py`)."""
-LEAST_BASIS: Final = 60
+"""Modes at rest, of the mean of all cases, for each mode that is asked for. With these, and what is
+added to them, eigenvalues are within 1e-6 of those of all degrees of freedom
+(`tests/unit/test_rotor.py`)."""
+LEAST_BASIS: Final = 100
+OWN: Final = 2
+"""Modes of each case's symmetric part for each that is asked for, and besides:"""
+OWN_BESIDES: Final = 8
+DEPENDENT: Final = 1e-9
+"""Part of a vector's length that counts as none, once others are taken out of it."""
 SWINGING: Final = 1e-3
 """√(1 - ζ²) from which on a mode counts as one that swings."""
 RIGID: Final = 1e-6
-"""Square of a frequency over the largest that counts as none."""
+"""Square of a frequency, over the mean of all, that is added where statics are solved: a free body
+has none of its own."""
 
 
 @frozen(eq=False)
@@ -63,7 +70,7 @@ class Eigenmodes:
         return np.divide(-self.eigenvalue.real, size, out=np.zeros_like(size), where=size > 0.0)
 
 
-@frozen(eq=False)
+@frozen(eq=False, slots=False)
 class Rotor:
     """The matrices of a machine; (cases, …) where they differ.
 
@@ -94,43 +101,83 @@ class Rotor:
     def modes(self, case: int, count: int) -> Eigenmodes:
         """Return the lowest modes of a case.
 
-        They are sought among those without gyroscopic effects, damping and asymmetry.
+        They are sought among modes of its symmetric stiffness, each with its static answers to
+        what couples it to others: gyroscopic moments, and the part of the stiffness that is not
+        symmetric.
         """
-        at = np.ix_(self.free, self.free)
-        m, g = self.mass[at], self.gyroscopic[case][at]
-        scale = self._scale()
-        m, g, k = (one / scale[:, np.newaxis] / scale for one in (m, g, self.stiffness[case][at]))
-        basis = self._basis(m, 0.5 * (k + k.T), max(BASIS * count, LEAST_BASIS))
-        k_own, g_own = basis.T @ k @ basis, basis.T @ g @ basis
-        size = len(k_own)
-        state = np.block(
-            [
-                [np.zeros((size, size)), np.eye(size)],
-                [-k_own, -(self.damping * k_own + g_own)],
-            ]
-        )
-        values, vectors = eig(state)
+        heavy, follow = self._condensed(case)
+        basis = self._basis(count)
+        k = basis.T @ self._stiffness(case) @ basis
+        g = basis.T @ self.gyroscopic[case][np.ix_(heavy, heavy)] @ basis
+        symmetric, skew = 0.5 * (k + k.T), 0.5 * (k - k.T)
+        own = np.linalg.eigh(symmetric)[1][:, : OWN * count + OWN_BESIDES]
+        shifted = symmetric + RIGID * np.trace(symmetric) / len(k) * np.eye(len(k))
+        answers = np.linalg.solve(shifted, np.hstack([g @ own, skew @ own]))
+        own = np.hstack([own, _apart(own, answers)])
+        k, g = own.T @ k @ own, own.T @ g @ own
+        size = len(k)
+        state = np.block([[np.zeros((size, size)), np.eye(size)], [-k, -(self.damping * k + g)]])
+        values, vectors = np.linalg.eig(state)
         # what damping keeps from swinging at all has next to no imaginary part
         chosen = np.flatnonzero(values.imag > SWINGING * np.abs(values))
         chosen = chosen[np.argsort(np.abs(values[chosen]))][:count]
-        shape = (basis @ vectors[:size, chosen]).T / scale
         whole = np.zeros((len(chosen), len(self.mass)), np.complex128)
-        whole[:, self.free] = shape
+        shape = (basis @ (own @ vectors[:size, chosen])).T
+        whole[:, heavy] = shape
+        whole[:, self._light] = shape @ follow.T
         return Eigenmodes(values[chosen], *_normalised(whole))
 
-    def _scale(self) -> FloatArray:
-        """Lengths that make one unit of shifts and tilts: the square roots of the stiffness."""
-        own = np.abs(np.diagonal(self.stiffness[0]))[self.free]
-        return np.asarray(np.sqrt(np.where(own > 0.0, own, own.max())))
+    @cached_property
+    def _light(self) -> IntArray:
+        """Free degrees of freedom without mass: of rings, which follow the others at once."""
+        return self.free[~self.mass[:, self.free].any(axis=0)]
 
-    @staticmethod
-    def _basis(mass: FloatArray, stiffness: FloatArray, count: int) -> FloatArray:
-        """Lowest modes of the symmetric problem, of unit mass; (free, count)."""
-        # a little mass-proportional stiffness lets free bodies be, and is taken out again
-        shift = RIGID * np.trace(stiffness) / max(np.trace(mass), np.finfo(float).tiny)
-        values, vectors = eigh(mass, stiffness + shift * mass)
-        some = np.flatnonzero(values > 1e-14 * values[-1])[::-1][:count]
-        return np.asarray(vectors[:, some] / np.sqrt(values[some]))
+    def _condensed(self, case: int) -> tuple[IntArray, FloatArray]:
+        """Degrees of freedom with mass, and how those without follow them; exact.
+
+        Damping in proportion to the stiffness changes nothing in that.
+        """
+        light = self._light
+        heavy = np.setdiff1d(self.free, light)
+        k = self.stiffness[case]
+        # what nothing holds and nothing weighs down stays where it is
+        return heavy, -np.linalg.pinv(k[np.ix_(light, light)]) @ k[np.ix_(light, heavy)]
+
+    def _stiffness(self, case: int) -> FloatArray:
+        """Between the degrees of freedom with mass, the others following; (heavy, heavy)."""
+        heavy, follow = self._condensed(case)
+        k = self.stiffness[case]
+        return np.asarray(k[np.ix_(heavy, heavy)] + k[np.ix_(heavy, self._light)] @ follow)
+
+    @cached_property
+    def _at_rest(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """Square root L of the mass, modes at rest of the mean stiffness, and static answers.
+
+        M = L L'. Modes and answers are of L' q, in which the mass is one: (heavy, heavy) and
+        (heavy, answers). The answers are to unit forces wherever the cases' stiffness differs.
+        """
+        known = [case for case in range(len(self)) if np.isfinite(self.stiffness[case]).all()]
+        heavy = np.setdiff1d(self.free, self._light)
+        mean = np.zeros((len(heavy), len(heavy)))
+        for case in known:
+            own = self._stiffness(case)
+            mean += 0.5 * (own + own.T) / len(known)
+        apart = np.zeros(len(heavy))
+        for case in known:
+            apart = np.maximum(apart, np.abs(self._stiffness(case) - mean).max(axis=0))
+        root = np.linalg.cholesky(self.mass[np.ix_(heavy, heavy)])
+        within = np.linalg.solve(root, np.linalg.solve(root, mean).T)
+        squares, modes = np.linalg.eigh(0.5 * (within + within.T))
+        met = np.flatnonzero(apart > DEPENDENT * np.abs(np.diagonal(mean)))
+        forces = modes.T @ np.linalg.solve(root, np.eye(len(heavy))[:, met])
+        answers = modes @ (forces / (squares + RIGID * squares.mean())[:, np.newaxis])
+        return np.asarray(root), np.asarray(modes), np.asarray(answers)
+
+    def _basis(self, count: int) -> FloatArray:
+        """Of all cases, of unit mass; (heavy, basis)."""
+        root, modes, answers = self._at_rest
+        some = modes[:, : max(BASIS * count, LEAST_BASIS)]
+        return np.asarray(np.linalg.solve(root.T, np.hstack([some, _apart(some, answers)])))
 
     def response(self, case: int, speed: float, force: ComplexArray) -> ComplexArray:
         """Steady vibration under a force that turns at a speed, of e^(i speed t); (unknowns,)."""
@@ -202,6 +249,16 @@ def unbalance_force(
                 force[at + 2] += own
                 force[at + 1] += 1j * own
     return force
+
+
+def _apart(basis: FloatArray, others: FloatArray) -> FloatArray:
+    """What others span besides an orthonormal basis, orthonormal; (size, found)."""
+    length = np.linalg.norm(others, axis=0)
+    left = others[:, length > 0.0] / length[length > 0.0]
+    for _ in range(2):  # twice is enough (Kahan)
+        left = left - basis @ (basis.T @ left)
+    found, sizes, _ = np.linalg.svd(left, full_matrices=False)
+    return np.asarray(found[:, sizes > DEPENDENT])
 
 
 def _normalised(shape: ComplexArray) -> tuple[ComplexArray, FloatArray]:
