@@ -216,6 +216,11 @@ def test_the_command_draws(tmp_path: Path) -> None:
     arguments = ["shaft", str(EXAMPLES / "gear_shaft.toml"), "--plot", str(path), "--step", "3"]
     assert CliRunner().invoke(app, arguments).exit_code == 0
     assert path.stat().st_size > 10_000
+    for kind in ("drawing", "deflection", "forces", "bearings"):
+        own = tmp_path / f"{kind}.png"
+        command = [*arguments[:3], str(own), "--kind", kind]
+        assert CliRunner().invoke(app, command).exit_code == 0
+        assert own.stat().st_size > 10_000
     wrong = CliRunner().invoke(app, [*arguments[:-1], "9"])
     assert wrong.exit_code == 2
 

@@ -540,6 +540,7 @@ def draw_bearings_in_place(solved: SolvedMachine, *, step: int = 0) -> Figure:
         axes.set_visible(False)
     if len(handles) > len(RACES):  # a bearing of one row looks as the first row of others
         handles = {label: one for label, one in handles.items() if label not in _race_names()}
+        figure.set_figheight(figure.get_figheight() + 10.0 * MILLIMETRE)
     arrow = Line2D([], [], color=LOAD, marker=">", label=said("force of the shaft"))
     figure.legend(
         handles=[*handles.values(), arrow], loc="outside lower center",
