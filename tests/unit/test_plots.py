@@ -614,7 +614,7 @@ def test_examples_of_the_guide_run(
 
 def test_pictures_of_the_guide_are_there() -> None:
     pictures = re.findall(r"!\[[^]]*\]\(([^)]+)\)", GUIDE.read_text("utf-8"))
-    assert len(pictures) == 8
+    assert len(pictures) == 10
     assert all((GUIDE.parent / picture).is_file() for picture in pictures)
 
 

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated
+from collections.abc import Callable
+from enum import StrEnum
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -22,6 +24,16 @@ if TYPE_CHECKING:
 __all__ = ["app", "shaft"]
 
 app = typer.Typer()
+
+
+class Kind(StrEnum):
+    """What is drawn of a machine."""
+
+    machine = "machine"
+    drawing = "drawing"
+    deflection = "deflection"
+    forces = "forces"
+    bearings = "bearings"
 
 
 @app.command(
@@ -49,9 +61,20 @@ def shaft(
     catalogues: CataloguesOption = None,
     json: JsonOption = None,
     plot: PlotOption = None,
+    kind: Annotated[
+        Kind,
+        typer.Option(
+            "--kind",
+            metavar="KIND",
+            help="With --plot: machine (drawing, deflection, moments, stress), drawing, "
+            "deflection (of --step, or of all steps), forces (shear, moment, axial force, torque, "
+            "stress), bearings (a load rosette each).",
+        ),
+    ] = Kind.machine,
     step: Annotated[
-        int, typer.Option("--step", metavar="N", help="Step of the spectrum to draw, from 1.")
-    ] = 1,
+        int | None,
+        typer.Option("--step", metavar="N", help="Step of the spectrum to draw, from 1."),
+    ] = None,
     over: Annotated[
         str | None,
         typer.Option(
@@ -82,7 +105,7 @@ def shaft(
         if json is not None:
             put(found.to_json() + "\n", json)
         if plot is not None:
-            _draw(found, step, plot)
+            _draw(found, kind, step, plot)
         from rolamento.pages.machine import machine_page, machine_report
 
         outputs.show(lambda: machine_page(found), json, report=lambda: machine_report(found))
@@ -95,17 +118,27 @@ def shaft(
     raise typer.Exit(SOLVED if found.converged else NO_RESULT)
 
 
-def _draw(found: MachineAnalysis, step: int, path: str) -> None:
-    from rolamento.plots.machine import machine_figure
+def _draw(found: MachineAnalysis, kind: Kind, step: int | None, path: str) -> None:
+    from rolamento.plots import machine
     from rolamento.plots.saving import save_figure
 
-    if not 1 <= step <= len(found.solved):
+    solved = found.solved
+    if step is not None and not 1 <= step <= len(solved):
         raise InputError(
             said("must be at least {at_least} and at most {at_most}", at_least=1,
-                 at_most=len(found.solved)),
+                 at_most=len(solved)),
             source="--step", value=step,
         )  # fmt: skip
-    save_figure(machine_figure(found.solved, step=step - 1), path)
+    if kind is Kind.deflection:
+        save_figure(machine.draw_deflection(solved, step=None if step is None else step - 1), path)
+        return
+    draws: dict[Kind, Callable[..., Any]] = {
+        Kind.machine: machine.machine_figure,
+        Kind.drawing: machine.draw_machine,
+        Kind.forces: machine.draw_section_forces,
+        Kind.bearings: machine.draw_bearings_in_place,
+    }
+    save_figure(draws[kind](solved, step=0 if step is None else step - 1), path)
 
 
 def _vary(

@@ -28,7 +28,16 @@ _NAMES_OF_MODULES: Final = {
         "sn_figure",
         "what_helps",
     ),
-    "machine": ("campbell_figure", "machine_figure", "machine_over_figure", "modes_figure"),
+    "machine": (
+        "campbell_figure",
+        "draw_bearings_in_place",
+        "draw_deflection",
+        "draw_section_forces",
+        "machine_figure",
+        "machine_over_figure",
+        "modes_figure",
+    ),
+    "machine_drawing": ("draw_machine",),
     "roller": (
         "compared_rollers",
         "pressure_along_rollers",

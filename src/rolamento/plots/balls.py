@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from rolamento.errors import InputError
 from rolamento.geometry import Race
-from rolamento.plots.axes_units import DEGREE, readable_unit
+from rolamento.plots.axes_units import DEGREE, ReadableUnit, readable_unit
 from rolamento.plots.contacts import (
     AROUND,
     ContactQuantity,
@@ -240,23 +240,34 @@ def load_rosette(solved: Solved, axes: Axes | None = None) -> PolarAxes:
     if not solved.converged[0]:
         empty_frame(polar, no_result(str(solved.status.code[0])))
         return polar
-    loads = {race: solved.contacts[race].load[0] for race in RACES}
     unit = load_unit([solved])
+    draw_rosette(polar, solved, unit)
+    polar.set_rlim(bottom=0.0)
+    label = said("Contact load ({unit}), seen from +x", unit=unit.symbol)
+    polar.set_xlabel(label, labelpad=6.0)
+    legend_above(polar)
+    number_circles(polar, solved, unit)
+    return polar
+
+
+def draw_rosette(axes: Axes, solved: Solved, unit: ReadableUnit) -> None:
+    """Draw the lines of a rosette, of one case that has a result, in a unit; without a legend."""
+    polar = _turned(axes)
     rows = rows_in_order(solved)
     for row, balls in enumerate(rows):
         around = np.append(balls, balls[0])
         for race in RACES:
             label = race_name(race, row, len(rows))
-            azimuth, load = solved.elements.azimuth[0, around], unit.of(loads[race][around])
+            azimuth = solved.elements.azimuth[0, around]
+            load = unit.of(solved.contacts[race].load[0, around])
             polar.plot(azimuth, load, label=label, **row_keywords(race, row))
     polar.set_thetagrids(np.arange(0.0, 360.0, 45.0), AROUND)
-    polar.set_rlim(bottom=0.0)
-    label = said("Contact load ({unit}), seen from +x", unit=unit.symbol)
-    polar.set_xlabel(label, labelpad=6.0)
-    legend_above(polar)
-    larger = unit.of(np.maximum(loads["inner"], loads["outer"]))
-    _number_circles(polar, solved.elements.azimuth[0], larger)
-    return polar
+
+
+def number_circles(axes: PolarAxes, solved: Solved, unit: ReadableUnit) -> None:
+    """Write what the circles of a rosette stand for, clear of what its elements bear."""
+    larger = np.maximum(*(solved.contacts[race].load[0] for race in RACES))
+    _number_circles(axes, solved.elements.azimuth[0], unit.of(larger))
 
 
 def _number_circles(axes: PolarAxes, azimuth: Floats, load: Floats) -> None:

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from math import cos, hypot, sin, tan
-from typing import TYPE_CHECKING, Any, Final
+from collections.abc import Iterable, Sequence
+from math import atan2
+from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
 import numpy as np
 from matplotlib.figure import Figure
-from matplotlib.patches import Ellipse, Patch, Polygon, Rectangle
-from matplotlib.transforms import Affine2D
+from matplotlib.lines import Line2D
+from matplotlib.projections.polar import PolarAxes
 
+from rolamento.errors import InputError
+from rolamento.plots.axes_units import ReadableUnit, readable_unit
+from rolamento.plots.balls import draw_rosette, number_circles
+from rolamento.plots.contacts import load_unit, race_name
 from rolamento.plots.frame import (
     GREY,
     add_title,
@@ -19,48 +23,79 @@ from rolamento.plots.frame import (
     label_y,
     legend_above,
     log_scale,
+    require_axes,
 )
-from rolamento.plots.style import INNER, MILLIMETRE, OUTER, SERIES, WIDTH, Series, styled
-from rolamento.plots.texts import number
+from rolamento.plots.machine_drawing import (
+    LINE,
+    LOAD,
+    MM,
+    SMALL,
+    SPOKEN,
+    check_step,
+    draw_machine,
+    draw_planned,
+    levels,
+    paper_of,
+    place_of,
+    planned,
+    title_of,
+)
+from rolamento.plots.style import (
+    INNER,
+    MILLIMETRE,
+    OUTER,
+    SERIES,
+    WIDTH,
+    Series,
+    in_style,
+    new_figure,
+    series,
+    styled,
+)
+from rolamento.plots.texts import no_result, number, shown_text
+from rolamento.solved import RACES
 from rolamento.words import said
 from rolamento.words.whirl import whirl_name
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from rolamento.case.machine import Machine, MachineBearing, Shaft
+    from rolamento.case.machine import MachineBearing
+    from rolamento.case.machine_loads import Gear
+    from rolamento.numerics import FloatArray
+    from rolamento.solved import Solved
     from rolamento.solved.machine import SolvedMachine, SolvedShaft
     from rolamento.solved.rotor import Campbell, Modes, UnbalanceResponse
     from rolamento.tasks.machines import MachineCurve
 
 __all__ = [
     "campbell_figure",
+    "draw_bearings_in_place",
+    "draw_deflection",
+    "draw_machine",
+    "draw_section_forces",
     "machine_figure",
     "machine_over_figure",
     "modes_figure",
     "response_figure",
 ]
 
-_MM: Final = 1e3
-_SHAFT: Final = "#D9DEE3"
-_RING: Final = "#9FB3C8"
-_ELEMENT: Final = "#F5F7FA"
-_GEAR: Final = "#E8D9B5"
-_ACROSS: Final = 122.0
-"""Width of the drawing, in mm; its height follows, within bounds."""
-_LEAST, _MOST = 38.0, 105.0
-_BELOW: Final = 118.0
-"""Height of the panels below, in mm."""
-_ROOM: Final = (2.0, 2.0)
-"""Greatest radii below and above the axis: for names and arrows."""
-_OUTSIDE: Final = 1.75
-"""Outside diameter over the shaft's, of a bearing whose sizes nobody gives."""
-_WIDTH_SHARE: Final = 0.22
-"""Width over outside diameter, likewise."""
-_SMALL: Final = 1e-3
-"""Part of the greatest load: what is less has no arrow."""
+_MM: Final = MM
+_PANELS: Final = (36.0, 34.0, 28.0)
+"""Heights of the panels below the drawing, in mm."""
+_BESIDE: Final = 51.0
+"""Height of what stands between panels: legends, numbers, labels, the title; in mm."""
+_PANEL: Final = 40.0
+"""Height of one of the panels of section forces, in mm."""
+_ROSETTE: Final = (50.0, 55.0)
+"""Width and height of a rosette with its name, in mm."""
+_ABREAST: Final = 3
+"""Rosettes in a row."""
+_SLOPE: Final = 1e3
+"""mrad for a rad."""
 
 
+@in_style
 def machine_figure(solved: SolvedMachine, *, step: int = 0) -> Figure:
     """Draw a machine in four panels along its axis.
 
@@ -73,244 +108,35 @@ def machine_figure(solved: SolvedMachine, *, step: int = 0) -> Figure:
         From `rolamento.shaft`.
     step
         Of its spectrum, from 0.
+
+    Raises
+    ------
+    InputError
+        If this is no solved machine, or there is no such step.
     """
-    low, high, greatest = _extent(solved.machine)
-    tall = sum(_ROOM) * _MM * greatest
-    panel = min(max(_ACROSS * tall / (_MM * (high - low)), _LEAST), _MOST)
-    with styled():
-        figure = Figure(figsize=(WIDTH * MILLIMETRE, (panel + _BELOW) * MILLIMETRE))
-        rest = _BELOW / 2.8
-        grid = figure.add_gridspec(4, 1, height_ratios=(panel, rest, rest, 0.8 * rest))
-        drawing = figure.add_subplot(grid[0])
-        wide = max(_MM * (high - low), _ACROSS * tall / panel) * 1.08
-        middle = 0.5 * _MM * (low + high)
-        drawing.set_xlim(middle - 0.5 * wide, middle + 0.5 * wide)
-        _drawing(drawing, solved.machine, step, greatest)
-        lower = [figure.add_subplot(grid[row], sharex=drawing) for row in (1, 2, 3)]
-        if solved.status.converged[step]:
-            _deflection(lower[0], solved, step)
-            _moments(lower[1], solved, step)
-            _stress(lower[2], solved, step)
-        else:
-            for axes in lower:
-                empty_frame(axes, said("no equilibrium"))
-        for axes in (drawing, *lower[:-1]):
-            axes.tick_params(labelbottom=False)
-        label_x(lower[-1], said("x (mm)"))
-        name = solved.steps[step]
-        title = solved.title or said("Machine without a title")
-        add_title(figure, f"{title}: {name}" if name else title)
+    check_step(solved, step)
+    plan = planned(solved.machine, step)
+    tall = plan.height + sum(_PANELS) + _BESIDE
+    figure = Figure(figsize=(WIDTH * MILLIMETRE, tall * MILLIMETRE))
+    grid = figure.add_gridspec(4, 1, height_ratios=(plan.height, *_PANELS))
+    drawing = figure.add_subplot(grid[0])
+    draw_planned(drawing, plan)
+    lower = [figure.add_subplot(grid[row], sharex=drawing) for row in (1, 2, 3)]
+    for axes in lower:
+        axes.margins(x=0.0)
+    if solved.status.converged[step]:
+        _deflection(lower[0], solved, [step], named=False)
+        _moments(lower[1], solved, step)
+        _stress(lower[2], solved, step)
+    else:
+        for axes in lower:
+            empty_frame(axes, said("no equilibrium"))
+    for axes in lower[:-1]:
+        axes.set_xlabel("")
+        axes.tick_params(labelbottom=False)
+    label_x(lower[-1], said("x (mm)"))
+    add_title(figure, title_of(solved, step))
     return figure
-
-
-# --- the machine to scale -------------------------------------------------------------------------
-
-
-def _extent(machine: Machine) -> tuple[float, float, float]:
-    """Where the machine begins and ends along x, and its greatest radius; m."""
-    low = min(shaft.position for shaft in machine.shafts)
-    high = max(shaft.position + shaft.length for shaft in machine.shafts)
-    radii = [
-        0.5 * max(s.diameter, s.right_diameter) for one in machine.shafts for s in one.sections
-    ]
-    radii += [0.5 * gear.diameter for gear in machine.gears]
-    radii += [0.5 * mass.diameter for mass in machine.masses if mass.diameter is not None]
-    for one in machine.bearings:
-        inside = _radius_at(machine, one.shaft, one.position)
-        radii.append(_sizes(one, inside)[0])
-    return low, high, max(radii)
-
-
-def _sizes(seated: MachineBearing, inside: float) -> tuple[float, float]:
-    """Outside radius and width of a bearing: as its catalogue has them, or about; m."""
-    bearing = seated.case.bearing
-    published = bearing.published
-    pitch = max(place.bearing.pitch_diameter for place in bearing.places)
-    outside = 0.5 * (getattr(published, "outside_diameter", None) or 2.0 * pitch - 2.0 * inside)
-    if outside <= 0.5 * pitch:
-        outside = _OUTSIDE * inside
-    return outside, getattr(published, "width", None) or _WIDTH_SHARE * 2.0 * outside
-
-
-def _drawing(axes: Axes, machine: Machine, step: int, greatest: float) -> None:
-    for shaft in machine.shafts:
-        _draw_shaft(axes, shaft)
-    for gear in machine.gears:
-        x = _x(machine, gear.shaft, gear.position)
-        wide = gear.face_width or 0.2 * gear.diameter
-        _mirrored(axes, x, wide, _radius_at(machine, gear.shaft, gear.position),
-                  0.5 * gear.diameter, _GEAR)  # fmt: skip
-    for mass in machine.masses:
-        if mass.diameter is not None and mass.width is not None:
-            x = _x(machine, mass.shaft, mass.position)
-            inside = _radius_at(machine, mass.shaft, mass.position)
-            _mirrored(axes, x, mass.width, inside, 0.5 * mass.diameter, _GEAR)
-    for bearing in machine.bearings:
-        _draw_bearing(axes, machine, bearing)
-    _loads(axes, machine, step, greatest)
-    axes.axhline(0.0, color=GREY, linewidth=0.6, linestyle=(0, (8, 2, 1, 2)))
-    axes.set_aspect("equal", adjustable="datalim")
-    axes.grid(visible=False)
-    axes.set_yticks([])
-    axes.spines["left"].set_visible(False)
-
-
-def _x(machine: Machine, shaft: str, position: float) -> float:
-    return machine.shaft(shaft).position + position
-
-
-def _radius_at(machine: Machine, shaft: str, position: float) -> float:
-    return 0.5 * max(machine.shaft(shaft).diameters_at(position), default=0.0)
-
-
-def _draw_shaft(axes: Axes, shaft: Shaft) -> None:
-    """Draw the sections."""
-    x = shaft.position
-    for section in shaft.sections:
-        left, right = 0.5 * section.diameter, 0.5 * section.right_diameter
-        a, z = 0.5 * section.bore, 0.5 * section.right_bore
-        for way in (1.0, -1.0):
-            corners = [
-                (x, way * a), (x, way * left), (x + section.length, way * right),
-                (x + section.length, way * z),
-            ]  # fmt: skip
-            axes.add_patch(
-                Polygon(_MM * np.array(corners), facecolor=_SHAFT, edgecolor="none", zorder=1)
-            )
-            axes.plot([_MM * x, _MM * (x + section.length)], [_MM * way * left, _MM * way * right],
-                      color="black", linewidth=0.8, zorder=2)  # fmt: skip
-            if section.bore or section.right_bore:
-                axes.plot([_MM * x, _MM * (x + section.length)], [_MM * way * a, _MM * way * z],
-                          color="black", linewidth=0.6, linestyle="--", zorder=2)  # fmt: skip
-        for end, radius in ((x, left), (x + section.length, right)):
-            axes.plot([_MM * end] * 2, [-_MM * radius, _MM * radius], color="black",
-                      linewidth=0.8, zorder=2)  # fmt: skip
-        x += section.length
-
-
-def _mirrored(
-    axes: Axes, x: float, width: float, inside: float, outside: float, color: str
-) -> None:
-    """A ring about the axis, cut: above and below it."""
-    for way in (1.0, -1.0):
-        low = inside if way > 0.0 else -outside
-        axes.add_patch(
-            Rectangle((_MM * (x - 0.5 * width), _MM * low), _MM * width, _MM * (outside - inside),
-                      facecolor=color, edgecolor="black", linewidth=0.7, zorder=3)
-        )  # fmt: skip
-
-
-def _draw_bearing(axes: Axes, machine: Machine, seated: MachineBearing) -> None:
-    """Draw rings, elements and lines of contact."""
-    bearing, x = seated.case.bearing, _x(machine, seated.shaft, seated.position)
-    inside = _radius_at(machine, seated.shaft, seated.position)
-    outside, wide = _sizes(seated, inside)
-    published, places = bearing.published, bearing.places
-    rows = bearing.element_rows
-    each = wide / (len(rows) if getattr(published, "width", None) and len(rows) > 1 else 1)
-    for place in rows:
-        at = x + seated.side * place.position
-        one = each if len(places) == 1 else wide
-        _draw_row(axes, place.bearing, at, seated.side * place.sign, inside, outside, one)
-    for way in (1.0, -1.0):
-        _draw_seat(axes, seated, x, way * outside, wide * max(len(places), 1))
-    axes.annotate(
-        seated.name, (_MM * x, -_MM * outside), xytext=(0, -9), textcoords="offset points",
-        ha="center", va="top", fontsize=7.5, parse_math=False,
-    )  # fmt: skip
-
-
-def _draw_row(
-    axes: Axes, row: Any, x: float, way: float, inside: float, outside: float, width: float
-) -> None:
-    size: Any = getattr(row, "ball_diameter", None)
-    rollers = size is None
-    size = getattr(row, "roller_diameter", 0.0) if size is None else size
-    length: Any = getattr(row, "roller_length", None) or getattr(row, "effective_length", 0.0)
-    radius = 0.5 * getattr(row, "pitch_diameter", 0.0)
-    angle = getattr(row, "contact_angle", None) or 0.0
-    half = getattr(row, "roller_half_angle", None) or 0.0
-    lean = way * (angle - half) if rollers else 0.0
-    for side in (1.0, -1.0):
-        for low, high in ((inside, radius - 0.3 * size), (radius + 0.3 * size, outside)):
-            bottom = low if side > 0.0 else -high
-            axes.add_patch(
-                Rectangle((_MM * (x - 0.5 * width), _MM * bottom), _MM * width,
-                          _MM * max(high - low, 0.0), facecolor=_RING, edgecolor="black",
-                          linewidth=0.6, zorder=3)
-            )  # fmt: skip
-        centre = (_MM * x, _MM * side * radius)
-        look: dict[str, Any] = {
-            "facecolor": _ELEMENT,
-            "edgecolor": "black",
-            "linewidth": 0.7,
-            "zorder": 4,
-        }
-        shape: Patch = Ellipse(centre, _MM * size, _MM * size, **look)
-        if rollers:
-            corner = (centre[0] - 0.5 * _MM * length, centre[1] - 0.5 * _MM * size)
-            shape = Rectangle(corner, _MM * length, _MM * size, **look)
-            shape.set_transform(Affine2D().rotate_around(*centre, -side * lean) + axes.transData)
-        axes.add_patch(shape)
-        if angle > 0.0:  # the line of contact meets the axis on the side that the row faces away
-            apex = x - way * radius * tan(angle)
-            reach = outside - radius
-            axes.plot(
-                [_MM * apex, _MM * (x + way * reach * sin(angle) / max(cos(angle), 0.1))],
-                [0.0, _MM * side * outside],
-                color=OUTER.color, linewidth=0.7, linestyle=(0, (4, 2)), zorder=5,
-            )  # fmt: skip
-
-
-def _draw_seat(axes: Axes, seated: MachineBearing, x: float, y: float, width: float) -> None:
-    """How the outer ring is held: hatched where it is, arrows where it slides."""
-    if seated.outer_shaft is not None:
-        return
-    sign = 1.0 if y > 0.0 else -1.0
-    if seated.located == "floating":
-        axes.annotate(
-            "", (_MM * (x - 0.7 * width), _MM * y + 2.5 * sign), zorder=6,
-            xytext=(_MM * (x + 0.7 * width), _MM * y + 2.5 * sign),
-            arrowprops={"arrowstyle": "<->", "color": GREY, "linewidth": 0.9},
-        )  # fmt: skip
-        return
-    high = 3.0
-    axes.add_patch(
-        Rectangle((_MM * (x - 0.5 * width), _MM * y if sign > 0.0 else _MM * y - high),
-                  _MM * width, high, facecolor="white", edgecolor=GREY, hatch="//////",
-                  linewidth=0.4, zorder=2)
-    )  # fmt: skip
-
-
-def _loads(axes: Axes, machine: Machine, step: int, greatest: float) -> None:
-    """Arrows of the forces in the plane of the drawing, and their sizes; y into it as a circle."""
-    steps = machine.spectrum
-    forces = machine.forces(steps[step] if steps else None)
-    sizes = [hypot(*one.force[:3]) for one in forces]
-    top = max(sizes, default=0.0)
-    if not top > 0.0:
-        return
-    long = 0.45 * _MM * greatest
-    for one, size in zip(forces, sizes, strict=True):
-        if size < _SMALL * top:
-            continue
-        fx, fy, fz = one.force[:3]
-        x = _MM * _x(machine, one.shaft, one.position)
-        radial = hypot(fy, fz)
-        text = f"{number(1e-3 * size)} kN" if size >= 1e3 else f"{number(size)} N"
-        high = 1.05 * _MM * greatest
-        arrow = {"arrowstyle": "-|>", "color": SERIES[3].color, "linewidth": 1.4}
-        down = fz < 0.0 or (fz == 0.0 and fy < 0.0)
-        if radial >= _SMALL * top:
-            tail, head = (high + long, high) if down else (high, high + long)
-            axes.annotate("", (x, head), xytext=(x, tail), arrowprops=arrow, zorder=7)
-        if abs(fx) >= _SMALL * top:
-            ahead = long if fx > 0.0 else -long
-            axes.annotate("", (x + ahead, high), xytext=(x, high), arrowprops=arrow, zorder=7)
-        axes.annotate(
-            text, (x, high + long), xytext=(0, 2), textcoords="offset points", ha="center",
-            va="bottom", fontsize=7.5, color=SERIES[3].color, parse_math=False, zorder=7,
-        )  # fmt: skip
 
 
 # --- along the axis -------------------------------------------------------------------------------
@@ -324,19 +150,295 @@ def _named(one: SolvedShaft, text: str, several: bool) -> str:
     return f"{one.name}: {text}" if several else text
 
 
-def _deflection(axes: Axes, solved: SolvedMachine, step: int) -> None:
-    several = len(solved.shafts) > 1
-    styles = iter([*SERIES, *SERIES])
-    for one in solved.shafts.values():
-        for axis, name in ((1, "y"), (2, "z")):
-            style = next(styles)
-            axes.plot(
-                _along(one), 1e6 * one.displacement[step, :, axis],
-                label=_named(one, name, several), **style.keywords(),
-            )  # fmt: skip
+class _Line(NamedTuple):
+    """A shaft in a step of the spectrum, and how it is drawn."""
+
+    shaft: SolvedShaft
+    step: int
+    label: str
+    look: Series
+
+
+_PLANES: Final[tuple[Any, ...]] = ("-", "--", "-.")
+"""Lines of y, z and both together, where colours are for shafts and steps."""
+
+
+@in_style
+def draw_deflection(
+    solved: SolvedMachine, axes: Axes | None = None, *, step: int | None = None
+) -> Axes:
+    """Draw how far each shaft is from its axis, along it: y, z, and both together.
+
+    Marks are at bearings and gears, on the line of both together; beside their names stands the
+    slope of the shaft there, the greatest of the steps that are drawn.
+
+    Parameters
+    ----------
+    solved
+        From `rolamento.shaft`.
+    axes
+        To draw on; of a new figure if not given.
+    step
+        Step of its spectrum, from 0; all of them if not given.
+
+    Returns
+    -------
+    Axes
+        Those given; without a result, a frame that says so.
+
+    Raises
+    ------
+    InputError
+        If this is no solved machine, there is no such step, or there would be more lines than can
+        be distinguished.
+    """
+    check_step(solved, 0 if step is None else step)
+    if axes is None:
+        figure, axes = new_figure(height=95.0)
+        add_title(figure, title_of(solved, step))
+    asked = range(len(solved)) if step is None else (step,)
+    require_axes(axes)
+    steps = [one for one in asked if solved.status.converged[one]]
+    if not steps:
+        return empty_frame(axes, said("no equilibrium"))
+    _deflection(axes, solved, steps, named=True)
+    label_x(axes, said("x (mm)"))
+    if lost := len(asked) - len(steps):
+        legend = axes.get_legend()
+        handles = [] if legend is None else list(legend.legend_handles)
+        missing = Line2D([], [], linestyle="", label=f"{no_result()}: {lost}")
+        legend_above(axes, handles=[*(one for one in handles if one is not None), missing])
+    return axes
+
+
+def _deflection(axes: Axes, solved: SolvedMachine, steps: Sequence[int], *, named: bool) -> None:
+    """Draw shafts in some steps; named: whether slopes stand beside the names of parts."""
+    lines = _lines(solved, steps)
+    single = len(lines) == 1
+    for one in lines:
+        moved = one.shaft.displacement[one.step]
+        _plot_planes(axes, one, _along(one.shaft), 1e6 * moved[:, 1:3], single)
+    _own_extent(axes, solved)
+    places = _places(solved, lines)
+    for one in lines:
+        own = [place for place in places if place.shaft == one.shaft.name]
+        at = np.array([_MM * place.x for place in own])
+        # as the line is drawn, which is straight between nodes
+        far = np.interp(at, _along(one.shaft), 1e6 * one.shaft.deflection[one.step])
+        color = SERIES[2].color if single else one.look.color
+        axes.plot(at, far, linestyle="", marker=one.look.marker, color=color, zorder=4)
+    most = "≤ " if len(steps) > 1 else ""
+    texts = [f"{most}{number(place.slope, 2)} mrad" for place in places]
+    if named:
+        texts = [f"{place.name} {text}" for place, text in zip(places, texts, strict=True)]
+    _name_places(axes, [(place.x, text) for place, text in zip(places, texts, strict=True)])
     _marks(axes, solved)
     label_y(axes, said("Deflection (µm)"))
-    legend_above(axes)
+    legend_above(axes, handles=[] if single else _handles(lines))
+
+
+def _plot_planes(axes: Axes, one: _Line, x: FloatArray, parts: FloatArray, single: bool) -> None:
+    """Draw y, z and both together: by colours if there is but one line of each."""
+    y, z = parts[:, 0], parts[:, 1]
+    for plane, values in enumerate((y, z, np.hypot(y, z))):
+        look: dict[str, Any] = SERIES[plane].keywords()
+        if not single:
+            look = {"color": one.look.color, "linestyle": _PLANES[plane],
+                    "linewidth": 1.6 if plane == 2 else 0.9}  # fmt: skip
+        axes.plot(x, values, label=_planes()[plane] if single else "_", **look)
+
+
+def _planes() -> tuple[str, str, str]:
+    return "y", "z", said("resultant")
+
+
+def _lines(solved: SolvedMachine, steps: Sequence[int]) -> list[_Line]:
+    """Return shafts and steps with colours of their own.
+
+    Raises
+    ------
+    InputError
+        If there are more than can be distinguished.
+    """
+    count = len(steps) * len(solved.shafts)
+    if count > len(SERIES) and len(steps) > 1:
+        raise InputError(
+            said("would make {count} lines; more than {most} cannot be told apart",
+                 count=count, most=len(SERIES)),
+            field="step", example="step=0",
+        )  # fmt: skip
+    found: list[_Line] = []
+    for step in steps:
+        for one in solved.shafts.values():
+            names = [one.name] if len(solved.shafts) > 1 else []
+            names += [solved.steps[step]] if len(steps) > 1 else []
+            found.append(_Line(one, step, ", ".join(names), series(len(found))))
+    return found
+
+
+def _handles(lines: Sequence[_Line]) -> list[Line2D]:
+    """What stands for colours and for lines."""
+    found = [
+        Line2D([], [], color=one.look.color, marker=one.look.marker, label=one.label)
+        for one in lines
+    ]
+    for style, name in zip(_PLANES, _planes(), strict=True):
+        found.append(Line2D([], [], color=GREY, linestyle=style, label=name))
+    return found
+
+
+class _Place(NamedTuple):
+    """A bearing or a gear, and the slope of the shaft there, in mrad."""
+
+    name: str
+    shaft: str
+    x: float
+    slope: float
+
+
+def _places(solved: SolvedMachine, lines: Sequence[_Line]) -> list[_Place]:
+    machine = solved.machine
+    found: list[_Place] = []
+    parts: tuple[MachineBearing | Gear, ...] = (*machine.bearings, *machine.gears)
+    for part in parts:
+        own = [one for one in lines if one.shaft.name == part.shaft]
+        slopes = [
+            float(
+                one.shaft.slope[one.step, int(np.abs(one.shaft.position - part.position).argmin())]
+            )
+            for one in own
+        ]
+        x = place_of(machine, part.shaft, part.position)
+        name = part.name or said("gear")
+        found.append(_Place(name, part.shaft, x, _SLOPE * max(slopes)))
+    return found
+
+
+def _name_places(axes: Axes, places: Sequence[tuple[float, str]]) -> None:
+    """Write texts at places along the axis, over the data, where none covers another."""
+    low, high = axes.get_xlim()
+    wide, tall = paper_of(axes)
+    scale = (high - low) / wide
+    texts = [(_MM * x, shown_text(text, 40)) for x, text in places]
+    room = [SPOKEN * len(text) * scale + 2.0 * scale for _, text in texts]
+    inside = [
+        (min(max(x, low + 0.5 * w), high - 0.5 * w), w)
+        for (x, _), w in zip(texts, room, strict=True)
+    ]
+    found = levels(inside)
+    share = min((max(found, default=-1) + 1) * LINE / tall, 0.6)
+    bottom, top = axes.get_ylim()
+    axes.set_ylim(bottom, bottom + (top - bottom) / (1.0 - share))
+    for (_, text), (x, _), level in zip(texts, inside, found, strict=True):
+        axes.annotate(
+            text, (x, 1.0), xycoords=("data", "axes fraction"), ha="center", va="top",
+            xytext=(0.0, -level * LINE * 72.0 / 25.4), textcoords="offset points",
+            fontsize=SMALL, color="#404040", parse_math=False, zorder=6,
+            bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.4},
+        )  # fmt: skip
+
+
+def _own_extent(axes: Axes, solved: SolvedMachine) -> None:
+    """Show the whole machine, unless the axis is that of a drawing."""
+    if len(axes.get_shared_x_axes().get_siblings(axes)) > 1:
+        return
+    ends = [end for one in solved.shafts.values() for end in (_along(one)[0], _along(one)[-1])]
+    margin = 0.04 * (max(ends) - min(ends))
+    axes.set_xlim(min(ends) - margin, max(ends) + margin)
+
+
+# --- what is carried ------------------------------------------------------------------------------
+
+
+@in_style
+def draw_section_forces(solved: SolvedMachine, *, step: int = 0) -> Figure:
+    """Draw shear force, bending moment, axial force, torque and equivalent stress along shafts.
+
+    Each is what the right part puts on the left one, with a step where something acts: forces along
+    y and z, moments about them. Bearings are dotted lines.
+
+    Parameters
+    ----------
+    solved
+        From `rolamento.shaft`.
+    step
+        Step of its spectrum, from 0.
+
+    Returns
+    -------
+    Figure
+        Five panels over one axis; without a result, a frame that says so.
+
+    Raises
+    ------
+    InputError
+        If this is no solved machine, or there is no such step.
+    """
+    check_step(solved, step)
+    if not solved.status.converged[step]:
+        figure, axes = new_figure()
+        empty_frame(axes, said("no equilibrium"))
+        add_title(figure, title_of(solved, step))
+        return figure
+    lines = _lines(solved, [step])
+    figure = Figure(figsize=(WIDTH * MILLIMETRE, 5.0 * _PANEL * MILLIMETRE))
+    panels = figure.subplots(5, 1, sharex=True)
+    shear, moment, axial, torque, stress = panels
+    _in_planes(shear, lines, (1, 2), "N", said("Shear force"))
+    _in_planes(moment, lines, (3, 4), "N*m", said("Bending moment"))
+    forces = [one.shaft.force[step, ..., 0] for one in lines]
+    _panel(axial, lines, forces, readable_unit("N", _flat(forces)), said("Axial force"))
+    torques = [one.shaft.torque[step] for one in lines]
+    _panel(torque, lines, torques, readable_unit("N*m", _flat(torques)), said("Torque"))
+    stresses = [one.shaft.stress[step] for one in lines]
+    _panel(stress, lines, stresses, readable_unit("Pa", 0.0), said("Equivalent stress"))
+    stress.set_ylim(bottom=0.0)
+    ends = [end for one in lines for end in (_along(one.shaft)[0], _along(one.shaft)[-1])]
+    margin = 0.04 * (max(ends) - min(ends))
+    shear.set_xlim(min(ends) - margin, max(ends) + margin)
+    for axes in panels:
+        _marks(axes, solved)
+    machine = solved.machine
+    _name_places(
+        shear, [(place_of(machine, b.shaft, b.position), b.name) for b in machine.bearings]
+    )
+    legend_above(shear, handles=[] if len(lines) == 1 else _handles(lines))
+    label_x(stress, said("x (mm)"))
+    add_title(figure, title_of(solved, step))
+    return figure
+
+
+def _flat(values: Iterable[FloatArray]) -> FloatArray:
+    return np.concatenate([one.ravel() for one in values])
+
+
+def _in_planes(
+    axes: Axes, lines: Sequence[_Line], planes: tuple[int, int], unit: str, name: str
+) -> None:
+    """Two components and what they make together."""
+    single = len(lines) == 1
+    both = [one.shaft.force[one.step][..., planes] for one in lines]
+    read = readable_unit(unit, _flat([np.hypot(own[..., 0], own[..., 1]) for own in both]))
+    for one, own in zip(lines, both, strict=True):
+        x = np.repeat(_along(one.shaft), 2)
+        _plot_planes(axes, one, x, read.of(own.reshape(-1, 2)), single)
+    _label_panel(axes, name, read)
+
+
+def _label_panel(axes: Axes, name: str, unit: ReadableUnit) -> None:
+    """In two lines: panels are low."""
+    label_y(axes, name)
+    axes.set_ylabel(f"{name}\n({unit.symbol})", parse_math=False)
+
+
+def _panel(
+    axes: Axes, lines: Sequence[_Line], values: Sequence[FloatArray], unit: ReadableUnit, name: str
+) -> None:
+    for one, own in zip(lines, values, strict=True):
+        color = "black" if len(lines) == 1 else one.look.color
+        axes.plot(np.repeat(_along(one.shaft), 2), unit.of(own.ravel()), color=color,
+                  linestyle="-" if len(lines) == 1 else one.look.linestyle)  # fmt: skip
+    _label_panel(axes, name, unit)
 
 
 def _moments(axes: Axes, solved: SolvedMachine, step: int) -> None:
@@ -375,7 +477,7 @@ def _marks(axes: Axes, solved: SolvedMachine) -> None:
     """Where bearings stand."""
     machine = solved.machine
     for one in machine.bearings:
-        axes.axvline(_MM * _x(machine, one.shaft, one.position), color=GREY, linewidth=0.6,
+        axes.axvline(_MM * place_of(machine, one.shaft, one.position), color=GREY, linewidth=0.6,
                      linestyle=":", zorder=0)  # fmt: skip
 
 
@@ -416,6 +518,107 @@ def machine_over_figure(found: MachineCurve) -> Figure:
         legend_above(bent)
         add_title(figure, machine.title or said("Machine without a title"))
     return figure
+
+
+# --- bearings in their places ---------------------------------------------------------------------
+
+
+@in_style
+def draw_bearings_in_place(solved: SolvedMachine, *, step: int = 0) -> Figure:
+    """Draw the load rosette of each bearing, in the order in which they stand along x.
+
+    All are on one scale and seen from the machine's +x: z is up, y to the right. Arrows show the
+    radial force of the shaft on the inner ring, on one scale of their own.
+
+    Parameters
+    ----------
+    solved
+        From `rolamento.shaft`.
+    step
+        Step of its spectrum, from 0.
+
+    Returns
+    -------
+    Figure
+        Rosettes in rows; a bearing without a result has a frame that says why.
+
+    Raises
+    ------
+    InputError
+        If this is no solved machine, there is no such step, or it has no bearings.
+    """
+    check_step(solved, step)
+    machine = solved.machine
+    order = sorted(machine.bearings, key=lambda one: place_of(machine, one.shaft, one.position))
+    if not order:
+        raise InputError(said("has no bearings"), field="solved")
+    seats = [solved.bearings[one.name] for one in order]
+    single = [one.solved[step] for one in seats]
+    shown = [one for one in single if one.converged[0]]
+    rows, columns = -(-len(seats) // _ABREAST), min(_ABREAST, len(seats))
+    across, tall = max(columns, 2) * _ROSETTE[0], rows * _ROSETTE[1] + 24.0
+    figure = Figure(figsize=(across * MILLIMETRE, tall * MILLIMETRE))
+    grid = figure.subplots(rows, columns, squeeze=False, subplot_kw={"projection": "polar"}).ravel()
+    unit = load_unit(shown) if shown else readable_unit("N", 0.0)
+    rim = 1.05 * max((_greatest(one, unit) for one in shown), default=1.0)
+    top = max((float(one.radial_force[step]) for one in seats if one.solved.converged[step]),
+              default=0.0)  # fmt: skip
+    handles: dict[str, Any] = {}
+    for axes, seated, own in zip(grid, seats, single, strict=False):
+        assert isinstance(axes, PolarAxes)
+        lines = [shown_text(seated.name, 34)]
+        if own.converged[0]:
+            draw_rosette(axes, own, unit)
+            axes.set_rlim(0.0, rim or 1.0)
+            number_circles(axes, own, unit)
+            axes.tick_params(labelsize=7.0, pad=0.0)
+            for line in axes.lines:
+                line.set_markersize(2.5)
+            for handle, label in zip(*axes.get_legend_handles_labels(), strict=True):
+                handles.setdefault(label, handle)
+            lines += _force_arrow(axes, seated.force[step], top)
+        else:
+            empty_frame(axes, no_result(str(own.status.code[0])))
+        axes.set_title("\n".join(lines), fontsize=8.0, parse_math=False)
+    for axes in grid[len(seats) :]:
+        axes.set_visible(False)
+    if len(handles) > len(RACES):  # a bearing of one row looks as the first row of others
+        handles = {label: one for label, one in handles.items() if label not in _race_names()}
+        figure.set_figheight(figure.get_figheight() + 10.0 * MILLIMETRE)
+    arrow = Line2D([], [], color=LOAD, marker=">", label=said("force of the shaft"))
+    figure.legend(
+        handles=[*handles.values(), arrow], loc="outside lower center",
+        ncols=3 if len(handles) == len(RACES) else 2, alignment="center", title_fontsize=8.0,
+        title=said("Contact load ({unit}), seen from +x", unit=unit.symbol),
+    )  # fmt: skip
+    add_title(figure, title_of(solved, step))
+    return figure
+
+
+def _race_names() -> set[str]:
+    return {race_name(race, 0, 1) for race in RACES}
+
+
+def _greatest(solved: Solved, unit: ReadableUnit) -> float:
+    return max(float(unit.of(solved.contacts[race].load[0]).max()) for race in RACES)
+
+
+def _force_arrow(axes: PolarAxes, force: FloatArray, top: float) -> list[str]:
+    """Draw the radial force; return what its size is, and that of the axial one."""
+    fx, fy, fz = (float(part) for part in force[:3])
+    radial = float(np.hypot(fy, fz))
+    if radial > 1e-3 * top:
+        axes.annotate(
+            "", (atan2(fy, fz), axes.get_rmax() * radial / top), xytext=(0.0, 0.0), zorder=6,
+            arrowprops={"arrowstyle": "-|>", "color": LOAD, "linewidth": 1.8, "shrinkA": 0,
+                        "shrinkB": 0},
+        )  # fmt: skip
+    if abs(fx) < 1e-3 * max(top, radial):
+        fx = 0.0
+    unit = readable_unit("N", [radial, fx])
+    return [
+        f"Fr {number(float(unit.of(radial)), 3)}, Fx {number(float(unit.of(fx)), 3)} {unit.symbol}"
+    ]
 
 
 # --- vibration ------------------------------------------------------------------------------------
