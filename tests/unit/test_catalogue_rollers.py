@@ -63,7 +63,7 @@ def test_a_bore_behind_a_stroke_is_not_a_bore_code() -> None:
         catalogue().find("32099")
 
 
-@pytest.mark.parametrize("name", ["NN 3210", "NU 2999", "K 500x510x20", "NA 4999"])
+@pytest.mark.parametrize("name", ["NN 3210", "NU 2999", "K 500x510x20", "NA 4999", "20210"])
 def test_rollers_of_no_list_are_named_as_such(name: str) -> None:
     with pytest.raises(InputError, match="roller bearing of a size or series in no list"):
         catalogue().find(name)

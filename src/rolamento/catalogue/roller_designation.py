@@ -109,7 +109,7 @@ def _of_series(
 ) -> RollerNumber:
     told = found.groupdict()
     series, rest = told["series"], told["rest"] or ""
-    bore = told["bore"] or told["millimetres"]
+    bore = told["bore"] or told.get("millimetres") or ""
     place = bore if told["bore"] else f"/{bore}"
     type_ = told.get("type") or ""
     number = f"{type_}{series}{place}"
@@ -124,7 +124,7 @@ def _of_series(
     names = tuple(f"{number}{behind}" for behind in _behind(one, design, maker))
     if prefix := one.get("prefix"):
         names = tuple(name for own in names for name in _with_prefix(own, prefix, maker))
-    in_mm = bore if told["millimetres"] else f"code {bore}"
+    in_mm = bore if told.get("millimetres") else f"code {bore}"
     return RollerNumber(one["kind"], type_, series, number, in_mm, names, letters, rest)
 
 
