@@ -174,7 +174,7 @@ class Rotor:
         return np.asarray(root), np.asarray(modes), np.asarray(answers)
 
     def _basis(self, count: int) -> FloatArray:
-        """Of all cases, of unit mass; (heavy, basis)."""
+        """Basis for all cases, of unit mass; (heavy, basis)."""
         root, modes, answers = self._at_rest
         some = modes[:, : max(BASIS * count, LEAST_BASIS)]
         return np.asarray(np.linalg.solve(root.T, np.hstack([some, _apart(some, answers)])))

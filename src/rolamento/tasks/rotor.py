@@ -163,7 +163,7 @@ def machine_vibration(
 
 
 def _factor(machine: Machine) -> float:
-    """Of all speeds, in the step that counts."""
+    """Factor of all speeds in the step that counts."""
     return machine.spectrum[0].speed_factor if machine.spectrum else 1.0
 
 
