@@ -425,8 +425,11 @@ class _Condensed:
                 stiffness[among[:, np.newaxis], among] += a[:, np.newaxis] * chain.stiffness * a
                 follow[every[:, np.newaxis], among] = z[:, np.newaxis] * chain.follow * a
                 by_load[every[:, np.newaxis], every] = z[:, np.newaxis] * chain.by_load * z
-        arms = [p.row.sizes.arm.mean() for s in structure.seats for p in s.cases.rows]
-        scale = np.tile([1.0, 1.0, 1.0, np.mean(arms), np.mean(arms)], len(nodes))
+        rows = [placed.row for seat in structure.seats for placed in seat.cases.rows]
+        arms = np.concatenate([np.ravel(row.sizes.arm) for row in rows])
+        known = arms[np.isfinite(arms)]  # a case that is not valid has none, and leaves the others
+        arm = known.mean() if len(known) else 1.0
+        scale = np.tile([1.0, 1.0, 1.0, arm, arm], len(nodes))
         linear = Linear(tuple(range(len(nodes))), stiffness[np.newaxis])
         return cls(tuple(nodes), kept, linear, follow, by_load, scale)
 
