@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
@@ -17,6 +18,7 @@ from rolamento.case.machine import Machine, Step, load_machine
 from rolamento.errors import InputError
 from rolamento.machines import balanced
 from rolamento.numerics import BoolArray, ComplexArray, FloatArray, IntArray
+from rolamento.records import frozen
 from rolamento.solved.rotor import Campbell, CriticalSpeed, Modes, UnbalanceResponse, whirl_names
 from rolamento.status import CONVERGED, STATUS_NAMES
 from rolamento.system.network import FIVE
@@ -30,19 +32,34 @@ DAMPING: Final = 1e-5
 """s; of the stiffness, where a response needs some and none is given."""
 MOST_SPEEDS: Final = 2000
 MOST_MODES: Final = 60
+REFINED: Final = 8
+"""How often a critical speed is sought at most."""
+MET: Final = 1e-8
+"""Part of a frequency by which it may miss an order where they meet."""
 _AXIAL: Final = 0.9
 """Part of the sum of all squares of shifts from which on a mode counts as axial."""
 
 Source = Machine | str | os.PathLike[str]
 
 
-def natural_modes(machine: Source, *, count: int = 8, damping: float = 0.0) -> Modes:
-    """Natural frequencies and modes at the machine's own speed and load.
+def natural_modes(
+    machine: Source,
+    *,
+    speed: float | None = None,
+    shaft: str | None = None,
+    count: int = 8,
+    damping: float = 0.0,
+) -> Modes:
+    """Natural frequencies and modes at the machine's own speed and load, or another speed.
 
     Parameters
     ----------
     machine
         A `Machine`, or its file; of a spectrum the first step counts.
+    speed
+        rad/s; the bearings are solved anew at it. The machine's own if not given.
+    shaft
+        Whose speed it is; the first that turns if not given.
     count
         How many modes, at most 60.
     damping
@@ -61,7 +78,10 @@ def natural_modes(machine: Source, *, count: int = 8, damping: float = 0.0) -> M
 
     Friswell, Penny, Garvey and Lees, Dynamics of Rotating Machines (2010), chapter 5.
     """
-    given, structure, rest, rotor = _at_work(_machine(machine), None, damping)
+    base, by = _machine(machine), None
+    if speed is not None:
+        by = _checked_speeds(speed) / base.speed(turning_shaft(base, shaft))
+    given, structure, rest, rotor = _at_work(base, by, damping)
     _refuse_lost(rest)
     found = rotor.modes(0, _checked_count(count))
     shapes = found.shape.reshape(len(found.shape), -1, FIVE)
@@ -97,7 +117,8 @@ def campbell(
     count, damping
         As of `natural_modes`.
     orders
-        Of the rotation, such as 2 for twice a revolution, or the teeth of a gear.
+        Of the rotation, such as 2 for twice a revolution, or the teeth of a gear. Where a branch
+        meets one between two speeds, the machine is solved anew until both are one to 1e-8.
 
     Returns
     -------
@@ -116,6 +137,7 @@ def campbell(
     frequency = np.full((len(asked), count), np.nan)
     ratio, whirl = np.full(frequency.shape, np.nan), np.full(frequency.shape, "", "U16")
     before: Eigenmodes | None = None
+    modes: list[Eigenmodes | None] = [None] * len(asked)
     for case in range(len(asked)):
         if rest.number[case] != CONVERGED:
             before = None
@@ -129,7 +151,7 @@ def campbell(
         frequency[case, : len(order)] = found.frequency
         ratio[case, : len(order)] = found.damping_ratio
         whirl[case, : len(order)] = whirl_names(found.forward, _axial(shapes))
-        before = found
+        before = modes[case] = found
     return Campbell(
         machine=given,
         shaft=name,
@@ -138,7 +160,9 @@ def campbell(
         frequency=frequency,
         damping_ratio=ratio,
         whirl=whirl,
-        critical=_critical(asked, frequency, whirl, orders),
+        critical=_critical(
+            _Run(base, name, count, damping, rotor.mass), asked, modes, frequency, whirl, orders
+        ),
     )
 
 
@@ -342,33 +366,123 @@ def _followed(before: Eigenmodes, found: Eigenmodes, mass: FloatArray) -> IntArr
     """
     a, b = before.shape, found.shape
     cross = np.abs(np.conj(a) @ mass @ b.T) ** 2
-    own = [np.einsum("mi,ij,mj->m", np.conj(s), mass, s).real for s in (a, b)]
+    own = [((np.conj(s) @ mass) * s).sum(axis=1).real for s in (a, b)]
     likeness = cross / (own[0][:, np.newaxis] * own[1])
     _, order = linear_sum_assignment(-likeness)
     return np.asarray(order)
 
 
+@frozen(eq=False)
+class _Run:
+    """What a Campbell diagram is made of; mass: by which modes are known again."""
+
+    machine: Machine
+    shaft: str
+    count: int
+    damping: float
+    mass: FloatArray
+
+    def frequencies(
+        self, speeds: FloatArray, near: Sequence[Eigenmodes], branches: Sequence[int]
+    ) -> FloatArray:
+        """Frequency of a branch at each of some speeds, known by the modes of one nearby.
+
+        NaN without equilibrium; (speeds,).
+        """
+        factors = speeds / self.machine.speed(self.shaft)
+        _, _, rest, rotor = _at_work(self.machine, factors, self.damping)
+        out = np.full(len(speeds), np.nan)
+        for case in np.flatnonzero(rest.number == CONVERGED).tolist():
+            found, branch = rotor.modes(case, self.count), branches[case]
+            order = _followed(near[case], found, self.mass)
+            if branch < len(order):
+                out[case] = found.frequency[order[branch]]
+        return out
+
+
+@dataclass(slots=True)
+class _Crossing:
+    """A branch meets an order between two speeds; apart: by how much it lies above there."""
+
+    order: float
+    branch: int
+    near: Eigenmodes
+    whirl: str
+    low: float
+    high: float
+    apart_low: float
+    apart_high: float
+
+    @property
+    def at(self) -> float:
+        """Where it would be on a straight line; rad/s."""
+        step = self.apart_low - self.apart_high
+        return self.low + (self.apart_low / step if step else 0.0) * (self.high - self.low)
+
+    def narrow(self, speed: float, apart: float) -> None:
+        """Take in what was found between the two: regula falsi as in Illinois.
+
+        Dowell and Jarratt, A modified regula falsi method (1971).
+        """
+        if apart * self.apart_high <= 0.0:
+            self.low, self.apart_low = self.high, self.apart_high
+        else:
+            self.apart_low *= 0.5
+        self.high, self.apart_high = speed, apart
+
+
 def _critical(
-    speed: FloatArray, frequency: FloatArray, whirl: np.ndarray, orders: Sequence[float]
+    run: _Run,
+    speed: FloatArray,
+    modes: Sequence[Eigenmodes | None],
+    frequency: FloatArray,
+    whirl: np.ndarray,
+    orders: Sequence[float],
 ) -> tuple[CriticalSpeed, ...]:
-    """Where branches meet orders of the rotation, between two speeds by a straight line."""
+    """Where branches meet orders of the rotation: between two speeds, and solved anew there."""
+    found = _crossings(speed, modes, frequency, whirl, orders)
+    # at zero speed, or where a standstill lies between, there is nothing to solve for
+    left = [one for one in found if one.low * one.high > 0.0 and one.apart_low * one.apart_high]
+    for _ in range(REFINED):
+        if not left:
+            break
+        at = np.array([one.at for one in left])
+        known = run.frequencies(at, [one.near for one in left], [one.branch for one in left])
+        again = []
+        for one, place, own in zip(left, at.tolist(), known.tolist(), strict=True):
+            apart = own - one.order * abs(place)
+            if np.isfinite(apart):
+                one.narrow(place, apart)
+                if abs(apart) > MET * own:
+                    again.append(one)
+        left = again
+    critical = [
+        CriticalSpeed(float(one.order), abs(one.at), one.order * abs(one.at), one.whirl, one.branch)
+        for one in found
+        if one.at
+    ]
+    return tuple(sorted(critical, key=lambda one: (one.speed, one.order)))
+
+
+def _crossings(
+    speed: FloatArray,
+    modes: Sequence[Eigenmodes | None],
+    frequency: FloatArray,
+    whirl: np.ndarray,
+    orders: Sequence[float],
+) -> list[_Crossing]:
     found = []
-    turned = np.abs(speed)
     for order in orders:
         for branch in range(frequency.shape[1]):
-            apart = frequency[:, branch] - order * turned
+            apart = frequency[:, branch] - order * np.abs(speed)
             for i in np.flatnonzero(apart[:-1] * apart[1:] <= 0.0).tolist():
-                step = apart[i] - apart[i + 1]
-                part = apart[i] / step if step else 0.0
-                at = turned[i] + part * (turned[i + 1] - turned[i])
-                if at > 0.0 and not (part == 1.0 and i + 2 < len(speed)):
-                    found.append(
-                        CriticalSpeed(
-                            float(order), float(at), float(order * at), str(whirl[i, branch]),
-                            branch,
-                        )
-                    )  # fmt: skip
-    return tuple(sorted(found, key=lambda one: (one.speed, one.order)))
+                near, last = modes[i], i + 2 == len(speed)
+                if near is None or (apart[i + 1] == 0.0 and not last):  # the next has it too
+                    continue
+                ends = (*speed[i : i + 2].tolist(), *apart[i : i + 2].tolist())
+                name = str(whirl[i, branch])
+                found.append(_Crossing(float(order), branch, near, name, *ends))
+    return found
 
 
 def _bearing_forces(

@@ -201,7 +201,10 @@ def test_modes_of_a_machine() -> None:
 
 
 def test_campbell_solves_each_speed_anew() -> None:
-    """At the machine's own speed it is what the modes say; critical speeds lie on their branch."""
+    """At the machine's own speed it is what the modes say.
+
+    At a critical speed the machine has that frequency, however coarse the speeds.
+    """
     machine = Machine.from_file(MOTOR)
     own = machine.speed("rotor shaft")
     speeds = np.array([0.5, 1.0, 5.0, 10.0]) * own
@@ -211,8 +214,8 @@ def test_campbell_solves_each_speed_anew() -> None:
     np.testing.assert_allclose(np.sort(found.frequency[1]), modes.frequency, rtol=1e-6)
     assert found.critical
     for one in found.critical:
-        curve = np.interp(one.speed, speeds, found.frequency[:, one.branch])
-        assert curve == pytest.approx(one.frequency, rel=1e-6)
+        there = natural_modes(machine, speed=one.speed, count=6).frequency
+        np.testing.assert_allclose(np.abs(there / one.frequency - 1.0).min(), 0.0, atol=1e-7)
         assert one.frequency == pytest.approx(one.order * one.speed)
 
 
@@ -226,6 +229,42 @@ def test_a_response_that_lifts_the_balls_off_is_named() -> None:
     small = machine.masses[0].unbalance / 100.0
     machine = machine.replace(masses=[machine.masses[0].replace(unbalance=small)])
     assert not unbalance_response(machine, at_resonance, damping=1e-5).notes
+
+
+def test_a_speed_that_is_not_possible_leaves_the_others() -> None:
+    """The fit of the inner ring is lost at one of them; the others are as they are alone."""
+    machine = Machine.from_file(MOTOR)
+    found = campbell(machine, [100.0, 12_000.0], count=4)
+    assert found.status.tolist() == ["converged", "invalid_input"]
+    assert np.isnan(found.frequency[1]).all()
+    alone = campbell(machine, [100.0], count=4)
+    np.testing.assert_allclose(found.frequency[0], alone.frequency[0], rtol=1e-9)
+
+
+def test_modes_at_another_speed() -> None:
+    """As of the machine that turns so; a standing shaft has no speed that could be another."""
+    machine = Machine.from_file(MOTOR)
+    fast = machine.replace(shafts=[machine.shafts[0].replace(speed=400.0)])
+    masses = {"belts": [], "loads": []}  # a belt's power would pull less
+    found = natural_modes(machine.replace(**masses), speed=400.0, shaft="rotor shaft")
+    expected = natural_modes(fast.replace(**masses))
+    np.testing.assert_allclose(found.frequency, expected.frequency, rtol=1e-9)
+    with pytest.raises(InputError):
+        natural_modes(standing(), speed=10.0)
+
+
+def test_the_phase_of_a_response_lags_behind_its_unbalance() -> None:
+    """Slow, the high spot is the heavy one; beyond the first resonance it is opposite."""
+    machine = Machine.from_file(MOTOR)
+    heavy = machine.masses[0].replace(unbalance=1e-3, unbalance_azimuth=0.5)
+    machine = machine.replace(masses=[heavy])
+    # critical at 1536, 1564 and, in backward whirl, 2874 rad/s
+    found = unbalance_response(machine, [30.0, 2500.0], damping=1e-6)
+    middle = int(np.argmin(np.abs(found.position["rotor shaft"] - heavy.position)))
+    phase = found.phase("rotor shaft")[:, middle]
+    assert phase.shape == (2,)
+    assert phase[0] == pytest.approx(0.5, abs=0.02)
+    assert np.cos(phase[1] - 0.5 - np.pi) > 0.9
 
 
 def test_unbalance_of_a_machine_names_the_damping_that_it_assumes() -> None:

@@ -113,7 +113,7 @@ class Campbell:
     whirl
         (speeds, branches)
     critical
-        where a branch meets an order of the rotation, by rising speed
+        where a branch meets an order of the rotation, by rising speed; solved anew there
     notes
         what qualifies the result
     """
@@ -173,6 +173,15 @@ class UnbalanceResponse:
     force: Mapping[str, ComplexArray]
     damping: float
     notes: tuple[Note, ...] = ()
+
+    def phase(self, shaft: str) -> FloatArray:
+        """Azimuth of the high spot of each node when the shaft's angle is zero; (speeds, nodes).
+
+        rad, from -π to π, of the part of the orbit that whirls with the shaft, and counted as an
+        unbalance's: what it has beyond that is the lag, 0 far below a resonance and π far above.
+        """
+        y, z = self.displacement[shaft][..., 1], self.displacement[shaft][..., 2]
+        return np.asarray(-np.angle(z - 1j * y))
 
     def amplitude(self, shaft: str) -> FloatArray:
         """Semi-major axis of the orbit of each node; (speeds, nodes), m."""
