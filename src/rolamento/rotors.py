@@ -442,7 +442,7 @@ def _critical(
     """Where branches meet orders of the rotation: between two speeds, and solved anew there."""
     found = _crossings(speed, modes, frequency, whirl, orders)
     # at zero speed, or where a standstill lies between, there is nothing to solve for
-    left = [one for one in found if one.low * one.high > 0.0 and one.apart_low * one.apart_high]
+    left = [one for one in found if one.low * one.high >= 0.0 and one.apart_low * one.apart_high]
     for _ in range(REFINED):
         if not left:
             break

@@ -231,6 +231,17 @@ def test_a_response_that_lifts_the_balls_off_is_named() -> None:
     assert not unbalance_response(machine, at_resonance, damping=1e-5).notes
 
 
+def test_critical_speeds_do_not_depend_on_the_grid() -> None:
+    """From a standstill on too, where the first interval begins."""
+    machine = Machine.from_file(MOTOR)
+    coarse, fine = (
+        [one.speed for one in campbell(machine, np.linspace(0.0, 1700.0, n), count=4).critical]
+        for n in (3, 18)
+    )
+    assert len(coarse) == 3
+    np.testing.assert_allclose(coarse, fine, rtol=1e-6)
+
+
 def test_a_speed_that_is_not_possible_leaves_the_others() -> None:
     """The fit of the inner ring is lost at one of them; the others are as they are alone."""
     machine = Machine.from_file(MOTOR)
