@@ -18,6 +18,7 @@ from rolamento.errors import InputError
 from rolamento.plots.frame import GREY, add_title, figure_of, label_x, require, require_axes
 from rolamento.plots.style import MILLIMETRE, OUTER, in_style, new_figure
 from rolamento.plots.texts import number, shown_text
+from rolamento.types import type_of_element
 from rolamento.words import said
 
 if TYPE_CHECKING:
@@ -62,8 +63,8 @@ _APART: Final = 0.9
 """Part of a bearing's width: rows closer than this are in one ring."""
 _STEEP: Final = 1.3
 """Contact angle beyond which washers, not rings, lie side by side; rad."""
-_TAKES: Final = 1.75
-"""Bulge of a barrel roller, over the half of its diameter at the ends."""
+_ENDS: Final = 0.57
+"""Diameter of a barrel roller at its ends, over that in the middle."""
 
 
 @in_style
@@ -611,7 +612,8 @@ class _Pen:
         size, radius = row.element_diameter, 0.5 * row.pitch_diameter
         look: dict[str, Any] = {"facecolor": _ELEMENT, "edgecolor": "black", "linewidth": 0.7,
                                 "zorder": 4.0}  # fmt: skip
-        if row.element == "ball":
+        kind = type_of_element(row.element)
+        if not kind.has_rollers:
             for side in (1.0, -1.0):
                 centre = (MM * x, self.middle + side * MM * radius)
                 self.axes.add_patch(Ellipse(centre, MM * size, MM * size, **look))
@@ -620,8 +622,10 @@ class _Pen:
         half = getattr(row, "roller_half_angle", None) or 0.0
         lean = -way * ((row.contact_angle or 0.0) - half)
         for side in (1.0, -1.0):
-            self._patch(_roller(row.element, x, radius, size, length, lean, way * tan(half)), side,
-                        **look)  # fmt: skip
+            outline = _roller(
+                x, radius, size, length, lean, taper=way * tan(half), barrels=kind.barrels
+            )
+            self._patch(outline, side, **look)
 
     def _contact(self, row: Any, x: float, way: float, inside: float, outside: float) -> None:
         """The line of contact, to the axis on the side that the row faces away from."""
@@ -752,16 +756,17 @@ _CLEAR: Final[dict[str, Any]] = {"facecolor": "white", "edgecolor": "none", "pad
 
 
 def _roller(
-    element: str, x: float, radius: float, size: float, length: float, lean: float, taper: float
-) -> list[tuple[float, float]]:
+    x: float, radius: float, size: float, length: float, lean: float, *,
+    taper: float, barrels: bool,
+) -> list[tuple[float, float]]:  # fmt: skip
     """Outline of a roller above the axis: x and distance from it.
 
     taper: how fast its radius shrinks along its own axis.
     """
-    along = np.linspace(-0.5, 0.5, 9 if element == "barrel" else 2) * length
+    along = np.linspace(-0.5, 0.5, 9 if barrels else 2) * length
     half = 0.5 * size - taper * along
-    if element == "barrel":
-        half = 0.5 * size * (1.0 - (1.0 - 1.0 / _TAKES) * (2.0 * along / length) ** 2)
+    if barrels:
+        half = 0.5 * size * (1.0 - (1.0 - _ENDS) * (2.0 * along / length) ** 2)
     u, v = np.concatenate([along, along[::-1]]), np.concatenate([half, -half[::-1]])
     return [
         (x + a * cos(lean) - b * sin(lean), radius + a * sin(lean) + b * cos(lean))
