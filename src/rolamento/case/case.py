@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from contextlib import AbstractContextManager, nullcontext
@@ -36,8 +35,9 @@ from rolamento.io.text import (
     lines_of_keys,
     parse_mapping,
     read_text,
+    text_of_mapping,
 )
-from rolamento.io.writing import write_text
+from rolamento.io.writing import write_mapping
 from rolamento.units import from_si, readable, to_si
 from rolamento.words import said
 
@@ -561,12 +561,7 @@ def save_case(case: Case, path: str | os.PathLike[str]) -> None:
     FileError
         If the name ends otherwise or the file cannot be written.
     """
-    known_format = format_of_path(path)
-    if known_format is None:
-        raise FileError(
-            said("must end in .toml or .json"), source=os.fspath(path), example="case.toml"
-        )
-    write_text(case_to_json(case) if known_format == "json" else case_to_toml(case), path)
+    write_mapping(case.to_mapping(), path, example="case.toml")
 
 
 def case_to_toml(case: Case) -> str:
@@ -577,9 +572,7 @@ def case_to_toml(case: Case) -> str:
     case
         The case; `parse_case` reads the identical case back.
     """
-    import tomli_w  # when a case is written, not whenever one is read
-
-    return tomli_w.dumps(case.to_mapping())
+    return text_of_mapping(case.to_mapping(), "toml")
 
 
 def case_to_json(case: Case) -> str:
@@ -590,7 +583,7 @@ def case_to_json(case: Case) -> str:
     case
         The case; `parse_case` reads the identical case back.
     """
-    return json.dumps(case.to_mapping(), indent=2, ensure_ascii=False) + "\n"
+    return text_of_mapping(case.to_mapping(), "json")
 
 
 def _with_catalogue_sizes(given: Mapping[str, Any], *, in_file: bool) -> Mapping[str, Any]:

@@ -35,6 +35,7 @@ from rolamento.units import SI_UNIT, Dimension, from_si
 from rolamento.words import said, speaking
 
 __all__ = [
+    "LONGEST_SETTING",
     "OVERRIDE_SOURCE",
     "Changes",
     "Field",
@@ -42,8 +43,10 @@ __all__ = [
     "changed",
     "fields_of",
     "in_file_form",
+    "inline_value",
     "of_elements",
     "overridden",
+    "plain_value",
     "values_of",
 ]
 
@@ -62,7 +65,7 @@ Kind = Literal["number", "count", "switch", "text", "list"]
 
 _EXAMPLE: Final = 'duty.load.fz="10 kN"'
 _INLINE_EXAMPLE: Final = """'bearing.preload={ force = "500 N" }'"""
-_LONGEST_SETTING: Final = 2000
+LONGEST_SETTING: Final = 2000
 
 
 @frozen(eq=False, slots=False)
@@ -353,7 +356,7 @@ def values_of(settings: Iterable[str], record: type[Record]) -> dict[str, object
     values: dict[str, object] = {}
     for setting in settings:
         key, equals, text = setting.partition("=")
-        if not equals or not key.strip() or len(setting) > _LONGEST_SETTING:
+        if not equals or not key.strip() or len(setting) > LONGEST_SETTING:
             raise InputError(said("must be KEY=VALUE"), value=setting, example=_EXAMPLE)
         name = current(".".join(part.strip() for part in key.split(".")))
         values.pop(name, None)  # the last one counts
@@ -492,11 +495,18 @@ def _given(name: str, text: str, record: type[Record]) -> object:
     field = fields_of(record).get(name)
     is_list = field is not None and field.kind == "list"
     if text.startswith("[" if is_list else "{") and (is_list or _table(name, record) is not None):
-        return _inline(name, text)
+        return inline_value(name, text, _INLINE_EXAMPLE)
     return _value(text, _field(name, record))
 
 
-def _inline(name: str, text: str) -> object:
+def inline_value(name: str, text: str, example: str) -> object:
+    """Return the table or list that TOML has in one line.
+
+    Raises
+    ------
+    InputError
+        Of that name and example, if it is none.
+    """
     try:
         mapping = parse_mapping(f"value = {text}", "toml", "")
         if len(mapping) == 1:
@@ -504,15 +514,20 @@ def _inline(name: str, text: str) -> object:
         rule = said("must be a single value")
     except FileError as error:
         rule = error.rule
-    raise InputError(rule, field=name, value=text, example=_INLINE_EXAMPLE)
+    raise InputError(rule, field=name, value=text, example=example)
 
 
 def _value(text: str, field: Field) -> object:
     """Return the value that a setting's text stands for, as a file would have held it."""
-    if len(text) >= 2 and text[0] == text[-1] and text[0] in "\"'":
-        return text[1:-1]
-    if field.kind == "text":
-        return text
+    unquoted = _unquoted(text)
+    return text if unquoted is None and field.kind == "text" else plain_value(text)
+
+
+def plain_value(text: str) -> object:
+    """Return what a text stands for, as TOML has it in one line; the quotes may be left out."""
+    unquoted = _unquoted(text)
+    if unquoted is not None:
+        return unquoted
     if text in ("true", "false"):
         return text == "true"
     for number in (int, float):
@@ -521,6 +536,11 @@ def _value(text: str, field: Field) -> object:
         except ValueError:
             continue
     return text
+
+
+def _unquoted(text: str) -> str | None:
+    quoted = len(text) >= 2 and text[0] == text[-1] and text[0] in "\"'"
+    return text[1:-1] if quoted else None
 
 
 def _put(mapping: dict[str, Any], name: str, value: object, record: type[Record]) -> None:

@@ -11,7 +11,7 @@ import json
 import math
 import os
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Annotated, Any, Final, Literal, NamedTuple, Self, TypeVar, cast
 
@@ -28,7 +28,14 @@ from pydantic import (
 )
 
 from rolamento.case.case import Case
-from rolamento.case.fields import changed, fields_of
+from rolamento.case.fields import (
+    LONGEST_SETTING,
+    OVERRIDE_SOURCE,
+    changed,
+    fields_of,
+    inline_value,
+    plain_value,
+)
 from rolamento.case.film_model import FilmModel
 from rolamento.case.life_model import LifeModel
 from rolamento.case.lubricant import LubricantField
@@ -59,7 +66,7 @@ from rolamento.case.record import Record
 from rolamento.case.rolling_bearing import Designation
 from rolamento.case.surface import Surface
 from rolamento.case.temperature import Temperature
-from rolamento.errors import ABSENT, FileError, InputError, guess
+from rolamento.errors import ABSENT, InputError, guess
 from rolamento.io.text import (
     TextFormat,
     format_of_path,
@@ -67,8 +74,9 @@ from rolamento.io.text import (
     line_of,
     parse_mapping,
     read_text,
+    text_of_mapping,
 )
-from rolamento.io.writing import write_text
+from rolamento.io.writing import write_mapping
 from rolamento.units import readable, to_si
 from rolamento.words import Note, said
 
@@ -92,6 +100,7 @@ __all__ = [
     "Spring",
     "Step",
     "load_machine",
+    "machine_reader",
     "machine_to_json",
     "machine_to_toml",
     "parse_machine",
@@ -1132,9 +1141,17 @@ def load_machine(path: str | os.PathLike[str], settings: Iterable[str] = ()) -> 
     InputError
         If it does not describe a valid machine, with the line number.
     """
+    return machine_reader(path)(settings)
+
+
+def machine_reader(path: str | os.PathLike[str]) -> Callable[[Iterable[str]], Machine]:
+    """Read a machine file once; return what makes the machine of it under some settings.
+
+    Parameters and errors as of `load_machine`.
+    """
     text, source = read_text(path)
     folder = "" if os.fspath(path) == "-" else os.path.dirname(os.fspath(path))
-    return parse_machine(
+    return lambda settings: parse_machine(
         text, format=format_of_path(path), source=source, folder=folder, settings=settings
     )
 
@@ -1181,6 +1198,7 @@ def parse_machine(
 
 _PART: Final = re.compile(r'\s*(?:"([^"]*)"|([^.="]+?))\s*(\.|=)')
 """A name of a dotted key, in quotes where it has a dot, and what comes behind it."""
+_INLINE: Final = """'loads.0={ shaft = "shaft", position = "50 mm", fz = "-8 kN" }'"""
 
 
 def with_settings(mapping: Mapping[str, Any], settings: Iterable[str]) -> dict[str, Any]:
@@ -1192,36 +1210,42 @@ def with_settings(mapping: Mapping[str, Any], settings: Iterable[str]) -> dict[s
         If a setting is not ``KEY=VALUE``, or names a part that is not there.
     """
     result = dict(mapping)
-    for setting in settings:
-        names, at = [], 0
-        while found := _PART.match(setting, at):
-            names.append(found[1] if found[1] is not None else found[2])
-            at = found.end()
-            if found[3] == "=":
-                break
-        else:
-            raise InputError(said("must be KEY=VALUE"), value=setting, example="loads.0.fz=-8 kN")
-        _set(result, names, _given_value(setting[at:].strip()))
+    try:
+        for setting in settings:
+            names, text = _parted(setting)
+            inline = text.startswith(("{", "["))
+            value = inline_value(".".join(names), text, _INLINE) if inline else plain_value(text)
+            _set(result, names, value)
+    except InputError as error:
+        raise error.with_details(source=OVERRIDE_SOURCE) from None
     return result
+
+
+def _parted(setting: str) -> tuple[list[str], str]:
+    """The names of a dotted key, and what stands behind it."""
+    names, at = [], 0
+    while len(setting) <= LONGEST_SETTING and (found := _PART.match(setting, at)):
+        names.append(found[1] if found[1] is not None else found[2])
+        at = found.end()
+        if found[3] == "=":
+            return names, setting[at:].strip()
+    raise InputError(said("must be KEY=VALUE"), value=setting, example="loads.0.fz=-8 kN")
 
 
 def _set(mapping: dict[str, Any], names: Sequence[str], value: object) -> None:
     """Put a value under some names, copying what is on its way."""
     table: Any = mapping
-    for depth, name in enumerate(names[:-1]):
-        if isinstance(table, list):
-            key: Any = _place_in(table, name, ".".join(names[: depth + 1]))
-        else:
-            key = name
+    for depth, name in enumerate(names, start=1):
+        here = ".".join(names[:depth])
+        key: Any = _place_in(table, name, here) if isinstance(table, list) else name
+        if depth == len(names):
+            table[key] = value
+            return
         below = table[key] if isinstance(table, list) else table.get(key, {})
         if not isinstance(below, dict | list):
-            raise InputError(said("must be a table"), field=".".join(names[: depth + 1]))
+            raise InputError(said("must be a table"), field=here)
         table[key] = below.copy()
         table = table[key]
-    if isinstance(table, list):
-        table[_place_in(table, names[-1], ".".join(names))] = value
-    else:
-        table[names[-1]] = value
 
 
 def _place_in(parts: list[Any], name: str, field: str) -> int:
@@ -1234,32 +1258,14 @@ def _place_in(parts: list[Any], name: str, field: str) -> int:
     raise _unknown(name, [one for one in known if one], field)
 
 
-def _given_value(text: str) -> object:
-    """What a setting gives, as a file has it."""
-    if text[:1] in ("{", "["):
-        return parse_mapping(f"value = {text}", "toml", "").get("value")
-    if len(text) >= 2 and text[0] == text[-1] and text[0] in "\"'":
-        return text[1:-1]
-    if text in ("true", "false"):
-        return text == "true"
-    for number in (int, float):
-        try:
-            return number(text)
-        except ValueError:
-            continue
-    return text
-
-
 def machine_to_toml(machine: Machine) -> str:
     """Return a machine as the text of a TOML file; `parse_machine` reads the identical one back."""
-    import tomli_w  # when a machine is written, not whenever one is read
-
-    return tomli_w.dumps(machine.to_mapping())
+    return text_of_mapping(machine.to_mapping(), "toml")
 
 
 def machine_to_json(machine: Machine) -> str:
     """Return a machine as the text of a JSON file; `parse_machine` reads the identical one back."""
-    return json.dumps(machine.to_mapping(), indent=2, ensure_ascii=False) + "\n"
+    return text_of_mapping(machine.to_mapping(), "json")
 
 
 def save_machine(machine: Machine, path: str | os.PathLike[str]) -> None:
@@ -1277,13 +1283,7 @@ def save_machine(machine: Machine, path: str | os.PathLike[str]) -> None:
     FileError
         If the name ends otherwise or the file cannot be written.
     """
-    known_format = format_of_path(path)
-    if known_format is None:
-        raise FileError(
-            said("must end in .toml or .json"), source=os.fspath(path), example="machine.toml"
-        )
-    written = machine_to_json if known_format == "json" else machine_to_toml
-    write_text(written(machine), path)
+    write_mapping(machine.to_mapping(), path, example="machine.toml")
 
 
 # --- what goes together ---------------------------------------------------------------------------

@@ -18,6 +18,8 @@ __all__ = [
     "JsonOption",
     "LagOption",
     "LanguageOption",
+    "MachineArgument",
+    "MachineSettingsOption",
     "OuterSpeedOption",
     "PlotOption",
     "RateOption",
@@ -53,6 +55,18 @@ CaseArgument = Annotated[
     typer.Argument(
         metavar="CASE",
         help="Case file (TOML or JSON), or a designation such as 6310/C3; - for standard input.",
+    ),
+]
+MachineArgument = Annotated[
+    str,
+    typer.Argument(metavar="MACHINE", help="Machine file (TOML or JSON); - for standard input."),
+]
+MachineSettingsOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--set",
+        metavar="KEY=VALUE",
+        help="Override a field of the machine: parts by name, or by number from 0. Repeatable.",
     ),
 ]
 SettingsOption = Annotated[

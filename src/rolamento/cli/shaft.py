@@ -10,7 +10,14 @@ import typer
 
 from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings
 from rolamento.cli.optional_value import JsonCommand
-from rolamento.cli.options import CataloguesOption, JsonOption, LanguageOption, PlotOption
+from rolamento.cli.options import (
+    CataloguesOption,
+    JsonOption,
+    LanguageOption,
+    MachineArgument,
+    MachineSettingsOption,
+    PlotOption,
+)
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.streams import STANDARD_STREAM, complain, put
 from rolamento.cli.waiting import progress_of, waiting
@@ -44,20 +51,8 @@ class Kind(StrEnum):
 )
 @with_outputs
 def shaft(
-    machine: Annotated[
-        str,
-        typer.Argument(
-            metavar="MACHINE", help="Machine file (TOML or JSON); - for standard input."
-        ),
-    ],
-    settings: Annotated[
-        list[str] | None,
-        typer.Option(
-            "--set",
-            metavar="KEY=VALUE",
-            help="Override a field of the machine: parts by name, or by number from 0. Repeatable.",
-        ),
-    ] = None,
+    machine: MachineArgument,
+    settings: MachineSettingsOption = None,
     catalogues: CataloguesOption = None,
     json: JsonOption = None,
     plot: PlotOption = None,

@@ -12,7 +12,7 @@ import re
 import stat
 import sys
 import tomllib
-from collections.abc import Callable, Iterator, Sized
+from collections.abc import Callable, Iterator, Mapping, Sized
 from typing import Any, Final, Literal, NoReturn, TypeVar
 
 from rolamento.errors import FileError, cause, shown
@@ -29,6 +29,7 @@ __all__ = [
     "parse_mapping",
     "read_bytes",
     "read_text",
+    "text_of_mapping",
 ]
 
 TextFormat = Literal["toml", "json"]
@@ -104,6 +105,15 @@ def format_of_path(path: str | os.PathLike[str]) -> TextFormat | None:
 def format_of_text(text: str) -> TextFormat:
     """Return the format that the first character names."""
     return "json" if text.lstrip().startswith("{") else "toml"
+
+
+def text_of_mapping(mapping: Mapping[str, Any], text_format: TextFormat) -> str:
+    """Return a mapping as TOML or JSON text, which `parse_mapping` reads back."""
+    if text_format == "json":
+        return json.dumps(mapping, indent=2, ensure_ascii=False) + "\n"
+    import tomli_w  # when something is written, not whenever anything is read
+
+    return tomli_w.dumps(mapping)
 
 
 def parse_mapping(text: str, text_format: TextFormat, source: str) -> dict[str, Any]:

@@ -10,15 +10,23 @@ from __future__ import annotations
 import os
 import shutil
 import stat
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
 from rolamento.errors import FileError, cause
+from rolamento.io.text import format_of_path, text_of_mapping
 from rolamento.words import said
 
-__all__ = ["UNFINISHED", "check_space", "write_bytes", "write_text", "written_whole"]
+__all__ = [
+    "UNFINISHED",
+    "check_space",
+    "write_bytes",
+    "write_mapping",
+    "write_text",
+    "written_whole",
+]
 
 UNFINISHED: Final = r"\.rolamento-[0-9a-f]{16}\.unfinished"
 """Names of files that are not whole yet, as a regular expression."""
@@ -104,6 +112,22 @@ def write_text(text: str, path: str | os.PathLike[str], *, new: bool = False) ->
         As `written_whole`.
     """
     write_bytes(text.encode("utf-8"), path, new=new)
+
+
+def write_mapping(
+    mapping: Mapping[str, Any], path: str | os.PathLike[str], *, example: str
+) -> None:
+    """Write a mapping as TOML or JSON, as the file's name ends.
+
+    Raises
+    ------
+    FileError
+        If the name ends otherwise; or as `written_whole`.
+    """
+    text_format = format_of_path(path)
+    if text_format is None:
+        raise FileError(said("must end in .toml or .json"), source=os.fspath(path), example=example)
+    write_text(text_of_mapping(mapping, text_format), path)
 
 
 def check_space(needed: int, path: Path) -> None:

@@ -11,7 +11,6 @@ from functools import cached_property
 from pathlib import Path
 from typing import Annotated, Any, Final, Self
 
-import tomli_w
 from pydantic import (
     AfterValidator,
     Field,
@@ -38,6 +37,7 @@ from rolamento.io.text import (
     lines_of_keys,
     parse_mapping,
     read_text,
+    text_of_mapping,
 )
 from rolamento.studies import fields
 from rolamento.studies.axes import Axis
@@ -367,7 +367,7 @@ def parse_study(
 
 def study_to_toml(study: Study) -> str:
     """Return a study as the text of a study file that holds its case: one file says it all."""
-    return tomli_w.dumps(study.to_mapping())
+    return text_of_mapping(study.to_mapping(), "toml")
 
 
 def study_to_json(study: Study) -> str:

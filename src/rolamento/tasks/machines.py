@@ -3,23 +3,23 @@
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Sequence
-from contextlib import nullcontext
 from typing import Final
 
 import numpy as np
 
 from rolamento.analysis.machine import MachineAnalysis, analyse_machine
-from rolamento.case.machine import load_machine
+from rolamento.case.machine import load_machine, machine_reader
+from rolamento.catalogue import catalogues as catalogues_beside
 from rolamento.errors import FileError, InputError
 from rolamento.io.json import dumps
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
+from rolamento.studies.ranges import check_points, number_and_unit, range_of_field
 from rolamento.tasks.parameters import Progress
 from rolamento.words import said
 
-__all__ = ["MachineCurve", "analysed_machine", "machine_over", "read_range"]
+__all__ = ["MachineCurve", "analysed_machine", "machine_over"]
 
 
 def analysed_machine(
@@ -43,9 +43,7 @@ def analysed_machine(
     InputError, FileError
         As `rolamento.case.load_machine` and `analyse_machine`.
     """
-    from rolamento.catalogue import catalogues as among
-
-    with among(catalogues) if catalogues else nullcontext():
+    with catalogues_beside(catalogues):
         return analyse_machine(load_machine(source, settings))
 
 
@@ -53,9 +51,7 @@ def analysed_machine(
 
 POINTS: Final = 15
 MOST_POINTS: Final = 500
-_RANGE: Final = re.compile(r"([^=]+?)\.\.([^=]+)", re.DOTALL)
-_NUMBER: Final = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*)", re.DOTALL)
-_LONGEST: Final = 200
+_EXAMPLE: Final = "loads.0.fz=-1..-10kN"
 
 
 @frozen(eq=False)
@@ -192,68 +188,37 @@ def machine_over(
     FileError
         If a file cannot be read.
     """
-    key, values, unit = _read_over(over, points)
+    key, values, unit = _over(over, points)
+    machine_under = machine_reader(source)
     found: list[MachineAnalysis | None] = []
     refused, last = [], None
-    for done, value in enumerate(values.tolist(), start=1):
-        try:
-            setting = f"{key}={value:.12g} {unit}".rstrip()
-            found.append(analysed_machine(source, (*settings, setting), catalogues))
-            refused.append("")
-        except FileError:
-            raise
-        except InputError as error:
-            found.append(None)
-            refused.append(str(error))
-            last = error
-        if progress is not None:
-            progress(done, points)
+    with catalogues_beside(catalogues):
+        for done, value in enumerate(values.tolist(), start=1):
+            try:
+                setting = f"{key}={value:.12g} {unit}".rstrip()
+                found.append(analyse_machine(machine_under((*settings, setting))))
+                refused.append("")
+            except FileError:
+                raise
+            except InputError as error:
+                found.append(None)
+                refused.append(str(error))
+                last = error
+            if progress is not None:
+                progress(done, points)
     if last is not None and not any(one is not None for one in found):
         raise last
     return MachineCurve(key, values, unit, tuple(found), tuple(refused))
 
 
-def _read_over(text: str, points: int) -> tuple[str, FloatArray, str]:
-    key, equals, range_ = text.partition("=") if len(text) <= _LONGEST else ("", "", "")
-    if not key.strip() or not equals:
+def _over(text: str, points: int) -> tuple[str, FloatArray, str]:
+    """A field, its values, and their unit: the machine has no record that knows of the field."""
+    key, *ends = range_of_field(text, _EXAMPLE)
+    first, last = (number_and_unit(end) for end in ends)
+    if first is None or last is None or first[1] != last[1]:
         raise InputError(
-            said("must be FIELD=FIRST..LAST"),
-            field="--over",
-            value=text[:_LONGEST],
-            example="loads.0.fz=-1..-10kN",
-        )
-    return key.strip(), *read_range(range_, points, "--over", "loads.0.fz=-1..-10kN")
-
-
-def read_range(text: str, points: int, field: str, example: str) -> tuple[FloatArray, str]:
-    """Return so many values from the first to the last of a range, and their unit.
-
-    Parameters
-    ----------
-    text
-        ``"0..6000 rpm"``; a first value without a unit has that of the last.
-    points
-        How many, 2 to 500.
-    field, example
-        What to call the range in messages, and one that will do.
-
-    Raises
-    ------
-    InputError
-        If it is not of that form.
-    """
-    match = _RANGE.fullmatch(text) if len(text) <= _LONGEST else None
-    first, last = (None, None) if match is None else (
-        _NUMBER.fullmatch(match[1]), _NUMBER.fullmatch(match[2]),
-    )  # fmt: skip
-    bare = first is not None and last is not None and first[2].strip() in ("", last[2].strip())
-    if first is None or last is None or not bare:
-        raise InputError(
-            said("must be FIRST..LAST, with a unit"),
-            field=field, value=text[:_LONGEST], example=example,
+            said("must be two numbers with the same unit"),
+            field="--over", value=text, example=_EXAMPLE,
         )  # fmt: skip
-    if not 2 <= points <= MOST_POINTS:
-        raise InputError(
-            said("must be 2 to {most}", most=MOST_POINTS), field="--points", value=points
-        )
-    return np.linspace(float(first[1]), float(last[1]), points), last[2].strip()
+    check_points(points, MOST_POINTS)
+    return key, np.linspace(first[0], last[0], points), last[1]

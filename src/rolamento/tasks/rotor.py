@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from contextlib import nullcontext
 from typing import Any, Final
 
 import numpy as np
 
 from rolamento.case.machine import Machine, load_machine
+from rolamento.catalogue import catalogues as catalogues_beside
 from rolamento.errors import InputError
 from rolamento.io.json import dumps
 from rolamento.numerics import FloatArray
@@ -22,7 +22,8 @@ from rolamento.rotors import (
     unbalance_response,
 )
 from rolamento.solved.rotor import Campbell, CriticalSpeed, Modes, UnbalanceResponse
-from rolamento.tasks.machines import read_range
+from rolamento.studies.ranges import check_points, ends_of
+from rolamento.tasks.machines import MOST_POINTS
 from rolamento.tasks.parameters import Progress
 from rolamento.units import rpm_of, to_si
 from rolamento.words import said
@@ -136,10 +137,8 @@ def machine_vibration(
     InputError, FileError
         As `rolamento.rotors.campbell`; or if a range, an order or the damping is none.
     """
-    from rolamento.catalogue import catalogues as among
-
     _check(count, orders, damping)
-    with among(catalogues) if catalogues else nullcontext():
+    with catalogues_beside(catalogues):
         machine = load_machine(source, settings)
         name = turning_shaft(machine, shaft)
         asked = _speeds(speeds, points, abs(machine.speed(name)))
@@ -169,18 +168,19 @@ def _factor(machine: Machine) -> float:
 
 def _speeds(speeds: str | None, points: int, own: float) -> FloatArray:
     text = f"0..{rpm_of(_BEYOND * own):.12g} rpm" if speeds is None else speeds
-    values, unit = read_range(text, points, "--speeds", _EXAMPLE)
+    check_points(points, MOST_POINTS)
     try:
-        per_unit = to_si(f"1 {unit}", "angular_speed")
+        first, last = (to_si(end, "angular_speed") for end in ends_of(text) or ("", ""))
     except InputError:
         raise InputError(
-            said("must be FIRST..LAST, with a unit"), field="--speeds", value=text, example=_EXAMPLE
-        ) from None
-    if values.min() < 0.0 or values[0] >= values[-1]:
+            said("must be FIRST..LAST, with a unit"),
+            field="--speeds", value=text[:200], example=_EXAMPLE,
+        ) from None  # fmt: skip
+    if not 0.0 <= first < last:
         raise InputError(
             said("must rise from 0 or more"), field="--speeds", value=text, example=_EXAMPLE
         )
-    return values * per_unit
+    return np.linspace(first, last, points)
 
 
 def _check(count: int, orders: Sequence[float], damping: float | None) -> None:
