@@ -15,7 +15,7 @@ from rolamento.errors import FileError, InputError
 from rolamento.pages.history import history_page, machine_page, records_page, unknown_page
 from rolamento.tasks.diagnosis import DiagnosisResult, UnknownResult
 from rolamento.tasks.history import History, Records, change_points, records_of
-from rolamento.tasks.machine import MachineDiagnosis, read_machine
+from rolamento.tasks.machine_diagnosis import MachineDiagnosis, read_machine
 from rolamento.vibration import write_signal
 from rolamento.vibration.frequencies import nominal_frequencies
 from rolamento.vibration.signal import Signal

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
     from rolamento.tasks.diagnosis import UnknownResult
     from rolamento.tasks.history import History, Records
-    from rolamento.tasks.machine import MachineDiagnosis
+    from rolamento.tasks.machine_diagnosis import MachineDiagnosis
     from rolamento.words import Note
 
 __all__ = ["history_page", "machine_page", "records_page", "unknown_page"]
@@ -167,7 +167,7 @@ def machine_page(found: MachineDiagnosis) -> Document:
     Parameters
     ----------
     found
-        Of `rolamento.tasks.machine.diagnose_machine`.
+        Of `rolamento.tasks.machine_diagnosis.diagnose_machine`.
     """
     sections: list[Section | Beside] = [_headline(found.verdict, found.statement)]
     for bearing, one in zip(found.machine.bearings, found.found, strict=True):

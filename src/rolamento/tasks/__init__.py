@@ -29,7 +29,12 @@ if TYPE_CHECKING:
         life_of_duty_spectrum,
         read_spectrum,
     )
-    from rolamento.tasks.machine import Machine, MachineDiagnosis, diagnose_machine, read_machine
+    from rolamento.tasks.machine_diagnosis import (
+        Machine,
+        MachineDiagnosis,
+        diagnose_machine,
+        read_machine,
+    )
     from rolamento.tasks.noise import FullScale, NoiseResult, noise_level
     from rolamento.tasks.replace import (
         FleetStudy,
