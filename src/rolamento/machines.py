@@ -175,10 +175,10 @@ def _too_far(structure: Structure, rest: MachineRest) -> dict[int, Note]:
 def _bearings(
     structure: Structure, rest: MachineRest, control: FloatArray
 ) -> dict[str, SeatedBearing]:
-    found, held = {}, iter(rest.rest.rows)
+    found = {}
     settled = rest.number != NO_EQUILIBRIUM
-    for seat, own in zip(structure.seats, structure.split(control), strict=True):
-        rows = tuple(next(held) for _ in seat.cases.rows)
+    parts = structure.split(control)
+    for (seat, rows), own in zip(structure.held_rows(rest), parts, strict=True):
         inner = rest.place[:, seat.inner]
         outer = np.zeros_like(inner) if seat.outer is None else rest.place[:, seat.outer]
         n = len(inner)

@@ -489,12 +489,11 @@ def _bearing_forces(
     structure: Structure, rest: MachineRest, nodes: ComplexArray
 ) -> tuple[dict[str, ComplexArray], dict[str, FloatArray]]:
     """What the shaft puts on each inner ring besides, (cases, 5), and what its rows carry."""
-    added, carried, held = {}, {}, iter(rest.rest.rows)
-    for seat in structure.seats:
+    added, carried = {}, {}
+    for seat, rows in structure.held_rows(rest):
         total = np.zeros((len(nodes), FIVE), np.complex128)
         static = np.zeros(len(nodes))
-        for row in seat.rows():
-            own = next(held)
+        for row, own in zip(seat.rows(), rows, strict=True):
             moved = nodes[:, list(row.nodes)].reshape(len(nodes), -1)
             total += (row.tangent(own)[:, :FIVE] @ moved[..., np.newaxis])[..., 0]
             static += np.linalg.norm(row.on_nodes(own.force)[:, :3], axis=1)

@@ -25,6 +25,7 @@ from rolamento.document.model import (
     Table,
     Title,
     Tone,
+    finite_cells,
 )
 
 __all__ = [
@@ -52,4 +53,5 @@ __all__ = [
     "Table",
     "Title",
     "Tone",
+    "finite_cells",
 ]

@@ -7,8 +7,9 @@ the block names. What a medium does with them is its own affair.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import field
+from math import isfinite
 from typing import TYPE_CHECKING, Literal
 
 from rolamento.records import frozen
@@ -41,6 +42,7 @@ __all__ = [
     "Table",
     "Title",
     "Tone",
+    "finite_cells",
 ]
 
 Tone = Literal["", "strong", "faint", "mark", "good", "good-strong", "warning", "warning-strong",
@@ -71,6 +73,11 @@ class Number:
 
 CellContent = float | int | str | Number | None
 """A number in the manner of its column, a text, a number of its own form; None for what is not."""
+
+
+def finite_cells(values: Iterable[float]) -> list[CellContent]:
+    """Return the cells of numbers, empty where one is not finite."""
+    return [value if isfinite(value) else None for value in values]
 
 
 @frozen

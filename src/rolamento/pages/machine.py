@@ -28,18 +28,19 @@ from rolamento.document import (
     Table,
     Title,
     Tone,
+    finite_cells,
 )
 from rolamento.numerics import FloatArray
 from rolamento.pages.frequencies import line_name
-from rolamento.pages.life import none_valid, percent
+from rolamento.pages.life import none_valid
 from rolamento.pages.notes import notes_section
+from rolamento.pages.shaft import together_sentences
 from rolamento.pages.state import state_page
 from rolamento.units import HOUR
 from rolamento.vibration.frequencies import ABBREVIATIONS
 from rolamento.words import ENDLESS, Note, marked, said
 from rolamento.words.headlines import parted
 from rolamento.words.reasons import reason
-from rolamento.words.theories import theory_life
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Picture
@@ -212,34 +213,7 @@ def _life(found: MachineAnalysis) -> tuple[Block, ...]:
         sentences.append((text, "warning"))
     else:
         first = next(life for life in found.lives.values() if life is not None)
-        theories = dict.fromkeys(name for name in together.theories if name)
-        values = {
-            "reliability": first.reliability,
-            "count": len(names),
-            "hours": together.hours * HOUR,
-            "theory": "; ".join(map(theory_life, theories)),
-        }
-        if together.below:
-            text = said(
-                "With {reliability:.7 %} reliability the {count} bearings together reach less than "
-                "{hours:.3r h} (upper bound of the {theory}).",
-                **values,
-            )
-        else:
-            text = said(
-                "With {reliability:.7 %} reliability the {count} bearings together reach "
-                "{hours:.3r h} ({theory}).",
-                **values,
-            )
-        sentences.append((text, "strong"))
-        if np.all(np.isfinite(together.risk)):
-            most = int(np.argmax(together.risk))
-            limit = said(
-                "Bearing {number} limits it: it contributes {share} of the failure probability.",
-                number=names[most],
-                share=percent(float(together.risk[most])),
-            )
-            sentences.append((limit, ""))
+        sentences += together_sentences(together, first.reliability, names)
     statements = tuple(Statement(text, tone, indent=2) for text, tone in sentences)
     return (*statements, *_cautions(found))
 
@@ -356,34 +330,30 @@ def _of_bearings(
     found: MachineAnalysis, lines: list[tuple[SeatedBearing, int]]
 ) -> tuple[Column, ...]:
     """What is known of bearings, each in a step."""
-
-    def every(values: Iterable[float]) -> list[CellContent]:
-        return [None if not isfinite(value) else value for value in values]
-
     hours = [_hours(found, one, case) for one, case in lines]
     columns = (
         Column(head=said("bearing"), values=[one.name for one, _ in lines], key="bearing"),
         Column(head="F_r", unit="N", key="radial_force",
-               values=every(float(one.radial_force[c]) for one, c in lines)),
+               values=finite_cells(float(one.radial_force[c]) for one, c in lines)),
         Column(head="F_a", unit="N", key="axial_force",
-               values=every(float(one.force[c, 0]) for one, c in lines)),
+               values=finite_cells(float(one.force[c, 0]) for one, c in lines)),
         Column(head="M", unit="N·m", key="moment", most=3,
-               values=every(float(np.hypot(*one.force[c, 3:])) for one, c in lines)),
+               values=finite_cells(float(np.hypot(*one.force[c, 3:])) for one, c in lines)),
         Column(head=said("tilt"), unit="mrad", key="tilt", figures=3, most=3,
-               values=every(float(one.tilt[c]) for one, c in lines),
+               values=finite_cells(float(one.tilt[c]) for one, c in lines),
                tones=[_tilt_tone(one, c) for one, c in lines]),
         Column(head=said("permissible"), unit="mrad", key="permissible_tilt", figures=3,
-               values=every(permissible_tilt(one) for one, _ in lines)),
+               values=finite_cells(permissible_tilt(one) for one, _ in lines)),
         Column(head="p_max", unit="MPa", key="max_pressure", most=0,
-               values=every(_pressure(one, c) for one, c in lines)),
+               values=finite_cells(_pressure(one, c) for one, c in lines)),
         Column(head="S_0", key="static_safety", figures=3,
-               values=every(_safety(found, one, c) for one, c in lines)),
+               values=finite_cells(_safety(found, one, c) for one, c in lines)),
         Column(head="κ", key="viscosity_ratio", figures=3,
-               values=every(_kappa(found, one, c) for one, c in lines)),
+               values=finite_cells(_kappa(found, one, c) for one, c in lines)),
         Column(head=said("life"), unit="h", key="life", form=".3r [h]", align="right",
                values=hours),
         Column(head=said("loss"), unit="W", key="power", figures=3,
-               values=every(_power(found, one, c) for one, c in lines)),
+               values=finite_cells(_power(found, one, c) for one, c in lines)),
     )  # fmt: skip
     return tuple(
         column
@@ -465,8 +435,7 @@ def _of_shafts(lines: list[tuple[SolvedShaft, int]]) -> tuple[Column, ...]:
     moments = [peak(one.bending_moment[c].max(axis=1), one) for one, c in lines]
 
     def column(head: str, key: str, unit: str, values: list[float], most: int = 2) -> Column:
-        shown: list[CellContent] = [v if isfinite(v) else None for v in values]
-        return Column(head=head, values=shown, unit=unit, key=key, most=most)
+        return Column(head=head, values=finite_cells(values), unit=unit, key=key, most=most)
 
     at = said("at")
     return (
@@ -494,8 +463,7 @@ def _curves(solved: SolvedMachine) -> tuple[Table, ...]:
     ]
 
     def column(key: str, unit: str, values: Iterable[float]) -> Column:
-        shown: list[CellContent] = [v if isfinite(v) else None for v in values]
-        return Column(head=key, values=shown, unit=unit, key=key)
+        return Column(head=key, values=finite_cells(values), unit=unit, key=key)
 
     columns = (
         Column(head="step", values=[solved.steps[c] or "1" for c, _, _ in lines], key="step"),
@@ -527,8 +495,7 @@ def _gears(solved: SolvedMachine) -> list[Section]:
     gears = dict(zip(names, machine.gears, strict=True))
 
     def column(head: str, key: str, unit: str, values: list[float]) -> Column:
-        shown: list[CellContent] = [v if isfinite(v) else None for v in values]
-        return Column(head=head, values=shown, unit=unit, key=key, figures=3, most=3)
+        return Column(head=head, values=finite_cells(values), unit=unit, key=key, figures=3, most=3)
 
     def columns_of(named: list[tuple[str, int]]) -> tuple[Column, ...]:
         places = [
@@ -627,9 +594,9 @@ def machine_over_page(found: MachineCurve) -> Document:
     machine = found.first.solved
 
     def column(head: str, key: str, unit: str, values: FloatArray, most: int = 2) -> Column:
-        shown: list[CellContent] = [v if isfinite(v) else None for v in values.tolist()]
         form = ".3r [h]" if unit == "h" else ""
-        return Column(head=head, values=shown, unit=unit, key=key, most=most, form=form)
+        return Column(head=head, values=finite_cells(values.tolist()), unit=unit, key=key,
+                      most=most, form=form)  # fmt: skip
 
     columns = [
         Column(head=f"{found.key}\n{found.unit}", values=found.values.tolist(), key="value", most=4,

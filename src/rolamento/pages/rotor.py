@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from math import isfinite, pi
+from math import pi
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -20,6 +20,7 @@ from rolamento.document import (
     Statement,
     Table,
     Title,
+    finite_cells,
 )
 from rolamento.document import Notes as NotesBlock
 from rolamento.pages.notes import notes_section
@@ -91,21 +92,16 @@ def _headline(found: MachineVibration) -> Iterable[Statement | NotesBlock]:
         apart = nearest.speed / found.speed - 1.0
         text = said(
             "The critical speed nearest to the operating speed is {speed:.5g rpm} ({whirl},"
-            " order {order:.4g}): {apart} from it.",
+            " order {order:.4g}): {apart:+.3 %} from it.",
             speed=nearest.speed,
             whirl=whirl_name(nearest.whirl),
             order=nearest.order,
-            apart=_percent(apart),
+            apart=apart,
         )
         yield Statement(text, "strong", indent=2)
     if found.response is not None and found.response.notes:
         remarks = tuple(Remark(note.text, note.key, "warning") for note in found.response.notes)
         yield NotesBlock(remarks)
-
-
-def _percent(part: float) -> str:
-    sign = "−" if part < 0.0 else "+"
-    return f"{sign}{said('{part:.3 %}', part=abs(part))}"
 
 
 def _critical(found: MachineVibration) -> tuple[Figure | Table, ...]:
@@ -128,7 +124,7 @@ def _critical(found: MachineVibration) -> tuple[Figure | Table, ...]:
         Column(head=said("motion"), values=[whirl_name(one.whirl) for one in critical],
                key="whirl"),
         Column(head=said("from the operating\nspeed"), key="apart", align="right",
-               values=[_percent(one.speed / found.speed - 1.0) for one in critical]),
+               form="+.3 %", values=[one.speed / found.speed - 1.0 for one in critical]),
     )  # fmt: skip
     legends = (said("unbalance excites order 1: forward whirl and motion along a line"),)
     return figure, Table(columns=columns, key="critical", legends=legends)
@@ -212,8 +208,8 @@ def _peak(
 
 def _peaks(lines: list[tuple[float, float, float]], unit: str) -> tuple[Column, ...]:
     def column(head: str, key: str, unit: str, place: int) -> Column:
-        shown: list[CellContent] = [one[place] if isfinite(one[place]) else None for one in lines]
-        return Column(head=head, values=shown, unit=unit, key=key, figures=4)
+        values = finite_cells(one[place] for one in lines)
+        return Column(head=head, values=values, unit=unit, key=key, figures=4)
 
     return (
         column(said("at operating\nspeed"), "at_operating_speed", unit, 0),
@@ -229,7 +225,7 @@ def _every_speed(found: MachineVibration) -> Table:
     speed, branch = np.meshgrid(diagram.speed, np.arange(1, shape[1] + 1), indexing="ij")
 
     def numbers(values: np.ndarray) -> list[CellContent]:
-        return [v if isfinite(v) else None for v in values.ravel().tolist()]
+        return finite_cells(values.ravel().tolist())
 
     columns = (
         Column(head="speed", unit="rpm", values=numbers(speed), key="speed"),

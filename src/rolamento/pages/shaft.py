@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from rolamento.life.system import SystemLife
     from rolamento.tasks.life import ShaftLife
 
-__all__ = ["shaft_page", "together_statement"]
+__all__ = ["shaft_page", "together_sentences", "together_statement"]
 
 _LONGEST_NAME: Final = 22
 
@@ -57,9 +57,9 @@ def shaft_page(found: ShaftLife, names: Sequence[str]) -> Document:
     return Document(heading, tuple(sections), kind="shaft_life")
 
 
-def _theories(found: ShaftLife) -> str:
+def _theories(leading: SystemLife) -> str:
     """Name the theories of the lives that lead, each once."""
-    names = dict.fromkeys(name for name in found.headline.theories if name)
+    names = dict.fromkeys(name for name in leading.theories if name)
     return "; ".join(map(theory_life, names))
 
 
@@ -109,17 +109,19 @@ def _failures(found: ShaftLife) -> list[str]:
 
 
 def _reached(found: ShaftLife) -> list[tuple[str, Tone]]:
-    return _together(found.headline, found.reliability, len(found), _theories(found))
+    numbers = range(1, len(found) + 1)
+    return together_sentences(found.headline, found.reliability, numbers)
 
 
-def _together(
-    leading: SystemLife, reliability: float, count: int, theory: str
+def together_sentences(
+    leading: SystemLife, reliability: float, bearings: Sequence[int | str]
 ) -> list[tuple[str, Tone]]:
+    """Say what bearings reach together, and which limits it; bearings: names or numbers."""
     values = {
         "reliability": reliability,
-        "count": count,
+        "count": len(bearings),
         "hours": leading.hours * HOUR,
-        "theory": theory,
+        "theory": _theories(leading),
     }
     if leading.below:
         text = said(
@@ -133,7 +135,16 @@ def _together(
             "{hours:.3r h} ({theory}).",
             **values,
         )
-    return [(text, "strong"), *_limits(leading)]
+    sentences: list[tuple[str, Tone]] = [(text, "strong")]
+    if np.all(np.isfinite(leading.risk)):
+        most = int(np.argmax(leading.risk))
+        limit = said(
+            "Bearing {number} limits it: it contributes {share} of the failure probability.",
+            number=bearings[most],
+            share=percent(float(leading.risk[most])),
+        )
+        sentences.append((limit, ""))
+    return sentences
 
 
 def together_statement(together: SystemLife, reliability: float) -> tuple[Block, ...]:
@@ -143,25 +154,9 @@ def together_statement(together: SystemLife, reliability: float) -> tuple[Block,
         return (Statement(none, "bad-strong", indent=2),)
     if not (together.valid or together.below):
         return (Statement(none_valid("element"), "bad-strong", indent=2),)
-    names = dict.fromkeys(name for name in together.theories if name)
-    sentences = _together(
-        together, reliability, len(together.theories), "; ".join(map(theory_life, names))
-    )
+    numbers = range(1, len(together.theories) + 1)
+    sentences = together_sentences(together, reliability, numbers)
     return tuple(Statement(text, tone, indent=2) for text, tone in sentences)
-
-
-def _limits(leading: SystemLife) -> list[tuple[str, Tone]]:
-    sentences: list[tuple[str, Tone]] = []
-    risk = leading.risk
-    if np.all(np.isfinite(risk)):
-        most = int(np.argmax(risk))
-        limit = said(
-            "Bearing {number} limits it: it contributes {share} of the failure probability.",
-            number=most + 1,
-            share=percent(float(risk[most])),
-        )
-        sentences.append((limit, ""))
-    return sentences
 
 
 def _table(found: ShaftLife, names: Sequence[str]) -> Table:
@@ -190,7 +185,7 @@ def _table(found: ShaftLife, names: Sequence[str]) -> Table:
                key="failure_share", align="right"),
     )  # fmt: skip
     first = 3 + sum(THEORIES[name].standard for name in order)
-    values = {"reliability": found.reliability, "theory": _theories(found)}
+    values = {"reliability": found.reliability, "theory": _theories(found.headline)}
     if _elements(found) <= {"ball"}:
         legend = said(
             "for {reliability:.7 %} reliability, of each bearing and of all together (Weibull "

@@ -8,10 +8,10 @@ its own: on a housing that yields, free to slide in its seat, or on another shaf
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import pairwise
+from itertools import islice, pairwise
 from typing import Final
 
 import numpy as np
@@ -245,6 +245,12 @@ class Structure:
         rows = (row for seat in self.seats for row in seat.rows())
         return [*rows, *self.springs, *self.shoulders]
 
+    def held_rows(self, rest: MachineRest) -> Iterator[tuple[Seat, tuple[Response, ...]]]:
+        """Each bearing, and its rows where they came to rest."""
+        rows = iter(rest.rest.rows)
+        for seat in self.seats:
+            yield seat, tuple(islice(rows, len(seat.cases.rows)))
+
     def guided(self, control: FloatArray) -> Structure:
         """The same machine, its elements guided so; (cases or 1, elements)."""
         parts = zip(self.seats, self.split(control), strict=True)
@@ -258,11 +264,11 @@ class Structure:
     def verdict(self, rest: MachineRest, which: Indices | None = None) -> IntArray:
         """What guides every element of all cases, or some; (cases, elements)."""
         chosen = np.arange(len(self)) if which is None else which
-        parts, rows = [], iter(rest.rest.rows)
-        for seat in self.seats:
+        parts = []
+        for seat, rows in self.held_rows(rest):
             mode = seat.cases.case.model.raceway_control
-            for placed in seat.cases.rows:
-                held, row = next(rows), placed.row
+            for placed, held in zip(seat.cases.rows, rows, strict=True):
+                row = placed.row
                 if mode == "jones" and isinstance(row, Guided):
                     parts.append(row.verdict(held, chosen))
                 else:
@@ -344,8 +350,11 @@ class Structure:
         for beam in self.beams:
             for at, own in zip(beam.unknowns(), beam.elements.stiffness(), strict=True):
                 k[:, at[:, np.newaxis], at] += own
-        held = iter(rest.rest.rows)
-        parts = [(row.nodes, row.tangent(next(held))) for s in self.seats for row in s.rows()]
+        parts = [
+            (row.nodes, row.tangent(held))
+            for seat, rows in self.held_rows(rest)
+            for row, held in zip(seat.rows(), rows, strict=True)
+        ]
         parts += [(spring.nodes, spring.matrix) for spring in self.springs]
         for shoulder in self.shoulders:
             place = rest.place[:, shoulder.node]
@@ -362,10 +371,9 @@ class Structure:
         (cases, nodes, 5).
         """
         out = self.load.reshape(len(self), -1, FIVE).copy()
-        held = iter(rest.rest.rows)
-        for seat in self.seats:
-            for row in seat.rows():
-                force = row.on_nodes(next(held).force)
+        for seat, rows in self.held_rows(rest):
+            for row, held in zip(seat.rows(), rows, strict=True):
+                force = row.on_nodes(held.force)
                 out[:, row.inner] -= force
                 if row.outer is not None:
                     out[:, row.outer] += force
