@@ -63,6 +63,9 @@ LONGEST: Final = {"kills": 120.0, "faults": 120.0, "cluster": 15.0, "files": 45.
 MOST_MEMORY: Final = 1.2e9
 """Bytes of a process that reads a damaged file, Matplotlib and SciPy among them."""
 
+EVERY: Final = 10.0
+"""Seconds between two lines about how far a kind of trial has come."""
+
 
 @dataclass(slots=True)
 class Tried:
@@ -73,6 +76,7 @@ class Tried:
     bad: list[str] = field(default_factory=list)
     longest: float = 0.0
     memory: float = 0.0
+    shown: float = field(default_factory=time.monotonic)
 
     @property
     def trials(self) -> int:
@@ -87,6 +91,9 @@ class Tried:
         self.outcomes[wrong or outcome] += 1
         if wrong:
             self.bad.append(f"{what}: {wrong}: {ended.said[-300:]}")
+        if time.monotonic() - self.shown > EVERY:
+            self.shown = time.monotonic()
+            print(f"{self.name}: {self.trials} so far, {len(self.bad)} bad", file=sys.stderr)
 
 
 @dataclass(frozen=True, slots=True)
