@@ -40,6 +40,8 @@ _log = logging.getLogger("rolamento")
 
 _DIGEST = sha256().digest_size
 _VECTORISABLE = {"reassoc", "arcp", "contract", "afn", "nsz"}
+_LINKED = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+"""Options of what only kernels call: nothing in Python does, nor a program in C."""
 _FAMILIES = (  # where kernels live, each with the formulas that they are compiled from
     ("numerics", "rows/ball", "rows/ball/traction"),
     ("numerics", "contact", "rows/roller"),
@@ -86,6 +88,14 @@ class Kernel(partial[R], Generic[P, R]):
             cache.ensure_trusted()
             compiled._cache = cache
         return compiled  # type: ignore[no-any-return]
+
+    @cached_property
+    def linked(self) -> Callable[P, R]:
+        """The function as kernels call it: without an entry from Python, unless it is one."""
+        if self._options.get("cache"):
+            return self.compiled
+        options = {"error_model": "numpy", **self._options, **_LINKED}
+        return _numba().njit(**options)(self.python)  # type: ignore[no-any-return]
 
     @property
     def is_loaded(self) -> bool:
@@ -181,15 +191,45 @@ def _numba() -> Any:
     load = cpu.CPUContext.load_additional_registries
     cpu.CPUContext.load_additional_registries = _without_linear_algebra(load)
 
+    cpu.CPUContext.get_executable = _only_of_kernels(cpu.CPUContext.get_executable)
+
     @typeof_impl.register(Kernel)
     def _typeof(value: Kernel[Any, Any], context: Any) -> Any:
-        return types.Dispatcher(value.compiled)
+        return types.Dispatcher(value.linked)
 
     overload(choose)(
         lambda condition, this, that: lambda condition, this, that: this if condition else that
     )
 
     return numba
+
+
+def _only_of_kernels(executable: Callable[..., Any]) -> Callable[..., Any]:
+    """Neither optimise what only kernels call nor make machine code of it, before it is linked.
+
+    Numba does both for each function by itself, and again for each that calls it.
+    """
+    make_function = import_module("numba._dynfunc").make_function
+
+    def executable_of_kernel(context: Any, library: Any, described: Any, environment: Any) -> Any:
+        if library._finalized or _has(library, described.llvm_cpython_wrapper_name):
+            return executable(context, library, described, environment)
+        library._optimize_final_module = lambda: None
+        library._finalize_final_module = library._finalize_dynamic_globals
+        library.finalize()
+        library._finalized = True
+        module, name = described.lookup_module(), described.qualname
+        return make_function(module, name, "", 0, environment, (library,))
+
+    return executable_of_kernel
+
+
+def _has(library: Any, name: str) -> bool:
+    """Whether a library defines a function."""
+    try:
+        return not library.get_function(name).is_declaration
+    except NameError:
+        return False
 
 
 def _without_linear_algebra(load: Callable[[Any], None]) -> Callable[[Any], None]:

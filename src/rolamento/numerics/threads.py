@@ -134,7 +134,7 @@ def ready(kernel: Kernel[P, R]) -> Callable[P, R]:
 @cache
 def _say_that_it_takes_a_while() -> None:
     _log.warning(
-        said("compiling the solver for this machine, once: this takes two or three minutes")
+        said("compiling the solver for this machine, once: this takes one or two minutes")
     )
 
 
