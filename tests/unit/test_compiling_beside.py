@@ -181,3 +181,30 @@ def test_every_kernel_is_compiled_ahead() -> None:
             part.solve()
     left = {f"{kernel.__module__}.{kernel.__name__}" for kernel in kernels if not kernel.is_cached}
     assert not left
+
+
+def test_a_ball_that_takes_long_to_balance_waits_for_nobody(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """What plain Python usually leaves to the compiler it does itself while there is none."""
+    case = rolamento.Case(
+        bearing="7210 C",
+        duty=rolamento.Duty(
+            inner_speed=154.985238,
+            displacement=rolamento.Displacement(x=1.28475930e-05, y=0.0, z=2.75723821e-05),
+        ),
+    )
+    expected = rolamento.solve(case)
+
+    def waits() -> None:
+        raise AssertionError("it waits for the compiler")
+
+    monkeypatch.delenv(beside.VARIABLE)
+    monkeypatch.setattr(Kernel, "is_loaded", property(lambda self: False))
+    monkeypatch.setattr(Kernel, "is_cached", property(lambda self: False))
+    monkeypatch.setattr(threads, "_ready", set())
+    monkeypatch.setattr(threads, "compile_beside", lambda: True)
+    monkeypatch.setattr(threads, "_say_that_it_takes_a_while", waits)
+    found = rolamento.solve(case)
+    assert found.converged.all() and expected.converged.all()
+    np.testing.assert_allclose(found.inner.load, expected.inner.load, rtol=1e-9, atol=1e-6)

@@ -254,14 +254,20 @@ def _run_threads(
 def _interpret(batch: Batch, moving: bool, case: int, out: Output) -> bool:
     """Solve a case without the compiler, which takes longer to load than a few cases to solve.
 
-    False where plain Python cannot divide by zero and go on, as compiled code can, and where the
-    fast path, which is for compiled code only, might still find a solution.
+    As long as it takes where nothing is compiled yet: to wait for that takes longer. False where
+    plain Python cannot divide by zero and go on, as compiled code can, and where the fast path,
+    which is for compiled code only, might still find a solution.
     """
-    try:
-        solve_some(batch, moving, np.array([case]), False, PLAIN_WORK, out, _plain)
-    except (ZeroDivisionError, OverflowError, ValueError):
-        return False
-    return int(out.code[case]) != status.NOT_CONVERGED
+    for work in (PLAIN_WORK, MOST_WORK):
+        try:
+            solve_some(batch, moving, np.array([case]), False, work, out, _plain)
+        except (ZeroDivisionError, OverflowError, ValueError):
+            return False
+        if out.code[case] != status.NOT_CONVERGED:
+            return True
+        if solve_stepwise.is_cached:
+            return False
+    return False
 
 
 def _plain(kernel: Kernel[..., None]) -> Callable[..., None]:
