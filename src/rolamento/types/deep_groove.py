@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import radians
 from typing import Final
 
 from rolamento.types._type import BearingType
@@ -17,4 +18,7 @@ TYPE: Final = BearingType(
     ),
     clearance_table="",
     class_table="",
+    # by clearance and size 2′ to 10′: SKF, Rolling bearings (17000 EN), deep groove ball bearings,
+    # and NSK, Rolling Bearings (CAT. No. E1102), in radians
+    usual_misalignment=radians(10.0 / 60.0),
 )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import radians
 from typing import Final
 
 from rolamento.ratings import SELF_ALIGNING_CONFORMITY
@@ -24,4 +25,7 @@ TYPE: Final = BearingType(
     conformity=SELF_ALIGNING_CONFORMITY,
     class_table="self_aligning",
     class_table_of_tapered_bore="self_aligning_tapered",
+    usual_misalignment=radians(
+        2.5
+    ),  # Nachi, self-aligning ball bearings: series 12, 22; 13, 23: 3°
 )
