@@ -133,9 +133,7 @@ def ready(kernel: Kernel[P, R]) -> Callable[P, R]:
 
 @cache
 def _say_that_it_takes_a_while() -> None:
-    _log.warning(
-        said("compiling the solver for this machine, once: this takes one or two minutes")
-    )
+    _log.warning(said("compiling the solver for this machine, once: this takes one or two minutes"))
 
 
 def side_by_side(

@@ -287,12 +287,15 @@ def solve_some(
     most_work: float,
     out: Output,
     form: Callable[[Kernel[..., None]], Callable[..., None]] = ready,
+    *,
+    begun: bool = False,
 ) -> None:
     """Solve some of the cases, and judge every one; what is not finite is left alone.
 
     moving: whether these cases have inertia; fast: whether to try the lanes; most_work: how
     often a ball may be evaluated beside them before a case is given up; form: of the kernels,
-    compiled or plain.
+    compiled or plain; begun: whether rings, balls and cages begin where they stand in out, beside
+    the lanes.
     """
     code, iterations = out.code, out.iterations
     done = np.zeros(len(order), np.bool_)
@@ -300,7 +303,7 @@ def solve_some(
         with np.errstate(invalid="ignore"):
             _refuse_unsound(batch, order, done, out)
         left, cautious = order[~done], None
-        code[left], iterations[left] = status.NOT_CONVERGED, 0
+        code[left], iterations[left] = status.NOT_CONVERGED, -1 if begun else 0
         out.unsupported[left], out.safe[left] = -1, False
     elif moving:
         form(propose_moving)(batch, order, True, False, done, out)

@@ -142,22 +142,24 @@ def solve_columns(
         for number in (0, *AXES):
             own = batch._replace(mirror=mirror(balls, number))
             some = np.flatnonzero(which & (plane == number))
-            _run_threads(own, some, moving, threads, fast, most_work, solution)
+            _run_threads(own, some, moving, threads, fast, most_work, solution, near)
 
-    near = np.zeros(cases, np.bool_)
-    if memory is not None and fast and not goes_plainly(propose_moving, little=cases <= FEW):
+    near, done = np.zeros(cases, np.bool_), np.zeros(cases, np.bool_)
+    if memory is not None and fast:
         near = moving & np.isfinite(memory).all(axis=1)
         _begin_nearby(p, memory, near, solution)
+    if near.any() and not goes_plainly(propose_moving, little=cases <= FEW):
         for number in (0, *AXES):
             own = batch._replace(mirror=mirror(balls, number))
             _run_warm(own, np.flatnonzero(near & (plane == number)), threads, solution)
-        near &= solution.code == status.CONVERGED
+        done = near & (solution.code == status.CONVERGED)
+        near[:] = False
     if not moving.all():
         run(~moving, False)
         # what is left out of those is part of their residual: some have to be solved with it
         again = (solution.code == accept.NEEDS_INERTIA) | (solution.code == status.NOT_CONVERGED)
         moving |= again & turns(p)
-    run(moving & ~near, True)
+    run(moving & ~done, True)
     solution.forget(solution.code == status.INVALID_INPUT)
     return solution
 
@@ -229,8 +231,12 @@ def _run_threads(
     fast: bool,
     most_work: float,
     solution: Solution,
+    near: NDArray[np.bool_],
 ) -> None:
-    """Share some of the cases out to threads, in chunks small enough to keep all of them busy."""
+    """Share some of the cases out to threads, in chunks small enough to keep all of them busy.
+
+    near: which of all cases begin where they stand, where they are solved plainly.
+    """
     cases, balls, out = len(which), batch.cosines.size, solution.arrays()
     if cases == 0:
         return
@@ -240,7 +246,9 @@ def _run_threads(
     def run(kernel: Callable[..., Any], first: int, last: int) -> None:
         some = which[first:last]
         if kernel is first_kernel:
-            left.extend(case for case in some if not _interpret(batch, moving, case, out))
+            left.extend(
+                case for case in some if not _interpret(batch, moving, case, out, near[case])
+            )
         else:
             solve_some(batch, moving, some, fast, most_work, out)
 
@@ -251,7 +259,7 @@ def _run_threads(
         solve_some(batch, moving, hard, fast, most_work, out)
 
 
-def _interpret(batch: Batch, moving: bool, case: int, out: Output) -> bool:
+def _interpret(batch: Batch, moving: bool, case: int, out: Output, begun: bool) -> bool:
     """Solve a case without the compiler, which takes longer to load than a few cases to solve.
 
     As long as it takes where nothing is compiled yet: to wait for that takes longer. False where
@@ -260,13 +268,14 @@ def _interpret(batch: Batch, moving: bool, case: int, out: Output) -> bool:
     """
     for work in (PLAIN_WORK, MOST_WORK):
         try:
-            solve_some(batch, moving, np.array([case]), False, work, out, _plain)
+            solve_some(batch, moving, np.array([case]), False, work, out, _plain, begun=begun)
         except (ZeroDivisionError, OverflowError, ValueError):
             return False
         if out.code[case] != status.NOT_CONVERGED:
             return True
         if solve_stepwise.is_cached:
             return False
+        begun = False
     return False
 
 
