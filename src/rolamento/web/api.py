@@ -406,9 +406,9 @@ OPERATIONS: Final[tuple[Operation, ...]] = (
         ),
         _rotor,
         RotorRequest,
-        _ON_SHAFT,
+        {**_ON_SHAFT, "speeds": "0..6000rpm", "points": 3, "modes": 4},
         has=("schema", "kind", "title", "modes", "campbell", "unbalance_response"),
-        seconds=60.0,
+        seconds=120.0,
     ),
     Operation(
         "POST",
