@@ -29,6 +29,8 @@ POINT: Final = 72.0 * MILLIMETRE
 """Points for a millimetre on paper."""
 _FOOT: Final = 11.0
 """Height of the scale below a drawing, in mm."""
+_HEAD: Final = 4.0
+"""Room above it, likewise: for the sign of gravity."""
 _ON_TOP: Final = ("loads", "gears", "belts", "masses")
 
 
@@ -75,7 +77,7 @@ def sketch_machine(machine: Machine, *, step: int = 0, width: float = ACROSS) ->
         Of the paper, in mm.
     """
     plan = planned(machine, step, width)
-    tall = plan.height + _FOOT
+    tall = _HEAD + plan.height + _FOOT
     figure = Figure(figsize=(width * MILLIMETRE, tall * MILLIMETRE), layout="none")
     axes = figure.add_axes((0.0, _FOOT / tall, 1.0, plan.height / tall))
     draw_planned(axes, plan)
@@ -89,7 +91,7 @@ def sketch_machine(machine: Machine, *, step: int = 0, width: float = ACROSS) ->
     top = plan.bottom + plan.height * plan.paper
 
     def down(y: float) -> float:
-        return points * (top - y)
+        return points * (top - y) + POINT * _HEAD
 
     return Sketch(
         figure=figure,

@@ -279,8 +279,8 @@ def check_machine(tables: Any) -> None:
         if isfinite(count) and count > most:
             raise InputError(
                 said(
-                    "is too large for the app: about {count} places to calculate, at most {most};"
-                    " the command line takes it",
+                    "is too large here: about {count} nodes or rolling elements in all steps, at"
+                    " most {most}; the command line takes more",
                     count=int(count),
                     most=most,
                 ),

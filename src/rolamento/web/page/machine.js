@@ -128,7 +128,7 @@ export function makeMachine({ complain, recover, doing, lang }) {
   }
 
   function stale(word) {
-    for (const one of [$("machine-stage"), ...document.querySelectorAll("#machine-sections > *, #machine-pictures .section")]) mark(one, word);
+    for (const one of [$("machine-stage"), $("machine-life"), ...document.querySelectorAll("#machine-work .section")]) mark(one, word);
   }
 
   function mark(element, word) {
@@ -156,19 +156,24 @@ export function makeMachine({ complain, recover, doing, lang }) {
     $("machine-step").value = String(step);
   }
 
-  function showSections(sections) {
-    const keys = sections.map((one) => one.key).join();
-    const root = $("machine-sections");
+  function showSections(all) {
+    const life = all.find((one) => one.key === "life");
+    $("machine-life").hidden = !life;
+    $("machine-life-head").textContent = life?.label ?? "";
+    setHtml($("machine-life").lastElementChild, life?.html ?? "");
+    const isBearings = (one) => one.key === "bearings";
+    fill($("machine-bearings"), all.filter(isBearings));
+    fill($("machine-sections"), all.filter((one) => one !== life && !isBearings(one)));
+  }
+
+  function fill(root, sections) {
+    const keys = sections.map((one) => one.key + one.label).join();
     if (root.dataset.keys !== keys) {
       root.dataset.keys = keys;
-      root.replaceChildren(...sections.map(({ key, label }) => {
-        const body = make("div", { className: "rolamento" });
-        if (key === "life") return make("section", { className: "headline" }, make("h2", { textContent: label }), body);
-        return make("details", {
-          className: "section", open: remembered(`machine.${key}`, key !== "frequencies"),
-          ontoggle: (event) => remember(`machine.${key}`, event.target.open),
-        }, make("summary", {}, make("h2", { textContent: label })), body);
-      }));
+      root.replaceChildren(...sections.map(({ key, label }) => make("details", {
+        className: "section", open: remembered(`machine.${key}`, key !== "frequencies"),
+        ontoggle: (event) => remember(`machine.${key}`, event.target.open),
+      }, make("summary", {}, make("h2", { textContent: label })), make("div", { className: "rolamento" }))));
     }
     sections.forEach(({ html }, n) => setHtml(root.children[n].lastElementChild, html));
   }
@@ -228,12 +233,14 @@ export function makeMachine({ complain, recover, doing, lang }) {
     const position = held?.key === part.key ? held.position : part.position;
     const x = placeOf(part, position);
     const { label } = written(part, position);
-    const isBelow = part.y > part.axis;
+    const isBelow = part.y > part.axis; // where its name is, so that its position stands beside it
+    const isLast = isBelow && x > last.drawing.width - 55;
     own.path.setAttribute("d", SHAPES[part.kind] ?? SHAPE);
     for (const one of [own.hit, own.path]) one.setAttribute("transform", `translate(${x} ${part.y})`);
     for (const [key, value] of Object.entries({ x1: x, x2: x, y1: part.axis, y2: part.y })) own.line.setAttribute(key, value);
-    own.text.setAttribute("x", x);
-    own.text.setAttribute("y", part.y + (isBelow ? 17 : -10));
+    own.text.setAttribute("x", x + (isLast ? -9 : isBelow ? 9 : 0));
+    own.text.setAttribute("y", part.y + (isBelow ? 4 : -10));
+    own.text.setAttribute("text-anchor", isLast ? "end" : isBelow ? "start" : "middle");
     own.text.textContent = label;
     own.element.setAttribute("aria-label", say("machine.position", { part: part.label, shaft: part.shaft }));
     own.element.setAttribute("aria-valuemin", "0");
@@ -347,11 +354,14 @@ export function makeMachine({ complain, recover, doing, lang }) {
       const symbol = given?.unit ?? usual;
       unit.textContent = isQuantity(name) ? symbol.replace("um", "µm").replace("deg", "°").replace(" m", "·m") : "";
       unit.dataset.unit = symbol;
-      wrong.textContent = error?.field === name ? error.rule + (error.example ? `. ${say("form.example", { example: error.example })}` : "") : "";
+      wrong.textContent = error?.field === name ? toldOf(error) : "";
       if (error?.field === name) input.setAttribute("aria-invalid", "true");
       else input.removeAttribute("aria-invalid");
     }
   }
+
+  const toldOf = ({ rule, example }) =>
+    (example ? `${rule}${/[.?!]$/.test(rule) ? "" : "."} ${say("form.example", { example })}` : rule);
 
   /** Take what was typed; a number alone has the unit that stands beside it. */
   function enter(name) {
@@ -438,7 +448,6 @@ export function makeMachine({ complain, recover, doing, lang }) {
       return element;
     }));
     $("machine-title").textContent = last?.title || say("machine.untitled");
-    $("machine-sections").dataset.keys = "";
     $("machine-part").replaceChildren();
     chosen = "";
     buttons();
