@@ -66,7 +66,7 @@ from rolamento.case.record import Record
 from rolamento.case.rolling_bearing import Designation
 from rolamento.case.surface import Surface
 from rolamento.case.temperature import Temperature
-from rolamento.errors import ABSENT, InputError, guess, shortened
+from rolamento.errors import ABSENT, InputError, guess
 from rolamento.io.text import (
     TextFormat,
     format_of_path,
@@ -1219,6 +1219,7 @@ def machine_of_tables(
 
 _PART: Final = re.compile(r'\s*(?:"([^"]*)"|([^.="]+?))\s*(\.|=)')
 """A name of a dotted key, in quotes where it has a dot, and what comes behind it."""
+_LONGEST_NAME: Final = 100
 _INLINE: Final = """'loads.0={ shaft = "shaft", position = "50 mm", fz = "-8 kN" }'"""
 
 
@@ -1258,9 +1259,9 @@ def with_values(mapping: Mapping[str, Any], values: Mapping[str, Any]) -> dict[s
             names, rest = _parted(f"{name}=")
         except InputError:
             names, rest = [], name
-        if rest:
+        if rest or not names:
             rule = said("is not the name of a field")
-            raise InputError(rule, field=shortened(name, 60), example="loads.0.fz")
+            raise InputError(rule, field=name[:_LONGEST_NAME], example="loads.0.fz")
         _set(result, names, value)
     return result
 

@@ -78,7 +78,8 @@ def sketch_machine(machine: Machine, *, step: int = 0, width: float = ACROSS) ->
     """
     plan = planned(machine, step, width)
     tall = _HEAD + plan.height + _FOOT
-    figure = Figure(figsize=(width * MILLIMETRE, tall * MILLIMETRE), layout="none")
+    figure = Figure(figsize=(width * MILLIMETRE, tall * MILLIMETRE))
+    figure.set_layout_engine("none")
     axes = figure.add_axes((0.0, _FOOT / tall, 1.0, plan.height / tall))
     draw_planned(axes, plan)
     low = MM * min(one.position for one in machine.shafts)

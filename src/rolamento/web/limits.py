@@ -270,18 +270,18 @@ def check_machine(tables: Any) -> None:
         That says of what there is too much.
     """
     size = size_of_machine(tables)
-    for field, count, most in (
+    for field, total, most in (
         ("shafts", size.nodes, MOST_NODES),
         ("bearings", size.elements, MOST_OVER_STEPS),
         ("spectrum", size.steps * size.nodes, MOST_OVER_STEPS),
         ("spectrum", size.steps * size.elements, MOST_OVER_STEPS),
     ):
-        if isfinite(count) and count > most:
+        if isfinite(total) and total > most:
             raise InputError(
                 said(
                     "is too large here: about {count} nodes or rolling elements in all steps, at"
                     " most {most}; the command line takes more",
-                    count=int(count),
+                    count=int(total),
                     most=most,
                 ),
                 field=field,

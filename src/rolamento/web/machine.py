@@ -282,7 +282,9 @@ def machine_live(request: Mapping[str, Any]) -> dict[str, Any]:
 def _whole(request: Mapping[str, Any], name: str, otherwise: int) -> int:
     given = request.get(name, otherwise)
     if isinstance(given, bool) or not isinstance(given, int):
-        raise InputError(said("must be an integer"), field=name, value=given, example=str(otherwise))
+        raise InputError(
+            said("must be an integer"), field=name, value=given, example=str(otherwise)
+        )
     return given
 
 

@@ -23,6 +23,7 @@ const $ = (id) => document.getElementById(id);
  */
 export function makeMachine({ complain, recover, doing, lang }) {
   const store = new Store("machine");
+  const which = make("select", { id: "machine-which", onchange: () => choose(which.value) });
   const grips = new Map(); // part → its elements on the drawing
   let fields = new Map(); // dotted name → {input, error}
   let last = null; // the last answer with a result
@@ -312,19 +313,16 @@ export function makeMachine({ complain, recover, doing, lang }) {
     if (isNew) grips.get(key)?.element.before(...others); // it lies over them, and keeps the focus
     const names = part.fields.map((one) => one.name).join();
     if (isNew || $("machine-part").dataset.names !== names) makeFields(part, names);
-    const select = $("machine-which");
-    if ([...select.options].map((one) => one.textContent).join() !== last.parts.map((one) => one.label).join())
-      select.replaceChildren(...last.parts.map((one) => make("option", { value: one.key, textContent: one.label })));
-    select.value = key;
+    if ([...which.options].map((one) => one.textContent).join() !== last.parts.map((one) => one.label).join())
+      which.replaceChildren(...last.parts.map((one) => make("option", { value: one.key, textContent: one.label })));
+    which.value = key;
     showFields();
   }
 
   function makeFields(part, names) {
     const form = $("machine-part");
-    if (!$("machine-which")) {
-      form.replaceChildren(make("div", { className: "field" }, make("label", { for: "machine-which", textContent: say("machine.part") }),
-        make("select", { id: "machine-which", onchange: (event) => choose(event.target.value) })), make("div"));
-    }
+    if (!form.childElementCount)
+      form.append(make("div", { className: "field" }, make("label", { for: which.id, textContent: say("machine.part") }), which), make("div"));
     form.dataset.names = names;
     fields = new Map();
     form.lastElementChild.replaceChildren(...part.fields.map(({ name, label, example }, n) => {
