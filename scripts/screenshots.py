@@ -83,6 +83,14 @@ def compare(page: Page) -> None:
     load.press("Enter")
 
 
+def machine(page: Page) -> None:
+    """A machine whose load is moved along its shaft."""
+    page.get_by_role("link", name="Machine").click()
+    page.locator("#machine-examples").get_by_text("spindle").first.click()
+    page.locator("#machine-status", has_text="Converged").wait_for(timeout=1000.0 * _PATIENCE)
+    page.locator("#machine-hold .grip[aria-label^='cutting force']").press("Shift+ArrowLeft")
+
+
 def signal(page: Page) -> None:
     """The verdict on a record."""
     page.get_by_role("link", name="Vibration").click()
@@ -106,6 +114,7 @@ PICTURES: Final = {
     "open": (opening, 1200, 820),
     "case": (case, 1200, 820),
     "compare": (compare, 1200, 820),
+    "machine": (machine, 1200, 980),
     "signal": (signal, 1200, 980),
     "weibull": (weibull, 1200, 980),
     "phone": (phone, 390, 780),

@@ -14,8 +14,10 @@ from rolamento.words import speaking
 
 def test_titles_are_those_of_the_files(examples: Path) -> None:
     titles = {
-        path.stem: tomllib.loads(path.read_text("utf-8"))["title"]
-        for path in sorted(examples.glob("*.toml"))
+        path.relative_to(examples).with_suffix("").as_posix(): tomllib.loads(
+            path.read_text("utf-8")
+        )["title"]
+        for path in (*sorted(examples.glob("*.toml")), *sorted(examples.glob("machines/*.toml")))
     }
     assert titles == TITLES
 

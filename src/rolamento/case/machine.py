@@ -100,6 +100,7 @@ __all__ = [
     "Spring",
     "Step",
     "load_machine",
+    "machine_of_tables",
     "machine_reader",
     "machine_to_json",
     "machine_to_toml",
@@ -1196,8 +1197,29 @@ def parse_machine(
         raise error.with_details(source=source, line=line) from None
 
 
+def machine_of_tables(
+    mapping: Mapping[str, Any], values: Mapping[str, Any] | None = None
+) -> Machine:
+    """Return the machine that the tables of a file describe, which may name no other file.
+
+    Parameters
+    ----------
+    mapping
+        As a file has them.
+    values
+        That go over them, as of `with_values`.
+
+    Raises
+    ------
+    InputError
+        If they do not describe a valid machine, or name a file.
+    """
+    return Machine.from_mapping(with_files(with_values(mapping, values or {}), None))
+
+
 _PART: Final = re.compile(r'\s*(?:"([^"]*)"|([^.="]+?))\s*(\.|=)')
 """A name of a dotted key, in quotes where it has a dot, and what comes behind it."""
+_LONGEST_NAME: Final = 100
 _INLINE: Final = """'loads.0={ shaft = "shaft", position = "50 mm", fz = "-8 kN" }'"""
 
 
@@ -1221,6 +1243,29 @@ def with_settings(mapping: Mapping[str, Any], settings: Iterable[str]) -> dict[s
     return result
 
 
+def with_values(mapping: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the tables of a machine file with some values changed; they are not validated.
+
+    values: as a file has them, by the names that settings have; None takes a value away.
+
+    Raises
+    ------
+    InputError
+        If there is no such part.
+    """
+    result = dict(mapping)
+    for name, value in values.items():
+        try:
+            names, rest = _parted(f"{name}=")
+        except InputError:
+            names, rest = [], name
+        if rest or not names:
+            rule = said("is not the name of a field")
+            raise InputError(rule, field=name[:_LONGEST_NAME], example="loads.0.fz")
+        _set(result, names, value)
+    return result
+
+
 def _parted(setting: str) -> tuple[list[str], str]:
     """The names of a dotted key, and what stands behind it."""
     names, at = [], 0
@@ -1239,7 +1284,14 @@ def _set(mapping: dict[str, Any], names: Sequence[str], value: object) -> None:
         here = ".".join(names[:depth])
         key: Any = _place_in(table, name, here) if isinstance(table, list) else name
         if depth == len(names):
-            table[key] = value
+            if value is not None:
+                table[key] = value
+            elif isinstance(table, dict):
+                table.pop(key, None)
+            else:
+                del table[key]
+            return
+        if value is None and isinstance(table, dict) and key not in table:
             return
         below = table[key] if isinstance(table, list) else table.get(key, {})
         if not isinstance(below, dict | list):

@@ -50,7 +50,13 @@ if TYPE_CHECKING:
     from rolamento.tasks.machines import MachineCurve
     from rolamento.vibration.machine import MachineFrequency
 
-__all__ = ["machine_over_page", "machine_page", "machine_report"]
+__all__ = [
+    "PICTURES",
+    "machine_over_page",
+    "machine_page",
+    "machine_picture",
+    "machine_report",
+]
 
 _MOST_STEPS: Final = 12
 """Steps that a page shows; files have all of them."""
@@ -189,6 +195,40 @@ def _picture(solved: SolvedMachine) -> list[Section]:
 
     figure = Figure(caption=f"{caption}: {name}" if name else caption, draw=draw, key="machine")
     return [Section("", (figure,), key="picture")]
+
+
+PICTURES: Final = {
+    "deflection": marked("Deflection along the shafts"),
+    "forces": marked("Forces, moments and stress along the shafts"),
+    "bearings": marked("Contact loads in the bearings"),
+}
+"""What is drawn of a machine besides itself, by key."""
+
+
+def machine_picture(solved: SolvedMachine, key: str, step: int) -> Figure:
+    """Return a picture of a machine.
+
+    Parameters
+    ----------
+    solved
+        From `rolamento.shaft`.
+    key
+        Of `PICTURES`.
+    step
+        Of its spectrum, from 0.
+    """
+
+    def draw() -> Picture:
+        from rolamento.plots import machine
+        from rolamento.plots.frame import figure_of
+
+        if key == "deflection":
+            return figure_of(machine.draw_deflection(solved, step=step))
+        if key == "forces":
+            return machine.draw_section_forces(solved, step=step)
+        return machine.draw_bearings_in_place(solved, step=step)
+
+    return Figure(caption="", draw=draw, alternative=said(PICTURES[key]), key=key)
 
 
 # --- life -----------------------------------------------------------------------------------------

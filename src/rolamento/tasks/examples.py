@@ -226,8 +226,15 @@ TITLES: Final = {
     "nu205_gear": marked("Gear shaft, right: NU 205, free, tilted by 3 mrad"),
     "qj210_both_ways": marked("QJ 210 four-point-contact bearing, axial load"),
     "ricci_fleury": marked("30 × 55 mm angular-contact bearing of a space mechanism, thrust"),
+    "machines/coaxial": marked("Two coaxial shafts with a bearing between them"),
+    "machines/gear_shaft": marked("Gear shaft: NU 308 and 6308"),
+    "machines/motor": marked("Electric motor: 6308/C3 floating, 6310/C3 at the drive end"),
+    "machines/pinion": marked("Bevel pinion on 30207 and 30206, back to back (O)"),
+    "machines/pinion_x": marked("Bevel pinion on 30207 and 30206, face to face (X)"),
+    "machines/spindle": marked("Spindle: 7014C DB at the nose, NU 1010 at the rear"),
+    "machines/three_supports": marked("Three supports, clearance in the middle"),
 }
-"""Titles of the cases, as their files have them: a page says them in its own language."""
+"""Titles of cases and machines, as their files have them: a page says them in its own language."""
 
 
 def copy_examples(

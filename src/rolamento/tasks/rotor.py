@@ -28,13 +28,13 @@ from rolamento.tasks.parameters import Progress
 from rolamento.units import rpm_of, to_si
 from rolamento.words import said
 
-__all__ = ["MachineVibration", "machine_vibration"]
+__all__ = ["MOST_ORDERS", "MachineVibration", "machine_vibration"]
 
 POINTS: Final = 40
 _BEYOND: Final = 1.5
 """Times the operating speed up to which the diagram goes if nobody says."""
 _EXAMPLE: Final = "--speeds 0..6000rpm"
-_ORDERS: Final = 20
+MOST_ORDERS: Final = 20
 _NEAR: Final = (0.97, 0.99, 1.0, 1.01, 1.03)
 """Parts of each critical speed at which the response is sought besides: peaks are narrow."""
 
@@ -94,7 +94,7 @@ class MachineVibration:
 
 
 def machine_vibration(
-    source: str | os.PathLike[str],
+    source: Machine | str | os.PathLike[str],
     settings: Sequence[str] = (),
     catalogues: Sequence[str | os.PathLike[str]] = (),
     *,
@@ -111,7 +111,8 @@ def machine_vibration(
     Parameters
     ----------
     source, settings, catalogues
-        As of `rolamento.tasks.machines.analysed_machine`.
+        As of `rolamento.tasks.machines.analysed_machine`; or a machine, which settings do not go
+        over.
     speeds
         ``"0..6000rpm"``, of the shaft; from 0 to 1.5 times its own if not given.
     shaft
@@ -139,7 +140,7 @@ def machine_vibration(
     """
     _check(count, orders, damping)
     with catalogues_beside(catalogues):
-        machine = load_machine(source, settings)
+        machine = source if isinstance(source, Machine) else load_machine(source, settings)
         name = turning_shaft(machine, shaft)
         asked = _speeds(speeds, points, abs(machine.speed(name)))
         done = progress or (lambda _done, _all: None)
@@ -190,9 +191,9 @@ def _check(count: int, orders: Sequence[float], damping: float | None) -> None:
                  at_most=MOST_MODES),
             field="--modes", value=count, example="--modes 8",
         )  # fmt: skip
-    if not 1 <= len(orders) <= _ORDERS or not all(0.0 < one <= 1e4 for one in orders):
+    if not 1 <= len(orders) <= MOST_ORDERS or not all(0.0 < one <= 1e4 for one in orders):
         raise InputError(
-            said("must be 1 to {most} numbers above 0", most=_ORDERS),
+            said("must be 1 to {most} numbers above 0", most=MOST_ORDERS),
             field="--orders", example="--orders 1,2",
         )  # fmt: skip
     if damping is not None and not 0.0 <= damping <= 1.0:

@@ -23,12 +23,15 @@ from rolamento.web.answers import MOST_COLUMNS, MOST_JSON, answer, read_json, re
 from rolamento.web.drops import LARGEST, SEARCH, ending_of, file_of, label_of, response_of
 from rolamento.web.limits import by_weight, slow
 from rolamento.web.requests import (
+    EXAMPLE_MACHINE,
     BatchRequest,
     CaseRequest,
     FrequenciesRequest,
     FrictionRequest,
     LifeRequest,
+    MachineRequest,
     ReportRequest,
+    RotorRequest,
     WeibullRequest,
 )
 from rolamento.words import marked, said
@@ -43,6 +46,7 @@ _MACHINE: Final = "Machine"
 _LOAD: Final = {"duty.load.fz": "5 kN", "duty.inner_speed": "1480 rpm"}
 _DESIGNATION: Final = {"designation": "6310/C3", "settings": _LOAD}
 _OIL: Final = {"lubricant": "ISO VG 68", "temperature.lubricant": "70 degC"}
+_ON_SHAFT: Final = {"machine": EXAMPLE_MACHINE, "settings": {"loads.0.fz": "-3 kN"}}
 _WITH_OIL: Final = {"designation": "6310/C3", "settings": {**_LOAD, **_OIL}}
 
 
@@ -140,6 +144,30 @@ def _of_list(asked: CaseRequest, name: str, place: int) -> rolamento.Case:
     except InputError as error:
         source = error.source or f"{name}.{place}"
         raise error.with_details(source=source) from None
+
+
+def _shaft(asked: MachineRequest) -> str:
+    return rolamento.analyse_machine(asked.to_machine()).to_json(indent=None)
+
+
+def _rotor(asked: RotorRequest) -> str:
+    from rolamento.tasks.rotor import machine_vibration
+
+    try:
+        return machine_vibration(
+            asked.to_machine(),
+            speeds=asked.speeds,
+            shaft=asked.shaft,
+            points=asked.points,
+            count=asked.modes,
+            orders=asked.orders,
+            damping=asked.damping,
+        ).to_json()
+    except InputError as error:  # of the command's options
+        if not (error.field or "").startswith("--"):
+            raise
+        name = (error.field or "").removeprefix("--")
+        raise error.with_details(field=name, example=arguments(speeds="0..6000rpm")) from None
 
 
 def _friction(asked: FrictionRequest) -> str:
@@ -353,6 +381,34 @@ OPERATIONS: Final[tuple[Operation, ...]] = (
         _WITH_OIL,
         has=("schema", "kind"),
         seconds=60.0,
+    ),
+    Operation(
+        "POST",
+        "/shaft",
+        marked("Machine"),
+        marked(
+            "Shafts on their bearings: loads, tilts, deflection, the life of each bearing and of"
+            " all together, in each step of the spectrum. As rolamento shaft MACHINE --json."
+        ),
+        _shaft,
+        MachineRequest,
+        _ON_SHAFT,
+        has=("schema", "kind", "title", "shafts", "bearings", "life"),
+        seconds=60.0,
+    ),
+    Operation(
+        "POST",
+        "/rotor",
+        marked("Vibration of a machine"),
+        marked(
+            "Natural frequencies, mode shapes, critical speeds and the response to unbalance. As"
+            " rolamento rotor MACHINE --json."
+        ),
+        _rotor,
+        RotorRequest,
+        {**_ON_SHAFT, "speeds": "0..6000rpm", "points": 3, "modes": 4},
+        has=("schema", "kind", "title", "modes", "campbell", "unbalance_response"),
+        seconds=120.0,
     ),
     Operation(
         "POST",

@@ -43,6 +43,7 @@ __all__ = [
     "LARGEST",
     "SEARCH",
     "WORDS",
+    "as_data",
     "described",
     "ending_of",
     "example_file",
@@ -470,7 +471,7 @@ def _answer(
             "tone": "" if first is None else first.tone,
         },
         "title": document.title,
-        "html": "".join(_below(body(_pictures_first(one), picture=_as_data)) for one in pages),
+        "html": "".join(_below(body(_pictures_first(one), picture=as_data)) for one in pages),
         "files": [one for one in _TYPES if one not in ("csv", "xlsx") or document.tables()],
     }
 
@@ -489,7 +490,7 @@ def _below(html: str) -> str:
     return re.sub(r"(</?h)([1-5])", lambda at: at[1] + str(int(at[2]) + 1), html)
 
 
-def _as_data(figure: Figure) -> str | None:
+def as_data(figure: Figure) -> str | None:
     """Return a picture as a name that holds it: images may not ask for anything."""
     if figure.draw is None:
         return None

@@ -15,7 +15,7 @@ from contextvars import ContextVar
 from functools import cache
 from heapq import heapify, heappop, heappush
 from itertools import count
-from math import inf, log10
+from math import inf, isfinite, log10
 from typing import Any, Final, TypeVar, cast
 
 import anyio
@@ -24,10 +24,22 @@ import anyio.to_thread
 from starlette.types import Receive
 
 from rolamento.errors import InputError
+from rolamento.records import frozen
+from rolamento.system.shafts import FINENESS
 from rolamento.web.answers import RequestError
 from rolamento.words import language, said, speaking
 
-__all__ = ["VISITOR", "Limits", "Turns", "by_weight", "fast", "slow"]
+__all__ = [
+    "VISITOR",
+    "Limits",
+    "MachineSize",
+    "Turns",
+    "by_weight",
+    "check_machine",
+    "fast",
+    "size_of_machine",
+    "slow",
+]
 
 R = TypeVar("R")
 
@@ -196,6 +208,84 @@ def _whole(value: Any) -> int:
         return int(value)
     except (TypeError, ValueError, OverflowError):
         return 1
+
+
+# --- machines -------------------------------------------------------------------------------------
+
+_ON_SHAFTS: Final = ("bearings", "springs", "loads", "gears", "belts", "masses")
+_USUAL: Final = 20
+"""Rolling elements of a bearing that is given by its designation."""
+MOST_NODES: Final = 1200
+"""Of all shafts: beyond, what joins each with each takes gigabytes."""
+MOST_OVER_STEPS: Final = 20_000
+"""Nodes, and likewise rolling elements, over all steps: some seconds, and megabytes of answer."""
+_FAST_NODES: Final = 400
+_FAST_ELEMENTS: Final = 1000
+_FAST_BEARINGS: Final = 10
+
+
+@frozen
+class MachineSize:
+    """What a machine costs, reckoned from its tables, valid or not.
+
+    steps: of its spectrum; nodes: of its shafts; bearings, and rolling elements in all of them.
+    """
+
+    steps: int
+    nodes: int
+    bearings: int
+    elements: float
+
+    @property
+    def is_fast(self) -> bool:
+        """Whether it takes less than a second."""
+        return (
+            self.bearings <= _FAST_BEARINGS
+            and self.steps * self.nodes <= _FAST_NODES * _FAST_BEARINGS
+            and self.nodes <= _FAST_NODES
+            and self.steps * self.elements <= _FAST_ELEMENTS
+        )
+
+
+def size_of_machine(tables: Any) -> MachineSize:
+    """Return what a machine costs by the tables of its file."""
+
+    def listed(table: Any, name: str) -> list[Any]:
+        found = table.get(name) if isinstance(table, Mapping) else None
+        return found if isinstance(found, list) else []
+
+    bearings = listed(tables, "bearings")
+    nodes = sum(FINENESS + 1 + len(listed(one, "sections")) for one in listed(tables, "shafts"))
+    nodes += sum(len(listed(tables, kind)) for kind in _ON_SHAFTS)
+    elements = sum(max(_reckoned(one)[0], _USUAL) for one in bearings)
+    return MachineSize(max(len(listed(tables, "spectrum")), 1), nodes, len(bearings), elements)
+
+
+def check_machine(tables: Any) -> None:
+    """Refuse a machine that takes more than a request may.
+
+    Raises
+    ------
+    InputError
+        That says of what there is too much.
+    """
+    size = size_of_machine(tables)
+    for field, total, most in (
+        ("shafts", size.nodes, MOST_NODES),
+        ("bearings", size.elements, MOST_OVER_STEPS),
+        ("spectrum", size.steps * size.nodes, MOST_OVER_STEPS),
+        ("spectrum", size.steps * size.elements, MOST_OVER_STEPS),
+    ):
+        if isfinite(total) and total > most:
+            raise InputError(
+                said(
+                    "is too large here: about {count} nodes or rolling elements in all steps, at"
+                    " most {most}; the command line takes more",
+                    count=int(total),
+                    most=most,
+                ),
+                field=field,
+            )
 
 
 async def by_weight(

@@ -26,6 +26,7 @@ from rolamento.web.curves import curve
 from rolamento.web.form import form, inputs, units
 from rolamento.web.limits import by_weight, fast
 from rolamento.web.live import live
+from rolamento.web.machine import machine_described
 from rolamento.web.page_words import page_words
 from rolamento.web.pictures import described
 from rolamento.words import language, languages, said, speaking
@@ -69,6 +70,7 @@ def _start(code: str) -> dict[str, Any]:
             ],
             "pictures": described(),
             "drops": drops.described(),
+            "machine": machine_described(),
             "sections": [{"key": key, "label": said(part.label)} for key, part in PARTS.items()],
         }
 

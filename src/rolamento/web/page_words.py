@@ -36,6 +36,23 @@ WORDS: Final[Mapping[str, str]] = {
     "form.use": marked("Use {example}"),
     "language": marked("Language"),
     "link.broken": marked("The link holds no case: it is damaged, incomplete or too long."),
+    "machine.bent": marked(
+        "Lines of deflection, {times} times as large: z continuous, y (into the paper) dashed."
+    ),
+    "machine.drawing": marked("The machine in section, to scale, with its bearings and loads"),
+    "machine.file": marked("Machine file"),
+    "machine.file.help": marked(
+        "TOML or JSON, chosen here or dropped on the page; tables and matrices stand in it."
+    ),
+    "machine.large": marked("The file is too large for a machine: at most 500 kB are read."),
+    "machine.open.head": marked("Which machine?"),
+    "machine.part": marked("Part"),
+    "machine.parts": marked("Parts on the shafts, to be moved with the pointer or the arrow keys"),
+    "machine.position": marked("{part}, position on {shaft}"),
+    "machine.save.json": marked("Save as JSON"),
+    "machine.step": marked("Step shown"),
+    "machine.tools": marked("The machine"),
+    "machine.untitled": marked("Machine"),
     "notes": marked("Remarks"),
     "notes.none": marked("No remarks."),
     "number.doubt": marked(
@@ -100,6 +117,7 @@ WORDS: Final[Mapping[str, str]] = {
     "untitled": marked("Bearing"),
     "view.api": marked("API"),
     "view.case": marked("Case"),
+    "view.machine": marked("Machine"),
     "view.signal": marked("Vibration"),
     "view.weibull": marked("Life tests"),
     "warming": marked("Getting ready: {part} % done. The first start takes longest."),

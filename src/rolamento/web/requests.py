@@ -19,24 +19,31 @@ from pydantic_core import CoreSchema
 
 from rolamento.case import Case
 from rolamento.case.fields import changed
+from rolamento.case.machine import Machine, machine_of_tables
 from rolamento.case.quantity import Quantity, Ratio
 from rolamento.case.record import Record
 from rolamento.case.report import ReportHead
 from rolamento.errors import InputError
+from rolamento.rotors import MOST_MODES
 from rolamento.studies.outputs import DEFAULT_OUTPUTS
 from rolamento.tasks.bearing import has_load
 from rolamento.tasks.life import MOST_BEARINGS
 from rolamento.tasks.report import MOST_CASES
+from rolamento.tasks.rotor import MOST_ORDERS
+from rolamento.web.limits import check_machine
 from rolamento.weibull.life_test import MAXIMUM_ROWS
 from rolamento.words import said
 
 __all__ = [
+    "EXAMPLE_MACHINE",
     "BatchRequest",
     "CaseRequest",
     "FrequenciesRequest",
     "FrictionRequest",
     "LifeRequest",
+    "MachineRequest",
     "ReportRequest",
+    "RotorRequest",
     "WeibullRequest",
 ]
 
@@ -262,6 +269,94 @@ class FrequenciesRequest(CaseRequest):
     tolerances: FrequencyTolerances = Field(default_factory=FrequencyTolerances)
     harmonics: int = Field(3, strict=True, ge=1, le=100, examples=[3])
     sidebands: int = Field(1, strict=True, ge=0, le=10, examples=[1])
+
+
+EXAMPLE_MACHINE: Final[dict[str, Any]] = {
+    "shafts": [
+        {
+            "name": "shaft",
+            "speed": "1480 rpm",
+            "sections": [{"length": "300 mm", "diameter": "40 mm"}],
+        }
+    ],
+    "bearings": [
+        {"name": "A", "shaft": "shaft", "position": "20 mm", "designation": "6308"},
+        {
+            "name": "B",
+            "shaft": "shaft",
+            "position": "240 mm",
+            "designation": "6308",
+            "located": "floating",
+        },
+    ],
+    "loads": [{"name": "pulley", "shaft": "shaft", "position": "290 mm", "fz": "-2 kN"}],
+}
+
+
+class MachineRequest(Record):
+    """A machine: shafts on their bearings, with settings over it.
+
+    Parameters
+    ----------
+    machine
+        The tables of a machine file; it names no other file: sections, matrices and cases stand in
+        it.
+    settings
+        Values over the machine, by their dotted names: parts of a list by their names or numbers,
+        such as "loads.0.fz"; null takes one away.
+    """
+
+    machine: Annotated[dict[str, Any], TablesOf(Machine)] = Field(examples=[EXAMPLE_MACHINE])
+    settings: dict[Text, Any] = Field(
+        default_factory=dict, max_length=_MOST_SETTINGS, examples=[{"loads.0.fz": "-3 kN"}]
+    )
+
+    def to_machine(self) -> Machine:
+        """Return the machine.
+
+        Raises
+        ------
+        InputError
+            If it is not valid, names a file, or is too large for a request.
+        """
+        machine = machine_of_tables(self.machine, self.settings)
+        check_machine(machine.to_mapping())
+        return machine
+
+
+class RotorRequest(MachineRequest):
+    """A machine of which vibration is to be found.
+
+    Parameters
+    ----------
+    machine
+        The tables of a machine file.
+    settings
+        Values over the machine, by their dotted names; null takes one away.
+    speeds
+        Of a shaft, such as "0..6000rpm"; to 1.5 times its own by default.
+    shaft
+        Whose speeds; the first that turns by default.
+    points
+        Number of speeds.
+    modes
+        Number of modes.
+    orders
+        Of the rotation, at which critical speeds are sought.
+    damping
+        Damping over stiffness, in s.
+    """
+
+    speeds: Text | None = Field(None, examples=["0..6000rpm"])
+    shaft: Text | None = Field(None, examples=["shaft"])
+    points: int = Field(40, strict=True, ge=2, le=100, examples=[40])
+    modes: int = Field(8, strict=True, ge=1, le=MOST_MODES, examples=[8])
+    orders: tuple[Annotated[float, Ratio(above=0.0, at_most=1e4)], ...] = Field(
+        (1.0,), min_length=1, max_length=MOST_ORDERS, examples=[[1.0, 2.0]]
+    )
+    damping: Annotated[float, Ratio(at_least=0.0, at_most=1.0)] | None = Field(
+        None, examples=[1e-5]
+    )
 
 
 class LifeTestTable(Record):

@@ -35,7 +35,7 @@ from uvicorn.protocols.http.h11_impl import H11Protocol
 from rolamento.errors import InputError
 from rolamento.io.json import dumps
 from rolamento.records import frozen
-from rolamento.web import api, drops, page_api
+from rolamento.web import api, drops, machine, page_api
 from rolamento.web.answers import RequestError, answer, language_for, refused
 from rolamento.web.limits import VISITOR, slow
 from rolamento.web.openapi import DOCS, DOCUMENT, docs_page, openapi_document
@@ -144,6 +144,7 @@ def create_app(settings: Settings | None = None) -> Starlette:
         routes=[
             *page_api.ROUTES,
             *drops.ROUTES,
+            *machine.ROUTES,
             *api.ROUTES,
             Route(DOCUMENT, _openapi),
             Route(DOCS, _docs),

@@ -44,11 +44,12 @@ export async function ask(path, body, { signal, lang = language } = {}) {
   throw new Refused(answer?.error ?? { message: say("server.failed") }, response.status);
 }
 
-/** Put words on all that asks for them: text, label. */
+/** Put words on all that asks for them: text, label, what a picture shows. */
 export function fillIn(root) {
   for (const one of root.querySelectorAll("[data-word]")) one.textContent = say(one.dataset.word);
   for (const one of root.querySelectorAll("[data-label]"))
     one.setAttribute("aria-label", say(one.dataset.label));
+  for (const one of root.querySelectorAll("[data-alt]")) one.alt = say(one.dataset.alt);
 }
 
 /** Show the server's HTML; its styles go through the object model, as the policy asks. */

@@ -13,10 +13,10 @@ export function startDrops(root, kind, described, tools) {
   if (kind === "weibull") root.append(new Drop("plan", described, tools).element);
 }
 
-/** Have a report of cases made, and save it. Rejects with the error object. */
-export async function saveReport(cases, format, { lang, head = {} }) {
-  const body = JSON.stringify({ cases, format, head });
-  keep(await send("POST", `/page/report?lang=${lang}`, body, { "Content-Type": "application/json" }));
+/** Have a report made, of `{cases}` or by `path` of `{machine}`, and save it. Rejects with the error object. */
+export async function saveReport(of, format, { lang, path = "report" }) {
+  const body = JSON.stringify({ ...of, format });
+  keep(await send("POST", `/page/${path}?lang=${lang}`, body, { "Content-Type": "application/json" }));
 }
 
 class Drop {

@@ -467,14 +467,14 @@ function textInput(control, suggestions, inputMode = "text") {
 }
 
 /** Put a text into a control unless somebody is typing there. */
-function put(input, text) {
+export function put(input, text) {
   if (document.activeElement === input && input.value !== input.dataset.put) return;
   if (input.value !== text) input.value = text;
   input.dataset.put = text;
 }
 
 /** A text with its symbols' indices set low: e_C. */
-const indexed = (text) => text.split(/(?<=\p{L})_(\w+)/u)
+export const indexed = (text) => text.split(/(?<=\p{L})_(\w+)/u)
   .map((part, n) => (n % 2 ? make("sub", { textContent: part }) : part));
 
 const placeOf = (value, { low, high, log }) =>

@@ -8,10 +8,13 @@ const PAUSE = 150; // ms without a move, after which everything is asked for
  * Keep what is shown in step with the cases.
  * @param {import("./store.js").Store} store
  * @param {object} hooks  `wishes(quick)`: keys of pictures and sections; `waiting()`;
- *   `show(answer, quick, asked)`; `failed(error)`
+ *   `show(answer, quick, asked)`; `failed(error)`; `path`, `request(cases)` and `taken(answer)`:
+ *   where it asks, how, and the answers to the cases, for what is no bearing's case
  * @returns {{follow: (quick?: boolean) => void, restart: () => void}}
  */
-export function liveLoop(store, { wishes, waiting, show, failed }) {
+export function liveLoop(store, {
+  wishes, waiting, show, failed, path = "live", request = (cases) => ({ cases }), taken = (answer) => answer.cases,
+}) {
   let flying = null; // the request that is under way
   let again = null; // "quick" or "full": what goes when it lands
   let timer = 0;
@@ -21,9 +24,9 @@ export function liveLoop(store, { wishes, waiting, show, failed }) {
     flying = mine;
     const cases = store.asked;
     try {
-      const answer = await ask("live", { cases, quick, ...wishes(quick) }, { signal: mine.stop.signal });
+      const answer = await ask(path, { ...request(cases), quick, ...wishes(quick) }, { signal: mine.stop.signal });
       if (flying !== mine) return;
-      store.take(answer.cases, cases);
+      store.take(taken(answer), cases);
       if (!quick && !store.slots.some((one) => one.error)) store.settled();
       show(answer, quick, cases);
     } catch (error) {

@@ -7,6 +7,7 @@ import { startCurves, curvesStale } from "./curves.js";
 import { saveReport, startDrops } from "./drops.js";
 import { isSet, kindsOf, makeForm, useOrigins } from "./form.js";
 import { liveLoop } from "./live.js";
+import { makeMachine } from "./machine.js";
 import { makeOpening } from "./opening.js";
 import { offerPictures, retheme, showPictures, stalePictures, startPictures, visibleKeys } from "./pictures.js";
 import { packed, unpacked } from "./share.js";
@@ -65,6 +66,7 @@ function arrange() {
   })));
   if (!store.current) $("title").textContent = say("untitled");
   opening.arrange(start.examples);
+  machine.arrange(start.machine);
   form = makeForm($("form"), start, store, (name, value, quick) => {
     store.change(name, value);
     live.follow(quick);
@@ -112,14 +114,15 @@ async function changeLanguage(lang) {
 
 function showView() {
   const wanted = location.hash.slice(1);
-  const view = ["weibull", "signal"].includes(wanted) ? wanted : "case";
+  const view = ["machine", "weibull", "signal"].includes(wanted) ? wanted : "case";
   for (const one of document.querySelectorAll(".view")) one.hidden = one.id !== view;
   for (const link of document.querySelectorAll("[data-view]")) {
     if (link.dataset.view === view) link.setAttribute("aria-current", "page");
     else link.removeAttribute("aria-current");
   }
   const root = $(view);
-  if (view !== "case" && !root.dataset.started) {
+  if (view === "machine") machine.enter().catch(complain);
+  else if (view !== "case" && !root.dataset.started) {
     root.dataset.started = "yes";
     startDrops(root, view, start.drops, { lang: start.lang, setHtml, currentCase });
   }
@@ -228,9 +231,7 @@ const live = liveLoop(store, {
       for (const slot of store.slots) slot.status = null;
       showStatus();
       stale(say("stale.silent"));
-      banner(error instanceof Silent ? say("server.silent") : error.message);
-      await new Promise((resolve) => setTimeout(resolve, AGAIN));
-      await started(start.lang);
+      await recover(error);
       live.follow();
       return;
     }
@@ -311,6 +312,13 @@ function banner(text) {
   $("banner").hidden = !text;
 }
 
+/** Wait until a server answers again that is away or has too much to do. */
+async function recover(error) {
+  banner(error instanceof Silent ? say("server.silent") : error.message);
+  await new Promise((resolve) => setTimeout(resolve, AGAIN));
+  await started(start.lang);
+}
+
 /** Tell of an error that belongs to no field. */
 function complain(error) {
   if (error instanceof Silent) banner(say("server.silent"));
@@ -339,6 +347,8 @@ const opening = makeOpening({
   mayClose: () => Boolean(store.current),
 });
 
+const machine = makeMachine({ complain, recover, doing, lang: () => start.lang });
+
 $("save").onclick = doing(async () => {
   const { text, name } = await ask("save", { case: store.current.case, format: "toml" });
   download(text, name, "application/toml");
@@ -347,7 +357,7 @@ for (const format of ["html", "pdf"])
   $(`report-${format}`).onclick = doing(async () => {
     $(`report-${format}`).disabled = true;
     try {
-      await saveReport(store.slots.map((one) => one.case), format, { lang: start.lang });
+      await saveReport({ cases: store.slots.map((one) => one.case) }, format, { lang: start.lang });
     } finally {
       buttons();
     }
@@ -396,15 +406,18 @@ for (const one of document.querySelectorAll(".panes button"))
   };
 addEventListener("hashchange", followAddress);
 addEventListener("keydown", (event) => {
-  if (!(event.ctrlKey || event.metaKey) || event.altKey || $("case").hidden) return;
+  if (!(event.ctrlKey || event.metaKey) || event.altKey) return;
+  const prefix = !$("case").hidden ? "" : !$("machine").hidden ? "machine-" : null;
+  if (prefix === null) return;
   const { target } = event;
   const typing = target.matches?.("input:not([type=range], [type=checkbox], [type=radio]), textarea")
     && target.value !== (target.dataset.put ?? "");
   const key = event.key.toLowerCase();
-  const id = key === "s" ? "save" : typing ? "" : key === "z" ? (event.shiftKey ? "redo" : "undo") : key === "y" ? "redo" : "";
-  if (!id) return;
+  const wanted = key === "s" ? "save" : typing ? "" : key === "z" ? (event.shiftKey ? "redo" : "undo") : key === "y" ? "redo" : "";
+  if (!wanted) return;
   event.preventDefault();
-  if (!$(id).disabled) $(id).click();
+  const button = $(prefix + wanted);
+  if (!button.disabled) button.click();
 });
 
 applyTheme();

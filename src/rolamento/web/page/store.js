@@ -24,6 +24,11 @@ export class Store {
   #sources = 0;
   #moved = "";
 
+  /** kept: under which name the next visit finds them. */
+  constructor(kept = "cases") {
+    this.kept = kept;
+  }
+
   /** The slot that is edited. */
   get current() {
     return this.slots[this.active] ?? null;
@@ -122,11 +127,11 @@ export class Store {
 
   /** Remember the cases for the next visit. */
   keep() {
-    remember("cases", { cases: this.slots.map((one) => one.case), active: this.active });
+    remember(this.kept, { cases: this.slots.map((one) => one.case), active: this.active });
   }
 
-  static kept() {
-    const kept = remembered("cases");
+  static kept(name = "cases") {
+    const kept = remembered(name);
     return Array.isArray(kept?.cases) && kept.cases.length ? kept : null;
   }
 
