@@ -38,7 +38,7 @@ from rolamento.case.fields import (
 )
 from rolamento.case.film_model import FilmModel
 from rolamento.case.life_model import LifeModel
-from rolamento.case.lubricant import LubricantField
+from rolamento.case.lubricant import Lubricant, LubricantField
 from rolamento.case.machine_files import (
     CASE_TABLES,
     MOST_SECTIONS,
@@ -104,7 +104,10 @@ __all__ = [
     "machine_to_json",
     "machine_to_toml",
     "parse_machine",
+    "parts_of_key",
     "save_machine",
+    "with_settings",
+    "with_values",
 ]
 
 _ROUNDING: Final = 1e-9
@@ -1029,6 +1032,13 @@ class Machine(Record):
             one = self.shaft(one.of)
         return factor * one.speed + 0.0
 
+    @property
+    def step_shares(self) -> NDArray[np.float64]:
+        """Shares of the time of the steps of the spectrum, or 1; (steps,)."""
+        import numpy as np
+
+        return np.array([step.share for step in self.spectrum] or [1.0])
+
     def outer_position(self, bearing: str) -> float:
         """Return where a bearing between two shafts is on its outer shaft, from its left end; m."""
         one = self.bearing(bearing)
@@ -1209,16 +1219,56 @@ def with_settings(mapping: Mapping[str, Any], settings: Iterable[str]) -> dict[s
     InputError
         If a setting is not ``KEY=VALUE``, or names a part that is not there.
     """
-    result = dict(mapping)
+    values = []
     try:
         for setting in settings:
             names, text = _parted(setting)
             inline = text.startswith(("{", "["))
             value = inline_value(".".join(names), text, _INLINE) if inline else plain_value(text)
-            _set(result, names, value)
+            values.append((names, value))
+        return with_values(mapping, values)
     except InputError as error:
         raise error.with_details(source=OVERRIDE_SOURCE) from None
+
+
+def with_values(
+    mapping: Mapping[str, Any], values: Iterable[tuple[Sequence[str], object]]
+) -> dict[str, Any]:
+    """Return the tables of a machine file with some values set; they are not validated.
+
+    Parameters
+    ----------
+    mapping
+        The tables, which stay as they are.
+    values
+        The parts of a key, as of `parts_of_key`, and what a file has there.
+
+    Raises
+    ------
+    InputError
+        If a key names a part that is not there.
+    """
+    result = dict(mapping)
+    for names, value in values:
+        _set(result, names, value)
     return result
+
+
+def parts_of_key(key: str) -> tuple[str, ...]:
+    """Return the parts of the dotted key of a field, without the quotes around names.
+
+    Raises
+    ------
+    InputError
+        If it is none.
+    """
+    try:
+        names, rest = _parted(f"{key}=")
+    except InputError:
+        names, rest = [], ""
+    if rest or not names:
+        raise InputError(said("is not the key of a field"), value=key, example='"loads.0.fz"')
+    return tuple(names)
 
 
 def _parted(setting: str) -> tuple[list[str], str]:
@@ -1241,11 +1291,28 @@ def _set(mapping: dict[str, Any], names: Sequence[str], value: object) -> None:
         if depth == len(names):
             table[key] = value
             return
-        below = table[key] if isinstance(table, list) else table.get(key, {})
+        below = table[key] if isinstance(table, list) else table.get(key, _UNSAID.get(name, {}))
+        if isinstance(below, str) and name in _SPELT_OUT:
+            below = _spelt_out(name, below, here)
         if not isinstance(below, dict | list):
             raise InputError(said("must be a table"), field=here)
         table[key] = below.copy()
         table = table[key]
+
+
+_SPELT_OUT: Final[dict[str, type[Record]]] = {"material": Material, "lubricant": Lubricant}
+"""Tables that a text may stand for, by their keys."""
+_UNSAID: Final = {"material": SHAFT_STEEL.name}
+
+
+def _spelt_out(name: str, text: str, field: str) -> dict[str, Any]:
+    """The table that a text stands for, so that a field can be set in it."""
+    if name == "material" and text.strip().casefold() == SHAFT_STEEL.name:
+        return SHAFT_STEEL.to_mapping()
+    try:
+        return _SPELT_OUT[name].table_of_text(text)
+    except InputError as error:
+        raise error.with_details(field=field) from None
 
 
 def _place_in(parts: list[Any], name: str, field: str) -> int:

@@ -1,4 +1,4 @@
-"""The fields of a case that a study may vary."""
+"""The fields of a case, or of a machine, that a study may vary."""
 
 from __future__ import annotations
 
@@ -6,9 +6,10 @@ from collections.abc import Mapping
 from functools import cache
 from typing import Final
 
-from rolamento.case import Case, varied
+from rolamento.case import Case
 from rolamento.case.fields import Field, Value
 from rolamento.case.hints import meant
+from rolamento.case.machine_fields import field_of_machine, is_of_part
 from rolamento.errors import InputError, UnknownKeyError, nearest
 from rolamento.words import said
 
@@ -22,7 +23,7 @@ _LABELS: Final = ("title", "name", "source")
 
 @cache
 def known_fields() -> Mapping[str, Field]:
-    """Return the fields that a study may vary, by their dotted names."""
+    """Return the fields of a case that a study may vary, by their dotted names."""
     return {
         name: field
         for name, field in Case.fields().items()
@@ -50,12 +51,19 @@ def read_field(name: str, *, at: str = "field") -> Field:
     Raises
     ------
     UnknownKeyError
-        If no case has it; the message gives the nearest one.
+        If neither a case nor a machine has it; the message gives the nearest one.
     """
     known = known_fields()
-    field = known.get(name)
+    field = known.get(name) or field_of_machine(name)
     if field is not None:
         return field
+    if is_of_part(name):
+        raise UnknownKeyError(
+            said("is not a field of a machine; rolamento sweep STUDY --list fields lists them all"),
+            field=at,
+            value=name,
+            example='"loads.0.fz"',
+        )
     raise UnknownKeyError(
         said("is not a field that can be varied; {guess}", guess=_advice(name, known)),
         field=at,
@@ -85,9 +93,12 @@ def refuse_rivals(names: tuple[str, ...], *, at: str) -> None:
     InputError
         Naming both.
     """
-    for name in names:
-        read_field(name, at=at)
-    try:
-        varied.refuse_rivals(names)
-    except InputError as error:
-        raise error.with_details(field=at, value=error.field, example="") from None
+    fields = [read_field(name, at=at) for name in names]
+    for index, field in enumerate(fields):
+        for before in names[:index]:
+            if before in field.rivals:
+                raise InputError(
+                    said("cannot be combined with {before}", before=before),
+                    field=at,
+                    value=field.name,
+                )
