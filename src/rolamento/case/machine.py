@@ -11,9 +11,20 @@ import json
 import math
 import os
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Annotated, Any, Final, Literal, NamedTuple, Self, TypeVar, cast
+from typing import (
+    TYPE_CHECKING,
+    Annotated,
+    Any,
+    Final,
+    Literal,
+    NamedTuple,
+    Protocol,
+    Self,
+    TypeVar,
+    cast,
+)
 
 from pydantic import (
     BeforeValidator,
@@ -1154,16 +1165,29 @@ def load_machine(path: str | os.PathLike[str], settings: Iterable[str] = ()) -> 
     return machine_reader(path)(settings)
 
 
-def machine_reader(path: str | os.PathLike[str]) -> Callable[[Iterable[str]], Machine]:
-    """Read a machine file once; return what makes the machine of it under some settings.
+_Values = Iterable[tuple[Sequence[str], object]]
 
-    Parameters and errors as of `load_machine`.
+
+class MachineReader(Protocol):
+    """Makes a machine of what was read, under settings and values that go over it."""
+
+    def __call__(self, settings: Iterable[str], values: _Values = ()) -> Machine:
+        """Return the machine; as `load_machine`."""
+        ...
+
+
+def machine_reader(path: str | os.PathLike[str]) -> MachineReader:
+    """Read a machine file once; return what makes the machine of it under some changes.
+
+    Parameters and errors as of `load_machine`; beside settings also values as of `with_values`.
     """
     text, source = read_text(path)
     folder = "" if os.fspath(path) == "-" else os.path.dirname(os.fspath(path))
-    return lambda settings: parse_machine(
-        text, format=format_of_path(path), source=source, folder=folder, settings=settings
-    )
+
+    def read(settings: Iterable[str], values: _Values = ()) -> Machine:
+        return _parsed(text, format_of_path(path), source, folder, settings, values)
+
+    return read
 
 
 def parse_machine(
@@ -1194,9 +1218,20 @@ def parse_machine(
     FileError, InputError
         As `load_machine`.
     """
+    return _parsed(text, format, source, folder, settings)
+
+
+def _parsed(
+    text: str,
+    format: TextFormat | None,
+    source: str,
+    folder: str | os.PathLike[str] | None,
+    settings: Iterable[str],
+    values: _Values = (),
+) -> Machine:
     known_format = format or format_of_text(text)
     mapping = parse_mapping(text, known_format, source)
-    mapping = with_settings(mapping, settings)
+    mapping = with_values(with_settings(mapping, settings), values)
     try:
         return Machine.from_mapping(with_files(mapping, folder))
     except InputError as error:

@@ -120,7 +120,7 @@ def sweep(
                 )
         except KeyboardInterrupt as stop:
             _tell_what_is_kept(stop)
-        title = swept.study.title or swept.study.case.title
+        title = swept.study.title or swept.study.subject.title
         outputs.show(lambda: study_page(swept.summary, title))
     raise typer.Exit(SOLVED if swept.summary.converged else NO_RESULT)
 

@@ -13,7 +13,7 @@ from rolamento.case.machine_fields import field_of_machine, is_of_part
 from rolamento.errors import InputError, UnknownKeyError, nearest
 from rolamento.words import said
 
-__all__ = ["Field", "Value", "known_fields", "read_field", "refuse_rivals"]
+__all__ = ["Field", "Value", "known_fields", "read_field", "read_varied", "refuse_rivals"]
 
 _MOST_NAMED: Final = 12
 """Maximum number of the fields of a table, in a message."""
@@ -51,25 +51,33 @@ def read_field(name: str, *, at: str = "field") -> Field:
     Raises
     ------
     UnknownKeyError
-        If neither a case nor a machine has it; the message gives the nearest one.
+        If no case has it; the message gives the nearest one.
     """
     known = known_fields()
-    field = known.get(name) or field_of_machine(name)
+    field = known.get(name)
     if field is not None:
         return field
-    if is_of_part(name):
-        raise UnknownKeyError(
-            said("is not a field of a machine; rolamento sweep STUDY --list fields lists them all"),
-            field=at,
-            value=name,
-            example='"loads.0.fz"',
-        )
     raise UnknownKeyError(
         said("is not a field that can be varied; {guess}", guess=_advice(name, known)),
         field=at,
         value=name,
         example='"duty.load.fx"',
     )
+
+
+def read_varied(name: str, *, at: str = "field") -> Field:
+    """Return the field of a name, of a case or of a part of a machine; as `read_field`."""
+    if not is_of_part(name):
+        return read_field(name, at=at)
+    field = field_of_machine(name)
+    if field is None:
+        raise UnknownKeyError(
+            said("is not a field of a machine; rolamento sweep STUDY --list fields lists them all"),
+            field=at,
+            value=name,
+            example='"loads.0.fz"',
+        )
+    return field
 
 
 def _advice(name: str, known: Mapping[str, Field]) -> str:
@@ -89,11 +97,11 @@ def refuse_rivals(names: tuple[str, ...], *, at: str) -> None:
     Raises
     ------
     UnknownKeyError
-        As of `read_field`.
+        As of `read_varied`.
     InputError
         Naming both.
     """
-    fields = [read_field(name, at=at) for name in names]
+    fields = [read_varied(name, at=at) for name in names]
     for index, field in enumerate(fields):
         for before in names[:index]:
             if before in field.rivals:

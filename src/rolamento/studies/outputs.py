@@ -71,7 +71,7 @@ class Output:
         SI, but of lives: ``"h"`` and ``"Mrev"``, millions of revolutions; ``"1"`` of a number
         without one
     compute
-        from a solved batch: (cases,), or (cases, balls) or (cases, rows)
+        from an `Evaluation`, or that of machines: (cases,), or (cases, balls) or (cases, rows)
     along
         ``"ball"`` or ``"row"`` of an output that has a value for each of them; rollers count as
         balls
@@ -85,7 +85,7 @@ class Output:
 
     name: str
     unit: str
-    compute: Callable[[Evaluation], NDArray[Any]]
+    compute: Callable[[Any], NDArray[Any]]
     along: Along = ""
     kind: Literal["real", "whole"] = "real"
     needs: tuple[str, ...] = ()
