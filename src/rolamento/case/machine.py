@@ -1326,7 +1326,7 @@ def _set(mapping: dict[str, Any], names: Sequence[str], value: object) -> None:
         if depth == len(names):
             table[key] = value
             return
-        below = table[key] if isinstance(table, list) else table.get(key, _UNSAID.get(name, {}))
+        below = table[key] if isinstance(table, list) else table.get(key, _unsaid(name, depth))
         if isinstance(below, str) and name in _SPELT_OUT:
             below = _spelt_out(name, below, here)
         if not isinstance(below, dict | list):
@@ -1337,7 +1337,13 @@ def _set(mapping: dict[str, Any], names: Sequence[str], value: object) -> None:
 
 _SPELT_OUT: Final[dict[str, type[Record]]] = {"material": Material, "lubricant": Lubricant}
 """Tables that a text may stand for, by their keys."""
-_UNSAID: Final = {"material": SHAFT_STEEL.name}
+
+
+def _unsaid(name: str, depth: int) -> Any:
+    """What stands where nothing is given."""
+    if name == "material":
+        return SHAFT_STEEL.name
+    return [] if depth == 1 and name in ("shafts", "housings", *_ON_SHAFTS, "spectrum") else {}
 
 
 def _spelt_out(name: str, text: str, field: str) -> dict[str, Any]:

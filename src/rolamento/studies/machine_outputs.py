@@ -7,7 +7,8 @@ of these, or all at once, ``"ring_tilt"``. Under a spectrum they are the greates
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from functools import cached_property
+from dataclasses import replace
+from functools import cached_property, partial
 from typing import Any, Final
 
 import numpy as np
@@ -22,9 +23,15 @@ from rolamento.numerics import FloatArray
 from rolamento.solved.machine import SeatedBearing, SolvedMachines, SolvedShaft
 from rolamento.status import CONVERGED
 from rolamento.studies.names import OF
-from rolamento.studies.outputs import Output
+from rolamento.studies.outputs import Along, Kind, Output
 
-__all__ = ["DEFAULT_OF_MACHINE", "MachineEvaluation", "in_files", "outputs_of_machine"]
+__all__ = [
+    "DEFAULT_OF_MACHINE",
+    "MachineEvaluation",
+    "catalogue_of_machine",
+    "in_files",
+    "of_each_part",
+]
 
 DEFAULT_OF_MACHINE: Final = (
     "life_hours", "radial_force", "ring_tilt", "max_pressure", "bearing_life_hours",
@@ -37,6 +44,14 @@ class MachineEvaluation:
 
     def __init__(self, solved: SolvedMachines) -> None:
         self.solved = solved
+
+        self._found: dict[str, NDArray[Any]] = {}
+
+    def of(self, output: Output) -> NDArray[Any]:
+        """Return an output of each part, found once; (machines, parts)."""
+        if output.name not in self._found:
+            self._found[output.name] = output.compute(self)
+        return self._found[output.name]
 
     @cached_property
     def lives(self) -> tuple[tuple[Mapping[str, DutyLife | None], SystemLife | None], ...]:
@@ -63,21 +78,42 @@ class MachineEvaluation:
 Of = Callable[[MachineEvaluation, str], NDArray[Any]]
 
 
-def outputs_of_machine(machine: Machine) -> dict[str, tuple[Output, ...]]:
-    """Return the outputs of a machine by what a study calls them: one, or one of each part."""
-    found: dict[str, tuple[Output, ...]] = {
-        "life_hours": (Output("life_hours", "h", _together),),
-        "life_valid": (Output("life_valid", "1", _all_valid, kind="whole"),),
-        "weakest_bearing": (Output("weakest_bearing", "1", _weakest),),
-        "friction_power": (Output("friction_power", "W", _power, slow=True),),
-    }
-    bearings = [bearing.name for bearing in machine.bearings]
-    shafts = [shaft.name for shaft in machine.shafts]
-    for names, outputs in ((bearings, _of_bearings()), (shafts, _of_shafts())):
-        for base, unit, get, kind in outputs:
-            found[base] = tuple(_of_part(base, name, unit, get, kind) for name in names)
-            found.update({one.name: (one,) for one in found[base]})
-    return found
+def catalogue_of_machine(machine: Machine) -> dict[str, Output]:
+    """Return what a study of a machine may name: outputs of the whole, and of each of its parts."""
+    of_all = (
+        Output("life_hours", "h", _together),
+        Output("life_valid", "1", _all_valid, kind="whole"),
+        Output("weakest_bearing", "1", _weakest),
+        Output("friction_power", "W", _power, slow=True),
+    )
+    bearings = tuple(bearing.name for bearing in machine.bearings)
+    shafts = tuple(shaft.name for shaft in machine.shafts)
+    of_parts = (
+        *(_of_each(described, bearings, "bearing") for described in _of_bearings()),
+        *(_of_each(described, shafts, "shaft") for described in _of_shafts()),
+    )
+    return {output.name: output for output in (*of_all, *of_parts)}
+
+
+def of_each_part(machine: Machine, output: Output) -> tuple[Output, ...]:
+    """Return an output of a machine, or one for each of its parts."""
+    names = {
+        "bearing": [bearing.name for bearing in machine.bearings],
+        "shaft": [shaft.name for shaft in machine.shafts],
+    }.get(output.along, [])
+    return tuple(
+        replace(
+            output,
+            name=f"{output.name}{OF}{in_files(name)}",
+            compute=partial(_column, output, place),
+            along="",
+        )
+        for place, name in enumerate(names)
+    ) or (output,)
+
+
+def _column(output: Output, place: int, given: MachineEvaluation) -> NDArray[Any]:
+    return np.asarray(given.of(output)[:, place])
 
 
 def in_files(name: str) -> str:
@@ -85,17 +121,16 @@ def in_files(name: str) -> str:
     return name.replace("/", "∕")
 
 
-def _of_part(base: str, part: str, unit: str, get: Of, kind: str) -> Output:
+_Described = tuple[str, str, Of, Kind]
+
+
+def _of_each(described: _Described, names: tuple[str, ...], along: Along) -> Output:
+    base, unit, get, kind = described
+
     def compute(given: MachineEvaluation) -> NDArray[Any]:
-        return get(given, part)
+        return np.stack([get(given, name) for name in names], axis=1)
 
-    name = f"{base}{OF}{in_files(part)}"
-    if kind == "whole":
-        return Output(name, unit, compute, kind="whole")
-    return Output(name, unit, compute)
-
-
-_Described = tuple[str, str, Of, str]
+    return Output(base, unit, compute, along, kind)
 
 
 def _of_bearings() -> Iterator[_Described]:

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from rolamento.analysis import analyse
 from rolamento.case import Case, case_to_toml
 from rolamento.case.arrangement import ARRANGEMENTS
+from rolamento.case.machine_fields import field_of_machine
 from rolamento.catalogue import CatalogueBearing, geometry_of, listed
 from rolamento.errors import InputError
 from rolamento.records import frozen
@@ -30,7 +31,7 @@ from rolamento.studies.outputs import (
 )
 from rolamento.studies.solving import array_fields, base_case, solve
 from rolamento.studies.subject import Attempt, Indices, Inputs
-from rolamento.words import Note
+from rolamento.words import Note, said
 
 if TYPE_CHECKING:
     from rolamento.studies.study import Study
@@ -69,6 +70,13 @@ class OfCase:
 
     def check_field(self, name: str, at: str) -> None:
         """Refuse a field that no case has."""
+        if field_of_machine(name) is not None:
+            raise InputError(
+                said("is a field of a machine, and the study is of a case"),
+                field=at,
+                value=name,
+                example='machine = "machine.toml"',
+            )
         read_field(name, at=at)
 
     def place_of(self, name: str) -> str:

@@ -25,7 +25,8 @@ from rolamento.studies.fields import Field, Value, read_varied
 from rolamento.studies.machine_outputs import (
     DEFAULT_OF_MACHINE,
     MachineEvaluation,
-    outputs_of_machine,
+    catalogue_of_machine,
+    of_each_part,
 )
 from rolamento.studies.outputs import Output
 from rolamento.studies.subject import Attempt, Indices, Inputs
@@ -69,7 +70,10 @@ class OfMachine:
         """Refuse a field that no machine has, or of a part that this one lacks."""
         if field_of_machine(name) is None and name not in self.fields():
             raise UnknownKeyError(
-                said("is not a field of a machine; {guess}", guess=guess(name, self.fields())),
+                said(
+                    "is not a field of a machine; rolamento sweep STUDY --list fields lists them"
+                    " all"
+                ),
                 field=at,
                 value=name,
                 example='"loads.0.fz"',
@@ -92,12 +96,8 @@ class OfMachine:
         return fields_of_machine(self.machine)
 
     def catalogue(self) -> Mapping[str, Output]:
-        """Return what may be put out, by name; of what each part has, that of the first."""
-        return {
-            name: outputs[0]
-            for name, outputs in self._outputs.items()
-            if name not in {one.name for one in outputs} or len(outputs) == 1
-        }
+        """Return what may be put out, by name."""
+        return catalogue_of_machine(self.machine)
 
     def default_outputs(self) -> Sequence[str]:
         """Return what is put out where a study does not say."""
@@ -145,7 +145,11 @@ class OfMachine:
 
     @cached_property
     def _outputs(self) -> dict[str, tuple[Output, ...]]:
-        return outputs_of_machine(self.machine)
+        """The outputs by what a study may call them: one, or one of each part."""
+        found = {
+            name: of_each_part(self.machine, output) for name, output in self.catalogue().items()
+        }
+        return {one.name: (one,) for own in found.values() for one in own} | found
 
 
 class _Found:

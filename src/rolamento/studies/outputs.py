@@ -26,7 +26,8 @@ if TYPE_CHECKING:
 
 
 T = TypeVar("T")
-Along = Literal["", "ball", "row"]
+Along = Literal["", "ball", "row", "bearing", "shaft"]
+Kind = Literal["real", "whole"]
 Floats = NDArray[np.float64]
 
 DEFAULT_OUTPUTS: Final = (
@@ -74,7 +75,7 @@ class Output:
         from an `Evaluation`, or that of machines: (cases,), or (cases, balls) or (cases, rows)
     along
         ``"ball"`` or ``"row"`` of an output that has a value for each of them; rollers count as
-        balls
+        balls. ``"bearing"`` or ``"shaft"`` of one that has a variable for each of a machine's
     kind
         ``"whole"`` of a whole number that every case has, solved or not
     needs
@@ -87,7 +88,7 @@ class Output:
     unit: str
     compute: Callable[[Any], NDArray[Any]]
     along: Along = ""
-    kind: Literal["real", "whole"] = "real"
+    kind: Kind = "real"
     needs: tuple[str, ...] = ()
     slow: bool = False
 
