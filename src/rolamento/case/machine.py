@@ -48,6 +48,7 @@ from rolamento.case.fields import (
     plain_value,
 )
 from rolamento.case.film_model import FilmModel
+from rolamento.case.housing_nodes import Others, elastic, reduced_to_rings
 from rolamento.case.life_model import LifeModel
 from rolamento.case.lubricant import Lubricant, LubricantField
 from rolamento.case.machine_files import (
@@ -122,7 +123,6 @@ __all__ = [
 ]
 
 _ROUNDING: Final = 1e-9
-_SYMMETRY: Final = 1e-6
 _SHARES: Final = 1e-6
 _RATIO: Final = 0.01
 """By how much the pitch-line speeds of gears in mesh may differ."""
@@ -417,33 +417,7 @@ def _matrix(value: Any, units: Units | None, size: int, *, in_file: bool) -> Row
     tilts = np.arange(size) % _DEGREES_OF_FREEDOM > 2
     both = tilts[:, None].astype(int) + tilts
     matrix *= np.choose(both, (shift, mixed, tilt))
-    largest = float(np.abs(matrix).max())
-    if not math.isfinite(largest):
-        raise InputError(said("must contain finite numbers only"))
-    skew = np.abs(matrix - matrix.T)
-    if float(skew.max()) > _SYMMETRY * largest:
-        row, column = (int(place) + 1 for place in np.unravel_index(skew.argmax(), skew.shape))
-        raise InputError(
-            said(
-                "must be symmetric: row {row}, column {column} is {one:.6g}, and the other way"
-                " round {other:.6g} (SI)",
-                row=row,
-                column=column,
-                one=float(matrix[row - 1, column - 1]),
-                other=float(matrix[column - 1, row - 1]),
-            )
-        )
-    matrix = 0.5 * (matrix + matrix.T)
-    values = np.linalg.eigvalsh(matrix)
-    if float(values[0]) < -_ROUNDING * float(np.abs(values).max()):
-        raise InputError(
-            said(
-                "must be positive semi-definite, as that of any elastic structure: an eigenvalue"
-                " is {least:.6g} (SI), the largest {most:.6g}",
-                least=float(values[0]),
-                most=float(values[-1]),
-            )
-        )
+    matrix = elastic(matrix)
     return tuple(map(tuple, matrix.tolist()))
 
 
@@ -508,6 +482,10 @@ class Housing(Record):
     ------
     InputError
         If a matrix is not symmetric, or not positive semi-definite.
+
+    In a file `nodes` says what the rows of the matrix are, where they are not those of the bearings
+    in order: a table beside it, ``"nodes.csv"``; `others` what becomes of the rest. In Python
+    `of_nodes` takes them.
     """
 
     name: Name = Field(examples=["housing"])
@@ -550,6 +528,39 @@ class Housing(Record):
             )
         _refuse_repeated(self.bearings, "bearings")
         return self
+
+    @classmethod
+    def of_nodes(
+        cls,
+        name: str,
+        matrix: Sequence[Sequence[float]] | NDArray[np.float64],
+        nodes: Sequence[Mapping[str, Any]],
+        *,
+        bearings: Sequence[str] = (),
+        units: Units | None = None,
+        others: Others | None = None,
+    ) -> Self:
+        """Return the housing of a matrix over nodes in the order and units of a program.
+
+        Parameters
+        ----------
+        name
+            What to call it.
+        matrix, nodes, bearings, units, others
+            As of a machine file: what each row is, such as ``{"node": 1041, "dof": "x",
+            "displacement": "mm", "force": "N", "bearing": "A"}``; rows of no ring are
+            ``"free"`` or ``"held"``.
+
+        Raises
+        ------
+        InputError
+            If list and matrix do not fit, or no structure has the matrix.
+        """
+        rows = matrix.tolist() if hasattr(matrix, "tolist") else matrix
+        names, stiffness = reduced_to_rings(
+            rows, nodes, bearings=bearings, units=units, others=others
+        )
+        return cls(name=name, bearings=names, matrix=stiffness)
 
     @property
     def holds_tilt(self) -> bool:
