@@ -1340,9 +1340,9 @@ def _set(mapping: dict[str, Any], names: Sequence[str], value: object) -> None:
         below = table[key] if isinstance(table, list) else table.get(key, _unsaid(name, depth))
         if isinstance(below, str) and name in _SPELT_OUT:
             below = _spelt_out(name, below, here)
-        if not isinstance(below, dict | list):
+        if not isinstance(below, dict | list | tuple):
             raise InputError(said("must be a table"), field=here)
-        table[key] = below.copy()
+        table[key] = dict(below) if isinstance(below, dict) else list(below)
         table = table[key]
 
 
