@@ -236,7 +236,7 @@ class Study(Record):
         for name in varied:
             self.subject.check_field(name, self._place(name))
         places = [self.subject.place_of(name) for name in varied]
-        for name, place in zip(varied, places, strict=True):
+        for name, place in zip(varied[::-1], places[::-1], strict=True):
             if places.count(place) > 1:
                 raise InputError(said("is varied twice"), field=self._place(name), value=name)
         if varied:
