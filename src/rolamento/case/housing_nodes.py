@@ -56,11 +56,11 @@ _UNITS: Final[dict[str, tuple[str, str, str, str]]] = {
     "N/m": ("m", "rad", "N", "N m"),
     "N/mm": ("mm", "rad", "N", "N mm"),
 }
-"""Of shifts, tilts, forces and moments where the list gives none."""
+"""Units of shifts, tilts, forces and moments where the list gives none."""
 _SYMMETRY: Final = 1e-6
 _ROUNDING: Final = 1e-9
 _SOFTEST: Final = 1e-12
-"""Of what is condensed, beside its stiffest: what is softer holds nothing."""
+"""What is softer, beside the stiffest of what is condensed, holds nothing."""
 
 
 @frozen

@@ -91,7 +91,8 @@ def sweep(
 ) -> None:
     """Solve many cases: ranges of fields, or random draws.
 
-    A study file says what varies: all values of some fields, or values drawn at random.
+    A study file says what varies, of a bearing's case or of a machine: all values of some fields,
+    or values drawn at random.
     """
     with plain_endings(lang), given.in_force():
         if listed is not None:

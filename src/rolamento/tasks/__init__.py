@@ -67,7 +67,7 @@ _NAMES_OF_MODULES: Final = {
     "life": ("CaseLife", "ShaftLife", "life_of_case", "life_of_shaft"),
     "life_over": ("LifeCurve", "life_curve"),
     "life_spectrum": ("DutyLife", "SpectrumLife", "life_of_duty_spectrum", "read_spectrum"),
-    "machine": ("Machine", "MachineDiagnosis", "diagnose_machine", "read_machine"),
+    "machine_diagnosis": ("Machine", "MachineDiagnosis", "diagnose_machine", "read_machine"),
     "noise": ("FullScale", "NoiseResult", "noise_level"),
     "replace": (
         "FleetStudy",
