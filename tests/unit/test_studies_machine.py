@@ -159,6 +159,28 @@ class TestFilesAndFaces:
             assert result.attrs["title"].startswith("Electric motor")
             assert ro.Machine.from_toml(result.attrs["machine"]) == load_machine(MOTOR)
 
+    def test_lives_in_the_units_that_people_read(self, tmp_path: Path) -> None:
+        """Hours of a table are those of the result; so are millions of revolutions of a case."""
+        from rolamento.document.tables import to_csv
+        from rolamento.pages.study import study_page
+        from rolamento.tasks.studies import sweep
+
+        case = Study(
+            case=ro.load_case("6310").with_(fz=5e3, inner_speed="1000 rpm"),
+            outputs=("life_hours", "life_revolutions"),
+            axes=[Axis(field="duty.load.fx", values=[0.0])],
+        )
+        for study in (scattered(1), case):
+            summary = sweep(study, tmp_path / "x.nc", keep_cases=True).summary
+            hours = {one.name: one.values[0] for one in summary.columns}["life_hours"]
+            head, line = to_csv(study_page(summary), "cases").splitlines()[:2]
+            row = dict(zip(head.split(","), line.split(","), strict=True))
+            assert float(row["life_hours_h"]) == pytest.approx(hours, rel=1e-12)
+            if study.case is not None:
+                assert float(row["life_revolutions_Mrev"]) == pytest.approx(
+                    hours * 60e3 / 1e6, rel=1e-9
+                )
+
     def test_a_study_is_written_and_read(self, tmp_path: Path) -> None:
         study = scattered(3)
         assert parse_study(study_to_toml(study)) == study
