@@ -29,6 +29,7 @@ if TYPE_CHECKING:
         lubrication,
         plots,
         ratings,
+        rotors,
         speeds,
         static,
         studies,
@@ -73,6 +74,7 @@ if TYPE_CHECKING:
     from rolamento.machines import shaft
     from rolamento.solution import solve
     from rolamento.solved import Solved
+    from rolamento.solved.machine import SolvedMachine
     from rolamento.tasks.diagnosis import diagnose
     from rolamento.tasks.frequencies import fault_frequencies
     from rolamento.verbs import (
@@ -121,6 +123,7 @@ _NAMES_OF_MODULES: Final = {
     "machines": ("shaft",),
     "solution": ("solve",),
     "solved": ("Solved",),
+    "solved.machine": ("SolvedMachine",),
     "tasks.diagnosis": ("diagnose",),
     "tasks.frequencies": ("fault_frequencies",),
     "verbs": (
@@ -152,6 +155,7 @@ _PACKAGES: Final = frozenset(
         "lubrication",
         "plots",
         "ratings",
+        "rotors",
         "solved",
         "speeds",
         "static",
@@ -188,6 +192,7 @@ __all__ = [
     "RollerBearing",
     "SeatMaterial",
     "Solved",
+    "SolvedMachine",
     "Surface",
     "Temperature",
     "UnitError",
@@ -221,6 +226,7 @@ __all__ = [
     "rating_life",
     "ratings",
     "report",
+    "rotors",
     "save_case",
     "shaft",
     "solve",

@@ -8,7 +8,7 @@ the tilt that the machine gives it: solved alone, it gives the same.
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from math import pi, radians
 from typing import Final
@@ -17,11 +17,16 @@ import numpy as np
 
 from rolamento.case import Case
 from rolamento.case.duty import AXES, LOADS, Displacement, Duty, Load
-from rolamento.case.machine import Machine, load_machine
+from rolamento.case.machine import Machine, Step, load_machine
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.solved import Solved, Status
-from rolamento.solved.machine import SeatedBearing, SolvedMachine, SolvedShaft
+from rolamento.solved.machine import (
+    SeatedBearing,
+    SolvedMachine,
+    SolvedMachines,
+    SolvedShaft,
+)
 from rolamento.status import CONVERGED, NO_EQUILIBRIUM, STATUS_NAMES
 from rolamento.system import Balanced, Cases, result, spread
 from rolamento.system.guidance import solve_by_jones
@@ -30,7 +35,7 @@ from rolamento.system.ring import condensed
 from rolamento.system.shafts import Beam, MachineRest, Seat, Structure, structure_of
 from rolamento.words import Note, said
 
-__all__ = ["shaft", "solve_machine"]
+__all__ = ["acts_alone", "shaft", "solve_machine", "solve_machines"]
 
 MOST_TILT: Final = radians(5.0)
 """Between the rings of a bearing: what a `Duty` takes."""
@@ -67,12 +72,28 @@ def shaft(machine: Machine | str | os.PathLike[str]) -> SolvedMachine:
 
 def solve_machine(machine: Machine) -> SolvedMachine:
     """As `shaft`."""
-    structure, rest, control = balanced(machine)
+    return solve_machines((machine,))[0]
+
+
+def solve_machines(machines: Sequence[Machine]) -> SolvedMachines:
+    """Solve machines that differ in nothing but what `acts_alone`, all steps of all at once.
+
+    Parameters
+    ----------
+    machines
+        At least one.
+
+    Raises
+    ------
+    InputError
+        As `shaft`, of any of them.
+    """
+    structure, rest, control = balanced(*machines)
     tilted = _too_far(structure, rest)
     bearings = _bearings(structure, rest, control)
     outside = structure.carried(rest)
     shafts = {
-        beam.shaft.name: _shaft(machine, structure, beam, rest.place, outside)
+        beam.shaft.name: _shaft(machines, structure, beam, rest.place, outside)
         for beam in structure.beams
     }
     number = rest.number
@@ -80,12 +101,15 @@ def solve_machine(machine: Machine) -> SolvedMachine:
         number, rest.rest.residual, rest.iterations, rest.safe_path,
         np.where(rest.rest.unsupported >= 0, rest.rest.unsupported % FIVE, -1),
     )  # fmt: skip
-    return SolvedMachine(
-        machine=machine,
+    steps = len(structure) // len(machines)
+    return SolvedMachines(
+        machines=tuple(machines),
         status=status,
         shafts=shafts,
         bearings=bearings,
-        notes=tuple(_notes(machine, shafts, case) for case in range(len(structure))),
+        notes=tuple(
+            _notes(machines[case // steps], shafts, case) for case in range(len(structure))
+        ),
         advice=tuple(
             tilted.get(case) or _advice(structure, rest, bearings, case)
             for case in range(len(structure))
@@ -93,10 +117,40 @@ def solve_machine(machine: Machine) -> SolvedMachine:
     )
 
 
-def balanced(machine: Machine) -> tuple[Structure, MachineRest, FloatArray]:
-    """Lay a machine out and find where it comes to rest; what guides each rolling element."""
-    cases = [_running(machine, index) for index in range(len(machine.bearings))]
-    structure = structure_of(machine, cases)
+_ACTS: Final[Mapping[str, tuple[str, ...]]] = {
+    "shafts": ("speed", "ratio"),
+    "loads": ("fx", "fy", "fz", "mx", "my", "mz"),
+    "gears": ("torque", "power"),
+    "belts": ("tight", "slack", "tension", "torque", "power"),
+    "spectrum": ("share", "speed_factor", "load_factor"),
+}
+"""Forces and speeds: fields of parts that leave the structure of a machine as it is."""
+
+
+def acts_alone(machine: Machine, key: Sequence[str]) -> bool:
+    """Return whether machines that differ in a field can be solved together.
+
+    Parameters
+    ----------
+    machine
+        One of them.
+    key
+        The parts of the field's name, such as ``("loads", "0", "fz")``.
+    """
+    kind, leaf = key[0], key[-1]
+    if len(key) != 3 or leaf not in _ACTS.get(kind, ()):
+        return False
+    if leaf not in ("speed", "ratio", "speed_factor"):
+        return True
+    # the fit of a set is taken at its fastest step
+    cases = [bearing.case for bearing in machine.bearings]
+    return not any(case.mounting is not None and case.bearing.is_set for case in cases)
+
+
+def balanced(*machines: Machine) -> tuple[Structure, MachineRest, FloatArray]:
+    """Lay machines out and find where they come to rest; what guides each rolling element."""
+    cases = [_running(machines, index) for index in range(len(machines[0].bearings))]
+    structure = structure_of(machines, cases)
     rest, control = _solved(structure)
     return structure.guided(control), rest, control
 
@@ -104,9 +158,9 @@ def balanced(machine: Machine) -> tuple[Structure, MachineRest, FloatArray]:
 # --- the bearings as they run ---------------------------------------------------------------------
 
 
-def _running(machine: Machine, index: int) -> Cases:
+def _running(machines: Sequence[Machine], index: int) -> Cases:
     """The cases of a bearing, with the clearance in operation and the speeds of its rings."""
-    bearing = machine.bearings[index]
+    bearing = machines[0].bearings[index]
     case, field = bearing.case, f"bearings.{index}"
     if case.model.raceway_control == "friction" or case.model.needs_film:
         raise InputError(
@@ -114,16 +168,25 @@ def _running(machine: Machine, index: int) -> Cases:
             field=f"{field}.model.{case.model.film_field or 'raceway_control'}",
             example='raceway_control = "jones"',
         )
-    factors = np.array([step.speed_factor for step in machine.spectrum] or [1.0])
-    outer = 0.0 if bearing.outer_shaft is None else machine.speed(bearing.outer_shaft)
+    inner, outer = bearing.shaft, bearing.outer_shaft
     values: dict[str, FloatArray] = {
-        "duty.inner_speed": factors * machine.speed(bearing.shaft),
-        "duty.outer_speed": factors * outer,
+        "duty.inner_speed": _speeds(machines, inner),
+        "duty.outer_speed": _speeds(machines, outer),
     }
     try:
         return _mounted(case, values)
     except InputError as error:
         raise error.with_details(field=f"{field}.{error.field}" if error.field else field) from None
+
+
+def _speeds(machines: Sequence[Machine], shaft: str | None) -> FloatArray:
+    """The speed of a shaft in all steps of all machines; none of a ring that is on no shaft."""
+    found = [
+        step.speed_factor * (0.0 if shaft is None else machine.speed(shaft))
+        for machine in machines
+        for step in machine.spectrum or (Step(share=1.0),)
+    ]
+    return np.array(found)
 
 
 def _mounted(case: Case, values: Mapping[str, FloatArray]) -> Cases:
@@ -284,12 +347,16 @@ def _section_forces(machine: Machine, beam: Beam, outside: FloatArray) -> FloatA
 
 
 def _shaft(
-    machine: Machine, structure: Structure, beam: Beam, place: FloatArray, outside: FloatArray
+    machines: Sequence[Machine],
+    structure: Structure,
+    beam: Beam,
+    place: FloatArray,
+    outside: FloatArray,
 ) -> SolvedShaft:
     elements = beam.elements
     cases, nodes = len(place), len(beam.place)
-    shown = _section_forces(machine, beam, outside[:, beam.nodes])
-    torque = _torque(machine, beam)
+    shown = _section_forces(machines[0], beam, outside[:, beam.nodes])
+    torque = np.concatenate([_torque(machine, beam) for machine in machines])
     sides = [elements.sections(right=True), elements.sections(right=False)]
     diameter, stress = np.zeros((nodes, 2)), np.zeros((cases, nodes, 2))
     for side, (section, where) in enumerate(

@@ -26,7 +26,17 @@ from rolamento.system.rotor import Eigenmodes, Rotor, rotor_of, unbalance_force
 from rolamento.system.shafts import MachineRest, Structure
 from rolamento.words import Note, said
 
-__all__ = ["campbell", "compliance", "natural_modes", "turning_shaft", "unbalance_response"]
+__all__ = [
+    "Campbell",
+    "CriticalSpeed",
+    "Modes",
+    "UnbalanceResponse",
+    "campbell",
+    "compliance",
+    "natural_modes",
+    "turning_shaft",
+    "unbalance_response",
+]
 
 DAMPING: Final = 1e-5
 """s; of the stiffness, where a response needs some and none is given."""

@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike
 from rolamento.case import Case, case_of, is_designation
 from rolamento.case.bearing import Bearing
 from rolamento.case.duty import SHORT_NAMES
+from rolamento.case.machine import Machine
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.case.varied import DutyFields
 from rolamento.errors import InputError
@@ -255,7 +256,7 @@ def fit_weibull(
 
 
 def sweep(
-    source: Study | Source,
+    source: Study | Machine | Source,
     axes: Mapping[str, Any] | None = None,
     path: str | os.PathLike[str] | None = None,
     *,
@@ -269,11 +270,13 @@ def sweep(
     Parameters
     ----------
     source
-        A designation, a case or its file, with `axes`; or a `Study`, or a study file.
+        A designation, a case or its file, or a `Machine`, with `axes`; or a `Study`, or a study
+        file.
     axes, fields
         Values of each axis by the dotted name of a field, such as
-        ``{"bearing.contact_angle": ["15 deg", "25 deg"]}``, or by a short name of the duty's,
-        such as ``fz=[1e3, 2e3]``; numbers in SI units or texts with a unit.
+        ``{"bearing.contact_angle": ["15 deg", "25 deg"]}``, of a machine
+        ``{"loads.0.fz": ["1 kN", "2 kN"]}``, or by a short name of the duty's, such as
+        ``fz=[1e3, 2e3]``; numbers in SI units or texts with a unit.
     path
         A ``.nc``, ``.csv``, ``.parquet`` or ``.xlsx`` file that the result is written to as well.
     outputs
@@ -312,7 +315,7 @@ def sweep(
     return run(study, threads=threads)
 
 
-def _study_of(source: Study | Source, axes: Mapping[str, Any]) -> Study:
+def _study_of(source: Study | Machine | Source, axes: Mapping[str, Any]) -> Study:
     """The study that a source is, or that crosses some axes of its case."""
     from rolamento.studies import Axis, Study, load_study
 
@@ -334,6 +337,8 @@ def _study_of(source: Study | Source, axes: Mapping[str, Any]) -> Study:
         Axis(field=SHORT_NAMES.get(name, name), values=_listed(values))
         for name, values in axes.items()
     ]
+    if isinstance(source, Machine):
+        return Study(machine=source, axes=crossed)
     return Study(case=case_of(source), axes=crossed)
 
 

@@ -32,6 +32,7 @@ from rolamento.case.machine import (
     save_machine,
 )
 from rolamento.errors import FileError, InputError, UnitError, UnknownKeyError
+from rolamento.machines import shaft
 from rolamento.words import speaking
 
 SHAFT = '[[shafts]]\nname = "s"\nspeed = "1000 rpm"\n'
@@ -488,8 +489,8 @@ class TestHousings:
             ("nan", "finite"),
             ("inf", "finite"),
             ("1", "5 rows"),
-            ("1," * 101, "more than 100"),
-            ("1\n" * 101, "more than 100"),
+            ("1," * 601, "more than 600"),
+            ("1\n" * 601, "more than 600"),
             ("%%MatrixMarket matrix array real general\n5 5\n1\n", "Matrix Market"),
             (
                 "%%MatrixMarket matrix coordinate real general\n900000 900000 1\n1 1 1\n",
@@ -830,3 +831,143 @@ def test_numbers_come_back_bit_for_bit() -> None:
     )
     assert Machine.from_toml(found.to_toml()) == found
     assert parse_machine(found.to_json()) == found
+
+
+class TestHousingNodes:
+    """A matrix over nodes in the order and the units of a program."""
+
+    AXES = ("x", "y", "z", "rx", "ry", "rz")
+
+    def made(self, tmp_path: Path, seed: int = 0, *, shuffled: bool, lines: str = "") -> Machine:
+        """Two rings with all six directions, and two nodes more that are stiff or soft."""
+        random = np.random.default_rng(seed)
+        half = random.normal(size=(14, 14))
+        arm = np.array([*(1.0, 1.0, 1.0, 0.05, 0.05, 0.05) * 2, 1.0, 1.0])
+        stiffness = 1e8 * (half @ half.T + np.eye(14)) * np.outer(arm, arm)
+        rows = [(n, axis) for n in ("A", "B") for axis in self.AXES] + [("", "x"), ("", "y")]
+        order = random.permutation(14) if shuffled else np.arange(14)
+        cells, factors = [], []
+        for place in order:
+            bearing, axis = rows[place]
+            tilts, metric = axis[0] == "r", shuffled and place % 2 == 0
+            sign = -1.0 if metric else 1.0
+            shift, unit = (180.0 / np.pi, "deg") if tilts and metric else (1.0, "rad")
+            if not tilts:
+                shift, unit = (1e3, "mm") if metric else (1.0, "m")
+            force, name = (1e-3, "kN m" if tilts else "kN") if metric else (1.0, "N m")
+            name = name if tilts or metric else "N"
+            factors.append((sign * force, sign * shift))
+            dof = f"-{axis}" if metric else axis
+            cells.append(f"{place},{dof},{unit},{name},{bearing}")
+        given = stiffness[np.ix_(order, order)]
+        given = given * np.array([f for f, _ in factors])[:, np.newaxis]
+        given = given / np.array([s for _, s in factors])
+        (tmp_path / "k.csv").write_text(
+            "\n".join(",".join(repr(float(v)) for v in row) for row in given)
+        )
+        (tmp_path / "n.csv").write_text(
+            "node,dof,displacement,force,bearing\n" + "\n".join(cells) + "\n"
+        )
+        lines = lines or 'others = "free"'
+        text = f'[[housings]]\nname = "H"\nmatrix = "k.csv"\nnodes = "n.csv"\n{lines}\n'
+        load = '[[loads]]\nshaft = "s"\nposition = "100 mm"\nfx = "1 kN"\nfz = "4 kN"\n'
+        return parse_machine(PLAIN + load + text, folder=tmp_path)
+
+    @pytest.mark.parametrize("others", ["free", "held"])
+    def test_order_and_units_change_nothing(self, tmp_path: Path, others: str) -> None:
+        lines = f'bearings = ["A", "B"]\nothers = "{others}"'
+        plain, mixed = (
+            self.made(tmp_path, shuffled=shuffled, lines=lines) for shuffled in (False, True)
+        )
+        one, other = (found.housing("H") for found in (plain, mixed))
+        assert one.bearings == other.bearings == ("A", "B")
+        scale = np.abs(one.stiffness_matrix).max()
+        np.testing.assert_allclose(
+            one.stiffness_matrix, other.stiffness_matrix, rtol=0, atol=1e-13 * scale
+        )
+        solved = [shaft(found) for found in (plain, mixed)]
+        places = [np.concatenate([b.outer[0] for b in s.bearings.values()]) for s in solved]
+        assert np.abs(places[0]).max() > 1e-7
+        np.testing.assert_allclose(*places, rtol=0, atol=1e-12 * np.abs(places[0]).max())
+
+    def test_condensed_is_what_nothing_acts_on(self, tmp_path: Path) -> None:
+        """Forces on the rings alone move them as the inverse of the whole says."""
+        found = self.made(tmp_path, shuffled=False).housing("H").stiffness_matrix
+        whole = np.loadtxt(tmp_path / "k.csv", delimiter=",")
+        rings = [0, 1, 2, 4, 5, 6, 7, 8, 10, 11]
+        np.testing.assert_allclose(
+            np.linalg.inv(found), np.linalg.inv(whole)[np.ix_(rings, rings)], rtol=1e-6
+        )
+        held = self.made(tmp_path, shuffled=False, lines='others = "held"').housing("H")
+        np.testing.assert_allclose(held.stiffness_matrix, whole[np.ix_(rings, rings)])
+
+    def test_units_for_all_and_in_python(self) -> None:
+        matrix = np.diag(np.arange(1.0, 6.0))
+        nodes = [{"dof": axis, "bearing": "A"} for axis in ("ux", "UY", "3", "rotY", "6")]
+        found = Housing.of_nodes("H", matrix, nodes, units="N/mm")
+        expected = np.diag([1e3, 2e3, 3e3, 4e-3, 5e-3])
+        np.testing.assert_allclose(found.stiffness_matrix, expected)
+        assert found.bearings == ("A",)
+
+    def test_what_holds_nothing_may_be_free(self) -> None:
+        """A node that no stiffness holds, as of a ring that turns."""
+        matrix = np.diag([1.0, 2.0, 3.0, 0.0, 4.0, 5.0])
+        nodes = [{"dof": axis, "bearing": "A"} for axis in self.AXES]
+        found = Housing.of_nodes("H", matrix, nodes, units="N/m", others="free")
+        np.testing.assert_allclose(np.diag(found.stiffness_matrix), [1, 2, 3, 4, 5])
+
+    @pytest.mark.parametrize(
+        ("old", "new", "field", "rule"),
+        [
+            ("x,m,N,A", "x,mmm,N,A", "displacement", "did you mean mm"),
+            ("x,m,N,A", "x,rad,N,A", "displacement", "unit of length"),
+            ("x,m,N,A", "q,m,N,A", "dof", "must be one of x, y, z"),
+            ("x,m,N,A", "x,m,,A", "force", "needs a unit"),
+            ("x,m,N,A", "x,m,kN,A", "housings.0.matrix", "must be symmetric"),
+            ("x,m,N,A", "y,m,N,A", "dof", "is given twice"),
+            ("x,m,N,A", "x,m,N,", "housings.0.nodes", 'has no row for x of "A"'),
+            ("x,m,N,A", "x,m,N,C", "bearing", "is an unknown name"),
+            ("dof", "axis", "axis", "unknown column"),
+            ("bearing\n0,x,m,N,A\n", "bearing\n", "housings.0.nodes", "a row for each of the 14"),
+        ],
+    )
+    def test_lists_that_fit_no_matrix(
+        self, tmp_path: Path, old: str, new: str, field: str, rule: str
+    ) -> None:
+        self.made(tmp_path, shuffled=False)
+        path = tmp_path / "n.csv"
+        path.write_text(path.read_text().replace(old, new, 1))
+        text = '[[housings]]\nname = "H"\nmatrix = "k.csv"\nnodes = "n.csv"\nothers = "free"\n'
+        text += 'bearings = ["A", "B"]\n'
+        with pytest.raises(InputError, match=rule) as caught:
+            parse_machine(PLAIN + text, folder=tmp_path)
+        assert caught.value.field == field
+
+    @pytest.mark.parametrize(
+        ("lines", "field", "rule"),
+        [
+            ("units = 'N/m'", "housings.0.others", "4 rows are of no ring"),
+            ("others = 'loose'", "housings.0.others", "must be one of free, held"),
+        ],
+    )
+    def test_what_becomes_of_the_rest(
+        self, tmp_path: Path, lines: str, field: str, rule: str
+    ) -> None:
+        with pytest.raises(InputError, match=rule) as caught:
+            self.made(tmp_path, shuffled=False, lines=lines)
+        assert caught.value.field == field
+
+    @pytest.mark.parametrize(
+        ("lines", "field"),
+        [("others = 'free'\nmatrix = [[1.0]]", "nodes"), ("nodes = 'n.csv'", "matrix")],
+    )
+    def test_matrix_and_nodes_go_together(self, tmp_path: Path, lines: str, field: str) -> None:
+        with pytest.raises(InputError, match="is missing") as caught:
+            parse_machine(PLAIN + f'[[housings]]\nname = "H"\n{lines}\n', folder=tmp_path)
+        assert caught.value.field == f"housings.0.{field}"
+
+    def test_no_structure_is_soft_below_nothing(self) -> None:
+        nodes = [{"dof": axis, "bearing": "A"} for axis in ("x", "y", "z", "ry", "rz")]
+        with pytest.raises(InputError, match="positive semi-definite") as caught:
+            Housing.of_nodes("H", np.diag([1.0, 1.0, 1.0, -1.0, 1.0]), nodes, units="N/m")
+        assert caught.value.field == "matrix"

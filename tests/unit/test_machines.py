@@ -225,7 +225,8 @@ def plainly(machine: Machine) -> tuple[FloatArray, int]:
     """
     from rolamento.machines import _running
 
-    structure = structure_of(machine, [_running(machine, i) for i in range(len(machine.bearings))])
+    cases = [_running([machine], i) for i in range(len(machine.bearings))]
+    structure = structure_of([machine], cases)
     beam = structure.beams[0]
     n = 5 * len(beam.place)
     k = np.zeros((n, n))

@@ -16,6 +16,7 @@ from scipy import stats
 
 from rolamento import InputError
 from rolamento.studies import laws as laws_
+from rolamento.studies.outputs import outputs_of
 from rolamento.studies.sensitivity import rank_correlation, sobol, sobol_of_model
 
 PI = np.pi
@@ -317,7 +318,8 @@ def test_a_study_of_another_kind_is_refused(
 
     study_given = parse_study(STUDY, folder=examples)
     fields = ("scatter", "axes", "variants", "outputs", "case", "seed")
-    stand_in = SimpleNamespace(**{name: getattr(study_given, name) for name in fields} | changes)
+    given = {name: getattr(study_given, name) for name in fields} | changes
+    stand_in = SimpleNamespace(**given, variables=outputs_of(given["outputs"]))
     with pytest.raises(InputError, match=words):
         sobol(stand_in)  # type: ignore[arg-type]
 

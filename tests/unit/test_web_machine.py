@@ -16,7 +16,7 @@ import httpx
 import pytest
 from typer.testing import CliRunner
 
-from rolamento.case.machine import machine_of_tables, parse_machine, with_values
+from rolamento.case.machine import machine_of_tables, parse_machine, with_changes
 from rolamento.cli.app import app as commands
 from rolamento.errors import InputError
 from rolamento.plots.machine_sketch import sketch_machine
@@ -123,7 +123,7 @@ def test_rotor_is_the_command(tmp_path: Path) -> None:
 
 
 def test_what_is_wrong_is_said_as_the_command_says_it(tmp_path: Path) -> None:
-    wrong = with_values(EXAMPLE_MACHINE, {"bearings.B.position": "2 m"})
+    wrong = with_changes(EXAMPLE_MACHINE, {"bearings.B.position": "2 m"})
     error = ask("/api/v1/shaft", {"machine": wrong}).json()["error"]
     file = tmp_path / "machine.json"
     file.write_text(json.dumps(wrong))
@@ -307,7 +307,7 @@ def test_no_file_is_read_by_a_request(name: str, changes: Any, tmp_path: Path) -
     assert error["rule"].startswith("names a file")
     asked = {"machine": EXAMPLE_MACHINE, "settings": changed}
     assert ask("/api/v1/shaft", asked).json()["error"]["field"] == error["field"]
-    tables = with_values(EXAMPLE_MACHINE, changed)
+    tables = with_changes(EXAMPLE_MACHINE, changed)
     for path in ("/page/machine/open", "/page/machine/save", "/page/machine/report"):
         assert ask(path, {"machine": tables}).json()["error"]["field"] == error["field"]
     assert ask("/page/machine/open", {"text": json.dumps(tables)}).status_code == 422
@@ -376,7 +376,7 @@ def test_what_a_machine_costs_is_reckoned_of_anything() -> None:
     size = size_of_machine(many)
     assert not size.is_fast
     assert size.steps * size.elements < MOST_OVER_STEPS
-    heavy = with_values(EXAMPLE_MACHINE, {"bearings.0.bearing": {"ball_count": 10**30}})
+    heavy = with_changes(EXAMPLE_MACHINE, {"bearings.0.bearing": {"ball_count": 10**30}})
     assert not size_of_machine(heavy).is_fast
     for nothing in (None, [], {}, {"shafts": 3}, {"shafts": [None], "bearings": ["x"]}):
         assert size_of_machine(nothing).is_fast

@@ -280,5 +280,20 @@ def _life(solved: Solved, *, stress_volume: bool) -> tuple[LifeSummary | None, t
         raise
 
 
+def life_if_any(solved: Solved) -> LifeSummary | None:
+    """Return the life of cases by all theories but that of stressed volumes; None without one."""
+    from rolamento.life import conditions_of, life
+
+    if not has_life(solved.case):
+        return None
+    try:
+        conditions = conditions_of(solved)
+        if conditions.nsk_cleanliness is not None and not _viscosity_known(conditions):
+            conditions = replace(conditions, nsk_cleanliness=None)
+        return life(solved, conditions, stress_volume=False)
+    except InputError:  # a thrust bearing, or one without a rating
+        return None
+
+
 def _viscosity_known(conditions: LifeConditions) -> bool:
     return conditions.viscosity is not None or conditions.viscosity_ratio is not None

@@ -4,23 +4,26 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from dataclasses import fields, replace
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
-from rolamento.analysis.analysis import Analysis, analyse
+from rolamento.analysis.analysis import Analysis, analyse, life_if_any
 from rolamento.case.machine import Machine
 from rolamento.errors import InputError
 from rolamento.io.json import dumps, plain
 from rolamento.life.duty import DutyLife, lives_of_duty
-from rolamento.life.record import slope_of
+from rolamento.life.headline import Headline
+from rolamento.life.iso16281 import THEORY as REFERENCE
+from rolamento.life.record import Life, slope_of
 from rolamento.life.spectrum import revolution_shares
 from rolamento.life.summary import LifeSummary
 from rolamento.life.system import SystemLife
 from rolamento.machines import shaft
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
-from rolamento.solved.machine import SeatedBearing, SolvedMachine
+from rolamento.solved.machine import SeatedBearing, SolvedMachine, SolvedMachines
 from rolamento.words import Note
 
 if TYPE_CHECKING:
@@ -28,7 +31,7 @@ if TYPE_CHECKING:
     from rolamento.lubrication import Film
     from rolamento.vibration.machine import MachineFrequency
 
-__all__ = ["BearingLife", "MachineAnalysis", "analyse_machine"]
+__all__ = ["BearingLife", "MachineAnalysis", "analyse_machine", "leading_lives"]
 
 
 @frozen(eq=False)
@@ -200,7 +203,7 @@ def analyse_machine(machine: Machine | SolvedMachine | str | os.PathLike[str]) -
         lives[name] = _life(solved, seated, own.life)
     known = [life for life in lives.values() if life is not None]
     whole = len(known) == len(lives)
-    slopes = np.array([slope_of(life.headline.steps.element) for life in known])
+    slopes = _slopes([life.headline for life in known])
     names = set.intersection(*(set(life.theories) for life in known)) if whole and known else set()
     return MachineAnalysis(
         solved=solved,
@@ -222,21 +225,80 @@ def _life(
     """The life under all steps; None without one in each."""
     if summary is None or not solved.status.converged.all():
         return None
-    own = seated.solved
-    speed = np.abs(own.field("duty.inner_speed") - own.field("duty.outer_speed"))
-    share = solved.share
+    races = np.concatenate([summary.reference.inner, summary.reference.outer], axis=1)
+    found = _under_steps(
+        summary.theories, summary.headline, races, summary.reference.race_slopes,
+        solved.share, seated.relative_speed,
+    )  # fmt: skip
+    return None if found is None else BearingLife(*found, summary.headline.reliability)
+
+
+def _under_steps(
+    theories: Mapping[str, Life],
+    headline: Headline,
+    races: FloatArray,
+    slopes: FloatArray,
+    share: FloatArray,
+    speed: FloatArray,
+) -> tuple[DutyLife, dict[str, DutyLife]] | None:
+    """The life that leads and that by each theory; None of a bearing that never turns."""
     if not np.any(speed[share > 0.0] > 0.0):
         return None
-    races = np.concatenate([summary.reference.inner, summary.reference.outer], axis=1)
-    headline, theories = lives_of_duty(
-        summary.theories,
-        summary.headline,
-        races,
-        summary.reference.race_slopes,
-        revolution_shares(share, speed),
-        float(share @ speed),
-    )
-    return BearingLife(headline, theories, summary.headline.reliability)
+    turns = revolution_shares(share, speed)
+    return lives_of_duty(theories, headline, races, slopes, turns, float(share @ speed))
+
+
+def leading_lives(
+    solved: SolvedMachines,
+) -> tuple[tuple[Mapping[str, DutyLife | None], SystemLife | None], ...]:
+    """Find the lives that lead, of each machine by bearing, and of its bearings together.
+
+    As `analyse_machine` has them, for many machines of one structure at once.
+    """
+    found: list[dict[str, DutyLife | None]] = [{} for _ in solved.machines]
+    unsolved = solved.unsolved
+    for name, seated in solved.bearings.items():
+        summary, speed = life_if_any(seated.solved), seated.relative_speed
+        for index, machine in enumerate(solved.machines):
+            cases, life = solved.cases_of(index), None
+            if summary is not None and unsolved[index] is None:
+                reference = {REFERENCE.name: _of_cases(summary.theories[REFERENCE.name], cases)}
+                life = _under_steps(
+                    reference,
+                    _of_cases(summary.headline, cases),
+                    np.concatenate(
+                        [summary.reference.inner[cases], summary.reference.outer[cases]], axis=1
+                    ),
+                    summary.reference.race_slopes,
+                    machine.step_shares,
+                    speed[cases],
+                )
+            found[index][name] = None if life is None else life[0]
+    return tuple((own, _all_together(list(own.values()))) for own in found)
+
+
+def _all_together(lives: list[DutyLife | None]) -> SystemLife | None:
+    known = [life for life in lives if life is not None]
+    return _together(known, _slopes(known)) if len(known) == len(lives) else None
+
+
+def _slopes(lives: list[DutyLife]) -> FloatArray:
+    return np.array([slope_of(life.steps.element) for life in lives])
+
+
+_Record = TypeVar("_Record", Life, Headline)
+
+
+def _of_cases(record: _Record, cases: slice) -> _Record:
+    """Some cases of a record of arrays over cases; what is no array is shared."""
+    changed: dict[str, Any] = {}
+    for part in fields(record):
+        value = getattr(record, part.name)
+        if isinstance(value, np.ndarray):
+            changed[part.name] = value[cases]
+        elif isinstance(value, Mapping):
+            changed[part.name] = {name: own[cases] for name, own in value.items()}
+    return replace(record, **changed)
 
 
 def _together(lives: list[DutyLife], slopes: FloatArray) -> SystemLife:

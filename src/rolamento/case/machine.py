@@ -11,9 +11,20 @@ import json
 import math
 import os
 import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Annotated, Any, Final, Literal, NamedTuple, Self, TypeVar, cast
+from typing import (
+    TYPE_CHECKING,
+    Annotated,
+    Any,
+    Final,
+    Literal,
+    NamedTuple,
+    Protocol,
+    Self,
+    TypeVar,
+    cast,
+)
 
 from pydantic import (
     BeforeValidator,
@@ -37,8 +48,9 @@ from rolamento.case.fields import (
     plain_value,
 )
 from rolamento.case.film_model import FilmModel
+from rolamento.case.housing_nodes import Others, elastic, reduced_to_rings
 from rolamento.case.life_model import LifeModel
-from rolamento.case.lubricant import LubricantField
+from rolamento.case.lubricant import Lubricant, LubricantField
 from rolamento.case.machine_files import (
     CASE_TABLES,
     MOST_SECTIONS,
@@ -105,11 +117,14 @@ __all__ = [
     "machine_to_json",
     "machine_to_toml",
     "parse_machine",
+    "parts_of_key",
     "save_machine",
+    "with_changes",
+    "with_settings",
+    "with_values",
 ]
 
 _ROUNDING: Final = 1e-9
-_SYMMETRY: Final = 1e-6
 _SHARES: Final = 1e-6
 _RATIO: Final = 0.01
 """By how much the pitch-line speeds of gears in mesh may differ."""
@@ -404,33 +419,7 @@ def _matrix(value: Any, units: Units | None, size: int, *, in_file: bool) -> Row
     tilts = np.arange(size) % _DEGREES_OF_FREEDOM > 2
     both = tilts[:, None].astype(int) + tilts
     matrix *= np.choose(both, (shift, mixed, tilt))
-    largest = float(np.abs(matrix).max())
-    if not math.isfinite(largest):
-        raise InputError(said("must contain finite numbers only"))
-    skew = np.abs(matrix - matrix.T)
-    if float(skew.max()) > _SYMMETRY * largest:
-        row, column = (int(place) + 1 for place in np.unravel_index(skew.argmax(), skew.shape))
-        raise InputError(
-            said(
-                "must be symmetric: row {row}, column {column} is {one:.6g}, and the other way"
-                " round {other:.6g} (SI)",
-                row=row,
-                column=column,
-                one=float(matrix[row - 1, column - 1]),
-                other=float(matrix[column - 1, row - 1]),
-            )
-        )
-    matrix = 0.5 * (matrix + matrix.T)
-    values = np.linalg.eigvalsh(matrix)
-    if float(values[0]) < -_ROUNDING * float(np.abs(values).max()):
-        raise InputError(
-            said(
-                "must be positive semi-definite, as that of any elastic structure: an eigenvalue"
-                " is {least:.6g} (SI), the largest {most:.6g}",
-                least=float(values[0]),
-                most=float(values[-1]),
-            )
-        )
+    matrix = elastic(matrix)
     return tuple(map(tuple, matrix.tolist()))
 
 
@@ -495,6 +484,10 @@ class Housing(Record):
     ------
     InputError
         If a matrix is not symmetric, or not positive semi-definite.
+
+    In a file `nodes` says what the rows of the matrix are, where they are not those of the bearings
+    in order: a table beside it, ``"nodes.csv"``; `others` what becomes of the rest. In Python
+    `of_nodes` takes them.
     """
 
     name: Name = Field(examples=["housing"])
@@ -537,6 +530,39 @@ class Housing(Record):
             )
         _refuse_repeated(self.bearings, "bearings")
         return self
+
+    @classmethod
+    def of_nodes(
+        cls,
+        name: str,
+        matrix: Sequence[Sequence[float]] | NDArray[np.float64],
+        nodes: Sequence[Mapping[str, Any]],
+        *,
+        bearings: Sequence[str] = (),
+        units: Units | None = None,
+        others: Others | None = None,
+    ) -> Self:
+        """Return the housing of a matrix over nodes in the order and units of a program.
+
+        Parameters
+        ----------
+        name
+            What to call it.
+        matrix, nodes, bearings, units, others
+            As of a machine file: what each row is, such as ``{"node": 1041, "dof": "x",
+            "displacement": "mm", "force": "N", "bearing": "A"}``; rows of no ring are
+            ``"free"`` or ``"held"``.
+
+        Raises
+        ------
+        InputError
+            If list and matrix do not fit, or no structure has the matrix.
+        """
+        rows = matrix.tolist() if hasattr(matrix, "tolist") else matrix
+        names, stiffness = reduced_to_rings(
+            rows, nodes, bearings=bearings, units=units, others=others
+        )
+        return cls(name=name, bearings=names, matrix=stiffness)
 
     @property
     def holds_tilt(self) -> bool:
@@ -1030,6 +1056,13 @@ class Machine(Record):
             one = self.shaft(one.of)
         return factor * one.speed + 0.0
 
+    @property
+    def step_shares(self) -> NDArray[np.float64]:
+        """Shares of the time of the steps of the spectrum, or 1; (steps,)."""
+        import numpy as np
+
+        return np.array([step.share for step in self.spectrum] or [1.0])
+
     def outer_position(self, bearing: str) -> float:
         """Return where a bearing between two shafts is on its outer shaft, from its left end; m."""
         one = self.bearing(bearing)
@@ -1145,16 +1178,29 @@ def load_machine(path: str | os.PathLike[str], settings: Iterable[str] = ()) -> 
     return machine_reader(path)(settings)
 
 
-def machine_reader(path: str | os.PathLike[str]) -> Callable[[Iterable[str]], Machine]:
-    """Read a machine file once; return what makes the machine of it under some settings.
+_Values = Iterable[tuple[Sequence[str], object]]
 
-    Parameters and errors as of `load_machine`.
+
+class MachineReader(Protocol):
+    """Makes a machine of what was read, under settings and values that go over it."""
+
+    def __call__(self, settings: Iterable[str], values: _Values = ()) -> Machine:
+        """Return the machine; as `load_machine`."""
+        ...
+
+
+def machine_reader(path: str | os.PathLike[str]) -> MachineReader:
+    """Read a machine file once; return what makes the machine of it under some changes.
+
+    Parameters and errors as of `load_machine`; beside settings also values as of `with_values`.
     """
     text, source = read_text(path)
     folder = "" if os.fspath(path) == "-" else os.path.dirname(os.fspath(path))
-    return lambda settings: parse_machine(
-        text, format=format_of_path(path), source=source, folder=folder, settings=settings
-    )
+
+    def read(settings: Iterable[str], values: _Values = ()) -> Machine:
+        return _parsed(text, format_of_path(path), source, folder, settings, values)
+
+    return read
 
 
 def parse_machine(
@@ -1185,9 +1231,20 @@ def parse_machine(
     FileError, InputError
         As `load_machine`.
     """
+    return _parsed(text, format, source, folder, settings)
+
+
+def _parsed(
+    text: str,
+    format: TextFormat | None,
+    source: str,
+    folder: str | os.PathLike[str] | None,
+    settings: Iterable[str],
+    values: _Values = (),
+) -> Machine:
     known_format = format or format_of_text(text)
     mapping = parse_mapping(text, known_format, source)
-    mapping = with_settings(mapping, settings)
+    mapping = with_values(with_settings(mapping, settings), values)
     try:
         return Machine.from_mapping(with_files(mapping, folder))
     except InputError as error:
@@ -1207,14 +1264,14 @@ def machine_of_tables(
     mapping
         As a file has them.
     values
-        That go over them, as of `with_values`.
+        That go over them, as of `with_changes`.
 
     Raises
     ------
     InputError
         If they do not describe a valid machine, or name a file.
     """
-    return Machine.from_mapping(with_files(with_values(mapping, values or {}), None))
+    return Machine.from_mapping(with_files(with_changes(mapping, values or {}), None))
 
 
 _PART: Final = re.compile(r'\s*(?:"([^"]*)"|([^.="]+?))\s*(\.|=)')
@@ -1231,39 +1288,68 @@ def with_settings(mapping: Mapping[str, Any], settings: Iterable[str]) -> dict[s
     InputError
         If a setting is not ``KEY=VALUE``, or names a part that is not there.
     """
-    result = dict(mapping)
+    values = []
     try:
         for setting in settings:
             names, text = _parted(setting)
             inline = text.startswith(("{", "["))
             value = inline_value(".".join(names), text, _INLINE) if inline else plain_value(text)
-            _set(result, names, value)
+            values.append((names, value))
+        return with_values(mapping, values)
     except InputError as error:
         raise error.with_details(source=OVERRIDE_SOURCE) from None
-    return result
 
 
-def with_values(mapping: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the tables of a machine file with some values changed; they are not validated.
+def with_values(
+    mapping: Mapping[str, Any], values: Iterable[tuple[Sequence[str], object]]
+) -> dict[str, Any]:
+    """Return the tables of a machine file with some values set; they are not validated.
 
-    values: as a file has them, by the names that settings have; None takes a value away.
+    Parameters
+    ----------
+    mapping
+        The tables, which stay as they are.
+    values
+        The parts of a key, as of `parts_of_key`, and what a file has there.
 
     Raises
     ------
     InputError
-        If there is no such part.
+        If a key names a part that is not there.
     """
     result = dict(mapping)
-    for name, value in values.items():
-        try:
-            names, rest = _parted(f"{name}=")
-        except InputError:
-            names, rest = [], name
-        if rest or not names:
-            rule = said("is not the name of a field")
-            raise InputError(rule, field=name[:_LONGEST_NAME], example="loads.0.fz")
+    for names, value in values:
         _set(result, names, value)
     return result
+
+
+def with_changes(mapping: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
+    """As `with_values`, by the dotted keys of fields; None takes a value away.
+
+    Raises
+    ------
+    InputError
+        If a key is none, or names a part that is not there.
+    """
+    return with_values(mapping, [(parts_of_key(key), value) for key, value in changes.items()])
+
+
+def parts_of_key(key: str) -> tuple[str, ...]:
+    """Return the parts of the dotted key of a field, without the quotes around names.
+
+    Raises
+    ------
+    InputError
+        If it is none.
+    """
+    try:
+        names, rest = _parted(f"{key}=")
+    except InputError:
+        names, rest = [], ""
+    if rest or not names:
+        rule = said("is not the key of a field")
+        raise InputError(rule, field=key[:_LONGEST_NAME], example="loads.0.fz")
+    return tuple(names)
 
 
 def _parted(setting: str) -> tuple[list[str], str]:
@@ -1293,11 +1379,34 @@ def _set(mapping: dict[str, Any], names: Sequence[str], value: object) -> None:
             return
         if value is None and isinstance(table, dict) and key not in table:
             return
-        below = table[key] if isinstance(table, list) else table.get(key, {})
-        if not isinstance(below, dict | list):
+        below = table[key] if isinstance(table, list) else table.get(key, _unsaid(name, depth))
+        if isinstance(below, str) and name in _SPELT_OUT:
+            below = _spelt_out(name, below, here)
+        if not isinstance(below, dict | list | tuple):
             raise InputError(said("must be a table"), field=here)
-        table[key] = below.copy()
+        table[key] = dict(below) if isinstance(below, dict) else list(below)
         table = table[key]
+
+
+_SPELT_OUT: Final[dict[str, type[Record]]] = {"material": Material, "lubricant": Lubricant}
+"""Tables that a text may stand for, by their keys."""
+
+
+def _unsaid(name: str, depth: int) -> Any:
+    """What stands where nothing is given."""
+    if name == "material":
+        return SHAFT_STEEL.name
+    return [] if depth == 1 and name in ("shafts", "housings", *_ON_SHAFTS, "spectrum") else {}
+
+
+def _spelt_out(name: str, text: str, field: str) -> dict[str, Any]:
+    """The table that a text stands for, so that a field can be set in it."""
+    if name == "material" and text.strip().casefold() == SHAFT_STEEL.name:
+        return SHAFT_STEEL.to_mapping()
+    try:
+        return _SPELT_OUT[name].table_of_text(text)
+    except InputError as error:
+        raise error.with_details(field=field) from None
 
 
 def _place_in(parts: list[Any], name: str, field: str) -> int:

@@ -15,6 +15,7 @@ import warnings
 from collections.abc import Mapping, Sequence
 from typing import Any, Final, NoReturn
 
+from rolamento.case.housing_nodes import MOST_ROWS, nodes_in_file, reduced_to_rings
 from rolamento.errors import ABSENT, FileError, InputError, guess
 from rolamento.io.columns import folded_name, title_parts
 from rolamento.io.tables import decoded, parse_table, separator_said, table_text
@@ -90,7 +91,64 @@ def with_files(mapping: Mapping[str, Any], folder: str | os.PathLike[str] | None
                 else table
                 for index, table in enumerate(tables)
             ]
+    if isinstance(housings := result.get("housings"), list):
+        result["housings"] = [
+            _between_rings(table, folder, f"housings.{index}")
+            if isinstance(table, Mapping) and {"nodes", "others"} & table.keys()
+            else table
+            for index, table in enumerate(housings)
+        ]
     return result
+
+
+def _between_rings(
+    table: Mapping[str, Any], folder: str | os.PathLike[str] | None, field: str
+) -> dict[str, Any]:
+    """Return the table of a housing with its matrix between the rings of its bearings, in SI."""
+    kept = {name: value for name, value in table.items() if name not in ("nodes", "others")}
+    nodes, others, matrix = (table.get(name) for name in ("nodes", "others", "matrix"))
+    for missing, given, beside in (("nodes", nodes, "others"), ("matrix", matrix, "nodes")):
+        if not isinstance(given, str | list):
+            raise InputError(
+                said("is missing; {beside} needs it", beside=beside),
+                field=f"{field}.{missing}",
+                example='matrix = "housing.mtx" and nodes = "nodes.csv"',
+            )
+    if others not in (None, "free", "held"):
+        raise InputError(
+            said("must be one of {expected}", expected="free, held"),
+            field=f"{field}.others",
+            value=others,
+            example='others = "free"',
+        )
+    rows: Any = nodes
+    listed = None
+    if isinstance(nodes, str):
+        rows, listed = nodes_in_file(_beside(nodes, folder, f"{field}.nodes"))
+    try:
+        bearings, stiffness = reduced_to_rings(
+            _numbers(matrix),
+            rows,
+            bearings=[str(one) for one in table.get("bearings") or ()],
+            units=table.get("units"),
+            others=others,
+        )
+    except InputError as error:
+        _, of_nodes, place = error.field.partition("nodes.")
+        row, _, column = place.partition(".")
+        if of_nodes and listed is not None:
+            raise listed.placed(error.with_details(field=column), int(row)) from None
+        raise error.with_details(field=f"{field}.{error.field}") from None
+    return {**kept, "bearings": list(bearings), "matrix": stiffness.tolist(), "units": "N/m"}
+
+
+def _numbers(matrix: Any) -> list[list[float]]:
+    """The rows of a matrix that stands in the file itself, or was read."""
+    if any(not isinstance(row, list | tuple) or len(row) != len(matrix) for row in matrix):
+        raise InputError(
+            said("must be a matrix of {size} rows and columns", size=len(matrix)), field="matrix"
+        )
+    return [list(numbers_of(row)) for row in matrix]
 
 
 def _beside(name: str, folder: str | os.PathLike[str] | None, field: str) -> str:
@@ -198,7 +256,7 @@ def _matrix(path: str) -> list[list[float]]:
         if not line or line.startswith(("#", "%")) or separator_said(line):
             continue
         rows.append(_row(line, mark, path, number))
-        if len(rows) > MOST_UNKNOWNS:
+        if len(rows) > MOST_ROWS:
             _too_large(path)
         if len(rows[-1]) != len(rows[0]):
             rule = said(
@@ -217,7 +275,7 @@ def _row(line: str, mark: str, path: str, number: int) -> list[float]:
     parting = mark or next((one for one in (";", "\t") if one in line), "")
     cells = line.strip(";\t, ")
     parts = cells.split(parting) if parting else _PARTS.split(cells)
-    if len(parts) > MOST_UNKNOWNS:
+    if len(parts) > MOST_ROWS:
         _too_large(path)
     found = []
     for part in parts:
@@ -241,7 +299,7 @@ def _market(content: bytes, path: str) -> list[list[float]]:
 
     try:
         rows, columns, _, _, kind, _ = mminfo(io.BytesIO(content))
-        if max(rows, columns) > MOST_UNKNOWNS:
+        if max(rows, columns) > MOST_ROWS:
             _too_large(path)
         if rows != columns or not rows:
             _not_square(path, rows, columns)
@@ -262,7 +320,7 @@ def _market(content: bytes, path: str) -> list[list[float]]:
 
 
 def _too_large(path: str) -> NoReturn:
-    rule = said("has more than {most} rows or columns", most=MOST_UNKNOWNS)
+    rule = said("has more than {most} rows or columns", most=MOST_ROWS)
     raise FileError(rule, source=path)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from typing import Annotated, NoReturn
+from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 
@@ -21,6 +21,9 @@ from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
 from rolamento.cli.streams import complain, print_text
 from rolamento.errors import InputError
 from rolamento.words import marked, said
+
+if TYPE_CHECKING:
+    from rolamento.studies.subject import Subject
 
 
 class Listed(StrEnum):
@@ -78,18 +81,24 @@ def sweep(
     ] = False,
     listed: Annotated[
         Listed | None,
-        typer.Option("--list", help="List the fields that may vary, or the outputs."),
+        typer.Option(
+            "--list",
+            help="List the fields that may vary, or the outputs: those of a STUDY, or of any case.",
+        ),
     ] = None,
     outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
 ) -> None:
     """Solve many cases: ranges of fields, or random draws.
 
-    A study file says what varies: all values of some fields, or values drawn at random.
+    A study file says what varies, of a bearing's case or of a machine: all values of some fields,
+    or values drawn at random.
     """
     with plain_endings(lang), given.in_force():
         if listed is not None:
-            print_text(fields_text() if listed is Listed.fields else outputs_text())
+            subject = _subject(study, given)
+            text = fields_text if listed is Listed.fields else outputs_text
+            print_text(text(subject))
             return
         if study is None:
             raise InputError(
@@ -120,7 +129,7 @@ def sweep(
                 )
         except KeyboardInterrupt as stop:
             _tell_what_is_kept(stop)
-        title = swept.study.title or swept.study.case.title
+        title = swept.study.title or swept.study.subject.title
         outputs.show(lambda: study_page(swept.summary, title))
     raise typer.Exit(SOLVED if swept.summary.converged else NO_RESULT)
 
@@ -143,35 +152,61 @@ def _tell_what_is_kept(stop: KeyboardInterrupt) -> NoReturn:
     raise typer.Exit(INTERRUPTED) from None
 
 
-def fields_text() -> str:
-    """Return the fields, one a line: name, SI unit, an example, and whether it can be scattered."""
+def _subject(study: str | None, given: CaseOptions) -> Subject | None:
+    """What a study file is of; None without one."""
+    from rolamento.studies import load_study
+
+    return None if study is None else load_study(study, given.settings).subject
+
+
+def fields_text(subject: Subject | None = None) -> str:
+    """Return the fields, one a line: name, SI unit, an example, and whether it can be scattered.
+
+    Parameters
+    ----------
+    subject
+        Whose fields; those of any case if not given.
+    """
     from rolamento.studies.fields import known_fields
     from rolamento.studies.solving import array_fields
 
-    rows = [
-        (
-            field.name,
-            field.unit,
-            field.example,
-            said("axes, scatter") if name in array_fields() else said("axes"),
-        )
-        for name, field in known_fields().items()
-    ]
+    fields = known_fields() if subject is None else subject.fields()
+    rows = []
+    for name, field in fields.items():
+        in_batch = name in array_fields() if subject is None else subject.varies_in_batch(name)
+        both = field.continuous and in_batch
+        kinds = said("axes, scatter") if both else said("axes")
+        rows.append((name, field.unit, field.example, kinds))
     return _columns([(said("field"), said("unit"), said("example"), said("for")), *rows])
 
 
-def outputs_text() -> str:
-    """Return the outputs, one a line: name, SI unit, whether it is per ball or row, meaning."""
+def outputs_text(subject: Subject | None = None) -> str:
+    """Return the outputs, one a line: name, SI unit, whether it is one of several, meaning.
+
+    Parameters
+    ----------
+    subject
+        Whose outputs; those of any case if not given.
+    """
     from rolamento.studies.outputs import DEFAULT_OUTPUTS, catalogue
 
+    known = catalogue() if subject is None else subject.catalogue()
+    usual = DEFAULT_OUTPUTS if subject is None else subject.default_outputs()
+    along = {
+        "": "",
+        "ball": said("per ball"),
+        "row": said("per row"),
+        "bearing": said("per bearing"),
+        "shaft": said("per shaft"),
+    }
     rows = [
         (
-            f"{name}{'*' if name in DEFAULT_OUTPUTS else ''}",
+            f"{name}{'*' if name in usual else ''}",
             output.unit,
-            {"": "", "ball": said("per ball"), "row": said("per row")}[output.along],
+            along[output.along],
             output.label,
         )
-        for name, output in catalogue().items()
+        for name, output in known.items()
     ]
     foot = f"\n* {said('by default, if a study names no outputs')}\n"
     return _columns([(said("output"), said("unit"), "", said("meaning")), *rows]) + foot

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
 
 from rolamento.document import (
     Block,
@@ -23,6 +25,8 @@ from rolamento.words import decimals_for, in_unit, said
 from rolamento.words.reasons import reason
 
 if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
     from rolamento.studies import OutputRange, Summary
     from rolamento.studies.tables import CaseColumn
 
@@ -46,6 +50,8 @@ _SHOWN: Final = {
 """The unit in which people read a quantity; others are shown in SI."""
 _GIVEN: Final = {**_SHOWN, "m": "mm", "K": "°C"}
 """That in which they give one."""
+_LIVES: Final = {"h": ("h", 3600.0), "Mrev": ("10⁶ rev", 1e6)}
+"""Outputs that are not in SI units: what people read them in, and what one is in SI."""
 
 
 def study_page(summary: Summary, title: str = "") -> Document:
@@ -78,7 +84,7 @@ def cases_table(columns: Sequence[CaseColumn]) -> Table:
                 head=one.name,
                 key=one.name,
                 unit=_unit_in_files(one),
-                values=one.values.tolist(),
+                values=_in_si(one).tolist(),
             )
             for one in columns
         ),
@@ -87,8 +93,17 @@ def cases_table(columns: Sequence[CaseColumn]) -> Table:
     )
 
 
+def _in_si(column: CaseColumn) -> NDArray[Any]:
+    """The values of a column as tables take them: lives, too, in SI units."""
+    if column.unit not in _LIVES:
+        return column.values
+    return np.asarray(column.values * _LIVES[column.unit][1])
+
+
 def _unit_in_files(column: CaseColumn) -> str:
     """The unit of a column: lengths that are given in mm, those that come out in µm."""
+    if column.unit in _LIVES:
+        return _LIVES[column.unit][0]
     if column.unit == "rad" and re.sub(r"_\d+$", "", column.name).endswith(ANGLES):
         return "°"
     shown = _GIVEN if column.given else _SHOWN

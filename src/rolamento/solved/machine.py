@@ -7,6 +7,7 @@ bearing's own result counts along its own x, which is the machine's -x where it 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
@@ -20,7 +21,7 @@ from rolamento.numerics import FloatArray
 from rolamento.records import frozen
 from rolamento.solved import form
 from rolamento.solved.result import Solved
-from rolamento.solved.tables import Status
+from rolamento.solved.tables import Status, taken
 from rolamento.status import STATUS_NUMBERS
 from rolamento.words import Note, said
 
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
-__all__ = ["SeatedBearing", "SolvedMachine", "SolvedShaft"]
+__all__ = ["SeatedBearing", "SolvedMachine", "SolvedMachines", "SolvedShaft"]
 
 SCHEMA: Final = 1
 KIND: Final = "machine"
@@ -40,6 +41,7 @@ _OF_SHAFT: Final[dict[str, Callable[[int, int], tuple[int, ...]]]] = {
     "torque": lambda cases, nodes: (cases, nodes, 2),
     "stress": lambda cases, nodes: (cases, nodes, 2),
 }
+_OF_CASES_OF_SHAFT: Final = ("displacement", "force", "torque", "stress")
 _OF_BEARING: Final = ("inner", "outer", "force")
 
 
@@ -145,6 +147,18 @@ class SeatedBearing:
         """(cases,), N."""
         return np.asarray(np.hypot(self.force[:, 1], self.force[:, 2]))
 
+    @property
+    def max_pressure(self) -> FloatArray:
+        """Greatest contact pressure of both races; (cases,), Pa."""
+        races = [contacts.max_pressure.max(axis=1) for contacts in self.solved.contacts.values()]
+        return np.asarray(np.max(races, axis=0))
+
+    @property
+    def relative_speed(self) -> FloatArray:
+        """Speed of the rings against each other, without a sign; (cases,), rad/s."""
+        own = self.solved
+        return np.asarray(np.abs(own.field("duty.inner_speed") - own.field("duty.outer_speed")))
+
 
 @frozen(eq=False)
 class SolvedMachine:
@@ -184,7 +198,7 @@ class SolvedMachine:
     @property
     def share(self) -> FloatArray:
         """Share of the time of each case; (cases,)."""
-        return np.array([step.share for step in self.machine.spectrum] or [1.0])
+        return self.machine.step_shares
 
     @property
     def steps(self) -> tuple[str, ...]:
@@ -369,6 +383,83 @@ class SolvedMachine:
                 example='solved.to_pandas("shafts")',
             )  # fmt: skip
         return pd.concat(frames, ignore_index=True)
+
+
+@frozen(eq=False)
+class SolvedMachines:
+    """Machines of one structure, solved together: they differ in forces and speeds alone.
+
+    Attributes
+    ----------
+    machines
+        what was solved
+    status, shafts, bearings, notes, advice
+        as of `SolvedMachine`: of all steps of the first machine, then of all of the second, …
+    """
+
+    machines: tuple[Machine, ...]
+    status: Status
+    shafts: Mapping[str, SolvedShaft]
+    bearings: Mapping[str, SeatedBearing]
+    notes: tuple[tuple[Note, ...], ...]
+    advice: tuple[Note | None, ...]
+
+    def __len__(self) -> int:
+        """Count the machines."""
+        return len(self.machines)
+
+    @property
+    def steps(self) -> int:
+        """Steps of the spectrum of each, or one."""
+        return len(self.status.number) // len(self)
+
+    @property
+    def unsolved(self) -> tuple[int | None, ...]:
+        """The first case of each machine that has no result; None if all have one."""
+        lost = ~self.status.converged.reshape(len(self), self.steps)
+        return tuple(
+            index * self.steps + int(own.argmax()) if own.any() else None
+            for index, own in enumerate(lost)
+        )
+
+    def greatest(self, values: FloatArray) -> FloatArray:
+        """Return the greatest of an array (cases, …) in all steps of each machine; (machines,).
+
+        NaN of a machine that has no result in some step.
+        """
+        whole = values.reshape(len(self), -1).max(axis=1)
+        return np.where([case is not None for case in self.unsolved], np.nan, whole)
+
+    def cases_of(self, index: int) -> slice:
+        """Return the cases of a machine."""
+        return slice(index * self.steps, (index + 1) * self.steps)
+
+    def __getitem__(self, index: int) -> SolvedMachine:
+        """Return the result of one machine."""
+        machine, cases = self.machines[index], self.cases_of(index)
+        whole = len(self) == 1
+        return SolvedMachine(
+            machine=machine,
+            status=self.status if whole else taken(self.status, cases),
+            shafts={
+                name: replace(
+                    one,
+                    shaft=machine.shaft(name),
+                    **{part: getattr(one, part)[cases] for part in _OF_CASES_OF_SHAFT},
+                )
+                for name, one in self.shafts.items()
+            },
+            bearings={
+                name: SeatedBearing(
+                    bearing=machine.bearing(name),
+                    solved=one.solved if whole else one.solved[cases],
+                    **{part: getattr(one, part)[cases] for part in _OF_BEARING},
+                )
+                for name, one in self.bearings.items()
+            },
+            notes=self.notes[cases],
+            advice=self.advice[cases],
+        )
 
 
 def _read_shafts(

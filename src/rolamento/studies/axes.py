@@ -69,7 +69,8 @@ class Axis(Record):
     name
         Of the dimension; by default that of the field.
     field
-        Dotted name of a field of the case.
+        Dotted name of a field of the case; of a machine, as ``--set`` of ``rolamento shaft`` has
+        it: ``"loads.0.fz"``.
     values
         As in a case file: quantities with units; in Python also SI floats.
     first, last
@@ -152,7 +153,7 @@ class Axis(Record):
         fields.refuse_rivals(tuple(zipped), at="zipped")
         size = len(next(iter(zipped.values())))
         for name, values in zipped.items():
-            fields.read_field(name, at="zipped")
+            fields.read_varied(name, at="zipped")
             if len(values) != size or not values:
                 raise InputError(
                     said(
@@ -181,7 +182,7 @@ class Axis(Record):
 
     def _range(self, *, in_file: bool) -> Column:
         """The values of the range; its ends are exact."""
-        field = fields.read_field(self.field or "")
+        field = fields.read_varied(self.field or "")
         count = self.count or 1
         first, last = (
             _checked(field, getattr(self, name), in_file=in_file, at=name)
@@ -220,14 +221,14 @@ class Axis(Record):
             return table
         kept = {key: value for key, value in table.items() if value not in (None, "", "linear")}
         if self.field is not None:
-            field = fields.read_field(self.field)
+            field = fields.read_varied(self.field)
             for key in {"first", "last"} & kept.keys():
                 kept[key] = _text_of(field, kept[key])
             if "values" in kept:
                 kept["values"] = [_text_of(field, value) for value in kept["values"]]
         else:
             kept["zipped"] = {
-                name: [_text_of(fields.read_field(name), value) for value in values]
+                name: [_text_of(fields.read_varied(name), value) for value in values]
                 for name, values in kept["zipped"].items()
             }
         return kept
@@ -241,7 +242,7 @@ def _text_of(field: fields.Field, given: object) -> fields.Value:
 
 def _column(name: str, values: tuple[Any, ...], *, in_file: bool, at: str = "") -> Column:
     """Return the checked values of a field."""
-    field = fields.read_field(name)
+    field = fields.read_varied(name)
     checked = tuple(_checked(field, value, in_file=in_file, at=at) for value in values)
     return np.array(checked, dtype=np.float64) if field.continuous else checked
 

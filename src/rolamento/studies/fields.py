@@ -1,4 +1,4 @@
-"""The fields of a case that a study may vary."""
+"""The fields of a case, or of a machine, that a study may vary."""
 
 from __future__ import annotations
 
@@ -6,13 +6,14 @@ from collections.abc import Mapping
 from functools import cache
 from typing import Final
 
-from rolamento.case import Case, varied
+from rolamento.case import Case
 from rolamento.case.fields import Field, Value
 from rolamento.case.hints import meant
+from rolamento.case.machine_fields import field_of_machine, is_of_part
 from rolamento.errors import InputError, UnknownKeyError, nearest
 from rolamento.words import said
 
-__all__ = ["Field", "Value", "known_fields", "read_field", "refuse_rivals"]
+__all__ = ["Field", "Value", "known_fields", "read_field", "read_varied", "refuse_rivals"]
 
 _MOST_NAMED: Final = 12
 """Maximum number of the fields of a table, in a message."""
@@ -22,7 +23,7 @@ _LABELS: Final = ("title", "name", "source")
 
 @cache
 def known_fields() -> Mapping[str, Field]:
-    """Return the fields that a study may vary, by their dotted names."""
+    """Return the fields of a case that a study may vary, by their dotted names."""
     return {
         name: field
         for name, field in Case.fields().items()
@@ -64,6 +65,21 @@ def read_field(name: str, *, at: str = "field") -> Field:
     )
 
 
+def read_varied(name: str, *, at: str = "field") -> Field:
+    """Return the field of a name, of a case or of a part of a machine; as `read_field`."""
+    if not is_of_part(name):
+        return read_field(name, at=at)
+    field = field_of_machine(name)
+    if field is None:
+        raise UnknownKeyError(
+            said("is not a field of a machine; rolamento sweep STUDY --list fields lists them all"),
+            field=at,
+            value=name,
+            example='"loads.0.fz"',
+        )
+    return field
+
+
 def _advice(name: str, known: Mapping[str, Field]) -> str:
     inside = [other for other in known if other.startswith(f"{name}.")]
     if inside:
@@ -81,13 +97,16 @@ def refuse_rivals(names: tuple[str, ...], *, at: str) -> None:
     Raises
     ------
     UnknownKeyError
-        As of `read_field`.
+        As of `read_varied`.
     InputError
         Naming both.
     """
-    for name in names:
-        read_field(name, at=at)
-    try:
-        varied.refuse_rivals(names)
-    except InputError as error:
-        raise error.with_details(field=at, value=error.field, example="") from None
+    fields = [read_varied(name, at=at) for name in names]
+    for index, field in enumerate(fields):
+        for before in names[:index]:
+            if before in field.rivals:
+                raise InputError(
+                    said("cannot be combined with {before}", before=before),
+                    field=at,
+                    value=field.name,
+                )

@@ -7,12 +7,16 @@ from functools import cache
 from typing import Final
 
 from rolamento.case import Case
+from rolamento.case.machine_fields import field_of_machine
 from rolamento.case.variant import AS_GIVEN, settings_in
 from rolamento.friction.models import torque_model_name
 from rolamento.words import manner, marked, said, speaking
 from rolamento.words.theories import theory_name
 
-__all__ = ["setting_name", "variable_long_name", "variable_name"]
+__all__ = ["OF", "setting_name", "variable_long_name", "variable_name"]
+
+OF: Final = " of "
+"""Between an output of a machine and the bearing or shaft that it is of."""
 
 _WHOLE: Final = {
     "residual": marked("residual of the equilibrium, over the scale of its loads"),
@@ -62,6 +66,21 @@ _WHOLE: Final = {
     "inner_risk_share": marked("share of the inner races in the failure probability"),
     "weakest_race_share": marked("share of the weakest race in the failure probability"),
     "weakest_row": marked("row of the weakest race, counted from 0"),
+    # of a machine
+    "weakest_bearing": marked("bearing that limits the life, counted from 0"),
+    "friction_power": marked("friction power loss"),
+    "bearing_status": marked("how the solution ended"),
+    "bearing_life_hours": marked("life"),
+    "bearing_life_valid": marked("life valid (1) or not (0)"),
+    "radial_force": marked("radial force"),
+    "axial_force": marked("axial force"),
+    "tilting_moment": marked("moment"),
+    "ring_tilt": marked("tilt between the rings"),
+    "max_pressure": marked("maximum contact pressure"),
+    "shaft_deflection": marked("deflection"),
+    "shaft_slope": marked("slope"),
+    "shaft_bending_moment": marked("bending moment"),
+    "shaft_stress": marked("nominal stress"),
     "weakest_ball": marked("heaviest ball on the weakest race, counted from 0"),
 }
 _QUANTITIES: Final = {
@@ -109,9 +128,14 @@ def variable_name(variable: str, field: str = "") -> str:
     field
         Dotted name of the field of the case that it holds, if that is known.
     """
+    base, of, part = variable.partition(OF)
+    if of and (name := variable_name(base)):
+        return said("{quantity}, {part}", quantity=name, part=part)
     name = field if field in Case.fields() else _fields_by_leaf().get(variable, "")
     if name:
         return Case.fields()[name].label
+    if (own := field_of_machine(field) if field else None) is not None:
+        return own.label
     if variable in _WHOLE:
         return said(_WHOLE[variable])
     if match := _STIFFNESS.fullmatch(variable):

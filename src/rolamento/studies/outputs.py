@@ -26,7 +26,8 @@ if TYPE_CHECKING:
 
 
 T = TypeVar("T")
-Along = Literal["", "ball", "row"]
+Along = Literal["", "ball", "row", "bearing", "shaft"]
+Kind = Literal["real", "whole"]
 Floats = NDArray[np.float64]
 
 DEFAULT_OUTPUTS: Final = (
@@ -71,10 +72,10 @@ class Output:
         SI, but of lives: ``"h"`` and ``"Mrev"``, millions of revolutions; ``"1"`` of a number
         without one
     compute
-        from a solved batch: (cases,), or (cases, balls) or (cases, rows)
+        from an `Evaluation`, or that of machines: (cases,), or (cases, balls) or (cases, rows)
     along
         ``"ball"`` or ``"row"`` of an output that has a value for each of them; rollers count as
-        balls
+        balls. ``"bearing"`` or ``"shaft"`` of one that has a variable for each of a machine's
     kind
         ``"whole"`` of a whole number that every case has, solved or not
     needs
@@ -85,9 +86,9 @@ class Output:
 
     name: str
     unit: str
-    compute: Callable[[Evaluation], NDArray[Any]]
+    compute: Callable[[Any], NDArray[Any]]
     along: Along = ""
-    kind: Literal["real", "whole"] = "real"
+    kind: Kind = "real"
     needs: tuple[str, ...] = ()
     slow: bool = False
 

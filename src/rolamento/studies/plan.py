@@ -12,28 +12,23 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import suppress
 from dataclasses import field
 from functools import cached_property, lru_cache
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 import rolamento
-from rolamento.analysis import analyse
-from rolamento.case import Case, case_to_toml
-from rolamento.case.arrangement import ARRANGEMENTS
-from rolamento.catalogue import CatalogueBearing, geometry_of, listed
+from rolamento.catalogue import CatalogueBearing, listed
 from rolamento.errors import InputError, refusal
 from rolamento.records import frozen
 from rolamento.status import INVALID_INPUT, STATUS_NAMES
 from rolamento.studies.axes import Axis
-from rolamento.studies.fields import Field, Value, read_field
+from rolamento.studies.fields import Field, read_varied
 from rolamento.studies.names import variable_long_name
-from rolamento.studies.outputs import Evaluation, Output, outputs_of, supplied
+from rolamento.studies.outputs import Output
 from rolamento.studies.scatter import Sampler
-from rolamento.studies.solving import array_fields, base_case, solve
 from rolamento.studies.study import (
     SAMPLE,
     VARIANT,
@@ -43,26 +38,16 @@ from rolamento.studies.study import (
     study_to_json,
     study_to_toml,
 )
+from rolamento.studies.subject import Found, Inputs
 from rolamento.words import Note, speaking
 from rolamento.words.headlines import parted
-
-if TYPE_CHECKING:
-    from rolamento.solved import Solved
 
 Indices = NDArray[np.intp]
 Floats = NDArray[np.float64]
 
-_CELLS: Final = 2**13
-"""Cases times balls of a chunk: some 10 ms of the solver."""
-_FEWEST_CASES: Final = 32
-"""In a chunk, and all of them where a case takes milliseconds; a call of the solver takes 1 ms."""
-_MOST_CASES: Final = 512
 _CELLS_TOGETHER: Final = 2**18
 """Cases times balls of chunks that are written together: 2 MB for each array over balls."""
 _MOST_CASES_TOGETHER: Final = 2**14
-_MOST_GROUPS: Final = 64
-"""Base cases in a chunk: each takes some 10 ms."""
-
 
 REASON: Final = "reason"
 """Why a case has no result, beside its status."""
@@ -145,16 +130,15 @@ class Plan:
 
     def __init__(self, study: Study, chunk: int | None = None) -> None:
         self.study = study
-        self.outputs: tuple[Output, ...] = outputs_of(study.outputs)
+        self.outputs: tuple[Output, ...] = study.variables
         self.columns = [axis.columns() for axis in study.ordered_axes]
         self.sampler = Sampler(study.scatter, study.seed) if study.scatter is not None else None
         grouped = (axis.size for axis in study.axes if study.is_grouped(axis))
-        self._groups_shape = (len(study.cases_compared), *grouped)
-        self._in_a_group = study.cases // math.prod(self._groups_shape)
-        self._listed = tuple(dict.fromkeys(self._own_bearings()))
-        self._base_case = lru_cache(maxsize=256)(self._made_case)
-        self.balls, self.rows = self._maximum_counts()
-        self.chunk = chunk or self._bounded_chunk()
+        groups = math.prod((len(study.cases_compared) or 1, *grouped))
+        self._in_a_group = study.cases // groups
+        self.work = study.subject.work(study, self.columns)
+        self.balls, self.rows = self.work.balls, self.work.rows
+        self.chunk = chunk or self.work.chunk
 
     @property
     def cases(self) -> int:
@@ -209,56 +193,53 @@ class Plan:
         first, last = self.bounds(index)
         arrays = self.empty(last - first)
         inputs = self.inputs(first, last)
-        varied = {name: inputs[name] for name in inputs if name in array_fields()}
         reasons = Reasons()
         for group, cases in self._groups(first, last):
-            # Twice if alone: a single case may be solved by plain Python, or by compiled code,
-            # whose last digits differ, as the process happens to have it loaded.
-            cases = cases if len(cases) > 1 else np.repeat(cases, 2)
-            values = {name: values[cases] for name, values in varied.items()}
-
-            def attempt(
-                group: int = group, values: Mapping[str, Floats] = values, count: int = len(cases)
-            ) -> tuple[Case, Solved]:
-                case = self._base_case(group)
-                return case, solve(case, values, cases=count, threads=threads)
-
-            try:
-                case, found = attempt()
-            except InputError:
-                refused = refusal(attempt)
-                assert refused is not None  # it was a moment ago
-                arrays[REASON][cases] = reasons.number(refused)
-                continue
-            arrays["status"][cases] = found.status.number
-            for place, note in enumerate(found.advice if not found.converged.all() else ()):
-                if note is not None:
-                    arrays[REASON][cases[place]] = reasons.number(note)
-            self._put(arrays, cases, Evaluation(found), case)
+            own = {name: values[cases] for name, values in inputs.items()}
+            for places, attempt in self.work.attempts(group, own, len(cases), threads):
+                at = cases[places]
+                try:
+                    found = attempt()
+                except InputError:
+                    refused = refusal(attempt)
+                    assert refused is not None  # it was a moment ago
+                    arrays[REASON][at] = reasons.number(refused)
+                    continue
+                arrays["status"][at] = found.number
+                for place, note in enumerate(found.advice):
+                    if note is not None:
+                        arrays[REASON][at[place]] = reasons.number(note)
+                self._put(arrays, at, found)
         return Part(index, arrays, reasons.notes)
 
-    def qualifications(self, case: int) -> tuple[Note, ...]:
-        """Return the notes that qualify the outputs of one case, which is solved once more.
+    def values(self, inputs: Inputs, threads: int | None = None) -> dict[str, Floats]:
+        """Return the outputs for other inputs, of a study without axes; NaN without a result.
 
-        Those on its state; on life and friction where an output is of these.
+        Raises
+        ------
+        InputError
+            If none of them is a case.
         """
+        count = len(next(iter(inputs.values())))
+        arrays, refused, done = self.empty(count), None, False
+        for places, attempt in self.work.attempts(0, inputs, count, threads):
+            try:
+                self._put(arrays, places, attempt())
+                done = True
+            except InputError as error:
+                refused = error
+        if refused is not None and not done:
+            raise refused
+        return {one.name: np.asarray(arrays[one.name], np.float64) for one in self.outputs}
+
+    def qualifications(self, case: int) -> tuple[Note, ...]:
+        """Return the notes that qualify the outputs of one case, which is solved once more."""
         inputs = self.inputs(case, case + 1)
-        values = {name: np.repeat(inputs[name], 2) for name in inputs if name in array_fields()}
-        base = self._base_case(case // self._in_a_group)
-        solved = solve(base, values, cases=2, threads=1)[0]
-        needs = {need for output in self.outputs for need in output.needs}
-        notes = [*solved.notes[0]]
-        if needs & {"life", "friction"} and solved.converged[0]:
-            found = analyse(solved, quick=True)
-            if "life" in needs and found.life is not None:
-                notes += found.life.qualifications()
-            if "friction" in needs and found.friction is not None:
-                notes += found.friction.qualifications(solved)
-        return parted(notes)[0]
+        return parted(self.work.qualifications(case // self._in_a_group, inputs))[0]
 
     def task(self, index: int) -> Task:
         """A chunk as a message to another process."""
-        return Task(self.text, self.chunk, index, self._listed)
+        return Task(self.text, self.chunk, index, self.work.listed)
 
     @cached_property
     def text(self) -> str:
@@ -276,14 +257,12 @@ class Plan:
             arrays[output.name] = np.full(shape, output.absent, output.dtype)
         return arrays
 
-    def _put(
-        self, arrays: Mapping[str, NDArray[Any]], cases: Indices, given: Evaluation, case: Case
-    ) -> None:
-        """Compute the outputs that a group's case has, and put them to their places."""
+    def _put(self, arrays: Mapping[str, NDArray[Any]], cases: Indices, found: Found) -> None:
+        """Put the outputs that some cases have to their places."""
         for output in self.outputs:
-            if self.study.variants and not supplied(output, case, self.study.varied):
+            values = found.of(output)
+            if values is None:
                 continue
-            values = output.compute(given)
             if output.along:
                 arrays[output.name][cases, : values.shape[1]] = values
             else:
@@ -295,31 +274,6 @@ class Plan:
         for group in range(first // length, -(-last // length)):
             begin, end = max(first, group * length), min(last, (group + 1) * length)
             yield group, np.arange(begin - first, end - first)
-
-    def _made_case(self, group: int) -> Case:
-        """The base case of a group; the grouping axes are the first ones."""
-        values: dict[str, Value] = {}
-        variant, *places = np.unravel_index(group, self._groups_shape)
-        case = self.study.cases_compared[int(variant)]
-        for columns, place in zip(self.columns, places, strict=False):
-            for name, column in columns.items():
-                if name not in array_fields():
-                    value = column[int(place)]
-                    values[name] = float(value) if isinstance(value, np.floating) else value
-        if not values:
-            return case
-        with listed(self._listed):
-            return base_case(case, values)
-
-    def _own_bearings(self) -> Iterator[CatalogueBearing]:
-        """The records outside the built-in catalogue by which the designations are found."""
-        for case in (self.study.case, *self.study.cases_compared):
-            resolved = case.bearing.resolved
-            yield from () if resolved is None else resolved.records
-        for columns in self.columns:
-            for designation in dict.fromkeys(columns.get("bearing.designation", ())):
-                with suppress(InputError):  # its cases will say so
-                    yield from geometry_of(str(designation), with_balls=False).records
 
     def _drawn(self, first: int, last: int) -> dict[str, Floats]:
         """Draws of some cases: a run of samples, that begins anew for each point of the axes."""
@@ -335,34 +289,6 @@ class Plan:
             again = self.sampler.draw(0, end - samples)
             drawn = {name: np.concatenate([drawn[name], again[name]]) for name in drawn}
         return drawn
-
-    def _maximum_counts(self) -> tuple[int, int]:
-        """Balls, over all rows, and rows of all the cases, or somewhat more: those dimensions."""
-        columns = {name: column for columns in self.columns for name, column in columns.items()}
-        counts = [int(count) for count in columns.get("bearing.ball_count", ())]
-        arrangements = columns.get("bearing.arrangement", ())
-        rows = [len(ARRANGEMENTS[name]) for name in arrangements]  # type: ignore[index]
-        balls = []
-        for case in self.study.cases_compared:
-            own = [place.bearing.element_count for place in case.bearing.places]
-            rows.append(len(own))
-            balls.append(sum(own))
-            counts += own
-        varies = len(columns.keys() & {"bearing.ball_count", "bearing.arrangement"}) > 0
-        return (max(counts) * max(rows) if varies else max(balls)), max(rows)
-
-    def _bounded_chunk(self) -> int:
-        bounded = min(max(_CELLS // self.balls, _FEWEST_CASES), _MOST_CASES)
-        if self._is_slow():
-            bounded = _FEWEST_CASES
-        return min(bounded, _MOST_GROUPS * self._in_a_group)
-
-    def _is_slow(self) -> bool:
-        """Whether a case takes milliseconds, as far as the study says."""
-        controls: set[object] = {one.model.raceway_control for one in self.study.cases_compared}
-        for columns in self.columns:
-            controls.update(columns.get("model.raceway_control", ()))
-        return "friction" in controls or any(output.slow for output in self.outputs)
 
 
 def solve_task(task: Task, threads: int | None = 1) -> Part:
@@ -432,7 +358,7 @@ class Layout:
         scattered = tuple(study.scatter.fields) if study.scatter is not None else ()
         self.samples = tuple(
             Variable(
-                self.names[name], (SAMPLE,), np.dtype(np.float64), field_attrs(read_field(name))
+                self.names[name], (SAMPLE,), np.dtype(np.float64), field_attrs(read_varied(name))
             )
             for name in scattered
         )
@@ -448,8 +374,8 @@ class Layout:
         """Return the attributes of the whole result; counts: cases by status."""
         study = self.plan.study
         attrs: dict[str, Any] = {
-            "title": study.title or study.case.title,
-            "case": case_to_toml(study.case),
+            "title": study.title or study.subject.title,
+            study.subject.key: study.subject.to_toml(),
             "study": study_to_toml(study),
             "rolamento_version": rolamento.__version__,
             "seed": study.seed,
@@ -467,7 +393,7 @@ class Layout:
             dims = dims[1:]
         for axis, dim, columns in zip(study.ordered_axes, dims, self.plan.columns, strict=False):
             for name, column in columns.items():
-                attrs = {**field_attrs(read_field(name)), **_given_unit(axis, name)}
+                attrs = {**field_attrs(read_varied(name)), **_given_unit(axis, name)}
                 values = np.asarray(column)
                 yield Variable(self.names[name], (dim,), values.dtype, attrs, values)
         for along in (BALL, ROW):
@@ -510,7 +436,7 @@ def _given_unit(axis: Axis, name: str) -> dict[str, str]:
         match = _UNIT.fullmatch(value) if isinstance(value, str) else None
         units.add(match[1].strip() if match else "")
     unit = units.pop() if len(units) == 1 else ""
-    known = read_field(name)
+    known = read_varied(name)
     return {"given_in": unit} if unit and known.dimension and unit != known.unit else {}
 
 

@@ -82,7 +82,7 @@ class Sampler:
     def __init__(self, scatter: Scatter, seed: int) -> None:
         self._names = tuple(scatter.fields)
         self._laws = [
-            distribution.law(fields.read_field(name), in_file=False)
+            distribution.law(fields.read_varied(name), in_file=False)
             for name, distribution in scatter.fields.items()
         ]
         self._factor = factor_of(scatter.matrix())
@@ -527,7 +527,7 @@ class Scatter(Record):
         in_file = at_the_border(info.context)
         fields.refuse_rivals(tuple(self.fields), at="fields")
         for name, distribution in self.fields.items():
-            field = fields.read_field(name, at="fields")
+            field = fields.read_varied(name, at="fields")
             if not field.continuous:
                 raise InputError(said("cannot be scattered; use an axis"), field=f"fields.{name}")
             try:
@@ -570,7 +570,7 @@ class Scatter(Record):
         if not at_the_border(info.context):
             return table
         table["fields"] = {
-            name: distribution.written(fields.read_field(name)).model_dump(exclude_none=True)
+            name: distribution.written(fields.read_varied(name)).model_dump(exclude_none=True)
             for name, distribution in self.fields.items()
         }
         if not self.correlations:

@@ -335,23 +335,20 @@ def sobol(
         If the study has axes or no scatter, its scattered fields are correlated, an output is
         one of each ball, or some draws have no result.
     """
-    from rolamento.studies.fields import read_field
-    from rolamento.studies.outputs import Evaluation, outputs_of
-    from rolamento.studies.solving import solve
+    from rolamento.studies.fields import read_varied
+    from rolamento.studies.plan import Plan
 
     scatter = study.scatter
     _check_study(study)
     assert scatter is not None
     laws = {
-        name: distribution.law(read_field(name), in_file=False)
+        name: distribution.law(read_varied(name), in_file=False)
         for name, distribution in scatter.fields.items()
     }
-    outputs = outputs_of(study.outputs)
+    plan = Plan(study)
 
     def model(inputs: Mapping[str, Floats]) -> dict[str, Floats]:
-        cases = len(next(iter(inputs.values())))
-        given = Evaluation(solve(study.case, inputs, cases=cases, threads=threads))
-        return {one.name: np.asarray(one.compute(given), np.float64) for one in outputs}
+        return plan.values(inputs, threads)
 
     return sobol_of_model(
         model,
@@ -360,13 +357,11 @@ def sobol(
         seed=study.seed,
         confidence=confidence,
         resamples=resamples,
-        floors={one.name: FINEST.get(one.unit, 0.0) for one in outputs},
+        floors={one.name: FINEST.get(one.unit, 0.0) for one in plan.outputs},
     )
 
 
 def _check_study(study: Study) -> None:
-    from rolamento.studies.outputs import outputs_of
-
     if study.scatter is None:
         raise InputError(said("is missing: Sobol's indices need scattered fields"), field="scatter")
     for name in ("axes", "variants"):
@@ -384,7 +379,7 @@ def _check_study(study: Study) -> None:
             field="scatter.correlations",
             value=" and ".join(correlated.fields),
         )
-    for output in outputs_of(study.outputs):
+    for output in study.variables:
         if output.along:
             raise InputError(
                 said(

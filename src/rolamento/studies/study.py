@@ -1,4 +1,4 @@
-"""A study: a case, what varies in it, and the outputs of each case; and its file."""
+"""A study: a case or a machine, what varies in it, the outputs of each case; and its file."""
 
 from __future__ import annotations
 
@@ -23,6 +23,14 @@ from pydantic import (
 from rolamento.case import Case, is_designation, load_case
 from rolamento.case.fields import OVERRIDE_SOURCE, Changes, overridden
 from rolamento.case.former import OUTPUTS, current
+from rolamento.case.machine import (
+    Machine,
+    machine_reader,
+    parts_of_key,
+    with_settings,
+    with_values,
+)
+from rolamento.case.machine_files import with_files
 from rolamento.case.quantity import Count, Line, at_the_border
 from rolamento.case.record import Record
 from rolamento.case.variant import Variant, with_the_case
@@ -41,9 +49,12 @@ from rolamento.io.text import (
 )
 from rolamento.studies import fields
 from rolamento.studies.axes import Axis
-from rolamento.studies.outputs import DEFAULT_OUTPUTS, outputs_of, refuse_missing, supplied
+from rolamento.studies.machine_outputs import DEFAULT_OF_MACHINE, in_files
+from rolamento.studies.of_case import OfCase
+from rolamento.studies.of_machine import OfMachine
+from rolamento.studies.outputs import DEFAULT_OUTPUTS, Output
 from rolamento.studies.scatter import MOST_CASES, Scatter
-from rolamento.studies.solving import array_fields
+from rolamento.studies.subject import Subject
 from rolamento.words import said
 
 SAMPLE: Final = "sample"
@@ -69,15 +80,18 @@ class Study(Record):
     title
         One line, at most 200 characters.
     case
-        The `Case` that supplies what does not vary.
+        The `Case` that supplies what does not vary; or:
+    machine
+        a `Machine`. Its fields vary by the keys of ``--set``, such as ``"loads.0.fz"``.
     seed
         Of the scatter.
     outputs
-        Names of the catalogue; ``rolamento sweep --list outputs`` shows it.
+        Names of the catalogue; ``rolamento sweep --list outputs`` shows it. Those of a machine
+        have a variable for each of its bearings or shafts.
     variants
-        `Variant` records: cases that differ in some fields, side by side, the first dimension of
-        the result, ``"variant"``. The case itself is the first of them, unless a variant without
-        changes names it.
+        `Variant` records, of a case: cases that differ in some fields, side by side, the first
+        dimension of the result, ``"variant"``. The case itself is the first of them, unless a
+        variant without changes names it.
     axes
         `Axis` records, at most 8: the dimensions of the result, the first the slowest, but those
         whose values need a case each (numbers of balls, names) before the others.
@@ -89,11 +103,12 @@ class Study(Record):
     ------
     InputError
         If a part is not valid, nothing varies, a field varies twice, or there are more than
-        10⁹ cases.
+        10⁹ cases, of a machine 10 000.
     """
 
     title: Line = Field("", examples=["218 over its speed range"])
-    case: Case = Field(examples=["case.toml"])
+    case: Case | None = Field(None, examples=["case.toml"])
+    machine: Machine | None = Field(None, examples=["machine.toml"])
     seed: Annotated[int, Count] = Field(0, strict=True, ge=0, le=2**63 - 1, examples=[1])
     outputs: tuple[_OutputName, ...] = Field(
         DEFAULT_OUTPUTS, min_length=1, max_length=_MOST_OUTPUTS, examples=['["x", "stiffness_zz"]']
@@ -101,6 +116,19 @@ class Study(Record):
     variants: tuple[Variant, ...] = ()
     axes: tuple[Axis, ...] = Field((), max_length=_MOST_AXES)
     scatter: Scatter | None = None
+
+    @cached_property
+    def subject(self) -> Subject:
+        """The case or the machine, as what is varied."""
+        if self.machine is not None:
+            return OfMachine(self.machine)
+        assert self.case is not None
+        return OfCase(self.case, self.cases_compared)
+
+    @property
+    def variables(self) -> tuple[Output, ...]:
+        """The outputs as they are in the result: of a machine one for each of its parts."""
+        return self.subject.outputs_of(self.outputs)
 
     @property
     def sizes(self) -> dict[str, int]:
@@ -117,7 +145,9 @@ class Study(Record):
 
     @cached_property
     def cases_compared(self) -> tuple[Case, ...]:
-        """The case, or that of each variant."""
+        """The case, or that of each variant; none of a machine."""
+        if self.case is None:
+            return ()
         return tuple(one.of(self.case) for one in self.compared) or (self.case,)
 
     @property
@@ -141,10 +171,19 @@ class Study(Record):
         scattered = tuple(self.scatter.fields) if self.scatter is not None else ()
         return (*(name for axis in self.axes for name in axis.fields), *scattered)
 
+    @model_validator(mode="before")
+    @classmethod
+    def _outputs_of_its_own(cls, given: Any) -> Any:
+        """Take the usual outputs of a machine where none are named."""
+        if isinstance(given, Mapping) and given.get("machine") is not None:
+            return {"outputs": DEFAULT_OF_MACHINE, **given}
+        return given
+
     @model_validator(mode="after")
     def _sound(self) -> Self:
+        self._check_subject()
         self._check_variants()
-        self._check_outputs()
+        self.subject.refuse_missing(self.outputs, self.varied)
         for name in self.outputs:
             if self.outputs.count(name) > 1:
                 raise InputError(said("occurs twice"), field="outputs", value=name)
@@ -159,8 +198,24 @@ class Study(Record):
         self._check_numbers()
         return self
 
+    def _check_subject(self) -> None:
+        """Refuse a study of nothing, or of two things."""
+        if self.case is None and self.machine is None:
+            raise InputError(said("is missing"), field="case", example='case = "case.toml"')
+        if self.case is not None and self.machine is not None:
+            raise InputError(said("cannot be combined with {before}", before="case"),
+                             field="machine")  # fmt: skip
+        if self.machine is not None and self.variants:
+            raise InputError(
+                said("are of a case; in a machine a field with several values is an axis"),
+                field="variants",
+                example='[[axes]] with field = "bearings.0.designation", values = ["6308", "6309"]',
+            )
+
     def _check_variants(self) -> None:
         """Refuse variants that are none of this case, or that what varies would undo."""
+        if self.case is None:
+            return
         given = {variant.name: number for number, variant in enumerate(self.variants)}
         for variant in self.compared:
             at = f"variants.{given.get(variant.name, 0)}.changes"
@@ -176,32 +231,26 @@ class Study(Record):
             except InputError as error:
                 raise error.with_details(field=f"{at}.{error.field}".rstrip(".")) from None
 
-    def _check_outputs(self) -> None:
-        """Refuse an output that no case has."""
-        outputs = outputs_of(self.outputs)
-        for output in outputs:
-            if not any(supplied(output, case, self.varied) for case in self.cases_compared):
-                refuse_missing([output], self.case, self.varied)
-        if not self.variants:
-            refuse_missing(outputs, self.case, self.varied)
-
     def _check_fields(self) -> None:
         varied = self.varied
         for name in varied:
-            if varied.count(name) > 1:
+            self.subject.check_field(name, self._place(name))
+        places = [self.subject.place_of(name) for name in varied]
+        for name, place in zip(varied[::-1], places[::-1], strict=True):
+            if places.count(place) > 1:
                 raise InputError(said("is varied twice"), field=self._place(name), value=name)
         if varied:
             fields.refuse_rivals(varied, at=self._place(varied[-1]))
         for name in self.scatter.fields if self.scatter is not None else ():
-            if name not in array_fields():
+            if not self.subject.varies_in_batch(name):
                 raise InputError(
                     said("cannot be scattered; use an axis"), field=f"scatter.fields.{name}"
                 )
 
     def _check_names(self) -> None:
-        names = _dimension_names(self)
+        names, outputs = _dimension_names(self), {one.name for one in self.variables}
         for number, name in enumerate(names):
-            if name in _RESERVED or name in self.outputs or names.count(name) > 1:
+            if name in _RESERVED or name in outputs or names.count(name) > 1:
                 raise InputError(
                     said("is already a name in the result"),
                     field=f"axes.{number}.name",
@@ -219,8 +268,12 @@ class Study(Record):
                 ),
                 field="axes" if self.axes else "scatter.count",
             )
+        try:
+            self.subject.check_size(self.cases)
+        except InputError as error:
+            raise error.with_details(field="axes" if self.axes else "scatter.count") from None
         groups = math.prod(axis.size for axis in self.axes if self.is_grouped(axis))
-        groups *= len(self.cases_compared)
+        groups *= len(self.cases_compared) or 1
         if groups > MOST_GROUPS:
             raise InputError(
                 said(
@@ -234,7 +287,7 @@ class Study(Record):
 
     def is_grouped(self, axis: Axis) -> bool:
         """Return whether a field of an axis cannot vary within a batch."""
-        return any(name not in array_fields() for name in axis.fields)
+        return not all(self.subject.varies_in_batch(name) for name in axis.fields)
 
     def _place(self, name: str) -> str:
         """Where in the study a field is varied for the last time."""
@@ -261,10 +314,11 @@ def coordinate_names(study: Study) -> dict[str, str]:
     As the axis is, if it has one field and a name; else the field's last part, if that is free.
     """
     varied = study.varied
-    leaves = [fields.read_field(name).leaf for name in varied]
-    taken = (*_RESERVED, *study.outputs, *(axis.name for axis in study.axes))
+    leaves = [fields.read_varied(name).leaf for name in varied]
+    outputs = (one.name for one in study.variables)
+    taken = (*_RESERVED, *outputs, *(axis.name for axis in study.axes))
     names = {
-        name: leaf if leaves.count(leaf) == 1 and leaf not in taken else name
+        name: leaf if leaves.count(leaf) == 1 and leaf not in taken else in_files(name)
         for name, leaf in zip(varied, leaves, strict=True)
     }
     given = {axis.field: axis.name for axis in study.axes if axis.field is not None and axis.name}
@@ -285,8 +339,8 @@ def _dimension_names(study: Study) -> list[str]:
 _LIST_HEADER: Final = re.compile(r"^([ \t]*)\[\[[ \t]*([A-Za-z_.]{1,60})[ \t]*\]\]", re.MULTILINE)
 
 
-def case_file_of(path: str | os.PathLike[str]) -> Path | None:
-    """Return the case file that a study file names, if it does.
+def file_in_study(path: str | os.PathLike[str]) -> Path | None:
+    """Return the file of a case or a machine that a study file names, if it does.
 
     Raises
     ------
@@ -294,10 +348,14 @@ def case_file_of(path: str | os.PathLike[str]) -> Path | None:
         As `load_study`.
     """
     text, source = read_text(path)
-    case = parse_mapping(text, format_of_path(path) or format_of_text(text), source).get("case")
-    if not isinstance(case, str) or not case or is_designation(case, Path(path).parent):
+    mapping = parse_mapping(text, format_of_path(path) or format_of_text(text), source)
+    folder = Path(path).parent
+    machine, case = mapping.get("machine"), mapping.get("case")
+    if isinstance(machine, str) and machine:
+        return folder / machine
+    if not isinstance(case, str) or not case or is_designation(case, folder):
         return None
-    return Path(path).parent / case
+    return folder / case
 
 
 def load_study(path: str | os.PathLike[str], overrides: Changes = ()) -> Study:
@@ -306,10 +364,10 @@ def load_study(path: str | os.PathLike[str], overrides: Changes = ()) -> Study:
     Parameters
     ----------
     path
-        A TOML or JSON file; ``"-"`` for standard input. A case that it names is looked for beside
-        it; what is no file is a designation.
+        A TOML or JSON file; ``"-"`` for standard input. A case or a machine that it names is looked
+        for beside it; a case that is no file is a designation.
     overrides
-        What goes over the case, as of `rolamento.load_case`.
+        What goes over the case, as of `rolamento.load_case`, or over the machine.
 
     Raises
     ------
@@ -344,7 +402,7 @@ def parse_study(
     source
         What to call the text in messages.
     folder
-        Where to look for the case file that it names.
+        Where to look for the file of a case or a machine that it names.
     overrides
         As in `load_study`.
 
@@ -356,8 +414,11 @@ def parse_study(
     known_format = format or format_of_text(text)
     mapping = parse_mapping(text, known_format, source)
     try:
-        case = _case_of(mapping, Path(folder), overrides)
-        return Study.from_mapping(mapping if case is None else {**mapping, "case": case})
+        read = {
+            "case": _case_of(mapping, Path(folder), overrides),
+            "machine": _machine_of(mapping, Path(folder), overrides),
+        }
+        return Study.from_mapping({**mapping, **{k: v for k, v in read.items() if v is not None}})
     except InputError as error:
         if error.source:
             raise
@@ -400,6 +461,37 @@ def _case_of(mapping: Mapping[str, Any], folder: Path, changes: Changes) -> Case
         if error.field in set_fields and not isinstance(changes, Mapping):
             raise error.with_details(source=OVERRIDE_SOURCE) from None
         raise error.with_details(field=f"case.{error.field}".rstrip(".")) from None
+
+
+def _machine_of(mapping: Mapping[str, Any], folder: Path, changes: Changes) -> Machine | None:
+    """Return the machine that a study names or holds, with changes put over it."""
+    given = mapping.get("machine")
+    if given is None:
+        return None
+    if isinstance(changes, Mapping):
+        values = [(parts_of_key(name), value) for name, value in changes.items()]
+        settings: tuple[str, ...] = ()
+    else:
+        values, settings = [], tuple(changes)
+    if isinstance(given, str):
+        try:
+            return machine_reader(folder / given)(settings, values)
+        except InputError as error:
+            raise error.with_details(source=error.source or given) from None
+    if not isinstance(given, dict):
+        raise InputError(
+            said("must be the name of a machine file or a table"),
+            field="machine",
+            value=given,
+            example='machine = "machine.toml"',
+        )
+    try:
+        tables = with_values(with_settings(given, settings), values)
+        return Machine.from_mapping(with_files(tables, folder))
+    except InputError as error:
+        if error.source:
+            raise
+        raise error.with_details(field=f"machine.{error.field}".rstrip(".")) from None
 
 
 def _key_lines(text: str, text_format: TextFormat) -> LineIndex:

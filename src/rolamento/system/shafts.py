@@ -510,8 +510,12 @@ class MachineRest:
 # --- from a machine to its structure --------------------------------------------------------------
 
 
-def structure_of(machine: Machine, cases: Sequence[Cases]) -> Structure:
-    """Lay out a machine; cases: of each bearing, as many as the spectrum has steps, or one."""
+def structure_of(machines: Sequence[Machine], cases: Sequence[Cases]) -> Structure:
+    """Lay out machines that differ in forces and speeds alone.
+
+    cases: of each bearing, as many as the spectra of all have steps, one of each without steps.
+    """
+    machine = machines[0]
     beams = _beams(machine)
     by_name = {beam.shaft.name: beam for beam in beams}
     layout = _Layout(sum(len(beam.place) for beam in beams))
@@ -532,8 +536,13 @@ def structure_of(machine: Machine, cases: Sequence[Cases]) -> Structure:
         seats.append(Seat(bearing, own, press, offset, way, inner, outer, slide))
     _put_housings(machine, {seat.bearing.name: seat for seat in seats}, layout)
     springs = [*layout.springs, *(_spring(one, by_name) for one in machine.springs)]
-    steps = machine.spectrum or (None,)
-    load = np.stack([_load_of(machine, by_name, step, FIVE * layout.nodes) for step in steps])
+    load = np.stack(
+        [
+            _load_of(one, by_name, step, FIVE * layout.nodes)
+            for one in machines
+            for step in one.spectrum or (None,)
+        ]
+    )
     for node, force in layout.pushed:
         load[:, FIVE * node] += force
     return Structure(

@@ -152,9 +152,6 @@ def _of_bearing(one: MachineAnalysis | None, name: str, quantity: str) -> float:
     if quantity == "hours":
         life = one.lives[name]
         return float("nan") if life is None else life.headline.hours
-    if quantity == "max_pressure":
-        both = (seated.solved.inner.max_pressure, seated.solved.outer.max_pressure)
-        return float(max(part.max() for part in both))
     return float(getattr(seated, quantity).max())
 
 

@@ -14,7 +14,7 @@ from rolamento.errors import FileError, InputError
 from rolamento.io.text import format_of_path
 from rolamento.records import frozen
 from rolamento.studies.sensitivity import ToleranceStudy, sobol
-from rolamento.studies.study import Study, case_file_of, load_study
+from rolamento.studies.study import Study, file_in_study, load_study
 from rolamento.studies.tolerance import (
     PERCENTILES,
     checked_percentiles,
@@ -123,7 +123,7 @@ def _workbook(
 
     kept = KeptCases(plan, reasons)
     yield kept
-    title = plan.study.title or plan.study.case.title
+    title = plan.study.title or plan.study.subject.title
     page = Document(title, (Section(blocks=(cases_table(kept.columns),)),), "sweep")
     place.write_bytes(to_xlsx(page))
 
@@ -172,7 +172,7 @@ def _check_target(target: Path, study: str) -> None:
         return
     for path, rule in (
         (Path(study), marked("is the study file itself; choose another name")),
-        (case_file_of(study), marked("is the case file of the study; choose another name")),
+        (file_in_study(study), marked("is the case file of the study; choose another name")),
     ):
         if path is not None and os.path.realpath(path) == os.path.realpath(target):
             raise FileError(said(rule), source=str(target))

@@ -27,7 +27,7 @@ from rolamento.case.machine import (
     machine_to_json,
     machine_to_toml,
     parse_machine,
-    with_values,
+    with_changes,
 )
 from rolamento.case.record import Record
 from rolamento.document import Document, Section
@@ -258,7 +258,7 @@ def machine_live(request: Mapping[str, Any]) -> dict[str, Any]:
         raise InputError(said("must be a list of names"), field="pictures", example='["forces"]')
     shown: dict[str, Any] = {"machine": tables, "status": None, "error": None}
     try:
-        tables = with_values(tables, changes)
+        tables = with_changes(tables, changes)
         found = _found(json.dumps(tables, sort_keys=True))
     except InputError as error:
         return {**shown, "error": error_object(error)}
@@ -437,7 +437,7 @@ async def _asked(request: Request) -> Response:
     tables, changes = asked.get("machine"), asked.get("changes")
     if isinstance(tables, dict) and isinstance(changes, dict):
         with suppress(InputError):  # which is said where the request is answered
-            tables = with_values(tables, changes)
+            tables = with_changes(tables, changes)
     seconds = 0.0 if size_of_machine(tables).is_fast else SECONDS
     return answer(await by_weight(function, asked, asked=asked, seconds=seconds))
 
