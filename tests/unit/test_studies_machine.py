@@ -322,3 +322,9 @@ def test_steel_and_oil_by_name_field_by_field() -> None:
     assert machine.lubricant is not None
     with pytest.raises(InputError, match="none of this kind"):
         load_machine(GEAR, ["loads.0.fz=1 N"])
+
+
+def test_a_machine_is_no_study() -> None:
+    with pytest.raises(InputError, match="a study names one") as caught:
+        parse_study(MOTOR.read_text("utf-8"))
+    assert caught.value.field == "shafts"

@@ -414,6 +414,12 @@ def parse_study(
     known_format = format or format_of_text(text)
     mapping = parse_mapping(text, known_format, source)
     try:
+        if "shafts" in mapping:
+            raise InputError(
+                said("is a machine itself; a study names one, and says what varies"),
+                field="shafts",
+                example='machine = "machine.toml", in a file of its own',
+            )
         read = {
             "case": _case_of(mapping, Path(folder), overrides),
             "machine": _machine_of(mapping, Path(folder), overrides),
