@@ -34,6 +34,7 @@ from pydantic import (
     SerializationInfo,
     SerializerFunctionWrapHandler,
     ValidationInfo,
+    WithJsonSchema,
     WrapSerializer,
     model_validator,
 )
@@ -457,7 +458,22 @@ def _with_stiffness(given: Any, info: ValidationInfo) -> Any:
     return {**result, "units": "N/m"}
 
 
-_Stiffness = Annotated[Numbers | Rows, Field(examples=['["200 N/um", "150 N/um", "150 N/um"]'])]
+_Stiffness = Annotated[
+    Numbers | Rows,
+    Field(examples=['["200 N/um", "150 N/um", "150 N/um"]']),
+    WithJsonSchema(
+        {
+            "type": "array",
+            "items": {
+                "anyOf": [
+                    {"type": "number"},
+                    {"type": "string"},  # with a unit
+                    {"type": "array", "items": {"type": "number"}},
+                ]
+            },
+        }
+    ),
+]
 _UnitsField = Annotated[Units, Field(examples=["N/mm"])]
 
 

@@ -216,7 +216,7 @@ _ON_SHAFTS: Final = ("bearings", "springs", "loads", "gears", "belts", "masses")
 _USUAL: Final = 20
 """Rolling elements of a bearing that is given by its designation."""
 MOST_NODES: Final = 1200
-"""Of all shafts: beyond, what joins each with each takes gigabytes."""
+"""Most nodes of all shafts: beyond, what joins each with each takes gigabytes."""
 MOST_OVER_STEPS: Final = 20_000
 """Nodes, and likewise rolling elements, over all steps: some seconds, and megabytes of answer."""
 _FAST_NODES: Final = 400
@@ -226,7 +226,7 @@ _FAST_BEARINGS: Final = 10
 
 @frozen
 class MachineSize:
-    """What a machine costs, reckoned from its tables, valid or not.
+    """What a machine costs, estimated from its tables, valid or not.
 
     steps: of its spectrum; nodes: of its shafts; bearings, and rolling elements in all of them.
     """
