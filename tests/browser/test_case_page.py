@@ -14,6 +14,8 @@ from rolamento.cli.app import app
 
 LANGUAGES = ("en", "pt")
 CONVERGED = "#status p.good"
+ANSWERED = "#status p:is(.good, .warning)"
+"""Converged, or without a load yet, as a bearing is that was opened by its designation."""
 ROWS_OF_SUMMARY = {  # a word of the row in both languages, and where the JSON has it
     ("safety", "segurança"): (("life", "loads", "static_safety"), 1.0),
     ("C/P", "C/P"): (None, 1.0),
@@ -25,7 +27,7 @@ ROWS_OF_SUMMARY = {  # a word of the row in both languages, and where the JSON h
 def opened(page: Any, designation: str = "6310") -> None:
     page.fill("#wanted", designation)
     page.press("#wanted", "Enter")
-    page.locator(CONVERGED).wait_for()
+    page.locator(ANSWERED).wait_for()
 
 
 def field(page: Any, name: str) -> Any:
