@@ -6,7 +6,13 @@ https://www.rexs.info; the names of attributes, units and bearing types are thos
 
 from __future__ import annotations
 
-from rolamento.exchange.rexs.files import parse_rexs, read_rexs, rexs_bytes, write_rexs
+from rolamento.exchange.rexs.files import (
+    check_ending,
+    parse_rexs,
+    read_rexs,
+    rexs_bytes,
+    write_rexs,
+)
 from rolamento.exchange.rexs.model import (
     Attribute,
     Component,
@@ -28,6 +34,7 @@ __all__ = [
     "Relation",
     "Remark",
     "RexsModel",
+    "check_ending",
     "machine_of_rexs",
     "parse_rexs",
     "read_rexs",

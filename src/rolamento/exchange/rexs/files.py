@@ -33,7 +33,7 @@ from rolamento.io.text import read_bytes
 from rolamento.io.writing import write_bytes
 from rolamento.words import marked, said
 
-__all__ = ["ENDINGS", "parse_rexs", "read_rexs", "rexs_bytes", "write_rexs"]
+__all__ = ["ENDINGS", "check_ending", "parse_rexs", "read_rexs", "rexs_bytes", "write_rexs"]
 
 ENDINGS: Final = {
     ".rexs": "xml", ".rexs.xml": "xml", ".rexsj": "json", ".rexs.json": "json",
@@ -545,6 +545,22 @@ def write_rexs(model: RexsModel, path: str | os.PathLike[str]) -> None:
     write_bytes(rexs_bytes(model, os.path.basename(os.fspath(path))), path)
 
 
+def check_ending(name: str) -> str:
+    """Return the container that a name ends with: ``"xml"``, ``"json"`` or ``"zip"``.
+
+    Raises
+    ------
+    FileError
+        If it does not end as one of REXS.
+    """
+    low = name.lower()
+    kind = next((kind for end, kind in ENDINGS.items() if low.endswith(end)), None)
+    if kind is None:
+        rule = said("must end in {endings}", endings=".rexs, .rexsj, .rexsz")
+        raise FileError(rule, source=name, example=_EXAMPLE)
+    return kind
+
+
 def rexs_bytes(model: RexsModel, name: str) -> bytes:
     """Return the content of a file of that name; the same bytes for the same model.
 
@@ -553,11 +569,7 @@ def rexs_bytes(model: RexsModel, name: str) -> bytes:
     FileError
         If the name does not end as one of REXS.
     """
-    low = name.lower()
-    kind = next((kind for end, kind in ENDINGS.items() if low.endswith(end)), None)
-    if kind is None:
-        rule = said("must end in {endings}", endings=".rexs, .rexsj, .rexsz")
-        raise FileError(rule, source=name, example=_EXAMPLE)
+    kind = check_ending(name)
     if kind == "json":
         return _BYTE_ORDER_MARK + _as_json(model).encode("utf-8")
     content = _BYTE_ORDER_MARK + "".join(_as_xml(model)).encode("utf-8")

@@ -459,9 +459,15 @@ class _Reader:
             if one.type not in _READ and one.type not in _SILENT:
                 others.setdefault(one.type, []).append(one)
             elif one.type in _READ:
-                left = [name for name in one.attributes if name not in read[one.type]]
+                left = [
+                    name
+                    for name in one.attributes
+                    if name not in read[one.type] and not _is_result(name)
+                ]
                 if left:
                     unread.setdefault(one.type, {}).update(dict.fromkeys(left))
+        if any(_is_result(name) for one in self.whole.components for name in one.attributes):
+            self._note("left", None, "rexs_results_left")
         for kind, found in others.items():
             self.remarks.append(
                 Remark("left", None, Note("rexs_components_left", {
@@ -855,7 +861,7 @@ class _Reader:
             elif bearing.locates or bearing.is_set:
                 table["located"] = way
             self._note(
-                "inferred", one, "rexs_axial_word", direction=said(word),
+                "inferred", one, "rexs_axial_word", word=word,
                 key="faces" if "faces" in table else "located", value=way,
             )  # fmt: skip
         elif word == "no_direction" and (
@@ -1373,6 +1379,12 @@ class _Reader:
 
 
 # --- small parts ----------------------------------------------------------------------------------
+
+
+def _is_result(name: str) -> bool:
+    """Whether an attribute holds what a program calculated."""
+    results = words()["results"]
+    return name.startswith(tuple(results["begin"])) and name not in results["inputs"]
 
 
 def _as_json(table: Mapping[str, Any]) -> dict[str, Any]:

@@ -210,5 +210,6 @@ def attribute_of(name: str, value: Any) -> Attribute:
         unit = "none" if standard is None else standard.unit
         return Attribute(name, cells, unit, "floating_point_array")
     if standard is None:
-        return Attribute(name, plain_number(value), "none", "floating_point")
+        unit = "%" if name in words()["percentages"]["attributes"] else "none"
+        return Attribute(name, plain_number(value), unit, "floating_point")
     return Attribute(name, _written(value, standard), standard.unit, "floating_point")

@@ -246,10 +246,10 @@ class _Writer:
         try:
             same = machine_of_rexs(whole).machine == self._machine
         except InputError as error:
-            self._notes.append(Note("rexs_not_the_same", {"part": "", "keys": str(error)}))
+            self._notes.append(Note("rexs_not_the_same", {"reason": str(error)}))
         else:
             if not same:
-                self._notes.append(Note("rexs_not_the_same", {"part": "", "keys": ""}))
+                self._notes.append(Note("rexs_not_the_same", {"reason": ""}))
         return Exported(whole, tuple(self._notes))
 
     def _note_kept(self, component: Component, kind: str, keys: Mapping[str, Any]) -> None:

@@ -21,6 +21,18 @@ def _type_misleads(values: Mapping[str, Any]) -> str:
     )
 
 
+_DIRECTIONS: Final = {"positive": marked("positive"), "negative": marked("negative")}
+
+
+def _axial_word(values: Mapping[str, Any]) -> str:
+    return said(
+        "It supports axial load in the {direction} direction of u: {key} = {value} here.",
+        direction=said(_DIRECTIONS[str(values["word"])]),
+        key=values["key"],
+        value=values["value"],
+    )
+
+
 SENTENCES: Final[dict[str, Sentence]] = {
     # inferred
     "rexs_named_again": marked("Several parts are called {name}; this one is {new} here."),
@@ -48,7 +60,6 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     "rexs_type_misleads": _type_misleads,
     "rexs_no_clearance": marked("No clearance is given; it is taken as zero."),
-    "rexs_from_coordinate": marked("It has no place in space; its coordinate on the shaft counts."),
     "rexs_places_differ": marked(
         "Its place in space and its coordinate on the shaft differ by {difference:.4g mm}; the"
         " place in space counts."
@@ -67,12 +78,13 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "rexs_torque_of_power": marked("Its torque is that of its power at the speed of the shaft."),
     "rexs_equal_shares": marked("The load cases have no time shares; they are taken as equal."),
     "rexs_forces_as_load": marked("The forces of its mesh are given; they count as a load."),
-    "rexs_axial_word": marked(
-        "It supports axial load in the {direction} direction of u: {key} = {value} here."
-    ),
+    "rexs_axial_word": _axial_word,
     # left out
     "rexs_components_left": marked("{count} components {type} are not read: {ids}."),
     "rexs_attributes_left": marked("Attributes of {type} are not read: {attributes}."),
+    "rexs_results_left": marked(
+        "The results that the file holds are not read; rolamento shaft calculates anew."
+    ),
     "rexs_no_mass": marked("It is left out: its mass is not given."),
     "rexs_missing_component": marked("Relation {relation} names component {id}, which is missing."),
     "rexs_not_parallel": marked(
@@ -119,5 +131,5 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "rexs_as_loads": marked("{part}: other programs see a load with its forces."),
     "rexs_without_type": marked("{part}: REXS has no word for its type, {type}."),
     "rexs_unsolved": marked("Without results: {reason}"),
-    "rexs_not_the_same": marked("{part} does not read back as it is: {keys}."),
+    "rexs_not_the_same": marked("Read back, it is not the same machine. {reason}"),
 }
