@@ -65,9 +65,10 @@ def import_(
     ] = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Make a machine file of a gear unit from another program (REXS).
+    """Make a machine file of a REXS model.
 
-    Shows what was taken, what was inferred, and what was left out.
+    REXS is the format in which programs exchange gear units. Shows what was taken, what was
+    inferred, and what was left out.
     """
     with plain_endings(lang):
         path = _named_after(model, "machine", ".toml") if output is None else output
@@ -121,10 +122,10 @@ def export(
     json: Annotated[str | None, json_option("Write what others do not see as JSON")] = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Write a machine with its results for other programs (REXS 2.0).
+    """Write a machine and its results as a REXS model.
 
-    What REXS has no word for stands in attributes that only Rolamento reads: read back, it is the
-    same machine.
+    As version 2.0. What REXS has no word for stands in attributes that only Rolamento reads: read
+    back, it is the same machine.
     """
     with plain_endings(lang):
         path = _named_after(machine, "machine", ".rexs") if output is None else output

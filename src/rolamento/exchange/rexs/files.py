@@ -123,6 +123,8 @@ def _unzipped(content: bytes) -> bytes:
                 raise FileError(said("is encrypted"), value=names[0])
             with archive.open(names[0]) as member:
                 return member.read(_LARGEST + 1)
+    except FileError:  # which is a ValueError too
+        raise
     except (
         zipfile.BadZipFile, zlib.error, EOFError, OSError, ValueError, NotImplementedError,
         IndexError, struct.error, RuntimeError,

@@ -22,6 +22,7 @@ from rolamento.exchange.rexs.values import (
     quantity_of,
     words,
 )
+from rolamento.io.json import plain
 from rolamento.records import frozen
 from rolamento.types import BALL, TYPES, BearingType
 from rolamento.units import Dimension, from_si, readable, to_si
@@ -62,6 +63,7 @@ _LOADS: Final = (
     "torque_acting_on_shaft_v", "torque_acting_on_shaft_w",
 )  # fmt: skip
 _USUAL_PRESSURE_ANGLE: Final = math.radians(20.0)
+_USUAL_DENSITY: Final = "880 kg/m^3"
 _OFTEN_REFUSED: Final = ("mounting", "temperature", "life", "preload", "offset")
 """What a bearing may do without, in the order in which it is tried."""
 
@@ -156,7 +158,7 @@ class Imported:
                 ]
                 for sort in ("inferred", "left")
             },
-            "machine": self.machine.to_mapping(),
+            "machine": plain(self.machine.to_mapping()),
         }
 
 
@@ -267,7 +269,12 @@ class _Reader:
         self._frame = HOME
         self._shafts: dict[int, _Laid] = {}
         self._names: dict[str, set[str]] = {}
-        self._forces: dict[int, list[tuple[float, float]]] = {}
+        self._speeds: dict[int, float] = {}
+        self._meshes: list[_Mesh] = []
+        self._powers: dict[int, list[float]] = {}
+        """What loads and given tooth forces bring to each shaft, NaN where nobody says; W."""
+        self._open: list[tuple[_Laid, Component, float]] = []
+        self._left_over: dict[int, float] = {}
 
     # --- attributes -------------------------------------------------------------------------------
 
@@ -295,7 +302,7 @@ class _Reader:
             return None
         self._use(component, found)
         attribute = component.attributes[found]
-        if not attribute.value or not attribute.text:
+        if not attribute.value or (isinstance(attribute.value, str) and not attribute.text):
             return None
         value = quantity_of(component, attribute, name)
         return None if self._is_unknown(name, value, attribute.text) else value
@@ -570,6 +577,8 @@ class _Reader:
             table["kind"] = kind
         if self._text(oil, "basis") == "mineral":
             table["oil_type"] = "mineral"
+        if any(key.startswith("viscosit") for key in table) and "density" not in table:
+            table["density"] = _USUAL_DENSITY
         for tried in (table, name):
             try:
                 if isinstance(tried, str):
@@ -578,6 +587,8 @@ class _Reader:
                     Lubricant.from_mapping(tried)
             except InputError:
                 continue
+            if tried is table and table.get("density") == _USUAL_DENSITY:
+                self._note("inferred", oil, "rexs_usual_density")
             return tried
         self._note("left", oil, "rexs_lubricant")
         return None
@@ -604,7 +615,6 @@ class _Reader:
             name = self._named(one, "shafts")
             self._shafts[one.id] = _Laid(one, name, pose, along < 0.0, start, length)
         self._meshes = list(self._read_meshes())
-        self._speeds: dict[int, float] = {}
         ratios = self._read_speeds()
         parts = []
         for number, laid in self._shafts.items():
@@ -1100,12 +1110,12 @@ class _Reader:
             self._use(one, "defines_torque")
             known = "torque_around_u_axis" in one.attributes or bool(power)
             through = self._true(one, "transmits_torque")
-            flows = self._forces.setdefault(laid.component.id, [])
+            flows = self._powers.setdefault(laid.component.id, [])
             if not known and through:
-                flows.append((math.nan, position))
-                self._open = {**getattr(self, "_open", {}), laid.component.id: (one, position)}
+                flows.append(math.nan)
+                self._open.append((laid, one, position))
                 continue
-            flows.append((moment[0] * speed, position))
+            flows.append(moment[0] * speed)
             yield Part("loads", one.id, _load(self._named(one, "loads"), laid.name, position,
                                               force, moment))  # fmt: skip
 
@@ -1168,8 +1178,8 @@ class _Reader:
             if any(force) or any(moment):
                 given.add(one.id)
                 self._note("inferred", one, "rexs_forces_as_load")
-                self._forces.setdefault(laid.component.id, []).append(
-                    (moment[0] * self._speeds[laid.component.id], middle)
+                self._powers.setdefault(laid.component.id, []).append(
+                    moment[0] * self._speeds[laid.component.id]
                 )
                 yield Part(
                     "loads", one.id,
@@ -1196,15 +1206,14 @@ class _Reader:
     def _power_flow(self, meshes: Sequence[_Mesh]) -> dict[int, float]:
         """Power that each mesh brings to its second gear: what comes to a shaft leaves it; W."""
         powers: dict[int, float] = {}
-        self._left_over: dict[int, float] = {}
         waiting = True
         while waiting:
             waiting = False
             for number in self._shafts:
-                flows = self._forces.get(number, [])
-                total = math.fsum(power for power, _ in flows if not math.isnan(power))
+                flows = self._powers.get(number, [])
+                total = math.fsum(power for power in flows if not math.isnan(power))
                 unknown: list[tuple[int, float] | None] = [
-                    None for power, _ in flows if math.isnan(power)
+                    None for power in flows if math.isnan(power)
                 ]
                 for place, mesh in enumerate(meshes):
                     for side, shaft in enumerate(mesh.shafts):
@@ -1215,8 +1224,6 @@ class _Reader:
                             total += sign * powers[place]
                         else:
                             unknown.append((place, sign))
-                if not flows and len(unknown) < 1:
-                    continue
                 if len(unknown) != 1:
                     continue
                 if unknown[0] is None:
@@ -1231,9 +1238,9 @@ class _Reader:
 
     def _balancing(self) -> Iterator[Part]:
         """The torques that external loads take or bring, where the gears tell them."""
-        for number, (one, position) in getattr(self, "_open", {}).items():
-            laid, speed = self._shafts[number], self._speeds[number]
-            power = self._left_over.get(number, 0.0)
+        for laid, one, position in self._open:
+            speed = self._speeds[laid.component.id]
+            power = self._left_over.get(laid.component.id, 0.0)
             force = self._vector(one, laid, "force_{}_direction")
             moment = self._vector(one, laid, "torque_around_{}_axis")
             if power and speed:
@@ -1338,7 +1345,14 @@ class _Reader:
             count = len(self.remarks)
             yield from self._mended(component, own, attribute.text)
             if len(self.remarks) == count:  # nothing was changed: what was inferred does not count
-                self.remarks = [one for one in self.remarks if one.component != component.id]
+                also = (
+                    {oil.id for oil in self.model.of_type("lubricant")}
+                    if component.type == "gear_unit"
+                    else set()
+                )
+                self.remarks = [
+                    one for one in self.remarks if one.component not in {component.id, *also}
+                ]
         for left in read.values():
             yield from left
 

@@ -33,7 +33,7 @@ from rolamento.exchange.rexs.reading import CUSTOM, Part, machine_of_rexs, parts
 from rolamento.exchange.rexs.values import attribute_of, plain_number, words
 from rolamento.records import frozen
 from rolamento.types import BALL
-from rolamento.units import HOUR
+from rolamento.units import HOUR, ZERO_CELSIUS
 from rolamento.words import Note
 
 if TYPE_CHECKING:
@@ -54,6 +54,7 @@ _SEEN: Final = frozenset({
 """Keys whose meaning stands in attributes of REXS too, though not word for word."""
 _MOST_CONTACTS: Final = 4000
 """Contacts of rolling elements, in all steps, that are written one by one."""
+_DENSITY_AT: Final = 15.0 + ZERO_CELSIUS
 _MOST_STEPS: Final = 100
 """Steps whose results are written."""
 _LIVES: Final = {
@@ -149,6 +150,7 @@ class _Writer:
         self._loads: dict[str, _Draft] = {}
         self._bearings: dict[str, _Draft] = {}
         self._elements: dict[str, list[_Draft]] = {}
+        self._contacts: dict[tuple[int, str], _Draft] = {}
         self._unit = self._add("gear_unit", machine.title)
         self._casing = self._add("gear_casing", "")
         self._relate("assembly", assembly=self._unit, part=self._casing)
@@ -297,6 +299,8 @@ class _Writer:
             viscosity_at_100_degree_celsius=lubricant.viscosity_100,
             thermal_conductivity=lubricant.thermal_conductivity,
         )
+        if lubricant.density_temperature == _DENSITY_AT:
+            draft.put(density_at_15_degree_celsius=lubricant.density)
         if lubricant.kind in ("oil", "grease"):
             draft.word("kind", lubricant.kind)
         if lubricant.viscosities:
@@ -377,6 +381,7 @@ class _Writer:
             width=published and published.width,
             manufacturer=published and published.maker,
             number_of_bearing_rows=len(inside.element_rows),
+            radial_bearing_clearance=inside.diametral_clearance,
             preload_force=bearing.preload,
             preload_distance=bearing.offset,
         )
@@ -546,7 +551,7 @@ class _Writer:
             for source, force in self._forces(None):
                 self._put_force(self._loads[source], force)
             if self._found is not None:
-                results = self._results(0, {draft.id: draft for draft in self._drafts})
+                results = self._results(0, None)
                 if results is not None:
                     self._put_lives(self._bearings, accumulated=False)
             return (), ()
@@ -581,7 +586,7 @@ class _Writer:
         for axis, part, moment in zip(_AXES, force[:3], force[3:], strict=True):
             draft.put(**{names[0].format(axis): part, names[1].format(axis): moment})
 
-    def _results(self, case: int, drafts: dict[int, _Draft]) -> bool | None:
+    def _results(self, case: int, drafts: dict[int, _Draft] | None) -> bool | None:
         """Put what was found in a step; None where it has no result."""
         found = self._found
         assert found is not None
@@ -693,7 +698,7 @@ class _Writer:
                     draft.attributes[name] = Attribute(name, text, unit, "floating_point")
 
     def _put_contacts(
-        self, drafts: dict[int, _Draft], name: str, seated: SeatedBearing, case: int
+        self, drafts: dict[int, _Draft] | None, name: str, seated: SeatedBearing, case: int
     ) -> None:
         """Put load, angle, pressure and size of the contacts of each element."""
         solved = seated.solved
@@ -719,13 +724,11 @@ class _Writer:
                 )
 
     def _contact(self, element: _Draft, race: str) -> _Draft:
-        known = self.__dict__.setdefault("_contacts", {})
-        if (element.id, race) not in known:
-            own = known[element.id, race] = self._add("rolling_element_contact", "")
+        if (element.id, race) not in self._contacts:
+            own = self._contacts[element.id, race] = self._add("rolling_element_contact", "")
             self._relate("assembly", assembly=element, part=own)
             own.word("rolling_element_contact_type", f"{race}_raceway_contact")
-        found: _Draft = known[element.id, race]
-        return found
+        return self._contacts[element.id, race]
 
     def _put_lives(self, drafts: Mapping[str, _Draft], *, accumulated: bool) -> None:
         assert self._found is not None
@@ -744,8 +747,10 @@ class _Writer:
 # --- small parts ----------------------------------------------------------------------------------
 
 
-def _of(drafts: dict[int, _Draft], draft: _Draft) -> _Draft:
-    """A draft for some attributes of a component, in a load case."""
+def _of(drafts: dict[int, _Draft] | None, draft: _Draft) -> _Draft:
+    """A draft for some attributes of a component in a load case; itself where there is none."""
+    if drafts is None:
+        return draft
     if draft.id not in drafts:
         drafts[draft.id] = _Draft(draft.id, draft.type, "")
     return drafts[draft.id]

@@ -73,6 +73,9 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " β = {helix:.4g °}; the module is that of the operating pitch circles."
     ),
     "rexs_hand": marked("A positive helix angle is taken as right-handed."),
+    "rexs_usual_density": marked(
+        "No density is given; it is taken as 880 kg/m³, as of mineral oils."
+    ),
     "rexs_pressure_angle": marked("No pressure angle is given; it is taken as 20°."),
     "rexs_balance": marked("The torque that the gears leave: {torque:.6g N·m}."),
     "rexs_torque_of_power": marked("Its torque is that of its power at the speed of the shaft."),
