@@ -114,8 +114,8 @@ def test_what_is_larger_than_any_gear_unit_is_refused_soon(content: bytes, expec
     [
         (b"", "is empty"),
         (b"\xef\xbb\xbf  \n", "is empty"),
-        (b"\x89PNG\r\n\x1a\n\0\0\0", "is not valid XML"),
-        (b"title = 1", "line 1: is not valid XML"),
+        (b"\x89PNG\r\n\x1a\n\0\0\0", "is not a REXS model, which is XML, JSON or a zip archive"),
+        (b"title = 1", "is not a REXS model, which is XML, JSON or a zip archive"),
         (b"<html></html>", "is not a REXS model: it begins with html"),
         (b"<model></model>", "version: is missing"),
         (b'<?xml version="1.0" encoding="klingon"?><model version="2.0"/>', "is not valid XML"),

@@ -41,7 +41,7 @@ def import_page(found: Imported) -> Document:
     )
     head = KeyValues((
         Entry(said("file"), by),
-        Entry(said("machine"), ", ".join(f"{count} {kind}" for kind, count in parts.items())),
+        Entry(said("machine"), ", ".join(f"{kind} {count}" for kind, count in parts.items())),
     ))  # fmt: skip
     names = {one.component: one.name for one in found.taken}
     return Document(

@@ -50,6 +50,8 @@ _MOST_ENTRIES: Final = 1000
 _LONGEST_NUMBER: Final = 10
 """Digits of an id."""
 _CODES: Final = {"int32": "i", "float32": "f", "float64": "d"}
+_OTHER_ENCODINGS: Final = (b"\xff\xfe", b"\xfe\xff", b"\0<", b"<\0")
+"""How XML as UTF-16 begins."""
 _BYTE_ORDER_MARK: Final = b"\xef\xbb\xbf"
 _EXAMPLE: Final = "gearbox.rexs"
 
@@ -93,7 +95,11 @@ def parse_rexs(content: bytes, source: str = "") -> RexsModel:
         plain = content.removeprefix(_BYTE_ORDER_MARK).lstrip()
         if not plain:
             raise FileError(said("is empty; a REXS model is expected"), example=_EXAMPLE)
-        return _of_json(plain) if plain.startswith(b"{") else _XmlReader(content).model
+        if plain.startswith(b"{"):
+            return _of_json(plain)
+        if not plain.startswith((b"<", *_OTHER_ENCODINGS)):
+            raise FileError(said("is not a REXS model, which is XML, JSON or a zip archive"))
+        return _XmlReader(content).model
     except FileError as error:
         raise error if error.source else error.with_details(source=source) from None
     except RecursionError:

@@ -960,7 +960,8 @@ class _Reader:
         found = min(alike, key=lambda other: abs((other.dynamic_rating or 0.0) - rating))
         self._note(
             "inferred", one, "rexs_by_size", designation=found.designation, bore=bore,
-            outside=outside, width=found.width or 0.0,
+            outside=outside, width=found.width or 0.0, count=len(alike),
+            rated=bool(rating),
         )  # fmt: skip
         return found.designation
 

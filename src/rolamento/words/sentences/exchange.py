@@ -21,6 +21,24 @@ def _type_misleads(values: Mapping[str, Any]) -> str:
     )
 
 
+def _by_size(values: Mapping[str, Any]) -> str:
+    text = said(
+        "Of its type and size, {bore:.6g mm} × {outside:.6g mm} × {width:.6g mm}, the catalogue has"
+        " {designation}.",
+        **values,
+    )
+    count = int(values["count"])
+    if count < 2:
+        return text
+    if values["rated"]:
+        return said(
+            "{text} It is the one of {count} whose load rating is nearest.", text=text, count=count
+        )
+    return said(
+        "{text} It is the one of {count} with the lowest load rating.", text=text, count=count
+    )
+
+
 _DIRECTIONS: Final = {"positive": marked("positive"), "negative": marked("negative")}
 
 
@@ -50,10 +68,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "Between two sections {gap:.4g mm} are free; they are filled as thick as the thinner one."
     ),
     "rexs_by_name": marked("Its designation {designation} is that of its name."),
-    "rexs_by_size": marked(
-        "Of its type and size, {bore:.6g mm} × {outside:.6g mm} × {width:.6g mm}, the catalogue has"
-        " {designation}."
-    ),
+    "rexs_by_size": _by_size,
     "rexs_other_sizes": marked(
         "{designation} of the catalogue has {bore:.6g mm} × {outside:.6g mm}, the file says"
         " {given_bore:.6g mm} × {given_outside:.6g mm}; the designation does not count."
