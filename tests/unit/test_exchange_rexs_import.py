@@ -606,3 +606,13 @@ def test_a_model_without_bearings_is_refused() -> None:
     model = shaft_on_two()
     del model.components[6], model.components[7]
     assert "at least one bearing" in refused(model)
+
+
+@pytest.mark.parametrize(
+    "kind", ["shaft", "rolling_bearing_with_catalog_geometry", "external_load"]
+)
+def test_more_than_a_machine_has_is_refused_soon(kind: str) -> None:
+    model = shaft_on_two()
+    for number in range(1000, 6000):
+        model.add(number, kind, None, "many")
+    assert f"{kind}: is there 500" in refused(model)

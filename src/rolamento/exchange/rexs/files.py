@@ -45,6 +45,8 @@ _LARGEST: Final = 32 * 2**20
 """Bytes of a file, and of what it inflates to."""
 _MOST_ELEMENTS: Final = 1_000_000
 """Elements of XML, numbers in arrays among them; or the values of JSON."""
+_MOST_MARKS: Final = 4 * _MOST_ELEMENTS
+"""Brackets and commas of JSON, of which an attribute has some beside its values."""
 _DEEPEST: Final = 32
 _MOST_ENTRIES: Final = 1000
 _LONGEST_NUMBER: Final = 10
@@ -345,6 +347,9 @@ def _decoded(code: str, text: str, most: int) -> tuple[str, ...]:
 
 
 def _of_json(content: bytes) -> RexsModel:
+    # before anything is made of them: a bracket takes a byte in the file, and fifty in memory
+    if sum(content.count(mark) for mark in (b"[", b"{", b",")) > _MOST_MARKS:
+        raise FileError(said("has more than {most} elements", most=_MOST_ELEMENTS))
     try:
         text = content.decode("utf-8")
         # numbers stay texts: none is rounded, and none has too many digits

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import json
 import math
+from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, Final, Literal, NamedTuple
 
 from rolamento.case.lubricant import Lubricant
 from rolamento.case.machine import Machine, MachineBearing
+from rolamento.case.machine_files import MOST_SECTIONS
 from rolamento.case.machine_loads import operating_mesh
 from rolamento.catalogue import CatalogueBearing, catalogue
 from rolamento.errors import FileError, InputError
@@ -44,6 +46,12 @@ _READ: Final = (
     "cylindrical_stage", "additional_mass", "lubricant", "material", "rolling_bearing_row",
     "rolling_element", "flank_geometry", *BEARINGS, *_SPRINGS,
 )  # fmt: skip
+_MOST: Final = (
+    (("shaft",), 20), (BEARINGS, 100), (("external_load",), 500), (("cylindrical_gear",), 100),
+    (("cylindrical_stage",), 100), (("additional_mass",), 500), (_SPRINGS, 200),
+    (("shaft_section",), 20 * MOST_SECTIONS),
+)  # fmt: skip
+"""As many components of some types as a machine has; no more are looked at."""
 _SILENT: Final = ("stage_gear_data", "rolling_element_contact")
 """What holds no more than results, or nothing."""
 _PARALLEL: Final = 1e-6
@@ -182,7 +190,7 @@ def machine_of_rexs(model: RexsModel, *, load_case: int | None = None) -> Import
         Of `rolamento.exchange.rexs.read_rexs`.
     load_case
         Id of the one to take; by default the whole load spectrum, where one factor of load and one
-        of speed tell its load cases apart, else the first.
+        of speed part its load cases, else the first.
 
     Raises
     ------
@@ -381,7 +389,7 @@ class _Reader:
         return base
 
     def _read_spectrum(self, base: RexsModel, cases: Sequence[LoadCase]) -> None:
-        """Take load cases as the steps of a spectrum, where two factors tell them apart."""
+        """Take load cases as the steps of a spectrum, where two factors part them."""
         first = _duty(base, base.components)
         steps = []
         shares = []
@@ -432,6 +440,7 @@ class _Reader:
         """Return the parts of the machine, as any reader finds them."""
         if not self.model.version.startswith(("1.", "2.0")):
             self._note("left", None, "rexs_version", version=self.model.version[:20])
+        self._check_counts()
         self._check_relations()
         shafts = self._read_shafts()
         bearings = list(self._read_bearings())
@@ -444,6 +453,17 @@ class _Reader:
             Part("machine", units[0].id if units else 0, head),
             *shafts, *bearings, *springs, *loads, *gears, *masses,
         ]  # fmt: skip
+
+    def _check_counts(self) -> None:
+        counts = Counter(one.type for one in self.model.components)
+        for types, most in _MOST:
+            count = sum(counts[name] for name in types)
+            if count > most:
+                raise FileError(
+                    said("is there {count} times; a machine has at most {most}",
+                         count=count, most=most),
+                    field=types[0],
+                )  # fmt: skip
 
     def _check_relations(self) -> None:
         missing: set[int] = set()
@@ -1238,7 +1258,7 @@ class _Reader:
         return {place: power for place, power in powers.items() if power}
 
     def _balancing(self) -> Iterator[Part]:
-        """The torques that external loads take or bring, where the gears tell them."""
+        """The torques that external loads take or bring, where the gears give them."""
         for laid, one, position in self._open:
             speed = self._speeds[laid.component.id]
             power = self._left_over.get(laid.component.id, 0.0)
