@@ -293,6 +293,9 @@ def test_a_machine_without_its_custom_attributes_is_nearly_the_same(
     found, machine = machine_of_rexs(bare).machine, shaft.solved.machine
     assert [one.share for one in found.spectrum] == [one.share for one in machine.spectrum]
     assert [one.speed_factor for one in found.spectrum] == [1.0, 1.0, 1.2]
+    assert found.lubricant is not None
+    assert found.lubricant.viscosity_40 == pytest.approx(220e-6)
+    assert found.temperature == machine.temperature
     own, other = found.shafts[0], machine.shafts[0]
     assert (own.sections, own.speed) == (other.sections, other.speed)
     for step, same in zip(found.spectrum, machine.spectrum, strict=True):

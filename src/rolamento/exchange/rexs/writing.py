@@ -31,6 +31,7 @@ from rolamento.exchange.rexs.model import (
 )
 from rolamento.exchange.rexs.reading import CUSTOM, Part, machine_of_rexs, parts_of
 from rolamento.exchange.rexs.values import attribute_of, plain_number, words
+from rolamento.lubrication.oil_state import oil_density, oil_state
 from rolamento.records import frozen
 from rolamento.types import BALL
 from rolamento.units import HOUR, ZERO_CELSIUS
@@ -293,25 +294,23 @@ class _Writer:
         if lubricant in self._oils:
             return self._oils[lubricant]
         draft = self._oils[lubricant] = self._add("lubricant", lubricant.name)
+        draft.put(name=lubricant.name)
+        if lubricant.kind not in ("oil", "grease"):
+            return draft
+        draft.word("kind", lubricant.kind)
+        warm = oil_state(lubricant, np.array([40.0, 100.0]) + ZERO_CELSIUS)
+        for name, given, found in (
+            ("viscosity_at_40_degree_celsius", lubricant.viscosity_40, warm.kinematic_viscosity[0]),
+            ("viscosity_at_100_degree_celsius", lubricant.viscosity_100,
+             warm.kinematic_viscosity[1]),
+        ):  # fmt: skip
+            draft.put(**{name: float(f"{float(found):.12g}") if given is None else given})
+        cool = float(oil_density(lubricant, _DENSITY_AT))
+        as_given = lubricant.density_temperature == _DENSITY_AT
         draft.put(
-            name=lubricant.name,
-            viscosity_at_40_degree_celsius=lubricant.viscosity_40,
-            viscosity_at_100_degree_celsius=lubricant.viscosity_100,
+            density_at_15_degree_celsius=lubricant.density if as_given else float(f"{cool:.12g}"),
             thermal_conductivity=lubricant.thermal_conductivity,
         )
-        if lubricant.density_temperature == _DENSITY_AT:
-            draft.put(density_at_15_degree_celsius=lubricant.density)
-        if lubricant.kind in ("oil", "grease"):
-            draft.word("kind", lubricant.kind)
-        if lubricant.viscosities:
-            draft.put(
-                temperature_variation_lubricant_viscosity=[
-                    point.temperature for point in lubricant.viscosities
-                ],
-                temperature_dependent_kinematic_viscosity=[
-                    point.viscosity for point in lubricant.viscosities
-                ],
-            )
         return draft
 
     # --- shafts -----------------------------------------------------------------------------------
@@ -515,6 +514,11 @@ class _Writer:
             reference_diameter_cylindrical_gear=gear.diameter,
             helix_angle_reference_diameter=sign * gear.helix_angle,
         )
+        flanks = {}
+        for side in ("left", "right"):
+            flanks[side] = self._add("flank_geometry", "")
+            flanks[side].put(normal_pressure_angle=gear.pressure_angle)
+        self._relate("flank", gear=draft, **flanks)
         self._owns("gears", draft, gear)
         return draft
 
