@@ -496,6 +496,31 @@ def test_profile_shift_moves_the_pitch_circles() -> None:
     assert "rexs_operating_mesh" in keys(found, "inferred")
 
 
+def test_a_gear_between_two_others_has_two_meshes() -> None:
+    model = gear_pair().drop(33, "transmits_torque")
+    model.add(40, "shaft", 1, "Dritte", **at(1, 10, 0, 60 + 2.0 * 30))
+    model.add(41, "shaft_section", 40, "", length=("100", "mm"), outer_diameter_begin=("30", "mm"))
+    for number, place in ((42, 10), (43, 90)):
+        model.add(number, "rolling_bearing_with_catalog_geometry", None, f"Dritte {place}",
+                  **at(40, place, 0, 0), catalogue_designation="6206")  # fmt: skip
+        model.relations.append(side(500 + number, number, 40, 2))
+    model.add(44, "cylindrical_gear", 40, "Drittes Rad", **at(40, 60, 0, 0),
+              number_of_teeth="20", normal_module=("2", "mm"))  # fmt: skip
+    model.add(45, "cylindrical_stage", 1)
+    model.relations.append((601, "stage", {"stage": 45, "gear_1": 31, "gear_2": 44}))
+    model.add(46, "external_load", 40, "Last", transmits_torque="true",
+              u_coordinate_on_shaft=("100", "mm"))  # fmt: skip
+    machine = read(model).machine
+    assert len(machine.gears) == 4
+    forces = {force.name: force.force for force in machine.forces() if "gears" in force.source}
+    # the tangential forces of both meshes of the wheel add up, the radial ones cancel
+    across = [force for name, force in forces.items() if name.startswith("Rad")]
+    assert sum(force[1] for force in across) == pytest.approx(-2.0 * 2500.0)
+    assert sum(force[2] for force in across) == pytest.approx(0.0, abs=1e-9)
+    assert sum(force[3] for force in across) == pytest.approx(0.0, abs=1e-9)
+    assert analyse_machine(machine).converged
+
+
 def test_forces_that_are_given_count() -> None:
     model = gear_pair()
     for number, sign in ((30, 1.0), (31, -1.0)):

@@ -30,10 +30,20 @@ from rolamento.types import BALL, TYPES, BearingType
 from rolamento.units import Dimension, from_si, readable, to_si
 from rolamento.words import Note, said
 
-__all__ = ["CUSTOM", "Imported", "Part", "Remark", "Taken", "machine_of_rexs", "parts_of"]
+__all__ = [
+    "APPLICATION",
+    "CUSTOM",
+    "Imported",
+    "Part",
+    "Remark",
+    "Taken",
+    "machine_of_rexs",
+    "parts_of",
+]
 
 SCHEMA: Final = 1
 KIND: Final = "rexs_import"
+APPLICATION: Final = "Rolamento"
 CUSTOM: Final = "custom_rolamento"
 """Attribute in which Rolamento keeps what REXS has no word for."""
 
@@ -495,6 +505,9 @@ class _Reader:
                     unread.setdefault(one.type, {}).update(dict.fromkeys(left))
         if any(_is_result(name) for one in self.whole.components for name in one.attributes):
             self._note("left", None, "rexs_results_left")
+        changed = any(one.note.key == "rexs_changed" for one in self.remarks)
+        if self.whole.application == APPLICATION and not changed:
+            return  # what nobody read stands in its own attributes
         for kind, found in others.items():
             self.remarks.append(
                 Remark("left", None, Note("rexs_components_left", {

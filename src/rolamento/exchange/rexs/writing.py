@@ -29,7 +29,7 @@ from rolamento.exchange.rexs.model import (
     Relation,
     RexsModel,
 )
-from rolamento.exchange.rexs.reading import CUSTOM, Part, machine_of_rexs, parts_of
+from rolamento.exchange.rexs.reading import APPLICATION, CUSTOM, Part, machine_of_rexs, parts_of
 from rolamento.exchange.rexs.values import attribute_of, plain_number, words
 from rolamento.lubrication.oil_state import oil_density, oil_state
 from rolamento.records import frozen
@@ -208,7 +208,7 @@ class _Writer:
             self._write_mass(mass)
         cases, accumulation = self._write_duty()
         model = RexsModel(
-            words()["version"], "Rolamento", rolamento.__version__, date,
+            words()["version"], APPLICATION, rolamento.__version__, date,
             tuple(draft.component for draft in self._drafts), tuple(self._relations), cases,
             accumulation,
         )  # fmt: skip
@@ -514,11 +514,10 @@ class _Writer:
             reference_diameter_cylindrical_gear=gear.diameter,
             helix_angle_reference_diameter=sign * gear.helix_angle,
         )
-        flanks = {}
-        for side in ("left", "right"):
-            flanks[side] = self._add("flank_geometry", "")
-            flanks[side].put(normal_pressure_angle=gear.pressure_angle)
-        self._relate("flank", gear=draft, **flanks)
+        left, right = self._add("flank_geometry", ""), self._add("flank_geometry", "")
+        for flank in (left, right):
+            flank.put(normal_pressure_angle=gear.pressure_angle)
+        self._relate("flank", gear=draft, left=left, right=right)
         self._owns("gears", draft, gear)
         return draft
 
