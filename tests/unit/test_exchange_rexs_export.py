@@ -32,6 +32,7 @@ from rolamento.exchange.rexs.values import attribute_of, quantity_of, standard_o
 from rolamento.types import TYPES
 
 EXAMPLES = sorted((Path(rolamento.__file__).parent / "examples" / "machines").glob("*.toml"))
+BEARING = "rolling_bearing_with_detailed_geometry"
 DATE = "2026-01-01T00:00:00+00:00"
 
 
@@ -304,6 +305,23 @@ def test_a_machine_without_its_custom_attributes_is_nearly_the_same(
     solved = rolamento.shaft(found)
     for name, seated in shaft.solved.bearings.items():
         assert solved.bearings[name].force == pytest.approx(seated.force, rel=1e-3, abs=0.5)
+
+
+@pytest.mark.parametrize("ending", [".rexs", ".rexsj", ".rexsz"])
+def test_a_file_that_nobody_changed_is_the_same_to_a_reader_that_finds_more(
+    shaft: MachineAnalysis, ending: str
+) -> None:
+    """What any reader finds stands in the file too: of an untouched one it does not matter."""
+    model = rexs_of_machine(shaft, date=DATE).model
+    other = re.sub(r'"designation": \[null', '"designation": ["found by a later one"',
+                   of(model, BEARING, "floating").attributes[CUSTOM].text)  # fmt: skip
+    assert "later" in other
+    later = changed(model, BEARING, "floating", **{CUSTOM: other})
+    found = machine_of_rexs(parse_rexs(rexs_bytes(later, f"a{ending}")))
+    assert found.machine == shaft.solved.machine
+    touched = changed(later, "shaft_section", "", inner_diameter_begin="1.0")
+    found = machine_of_rexs(parse_rexs(rexs_bytes(touched, f"a{ending}")))
+    assert "rexs_changed" in [remark.note.key for remark in found.remarks]
 
 
 @pytest.mark.parametrize("text", ["nonsense", "[1]", '[["loads", 3]]', "{}x", "[" * 50_000])

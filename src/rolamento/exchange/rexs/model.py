@@ -5,6 +5,7 @@ Numbers stay the texts that they were, so that nothing is rounded on the way.
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Iterator, Mapping
 from dataclasses import field
 from functools import cached_property
@@ -189,6 +190,24 @@ class RexsModel:
                 found.setdefault((ref.role, ref.id), []).append(relation)
         return found
 
+    def digest(self, besides: str) -> str:
+        """Return a text that is another one where anything was changed.
+
+        besides: how attributes begin that do not count.
+        """
+        parts: list[object] = [
+            [(one.id, one.type, one.name, _plain(one, besides)) for one in self.components],
+            [
+                (one.id, one.type, [(ref.id, ref.role) for ref in one.refs], one.order)
+                for one in self.relations
+            ],
+            [
+                (case.id, [(one.id, _plain(one, besides)) for one in case.components])
+                for case in self.load_cases
+            ],
+        ]
+        return hashlib.sha256(repr(parts).encode("utf-8", "replace")).hexdigest()[:32]
+
     def in_load_case(self, load_case: LoadCase) -> RexsModel:
         """Return the model with what a load case gives over it."""
         own = {one.id: one for one in load_case.components}
@@ -202,3 +221,11 @@ class RexsModel:
             self.version, self.application, self.application_version, self.date, merged,
             self.relations,
         )  # fmt: skip
+
+
+def _plain(component: Component, besides: str) -> list[tuple[str, Value, str]]:
+    return [
+        (one.id, one.value, one.unit)
+        for name, one in sorted(component.attributes.items())
+        if not name.startswith(besides)
+    ]

@@ -33,6 +33,7 @@ from rolamento.words import Note, said
 __all__ = [
     "APPLICATION",
     "CUSTOM",
+    "DIGEST",
     "Imported",
     "Part",
     "Remark",
@@ -46,6 +47,9 @@ KIND: Final = "rexs_import"
 APPLICATION: Final = "Rolamento"
 CUSTOM: Final = "custom_rolamento"
 """Attribute in which Rolamento keeps what REXS has no word for."""
+
+DIGEST: Final = f"{CUSTOM}_digest"
+"""Attribute that says whether anything else in the file was changed since."""
 
 BEARINGS: Final = (
     "rolling_bearing_with_catalog_geometry", "rolling_bearing_with_detailed_geometry",
@@ -287,6 +291,7 @@ class _Reader:
         self._frame = HOME
         self._shafts: dict[int, _Laid] = {}
         self._names: dict[str, set[str]] = {}
+        self._untouched = False
         self._speeds: dict[int, float] = {}
         self._meshes: list[_Mesh] = []
         self._powers: dict[int, list[float]] = {}
@@ -491,7 +496,7 @@ class _Reader:
         unread: dict[str, dict[str, None]] = {}
         read: dict[str, set[str]] = {}
         for one in self.whole.components:
-            read.setdefault(one.type, {CUSTOM}).update(self.used.get(one.id, ()))
+            read.setdefault(one.type, {CUSTOM, DIGEST}).update(self.used.get(one.id, ()))
         for one in self.whole.components:
             if one.type not in _READ and one.type not in _SILENT:
                 others.setdefault(one.type, []).append(one)
@@ -1369,6 +1374,9 @@ class _Reader:
         read: dict[int, list[Part]] = {}
         for part in parts:
             read.setdefault(part.component, []).append(part)
+        digests = [one.attributes[DIGEST].text for one in self.model.of_type("gear_unit")
+                   if DIGEST in one.attributes]  # fmt: skip
+        self._untouched = bool(digests) and digests[0] == self.whole.digest(CUSTOM)
         for component in self.model.components:
             own = read.pop(component.id, [])
             attribute = component.attributes.get(CUSTOM)
@@ -1405,7 +1413,11 @@ class _Reader:
             part = own[place] if place < len(own) else None
             table = {} if part is None else dict(part.table)
             plain = _as_json(table)
-            stale = [key for key, (was, _) in keys.items() if plain.get(key) != was]
+            stale = [
+                key
+                for key, (was, _) in keys.items()
+                if plain.get(key) != was and not self._untouched
+            ]
             other_kind = part is None or part.kind != kind
             if stale:
                 self._note("left", component, "rexs_changed", keys=", ".join(stale))

@@ -29,7 +29,14 @@ from rolamento.exchange.rexs.model import (
     Relation,
     RexsModel,
 )
-from rolamento.exchange.rexs.reading import APPLICATION, CUSTOM, Part, machine_of_rexs, parts_of
+from rolamento.exchange.rexs.reading import (
+    APPLICATION,
+    CUSTOM,
+    DIGEST,
+    Part,
+    machine_of_rexs,
+    parts_of,
+)
 from rolamento.exchange.rexs.values import attribute_of, plain_number, words
 from rolamento.lubrication.oil_state import oil_density, oil_state
 from rolamento.records import frozen
@@ -232,9 +239,12 @@ class _Writer:
             if any(keys for _, keys in entries)
             or [kind for kind, _ in entries] != [part.kind for part in read.get(number, [])]
         }
+        digest = Attribute(DIGEST, model.digest(CUSTOM), "none", "string")
+        own = {number: {CUSTOM: custom} for number, custom in customs.items()}
+        own.setdefault(self._unit.id, {})[DIGEST] = digest
         components = tuple(
-            Component(one.id, one.type, one.name, {**one.attributes, CUSTOM: customs[one.id]})
-            if one.id in customs
+            Component(one.id, one.type, one.name, {**one.attributes, **own[one.id]})
+            if one.id in own
             else one
             for one in model.components
         )
