@@ -280,6 +280,29 @@ def test_what_another_program_changed_counts(shaft: MachineAnalysis) -> None:
     assert found.machine.bearing("locating") == shaft.solved.machine.bearing("locating")
 
 
+def test_a_bearing_whose_inside_was_changed_is_as_it_is_now(shaft: MachineAnalysis) -> None:
+    """Its designation alone would not say so: it stands with the new geometry."""
+    model = changed(rexs_of_machine(shaft, date=DATE).model, "rolling_element", "",
+                    diameter_of_rolling_element="14.0")  # fmt: skip
+    found = machine_of_rexs(model)
+    bearing = found.machine.bearing("locating").case.bearing
+    assert (bearing.designation, bearing.ball_diameter) == ("6308", 0.014)
+    assert {"rexs_changed"} == {remark.note.key for remark in found.of_sort("left")
+                                if remark.component is not None}  # fmt: skip
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_parts_that_another_program_calls_otherwise_make_a_machine(path: Path) -> None:
+    model = rexs_of_machine(load_machine(path), date=DATE).model
+    renamed = replace(
+        model,
+        components=tuple(replace(one, name=f"{one.name} new") for one in model.components),
+    )
+    machine = machine_of_rexs(parse_rexs(rexs_bytes(renamed, "a.rexs"))).machine
+    assert all(shaft.name.endswith(" new") for shaft in machine.shafts)
+    assert len(machine.bearings) == len(load_machine(path).bearings)
+
+
 def test_a_machine_without_its_custom_attributes_is_nearly_the_same(
     shaft: MachineAnalysis,
 ) -> None:

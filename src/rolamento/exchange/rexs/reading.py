@@ -9,9 +9,20 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, Final, Literal, NamedTuple
 
 from rolamento.case.lubricant import Lubricant
-from rolamento.case.machine import Machine, MachineBearing
+from rolamento.case.machine import (
+    Belt,
+    Gear,
+    Housing,
+    Machine,
+    MachineBearing,
+    Mass,
+    Shaft,
+    ShaftLoad,
+    Spring,
+)
 from rolamento.case.machine_files import MOST_SECTIONS
 from rolamento.case.machine_loads import operating_mesh
+from rolamento.case.record import Record
 from rolamento.catalogue import CatalogueBearing, catalogue
 from rolamento.errors import FileError, InputError
 from rolamento.exchange.rexs.model import Component, LoadCase, RexsModel
@@ -66,6 +77,10 @@ _MOST: Final = (
     (("shaft_section",), 20 * MOST_SECTIONS),
 )  # fmt: skip
 """As many components of some types as a machine has; no more are looked at."""
+_RECORDS: Final[Mapping[str, type[Record]]] = {
+    "shafts": Shaft, "bearings": MachineBearing, "housings": Housing, "springs": Spring,
+    "loads": ShaftLoad, "gears": Gear, "belts": Belt, "masses": Mass,
+}  # fmt: skip
 _SILENT: Final = ("stage_gear_data", "rolling_element_contact")
 """What holds no more than results, or nothing."""
 _PARALLEL: Final = 1e-6
@@ -215,11 +230,17 @@ def machine_of_rexs(model: RexsModel, *, load_case: int | None = None) -> Import
         If what is there makes no machine: no shaft, or no bearing.
     """
     reader = _Reader(model, load_case)
-    parts = list(reader.restored(reader.parts()))
-    mapping = _assembled(parts)
-    if not mapping.get("shafts"):
+    plain_parts = reader.parts()
+    parts = list(reader.restored(plain_parts))
+    if not any(part.kind == "shafts" for part in parts):
         raise InputError(said("has no shaft with sections, of which a machine is made"))
-    machine = Machine.from_mapping(mapping)
+    try:
+        machine = Machine.from_mapping(_assembled(parts))
+    except InputError:
+        if not reader.was_changed:
+            raise
+        parts = plain_parts  # parts that do not go together with what was changed
+        machine = Machine.from_mapping(_assembled(parts))
     counts: dict[str, int] = {}
     names: dict[int, list[str]] = {}
     for part in parts:
@@ -490,6 +511,11 @@ class _Reader:
                         "left", None, "rexs_missing_component", relation=relation.id, id=ref.id
                     )
 
+    @property
+    def was_changed(self) -> bool:
+        """Whether another program has changed what Rolamento had written."""
+        return any(one.note.key == "rexs_changed" for one in self.remarks)
+
     def name_what_is_left(self) -> None:
         """Note components and attributes that nobody read, those of a type together."""
         others: dict[str, list[Component]] = {}
@@ -510,8 +536,7 @@ class _Reader:
                     unread.setdefault(one.type, {}).update(dict.fromkeys(left))
         if any(_is_result(name) for one in self.whole.components for name in one.attributes):
             self._note("left", None, "rexs_results_left")
-        changed = any(one.note.key == "rexs_changed" for one in self.remarks)
-        if self.whole.application == APPLICATION and not changed:
+        if self.whole.application == APPLICATION and not self.was_changed:
             return  # what nobody read stands in its own attributes
         for kind, found in others.items():
             self.remarks.append(
@@ -1433,12 +1458,26 @@ class _Reader:
                     table.pop(key, None)
                 else:
                     table[key] = now
+            if stale and part is not None and not _is_valid(kind, table):
+                table = part.table  # what is left of the keys does not go with what was changed
             if table or kind == "machine":
                 yield Part(kind, component.id, table)
         yield from own[len(changes) :]
 
 
 # --- small parts ----------------------------------------------------------------------------------
+
+
+def _is_valid(kind: str, table: Mapping[str, Any]) -> bool:
+    """Whether a table describes a part; of what stands above the parts the machine says."""
+    record = _RECORDS.get(kind)
+    try:
+        part = None if record is None else record.from_mapping(table)
+        if isinstance(part, MachineBearing):
+            part.case  # noqa: B018  # which is refused if it is none
+    except InputError:
+        return False
+    return True
 
 
 def _is_result(name: str) -> bool:
