@@ -26,11 +26,13 @@ __all__ = [
     "Inertia",
     "Mass",
     "Name",
+    "OperatingMesh",
     "Place",
     "ShaftLoad",
     "Six",
     "Speed",
     "mirrored",
+    "operating_mesh",
 ]
 
 Six = tuple[float, float, float, float, float, float]
@@ -463,6 +465,60 @@ def mirrored(gear: Gear, mate: Gear, forces: Six) -> Six:
     # seen from the other shaft the mesh point is on the other side
     radial, tangential = -(fy * sine + fz * cosine), -(-fy * cosine + fz * sine)
     return at_radius(0.5 * gear.diameter, azimuth + math.pi, (fx, radial, tangential))
+
+
+class OperatingMesh(NamedTuple):
+    """Normal module, in m, normal pressure angle and helix angle, in rad, at the pitch circles."""
+
+    module: float
+    pressure_angle: float
+    helix_angle: float
+
+
+def operating_mesh(
+    centre_distance: float,
+    teeth: int,
+    module: float,
+    pressure_angle: float,
+    helix_angle: float = 0.0,
+) -> OperatingMesh:
+    """Return what acts where the pitch circles of two cylindrical gears roll on each other.
+
+    With profile shift these circles are not the reference circles: cos α_wt = a_0/a cos α_t and
+    tan β_w = a/a_0 tan β, with the reference centre distance a_0 = Σz m_n/(2 cos β) (ISO 21771).
+
+    Parameters
+    ----------
+    centre_distance
+        a of the two axes, in m.
+    teeth
+        Σz of both gears.
+    module, pressure_angle, helix_angle
+        m_n, α_n and β at the reference circles, in m and rad.
+
+    Raises
+    ------
+    InputError
+        If the axes are so close that no such gears mesh.
+
+    >>> found = operating_mesh(0.092, 90, 0.002, math.radians(20.0))
+    >>> [round(value, 4) for value in (1e3 * found.module, math.degrees(found.pressure_angle))]
+    [2.0444, 23.1812]
+    """
+    reference = 0.5 * teeth * module / math.cos(helix_angle)
+    stretched = centre_distance / reference
+    transverse = math.atan(math.tan(pressure_angle) / math.cos(helix_angle))
+    cosine = math.cos(transverse) / stretched
+    if not 0.0 < cosine <= 1.0:
+        raise InputError(
+            said("is too short for these gears, whose reference circles need {reference}",
+                 reference=readable(reference, "length")),
+            field="centre_distance",
+            value=readable(centre_distance, "length"),
+        )  # fmt: skip
+    helix = math.atan(stretched * math.tan(helix_angle))
+    normal = math.atan(math.tan(math.acos(cosine)) * math.cos(helix))
+    return OperatingMesh(2.0 * centre_distance / teeth * math.cos(helix), normal, helix)
 
 
 # --- belts and chains -----------------------------------------------------------------------------

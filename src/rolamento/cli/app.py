@@ -24,7 +24,7 @@ from rolamento.cli.streams import end_of_output, print_text
 COMMANDS: Final[Groups] = {
     "To start with": ("demo", "app", "new", "examples", "warm"),
     "Inside the bearing": ("solve", "turn", "friction", "report"),
-    "The machine around it": ("shaft", "rotor"),
+    "The machine around it": ("shaft", "rotor", "import", "export"),
     "Life and life tests": ("life", "weibull", "weibull-plan", "replace", "trend"),
     "Vibration": ("frequencies", "diagnose", "severity", "synthesise", "anderon"),
     "Catalogue and clearance": ("catalogue", "clearance", "speed"),
@@ -34,11 +34,15 @@ COMMANDS: Final[Groups] = {
 """What a person wants, and the commands for it: in the help, the front pages and the guide."""
 
 
-_MODULES: Final = {"app": "browser", "demo": "solve", "examples": "new"}
+_MODULES: Final = {
+    "app": "browser", "demo": "solve", "examples": "new", "import": "exchange",
+    "export": "exchange",
+}  # fmt: skip
 """Modules of commands that have none of their own name."""
 
 _SOLVING: Final = {
     "demo", "app", "solve", "turn", "friction", "report", "life", "sweep", "shaft", "rotor",
+    "export",
 }  # fmt: skip
 """Commands after the first of which the solver is compiled in the background."""
 

@@ -9,16 +9,13 @@ import typer
 
 from rolamento.cli.common import plain_endings
 from rolamento.cli.optional_value import JsonCommand
-from rolamento.cli.options import CataloguesOption, LanguageOption
+from rolamento.cli.options import CataloguesOption, ForceOption, LanguageOption
 from rolamento.cli.streams import STANDARD_STREAM, print_text, put
 from rolamento.errors import InputError
 from rolamento.io.writing import write_text
 from rolamento.words import said
 
 __all__ = ["app", "examples", "new"]
-
-ForceOption = Annotated[bool, typer.Option("--force", help="Overwrite files that are there.")]
-
 
 app = typer.Typer()
 

@@ -15,6 +15,7 @@ __all__ = [
     "CataloguesOption",
     "ChannelOption",
     "DurationOption",
+    "ForceOption",
     "JsonOption",
     "LagOption",
     "LanguageOption",
@@ -90,6 +91,7 @@ VariantsOption = Annotated[
         "such as 'spring:bearing.preload={ spring = \"500 N\" }'. Repeatable.",
     ),
 ]
+ForceOption = Annotated[bool, typer.Option("--force", help="Overwrite files that are there.")]
 JsonOption = Annotated[str | None, json_option("Write everything as JSON, in SI units")]
 PlotOption = Annotated[str | None, plot_option("Draw the result")]
 SeedOption = Annotated[

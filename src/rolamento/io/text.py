@@ -186,12 +186,9 @@ def _refuse_rexs(text: str, source: str) -> None:
     if not _REXS.match(text[:2000]) or not re.search(r"\b(?:relations|components)\b", text):
         return
     raise FileError(
-        said(
-            "is a REXS model of a gear unit, which is not read; give its bearing by designation or"
-            " in a case file"
-        ),
+        said("is a REXS model of a gear unit; make a machine file of it first"),
         source=source,
-        example="rolamento new 6310 case.toml",
+        example="rolamento import gearbox.rexs -o machine.toml",
     )
 
 
