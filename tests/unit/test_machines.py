@@ -170,13 +170,14 @@ def test_what_nothing_holds_along_x_is_named() -> None:
     assert shaft(held).status.converged.all()
 
 
-def test_a_floating_bearing_bears_no_thrust() -> None:
-    """A locating and a floating 6208; heat or thrust goes to one of them alone."""
+@pytest.mark.parametrize("designation", ["6208", "NUP 208 ECP", "NJ 208 ECP", "22208 E"])
+def test_a_floating_bearing_bears_no_thrust(designation: str) -> None:
+    """A locating 6208 and a floating bearing of any type: thrust goes to one of them alone."""
     machine = Machine(
         shafts=[{"name": "s", "sections": [{"length": 0.3, "diameter": 0.04}]}],
         bearings=[
             {"name": "A", "shaft": "s", "position": 0.03, "designation": "6208"},
-            {"name": "B", "shaft": "s", "position": 0.27, "designation": "6208",
+            {"name": "B", "shaft": "s", "position": 0.27, "designation": designation,
              "located": "floating"},
         ],
         loads=[{"shaft": "s", "position": 0.15, "fz": -2000.0, "fx": 500.0}],

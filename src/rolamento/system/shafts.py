@@ -522,13 +522,13 @@ def structure_of(machines: Sequence[Machine], cases: Sequence[Cases]) -> Structu
     seats, shoulders = [], []
     for bearing, own in zip(machine.bearings, cases, strict=True):
         inner = by_name[bearing.shaft].node_at(bearing.position)
-        outer = _outer_node(machine, bearing, by_name, layout)
+        outer = _outer_node(machine, bearing, own, by_name, layout)
         way = float(bearing.side)
         slide = None
         if own.preload == "spring":
             slide = layout.node(free=(0,))
             layout.push(slide, way * own.preload_value)
-        if slides(bearing) and bearing.located != "floating" and outer is not None:
+        if slides(bearing, own) and bearing.located != "floating" and outer is not None:
             shoulders.append(Shoulder(outer, 1.0 if bearing.located == "+x" else -1.0))
         if bearing.spring_force is not None and outer is not None:
             layout.push(outer, np.full(len(own), -way * bearing.spring_force))
@@ -593,20 +593,25 @@ def _beams(machine: Machine) -> list[Beam]:
 
 
 def _outer_node(
-    machine: Machine, bearing: MachineBearing, beams: Mapping[str, Beam], layout: _Layout
+    machine: Machine,
+    bearing: MachineBearing,
+    cases: Cases,
+    beams: Mapping[str, Beam],
+    layout: _Layout,
 ) -> int | None:
     """The node of a bearing's outer ring; None of one that is held."""
     if bearing.outer_shaft is not None:
         return beams[bearing.outer_shaft].node_at(machine.outer_position(bearing.name))
     housing = machine.housing_of(bearing.name)
     if housing is None:
-        return layout.node(free=(0,)) if slides(bearing) else None
+        return layout.node(free=(0,)) if slides(bearing, cases) else None
     return layout.node(free=range(3 if housing.holds_tilt else FIVE))
 
 
-def slides(bearing: MachineBearing) -> bool:
+def slides(bearing: MachineBearing, cases: Cases) -> bool:
     """Whether the outer ring may slide in its seat, and has reason to: its rows hold it along x."""
-    return bearing.located != "both" and bearing.case.bearing.locates
+    holds = not all(placed.row.floats for placed in cases.rows)
+    return bearing.located != "both" and holds
 
 
 def _put_housings(machine: Machine, seats: Mapping[str, Seat], layout: _Layout) -> None:
@@ -620,7 +625,7 @@ def _put_housings(machine: Machine, seats: Mapping[str, Seat], layout: _Layout) 
         for group in groups:
             k = whole.copy()
             for place, seat in enumerate(group):
-                if slides(seat.bearing):
+                if slides(seat.bearing, seat.cases):
                     k = _released(k, FIVE * place)
             nodes = tuple(seat.outer for seat in group if seat.outer is not None)
             layout.springs.append(Linear(nodes, k[np.newaxis]))
