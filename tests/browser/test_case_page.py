@@ -322,7 +322,7 @@ def test_the_keyboard_alone_does(visit: Any) -> None:
     go_to("#wanted")
     page.keyboard.type("6205")
     page.keyboard.press("Enter")
-    page.locator(CONVERGED).wait_for()
+    page.locator(ANSWERED).wait_for()
     go_to('[data-name="duty.load.fz"] input:not([type=range])')
     page.keyboard.type("3 kN")
     page.keyboard.press("Enter")
