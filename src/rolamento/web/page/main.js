@@ -205,7 +205,7 @@ function goTo(step) {
 
 // --- answers -----------------------------------------------------------------------------------
 
-const sectionsOpen = () => [...document.querySelectorAll(".section[open]")];
+const sectionsOpen = () => [...document.querySelectorAll("#sections .section[open]")];
 
 const seen = new Set(); // sections on the screen
 const watcher = new IntersectionObserver((entries) => {
@@ -263,7 +263,7 @@ function showAnswer(answer, quick, asked) {
   $("summary").classList.toggle("one", store.slots.length === 1);
   showPictures(answer.pictures);
   const late = answer.cases.flatMap((one) => one.status?.left_out ?? []).map((one) => LEFT_OUT[one]);
-  for (const section of document.querySelectorAll(".section")) {
+  for (const section of document.querySelectorAll("#sections .section")) {
     const key = section.dataset.section;
     const body = section.lastElementChild;
     const html = key === "notes" ? answer.notes : answer.sections[key];
@@ -281,7 +281,7 @@ function showAnswer(answer, quick, asked) {
 
 /** Say of the results that they are not current; "" that they are. */
 function stale(word) {
-  for (const one of [$("summary"), $("pictures"), ...document.querySelectorAll(".section")]) mark(one, word);
+  for (const one of [$("summary"), $("pictures"), ...document.querySelectorAll("#sections .section")]) mark(one, word);
 }
 
 function mark(element, word, isPart = false) {
