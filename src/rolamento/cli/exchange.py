@@ -55,7 +55,7 @@ def import_(
     load_case: Annotated[
         int | None,
         typer.Option(
-            "--load-case", metavar="ID", help="Load case to take, of a model that has several."
+            "--load-case", metavar="NUMBER", help="Load case to take, of a model that has several."
         ),
     ] = None,
     force: ForceOption = False,
