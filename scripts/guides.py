@@ -48,6 +48,7 @@ PAGES: Final = (
     ),
     DOCS / "faq.md",
     DOCS / "shafts.md",
+    DOCS / "heat.md",
     DOCS / "start.pt-BR.md",
     DOCS / "tutorials" / "maintenance.pt-BR.md",
 )

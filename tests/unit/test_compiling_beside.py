@@ -206,5 +206,6 @@ def test_a_ball_that_takes_long_to_balance_waits_for_nobody(
     monkeypatch.setattr(threads, "compile_beside", lambda: True)
     monkeypatch.setattr(threads, "_say_that_it_takes_a_while", waits)
     found = rolamento.solve(case)
-    assert found.converged.all() and expected.converged.all()
+    assert found.converged.all()
+    assert expected.converged.all()
     np.testing.assert_allclose(found.inner.load, expected.inner.load, rtol=1e-9, atol=1e-6)
