@@ -53,6 +53,7 @@ if TYPE_CHECKING:
     from rolamento.case.bearing import Bearing
     from rolamento.case.duty import Displacement, Duty, Load
     from rolamento.case.film_model import FilmModel
+    from rolamento.case.heat import Heat
     from rolamento.case.life_model import LifeModel
     from rolamento.case.lubricant import Lubricant
     from rolamento.case.machine import Machine, load_machine
@@ -98,6 +99,7 @@ _NAMES_OF_MODULES: Final = {
         "Displacement",
         "Duty",
         "FilmModel",
+        "Heat",
         "LifeModel",
         "Load",
         "Lubricant",
@@ -177,6 +179,7 @@ __all__ = [
     "Duty",
     "FileError",
     "FilmModel",
+    "Heat",
     "InputError",
     "LifeConditions",
     "LifeModel",

@@ -83,6 +83,8 @@ Dimension = Literal[
     "inertia",
     "unbalance",
     "acceleration",
+    "thermal_conductance",
+    "flow_rate",
 ]
 
 _NAMES: Final[dict[Dimension, str]] = {
@@ -108,6 +110,8 @@ _NAMES: Final[dict[Dimension, str]] = {
     "inertia": marked("moment of inertia"),
     "unbalance": marked("unbalance"),
     "acceleration": marked("acceleration"),
+    "thermal_conductance": marked("thermal conductance"),
+    "flow_rate": marked("flow rate"),
 }
 
 SI_UNIT: Final[dict[Dimension, str]] = {
@@ -133,6 +137,8 @@ SI_UNIT: Final[dict[Dimension, str]] = {
     "inertia": "kg m^2",
     "unbalance": "kg m",
     "acceleration": "m/s^2",
+    "thermal_conductance": "W/K",
+    "flow_rate": "m^3/s",
 }
 
 
@@ -230,6 +236,8 @@ _COMMON: Final[dict[Dimension, dict[str, _Unit]]] = {
         "kg m": _Unit(Fraction(1)),
     },
     "acceleration": {"m/s^2": _Unit(Fraction(1)), "mm/s^2": _Unit(Fraction(1, 10**3))},
+    "thermal_conductance": {"W/K": _Unit(Fraction(1)), "kW/K": _Unit(Fraction(10**3))},
+    "flow_rate": {"l/min": _Unit(Fraction(1, 60_000)), "m^3/s": _Unit(Fraction(1))},
 }
 
 _LONGEST_TEXT: Final = 100
@@ -644,4 +652,5 @@ _EXAMPLE_NUMBERS: Final[dict[Dimension, str]] = {
     "thermal_expansion": "0.0007",
     "velocity": "1.8",
     "power": "45",
+    "flow_rate": "0.5",
 }

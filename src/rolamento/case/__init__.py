@@ -19,6 +19,7 @@ from rolamento.case.case import (
 )
 from rolamento.case.duty import Displacement, Duty, Load
 from rolamento.case.film_model import FilmModel
+from rolamento.case.heat import Heat
 from rolamento.case.life_model import LifeModel
 from rolamento.case.lubricant import Lubricant
 from rolamento.case.material import Material
@@ -55,6 +56,7 @@ __all__ = [
     "FilmModel",
     "Gear",
     "Gravity",
+    "Heat",
     "Housing",
     "LifeModel",
     "Load",

@@ -15,6 +15,7 @@ from rolamento.case.duty import SHORT_NAMES, Duty
 from rolamento.case.fields import OVERRIDE_SOURCE, Changes, changed, fields_of, overridden
 from rolamento.case.fields import Field as CaseField
 from rolamento.case.film_model import FilmModel
+from rolamento.case.heat import Heat
 from rolamento.case.life_model import LifeModel
 from rolamento.case.lubricant import LubricantField
 from rolamento.case.model import Model
@@ -89,6 +90,8 @@ class Case(Record):
         outside diameter may be left out of a table where the bearing has a designation.
     film
         A `FilmModel`; its defaults if not given.
+    heat
+        A `Heat`: ways of the heat out of the bearing, for its heat balance.
     life
         A `LifeModel`; ratings, cleanliness and wishes for the life.
     report
@@ -111,6 +114,7 @@ class Case(Record):
     temperature: Temperature | None = Field(None, examples=["[temperature] as a table"])
     mounting: Mounting | None = Field(None, examples=["[mounting] as a table"])
     film: FilmModel | None = Field(None, examples=["[film] as a table"])
+    heat: Heat | None = Field(None, examples=["[heat] as a table"])
     life: LifeModel | None = Field(None, examples=["[life] as a table"])
     report: ReportHead | None = Field(None, examples=["[report] as a table"])
 

@@ -572,6 +572,7 @@ TABLES: Final = {
     "temperature": marked("Temperature"),
     "mounting": marked("Mounting"),
     "film": marked("Film"),
+    "heat": marked("Heat"),
     "life": marked("Life"),
 }
 

@@ -68,6 +68,7 @@ _READABLE: Final[Mapping[str, tuple[tuple[float, ReadableUnit], ...]]] = {
         (1e4, ReadableUnit("kN·m", 1e-3)),
     ),
     "Pa": ((0.0, MEGAPASCAL), (1e10, ReadableUnit("GPa", 1e-9))),
+    "m^3/s": ((0.0, ReadableUnit("l/min", 60e3)),),
     "N/m": ((0.0, ReadableUnit("N/µm", 1e-6)),),
     "N/rad": ((0.0, ReadableUnit("N/mrad", 1e-3)),),
     "N*m/m": ((0.0, ReadableUnit("N·m/mm", 1e-3)),),

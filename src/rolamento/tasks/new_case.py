@@ -42,6 +42,8 @@ TABLES: Final = {
     "mounting": marked("Fits: with this table the bearing is solved with the clearance that fits, "
                        "temperatures and speed leave."),
     "film": marked("How the film thickness is calculated."),
+    "heat": marked("Ways of the heat out of the bearing, for rolamento heat; conductances that "
+                   "are not given are estimated."),
     "life": marked("Ratings, cleanliness and what is required of the life."),
     "report": marked("Title block of rolamento report."),
 }  # fmt: skip
@@ -75,6 +77,7 @@ _WITH: Final[Mapping[str, tuple[str, ...]]] = {
     "film.supply": _REPLENISHED,
     "film.bore": _REPLENISHED,
     "film.outside_diameter": _REPLENISHED,
+    "heat.oil_inlet": ("heat.oil_flow",),
     "life.oil_supply": ("life.cleanliness",),
     "life.filter_ratio": ("life.filter_size",),
 }

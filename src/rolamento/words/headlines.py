@@ -47,6 +47,8 @@ REMARKS: Final = frozenset(
         # of speeds: a limit that is not given
         "no_reference_speed_of_thrust", "no_boundary_dimensions", "no_static_rating_for_speed",
         "no_permissible_speed", "no_permissible_speed_under_axial_load", "no_load_to_compare",
+        # of the heat balance: what it found anew
+        "temperatures_of_balance",
         # of life tests: how the numbers were found
         "location_at_zero", "censoring_modelled", "inspected_without_ranks",
         "inspected_groups_not_compared", "too_many_for_ranks", "group_without_failures",

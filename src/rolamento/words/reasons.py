@@ -15,6 +15,7 @@ _REASONS: Final = {
     "unconstrained_ball": marked("a ball is not held"),
     "over_shoulder": marked("a contact lies beyond the shoulder of its groove"),
     "invalid_input": marked("invalid input"),
+    "thermal_runaway": marked("no stable temperature below the limit"),
 }
 
 

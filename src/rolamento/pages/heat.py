@@ -1,0 +1,319 @@
+"""The pages of `heat`: temperatures, heat flows, and what becomes of the preload."""
+
+from __future__ import annotations
+
+from math import isfinite, nan
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from rolamento.document import (
+    Block,
+    CellContent,
+    Column,
+    Document,
+    Entry,
+    Figure,
+    KeyValues,
+    Number,
+    Section,
+    Statement,
+    Table,
+    Title,
+    Tone,
+)
+from rolamento.heat import CONDUCTANCES, NODES
+from rolamento.pages.across import cautions_over, field_column
+from rolamento.pages.friction import torque_unit
+from rolamento.pages.given import untitled
+from rolamento.pages.notes import cautions_section, notes_section, remarks_of
+from rolamento.words import marked, said
+from rolamento.words.reasons import reason
+from rolamento.words.sentences.heat import CONDUCTANCE_NAMES, PLACE_NAMES
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from matplotlib.figure import Figure as Picture
+
+    from rolamento.heat import HeatBalance, HeatState
+    from rolamento.studies.heat_curves import HeatOver
+
+__all__ = ["heat_over_page", "heat_page"]
+
+_STABLE: Final = {True: marked("stable"), False: marked("unstable")}
+
+
+def heat_page(found: HeatBalance) -> Document:
+    """Return the heat balance of a case: its state, where the heat goes, cold beside warm.
+
+    Parameters
+    ----------
+    found
+        What `rolamento.heat.heat_balance` gives.
+    """
+    title = found.case.title or untitled(found.case)
+    sections = [
+        Section("", (Title(title), *_headline(found)), key="head"),
+        *cautions_section(found.notes),
+    ]
+    if found.warm is not None:
+        sections += [_nodes(found), _flows(found)]
+    sections.append(_states_beside(found))
+    if found.roots:
+        sections.append(_roots(found))
+    if len(found.curve.power):
+        figure = Figure(
+            caption=said("Friction and the heat that is removed, over the temperature"),
+            draw=lambda: _picture(found),
+            key="heat",
+        )
+        sections.append(Section("", (figure,), key="figure"))
+    sections += notes_section(remarks_of(found.notes))
+    return Document(title, tuple(sections), kind="heat", main="nodes")
+
+
+def _picture(found: HeatBalance) -> Picture:
+    from rolamento.plots.heat import heat_figure
+
+    return heat_figure(found)
+
+
+def _headline(found: HeatBalance) -> Iterator[Block]:
+    """Yield temperatures, preload and how stable they are; else why there is no state."""
+    root, warm = found.root, found.warm
+    if root is None or warm is None:
+        yield Statement(reason(found.status), "bad-strong")
+        return
+    at = root.temperatures
+    entries = [
+        Entry(
+            said("temperatures"),
+            said(
+                "inner ring {inner:.1f °C}, outer ring {outer:.1f °C}, housing {housing:.1f °C}",
+                inner=at["inner_ring"],
+                outer=at["outer_ring"],
+                housing=at["housing"],
+            ),
+        ),
+        Entry(said("power loss"), Number(root.power, ".4 W")),
+    ]
+    if found.cold.preload is not None and warm.preload is not None:
+        text = said(
+            "{cold:.4 [N]} → {warm:.4 N} (cold → warm)",
+            cold=found.cold.preload,
+            warm=warm.preload,
+        )
+        entries.append(Entry(said("preload"), text))
+    entries.append(
+        Entry(
+            said("stability"),
+            said("stable: one watt of heat more makes {slope:.3} W of friction", slope=root.slope),
+        )
+    )
+    yield KeyValues(tuple(entries))
+
+
+def _nodes(found: HeatBalance) -> Section:
+    root = found.root
+    assert root is not None
+    heated = dict.fromkeys(NODES, 0.0)
+    for flow in found.flows:
+        if flow.start in ("friction", "outside"):
+            heated[flow.end] += flow.power
+    most = max(root.temperatures.values())
+    tones: list[Tone] = ["strong" if root.temperatures[one] == most else "" for one in NODES]
+    columns = (
+        Column(head="", values=[said(PLACE_NAMES[one]) for one in NODES], key="node", tones=tones),
+        Column(
+            head=said("temperature"),
+            values=[Number(root.temperatures[one], ".1f [°C]") for one in NODES],
+            unit="°C",
+            key="temperature",
+            align="right",
+            tones=tones,
+        ),
+        Column(
+            head=said("heat put in"),
+            values=[heated[one] for one in NODES],
+            unit="W",
+            key="heat",
+            tones=tones,
+        ),
+    )
+    table = Table(columns=columns, key="nodes", rule=True, fixed=1)
+    return Section(said("Temperatures"), (table,), key="nodes")
+
+
+def _flows(found: HeatBalance) -> Section:
+    by_ends = {ends: name for name, ends in CONDUCTANCES.items()}
+    network, labels, powers, values, origin = found.network, [], [], [], []
+    for flow in found.flows:
+        name = by_ends.get((flow.start, flow.end))
+        if name is None and flow.end != "oil":
+            continue
+        labels.append(
+            said("elements – oil flow") if name is None else said(CONDUCTANCE_NAMES[name])
+        )
+        powers.append(flow.power)
+        values.append(network.oil if name is None else network.conductances[name])
+        is_estimate = name in network.estimated
+        origin.append(said("estimated") if is_estimate else said("given"))
+    columns = (
+        Column(head="", values=labels, key="between"),
+        Column(head=said("heat flow"), values=powers, unit="W", key="power"),
+        Column(head=said("conductance"), values=values, unit="W/K", key="conductance", figures=3),
+        Column(head="", values=origin, key="origin", tone="faint"),
+    )
+    table = Table(columns=columns, key="flows", rule=True, fixed=1)
+    return Section(said("Heat flows"), (table,), key="flows")
+
+
+def _states_beside(found: HeatBalance) -> Section:
+    """Cold beside warm, line by line."""
+    states: list[HeatState] = [found.cold, *([found.warm] if found.warm is not None else [])]
+    torques = [one.torque for one in states]
+    unit = torque_unit(torques)
+    lines: list[tuple[str, list[float], str, int]] = [
+        (said("inner ring"), [one.temperatures["inner_ring"] for one in states], "°C", 4),
+        (said("outer ring"), [one.temperatures["outer_ring"] for one in states], "°C", 4),
+        (said("lubricant"), [_known(one.lubricant) for one in states], "°C", 4),
+        (said("preload"), [_known(one.preload) for one in states], "N", 4),
+        (said("axial load"), [one.axial_load or nan for one in states], "N", 4),
+        *_of_rows(said("clearance"), [one.clearance for one in states], "µm"),
+        *_of_rows(said("free contact angle"), [one.contact_angle for one in states], "°"),
+        (said("maximum pressure"), [one.max_pressure for one in states], "MPa", 4),
+        (said("film parameter λ"), [_known(one.film_parameter) for one in states], "", 3),
+        (said("viscosity ratio κ"), [_known(one.viscosity_ratio) for one in states], "", 3),
+        (said("friction torque"), torques, unit, 4),
+        (said("power loss"), [one.power for one in states], "W", 4),
+        (said("life"), [3600.0 * _known(one.life_hours) for one in states], "h", 3),
+    ]
+    shown = [line for line in lines if any(isfinite(value) for value in line[1])]
+    columns = [
+        Column(head="", values=[label for label, *_ in shown], key="quantity"),
+        Column(head=said("unit"), values=[unit for _, _, unit, _ in shown], key="unit"),
+    ]
+    heads = (("cold", said("cold")), ("warm", said("warm")))
+    for place, (key, text) in enumerate(heads[: len(states)]):
+        cells: list[CellContent] = [
+            Number(values[place], f".{figures} [{unit}]" if unit else f".{figures}")
+            for _, values, unit, figures in shown
+        ]
+        columns.append(Column(head=text, values=cells, key=key, align="right"))
+    heading = said("Cold and warm") if len(states) > 1 else said("Cold")
+    table = Table(columns=tuple(columns), key="states", rule=True, fixed=1)
+    return Section(heading, (table,), key="states")
+
+
+def _of_rows(
+    label: str, states: Sequence[Sequence[float]], unit: str
+) -> list[tuple[str, list[float], str, int]]:
+    """A line for all rows that are alike in every state, else one for each."""
+    rows = len(states[0])
+    alike = all(np.ptp(one) <= 1e-9 * np.max(np.abs(one)) for one in states) or rows == 1
+    if alike:
+        return [(label, [one[0] for one in states], unit, 4)]
+    return [
+        (said("{label}, row {number}", label=label, number=row), [one[row] for one in states],
+         unit, 4)
+        for row in range(rows)
+    ]  # fmt: skip
+
+
+def _known(value: float | None) -> float:
+    return nan if value is None else value
+
+
+def _roots(found: HeatBalance) -> Section:
+    roots = found.roots
+    tones: list[Tone] = ["" if one.stable else "warning" for one in roots]
+    columns = [
+        Column(head="", values=[said(_STABLE[one.stable]) for one in roots], key="stability",
+               tones=tones),
+        Column(head=said("power loss"), values=[one.power for one in roots], unit="W", key="power"),
+    ]  # fmt: skip
+    columns += [
+        Column(
+            head=said(PLACE_NAMES[node]),
+            values=[Number(one.temperatures[node], ".1f [°C]") for one in roots],
+            unit="°C",
+            key=node,
+            align="right",
+        )
+        for node in NODES
+    ]
+    columns.append(
+        Column(head="dF/dP", values=[one.slope for one in roots], unit="–", key="slope", figures=3)
+    )
+    legend = said("dF/dP how much friction a watt of heat more makes; stable below 1")
+    table = Table(columns=tuple(columns), key="roots", legends=(legend,), rule=True, fixed=1)
+    return Section(said("All states below the temperature limit"), (table,), key="roots")
+
+
+# --- over a field ---------------------------------------------------------------------------------
+
+
+def heat_over_page(found: HeatOver) -> Document:
+    """Return the heat balance over a field.
+
+    Parameters
+    ----------
+    found
+        What `rolamento.studies.heat_curves.heat_over` gives.
+    """
+    title = found.case.title or untitled(found.case)
+    across = field_column(found.field, found.values)
+    columns = [across]
+    for node, values in zip(NODES, found.temperatures, strict=True):
+        cells: list[CellContent] = [Number(value, ".1f [°C]") for value in values.tolist()]
+        columns.append(
+            Column(head=said(PLACE_NAMES[node]), values=cells, unit="°C", key=node, align="right")
+        )
+    columns.append(
+        Column(head=said("power loss"), values=found.power.tolist(), unit="W", key="power")
+    )
+    if found.has_preload:
+        for head, key, values in (
+            (said("preload, cold"), "cold_preload", found.cold_preload),
+            (said("preload, warm"), "warm_preload", found.warm_preload),
+        ):
+            columns.append(Column(head=head, values=values.tolist(), unit="N", key=key))
+    columns += [
+        Column(head="p", values=found.max_pressure.tolist(), unit="MPa", key="max_pressure"),
+        Column(head="dF/dP", values=found.slope.tolist(), unit="–", key="slope", figures=3),
+        Column(head=said("status"), values=found.status.tolist(), key="status", only_in_files=True),
+    ]
+    legend = said(
+        "p maximum pressure; dF/dP how much friction a watt of heat more makes, stable below 1"
+    )
+    table = Table(columns=tuple(columns), key="points", legends=(legend,))
+    blocks: list[Block] = [table, *cautions_over(found.field, found.values, found.cautions)]
+    failed = found.status[found.failed()]
+    if failed.size:
+        text = said(
+            "{failed} of {count} points without a result: {reasons}",
+            failed=int(failed.size),
+            count=len(found),
+            reasons=[reason(code) for code in np.unique(failed).tolist()],
+        )
+        blocks.append(Statement(text, "bad-strong", indent=2))
+    figure = Figure(
+        caption=said("Heat balance over {field}", field=found.field.label),
+        draw=lambda: _picture_over(found),
+        key="heat",
+    )
+    sections = (
+        Section("", (Title(title),), key="head"),
+        Section(
+            said("Heat balance over {field}", field=found.field.label), tuple(blocks), key="points"
+        ),
+        Section("", (figure,), key="figure"),
+    )
+    return Document(title, sections, kind="heat", main="points")
+
+
+def _picture_over(found: HeatOver) -> Picture:
+    from rolamento.plots.heat import heat_over_figure
+
+    return heat_over_figure(found)

@@ -1,0 +1,129 @@
+"""The heat balance: friction and the heat that is removed, and temperatures over a field."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from rolamento.heat import NODES
+from rolamento.numerics import FloatArray
+from rolamento.plots.axes_units import read_values, readable_unit
+from rolamento.plots.frame import add_title, empty_frame, label_x, label_y, legend_above
+from rolamento.plots.over_field import across
+from rolamento.plots.style import new_figure, new_stacked_figure, series, styled
+from rolamento.plots.texts import no_result
+from rolamento.units import ZERO_CELSIUS
+from rolamento.words import said
+from rolamento.words.sentences.heat import PLACE_NAMES
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from rolamento.heat import HeatBalance
+    from rolamento.studies.heat_curves import HeatOver
+
+__all__ = ["heat_balance_curves", "heat_figure", "heat_over_figure"]
+
+
+def heat_figure(found: HeatBalance) -> Figure:
+    """Draw the balance: friction and the heat that is removed, with the states where they cross.
+
+    Parameters
+    ----------
+    found
+        What `rolamento.heat.heat_balance` gives.
+    """
+    with styled():
+        figure, axes = new_figure(height=95.0)
+        heat_balance_curves(found, axes)
+        if found.case.title:
+            add_title(figure, found.case.title)
+    return figure
+
+
+def heat_balance_curves(found: HeatBalance, axes: Axes | None = None) -> Axes:
+    """Draw both curves over the temperature of the warmest part.
+
+    Parameters
+    ----------
+    found
+        As of `heat_figure`.
+    axes
+        To draw on; of a new figure if not given.
+    """
+    with styled():
+        axes = new_figure()[1] if axes is None else axes
+        curve = found.curve
+        if not np.isfinite(curve.friction).any():
+            return empty_frame(axes, no_result())
+        warm = curve.temperatures.max(axis=0) - ZERO_CELSIUS
+        axes.plot(warm, curve.friction, label=said("friction"), **series(1).keywords())
+        axes.plot(warm, curve.power, label=said("heat removed"), **series(0).keywords())
+        for stable, name, face in (
+            (True, said("stable state"), "#000000"), (False, said("unstable state"), "#FFFFFF"),
+        ):  # fmt: skip
+            own = [root for root in found.roots if root.stable == stable]
+            if own:
+                hottest = [max(root.temperatures.values()) - ZERO_CELSIUS for root in own]
+                powers = [root.power for root in own]
+                axes.plot(
+                    hottest, powers, linestyle="none", marker="o", markersize=6.0, color="#000000",
+                    markerfacecolor=face, zorder=5, label=name,
+                )  # fmt: skip
+        axes.set_xlim(float(warm.min()), float(warm.max()))
+        axes.set_ylim(bottom=0.0)
+        label_x(axes, said("Temperature of the warmest part (°C)"))
+        label_y(axes, said("Power (W)"))
+        legend_above(axes)
+    return axes
+
+
+def heat_over_figure(found: HeatOver) -> Figure:
+    """Draw temperatures, power and, of sets, preload over a field, one below the other.
+
+    Parameters
+    ----------
+    found
+        What `rolamento.studies.heat_curves.heat_over` gives.
+    """
+    with styled():
+        count = 3 if found.has_preload else 2
+        figure, frames = new_stacked_figure(count, height=60.0 * count)
+        if np.isfinite(found.power).any():
+            _temperatures(found, frames[0])
+            _line(found, frames[1], {said("power loss"): found.power}, "W", said("Power loss"))
+            if found.has_preload:
+                frames[1].set_xlabel("")
+                lines = {said("cold"): found.cold_preload, said("warm"): found.warm_preload}
+                _line(found, frames[2], lines, "N", said("Preload"))
+        else:
+            for axes in frames:
+                empty_frame(axes, no_result())
+        if found.case.title:
+            add_title(figure, found.case.title)
+    return figure
+
+
+def _temperatures(found: HeatOver, axes: Axes) -> None:
+    x = read_values(found.field, found.values)[0]
+    for index, (node, values) in enumerate(zip(NODES, found.temperatures, strict=True)):
+        look = series(index).keywords()
+        axes.plot(x, values - ZERO_CELSIUS, label=said(PLACE_NAMES[node]), **look)
+    across(axes, found.field, found.values)
+    axes.set_xlabel("")
+    label_y(axes, said("Temperature (°C)"))
+    legend_above(axes)
+
+
+def _line(found: HeatOver, axes: Axes, lines: dict[str, FloatArray], unit: str, name: str) -> None:
+    x = read_values(found.field, found.values)[0]
+    read = readable_unit(unit, np.concatenate(list(lines.values())))
+    for index, (label, values) in enumerate(lines.items()):
+        axes.plot(x, read.of(values), label=label, **series(index).keywords())
+    across(axes, found.field, found.values)
+    axes.set_ylim(bottom=0.0)
+    label_y(axes, read.label(name))
+    if len(lines) > 1:
+        legend_above(axes)
