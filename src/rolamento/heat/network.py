@@ -9,7 +9,7 @@ friction P with its shares. In the steady state
 with A the sum of G at each node less G between nodes, b the heat from outside and what ambient and
 oil bring at their own temperatures, s = (ξ, 0, 1 - ξ, 0, 0). So every temperature is linear in P.
 
-What is not given is estimated, within ± 50 %:
+What is not given is estimated, within ± 50 % at best:
 
     shaft, housing to ambient    q_r A_r/50 K, in proportion to d and D      (ISO 15312:2003)
     seats                        5 kW/(m² K) over π d B and π D B            (2 to 10 as pressed)
@@ -19,7 +19,7 @@ What is not given is estimated, within ± 50 %:
 The third is how two half-spaces that touch for the time 2b/u conduct, with a contact ellipse a, b
 and the speed u of its surfaces, e = √(k ρ c); the second part of it is the constriction of two
 half-spaces at rest (Carslaw, Jaeger, Conduction of Heat in Solids, 2nd ed. (1959), 2.8 and 8.2).
-The oil between them is left out.
+The oil between them is left out, which may make it several times too large.
 """
 
 from __future__ import annotations

@@ -44,7 +44,8 @@ _TABLE: Final = {
 def _estimated(values: Mapping[str, Any]) -> str:
     names = listed([said(CONDUCTANCE_NAMES[name]) for name in values["names"]])
     return said(
-        "Conductances are estimated, within ± 50 %: {names}; give them in [heat].", names=names
+        "Conductances are estimated, within ± 50 % at best: {names}; give them in [heat].",
+        names=names,
     )
 
 
