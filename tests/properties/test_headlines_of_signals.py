@@ -63,7 +63,7 @@ def calibrated(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_severity(calibrated: Path) -> None:
-    found = tasks.vibration_severity(calibrated, unit="m/s^2", rate=1000.0)
+    found = tasks.VibrationSeverity(signals=calibrated, unit="m/s^2", rate=1000.0).run()
     check(severity_page(found), (*found.notes, *found.measured[0].notes), {"verdict"})
 
 

@@ -13,16 +13,18 @@ from rolamento.cli.grouped_help import Groups
 from rolamento.cli.option_names import in_options
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import (
-    ChannelOption,
-    DurationOption,
     JsonOption,
     LanguageOption,
-    RateOption,
-    ScaleOption,
-    StartOption,
     plot_option,
 )
 from rolamento.cli.outputs import NOWHERE, OUTPUT_OPTIONS, Outputs, with_outputs
+from rolamento.cli.signal_options import (
+    ChannelOption,
+    DurationOption,
+    RateOption,
+    ScaleOption,
+    StartOption,
+)
 from rolamento.cli.streams import STANDARD_STREAM, complain, put, put_json
 from rolamento.cli.table_options import DecimalMarkOption
 from rolamento.errors import InputError

@@ -12,7 +12,7 @@ import typer
 from rolamento.cli.option_records import with_record
 from rolamento.errors import InputError, respelled
 from rolamento.records import frozen
-from rolamento.tasks.inputs import LIFE_TEST, by_name
+from rolamento.tasks.life_tables import LifeTable
 
 __all__ = [
     "ALL_COLUMNS",
@@ -27,7 +27,7 @@ __all__ = [
     "with_life_columns",
 ]
 
-_ASKED: Final = by_name(LIFE_TEST)
+_ASKED: Final = LifeTable.inputs()
 _OPTIONS: Final = {
     "decimal_mark": "--decimal-mark",
     "date_order": "--date-order",

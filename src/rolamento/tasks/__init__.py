@@ -45,14 +45,17 @@ if TYPE_CHECKING:
         replacement_study,
     )
     from rolamento.tasks.report import CaseReport, Report, calculation_report, compare_variants
-    from rolamento.tasks.severity import SeverityResult, vibration_severity
+    from rolamento.tasks.request import Input, Request
+    from rolamento.tasks.severity import SeverityResult, VibrationSeverity
     from rolamento.tasks.studies import Sweep, sweep, tolerance
     from rolamento.tasks.synthesis import SynthesisResult, synthesise
+    from rolamento.tasks.vibration_diagnosis import VibrationDiagnosis
     from rolamento.tasks.weibull import (
         DemonstrationStudy,
+        DemonstrationTest,
+        LifeTestEvaluation,
         PrecisionStudy,
         TrendStudy,
-        demonstration_study,
         life_test_study,
         precision_study,
         trend_study,
@@ -61,6 +64,7 @@ if TYPE_CHECKING:
 _NAMES_OF_MODULES: Final = {
     "demonstration": ("example_case", "write_example"),
     "diagnosis": ("DiagnosisResult", "TooShort", "UnknownResult", "diagnose", "rank_bearings"),
+    "vibration_diagnosis": ("VibrationDiagnosis",),
     "drawing": ("Drawing", "Kind", "draw"),
     "frequencies": ("FrequencyResult", "fault_frequencies"),
     "history": ("History", "Records", "diagnose_since", "trend_of_records"),
@@ -78,14 +82,16 @@ _NAMES_OF_MODULES: Final = {
         "replacement_study",
     ),
     "report": ("CaseReport", "Report", "compare_variants", "calculation_report"),
-    "severity": ("SeverityResult", "vibration_severity"),
+    "request": ("Input", "Request"),
+    "severity": ("SeverityResult", "VibrationSeverity"),
     "studies": ("Sweep", "sweep", "tolerance"),
     "synthesis": ("SynthesisResult", "synthesise"),
     "weibull": (
         "DemonstrationStudy",
+        "DemonstrationTest",
+        "LifeTestEvaluation",
         "PrecisionStudy",
         "TrendStudy",
-        "demonstration_study",
         "life_test_study",
         "precision_study",
         "trend_study",
@@ -99,6 +105,7 @@ __all__ = [
     "CaseLife",
     "CaseReport",
     "DemonstrationStudy",
+    "DemonstrationTest",
     "DiagnosisResult",
     "Drawing",
     "DutyLife",
@@ -106,8 +113,10 @@ __all__ = [
     "FrequencyResult",
     "FullScale",
     "History",
+    "Input",
     "Kind",
     "LifeCurve",
+    "LifeTestEvaluation",
     "Machine",
     "MachineDiagnosis",
     "NoiseResult",
@@ -116,6 +125,7 @@ __all__ = [
     "RemainingStudy",
     "ReplacementStudy",
     "Report",
+    "Request",
     "SeverityResult",
     "ShaftLife",
     "SpectrumLife",
@@ -124,9 +134,10 @@ __all__ = [
     "TooShort",
     "TrendStudy",
     "UnknownResult",
+    "VibrationDiagnosis",
+    "VibrationSeverity",
     "calculation_report",
     "compare_variants",
-    "demonstration_study",
     "diagnose",
     "diagnose_machine",
     "diagnose_since",
@@ -151,7 +162,6 @@ __all__ = [
     "tolerance",
     "trend_of_records",
     "trend_study",
-    "vibration_severity",
     "write_example",
 ]
 

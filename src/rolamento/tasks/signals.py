@@ -5,16 +5,18 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from itertools import chain, islice
-from typing import Final, TypedDict
+from typing import Annotated, Final, TypedDict
 
 import numpy as np
 
 from rolamento.errors import InputError, arguments, phrase
 from rolamento.tasks.parameters import Progress
+from rolamento.tasks.request import DECIMAL_MARK, Input, Request
 from rolamento.vibration.reading import SignalFile
 from rolamento.vibration.signal import Signal
 from rolamento.words import marked, said
 
+SIGNAL: Final = marked("Signal")
 PIECE: Final = 2**20
 """Samples that are read at a time."""
 _WHOLE: Final = 8
@@ -32,6 +34,83 @@ class Reading(TypedDict, total=False):
     unit: str | None
     scale: float | str | None
     decimal_mark: str | None
+
+
+class SignalRequest(Request):
+    """A use case that reads a signal, or a part of one: what its file may not say."""
+
+    unit: Annotated[
+        str | None,
+        Input(
+            marked("Unit of the samples"),
+            marked(
+                "Unit of the samples: m/s^2, g, mm/s, um …; V or counts if they are not calibrated."
+            ),
+            group=SIGNAL,
+            example="m/s^2",
+            essential=True,
+        ),
+    ] = None
+    rate: Annotated[
+        float | None,
+        Input(
+            marked("Sampling rate"),
+            marked("Sampling rate, such as '50 kHz', instead of that in the file."),
+            "frequency",
+            SIGNAL,
+            example="50 kHz",
+            essential=True,
+            metavar="RATE",
+        ),
+    ] = None
+    channel: Annotated[
+        str | int | None,
+        Input(
+            marked("Channel or variable"),
+            marked("Channel, by name or by number from 1."),
+            group=SIGNAL,
+            example="1",
+            essential=True,
+        ),
+    ] = None
+    scale: Annotated[
+        float | str | None,
+        Input(
+            marked("Sensitivity of the sensor"),
+            marked("Sensitivity of the sensor, such as '100 mV/g'."),
+            group=SIGNAL,
+            example="100 mV/g",
+        ),
+    ] = None
+    start: Annotated[
+        float,
+        Input(
+            marked("Start"),
+            marked("Start of the part to analyse, such as '2 s'."),
+            "time",
+            SIGNAL,
+            example="2 s",
+        ),
+    ] = 0.0
+    duration: Annotated[
+        float | None,
+        Input(
+            marked("Duration"),
+            marked("Duration of the part to analyse; by default to the end."),
+            "time",
+            SIGNAL,
+            example="10 s",
+        ),
+    ] = None
+    decimal_mark: Annotated[str | None, DECIMAL_MARK.below(SIGNAL)] = None
+
+    @property
+    def reading(self) -> Reading:
+        """What the file may not say, as `rolamento.vibration.open_signal` takes it."""
+        return {
+            "channel": self.channel, "rate": self.rate, "unit": self.unit, "scale": self.scale,
+            "decimal_mark": self.decimal_mark,
+        }  # fmt: skip
 
 
 @dataclass(slots=True)
