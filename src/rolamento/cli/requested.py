@@ -105,9 +105,9 @@ def add_command(
 
 def options_of(request: type[Request]) -> dict[str, inspect.Parameter]:
     """Return the parameters of a command by the names of a request's fields."""
-    inputs = request.inputs()
+    inputs, means = request.inputs(), request.meanings()
     arguments_first = sorted(inputs, key=lambda name: not inputs[name].is_argument)
-    return {name: _parameter(name, inputs[name]) for name in arguments_first}
+    return {name: _parameter(name, inputs[name], means[name]) for name in arguments_first}
 
 
 def _signature(command: Callable[..., None], request: type[Request]) -> inspect.Signature:
@@ -121,24 +121,24 @@ def _signature(command: Callable[..., None], request: type[Request]) -> inspect.
     return inspect.Signature(list({**options_of(request), **products, **own}.values()))
 
 
-def _parameter(name: str, one: Input) -> inspect.Parameter:
+def _parameter(name: str, one: Input, meaning: str) -> inspect.Parameter:
     """Return the parameter of a command for a field: a text, whatever the request makes of it."""
     metavar = one.metavar or _METAVARS.get(one.kind) or name.upper().replace("_", "-")
     default: Any = None if one.is_many else one.default or None
     if one.kind == "switch":
-        made = typer.Option(one.option or one.long_option(name), help=one.meaning)
+        made = typer.Option(one.option or one.long_option(name), help=meaning)
         has_opposite = "/" in one.option
         default = {"true": True, "": None if has_opposite else False}[one.default]
         kind: Any = bool | None if default is None else bool
     elif one.is_argument:
-        made = typer.Argument(metavar=metavar, help=one.meaning)
+        made = typer.Argument(metavar=metavar, help=meaning)
         kind = list[str] if one.is_many else str
         if one.essential:
             default = inspect.Parameter.empty
         else:
             kind = kind | None
     else:
-        made = typer.Option(one.long_option(name), metavar=metavar, help=one.meaning)
+        made = typer.Option(one.long_option(name), metavar=metavar, help=meaning)
         kind = list[str] | None if one.is_many else str | None
     return _with(name, Annotated[kind, made], default)
 

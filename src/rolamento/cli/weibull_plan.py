@@ -24,7 +24,7 @@ from rolamento.words import said
 
 __all__ = ["app"]
 
-_ASKED: Final = DemonstrationTest.inputs()
+_ASKED: Final = DemonstrationTest.meanings()
 _SHAPE: Final = 1.5
 _MAXIMUM_SIZES: Final = 20
 
@@ -40,13 +40,13 @@ LifeOption = Annotated[
 ]
 ShapeOption = Annotated[
     float,
-    typer.Option("--shape", metavar="BETA", help=_ASKED["shape"].meaning),
+    typer.Option("--shape", metavar="BETA", help=_ASKED["shape"]),
 ]
 ReliabilityOption = Annotated[
-    float, typer.Option("--reliability", metavar="R", help=_ASKED["reliability"].meaning)
+    float, typer.Option("--reliability", metavar="R", help=_ASKED["reliability"])
 ]
 ConfidenceOption = Annotated[
-    float, typer.Option("--confidence", metavar="C", help=_ASKED["confidence"].meaning)
+    float, typer.Option("--confidence", metavar="C", help=_ASKED["confidence"])
 ]
 JsonOption = Annotated[str | None, json_option("Write everything as JSON, in the unit of the life")]
 

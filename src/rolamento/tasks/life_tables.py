@@ -24,26 +24,50 @@ def _orders() -> Mapping[str, str]:
 
 
 class LifeTable(Request):
-    """A use case that reads a table of lives: what its columns are, where they are not named so."""
+    """A use case that reads a table of lives: what its columns are, where they are not named so.
+
+    Parameters
+    ----------
+    unit
+        Unit of the times, if the file says another.
+    time
+        Column of the times, if named otherwise.
+    status
+        Column that says what failed, if named otherwise.
+    count
+        Column of how many bearings a row stands for, if named otherwise.
+    group
+        Column of the groups, if named otherwise.
+    mode
+        Column of the failure modes, if named otherwise.
+    ignored
+        Column that could say what failed, and does not. Repeatable.
+    start
+        Column of the days on which bearings went into service, for lives between two dates,
+        if named otherwise.
+    end
+        Column of the days on which bearings failed or were removed, if named otherwise.
+    use_per_day
+        What a bearing runs a day, such as '16 h', for lives between two dates; by default
+        lives are in days.
+    as_of
+        Day of the data, such as 2026-12-31: bearings without a second date were running
+        then.
+    date_order
+        Order of dates, day_first or month_first, for a table in which 03/04/2024 may be
+        either.
+    decimal_mark
+        Decimal mark, point or comma, for a table in which 12.500 may be 12.5 or 12500.
+    """
 
     unit: Annotated[
-        str | None,
-        Input(
-            marked("Unit of the times"),
-            marked("Unit of the times, if the file says another."),
-            "text",
-            DATA,
-            example="h",
-            metavar="UNIT",
-        ),
+        str | None, Input("Unit of the times", group=DATA, example="h", metavar="UNIT")
     ] = None
     time: Annotated[
         str | None,
         Input(
-            marked("Column of the times"),
-            marked("Column of the times, if named otherwise."),
-            "text",
-            DATA,
+            "Column of the times",
+            group=DATA,
             example="hours",
             metavar="COLUMN",
             option="--time-column",
@@ -52,10 +76,8 @@ class LifeTable(Request):
     status: Annotated[
         str | None,
         Input(
-            marked("Column of the status"),
-            marked("Column that says what failed, if named otherwise."),
-            "text",
-            DATA,
+            "Column of the status",
+            group=DATA,
             example="status",
             metavar="COLUMN",
             option="--status-column",
@@ -64,33 +86,21 @@ class LifeTable(Request):
     count: Annotated[
         str | None,
         Input(
-            marked("Column of the counts"),
-            marked("Column of how many bearings a row stands for, if named otherwise."),
-            "text",
-            DATA,
+            "Column of the counts",
+            group=DATA,
             example="count",
             metavar="COLUMN",
             option="--count-column",
         ),
     ] = None
     group: Annotated[
-        str | None,
-        Input(
-            marked("Column of the groups"),
-            marked("Column of the groups, if named otherwise."),
-            "text",
-            DATA,
-            example="group",
-            metavar="COLUMN",
-        ),
+        str | None, Input("Column of the groups", group=DATA, example="group", metavar="COLUMN")
     ] = None
     mode: Annotated[
         str | None,
         Input(
-            marked("Column of the failure modes"),
-            marked("Column of the failure modes, if named otherwise."),
-            "text",
-            DATA,
+            "Column of the failure modes",
+            group=DATA,
             example="mode",
             metavar="COLUMN",
             option="--mode-column",
@@ -99,8 +109,7 @@ class LifeTable(Request):
     ignored: Annotated[
         tuple[str, ...],
         Input(
-            marked("Columns to ignore"),
-            marked("Column that could say what failed, and does not. Repeatable."),
+            "Columns to ignore",
             "list",
             DATA,
             example="remark",
@@ -112,13 +121,8 @@ class LifeTable(Request):
     start: Annotated[
         str | None,
         Input(
-            marked("Column of the first day in service"),
-            marked(
-                "Column of the days on which bearings went into service, for lives between two "
-                "dates, if named otherwise."
-            ),
-            "text",
-            DATA,
+            "Column of the first day in service",
+            group=DATA,
             example="installed",
             option="--start-column",
             metavar="COLUMN",
@@ -127,53 +131,23 @@ class LifeTable(Request):
     end: Annotated[
         str | None,
         Input(
-            marked("Column of the last day in service"),
-            marked(
-                "Column of the days on which bearings failed or were removed, if named otherwise."
-            ),
-            "text",
-            DATA,
+            "Column of the last day in service",
+            group=DATA,
             example="failure date",
             option="--end-column",
             metavar="COLUMN",
         ),
     ] = None
     use_per_day: Annotated[
-        str | None,
-        Input(
-            marked("Use per day"),
-            marked(
-                "What a bearing runs a day, such as '16 h', for lives between two dates; by "
-                "default lives are in days."
-            ),
-            "text",
-            DATA,
-            example="16 h",
-            metavar="TIME",
-        ),
+        str | None, Input("Use per day", group=DATA, example="16 h", metavar="TIME")
     ] = None
     as_of: Annotated[
-        str | None,
-        Input(
-            marked("Day of the data"),
-            marked(
-                "Day of the data, such as 2026-12-31: bearings without a second date were "
-                "running then."
-            ),
-            "text",
-            DATA,
-            example="2026-12-31",
-            metavar="DATE",
-        ),
+        str | None, Input("Day of the data", group=DATA, example="2026-12-31", metavar="DATE")
     ] = None
     date_order: Annotated[
         str | None,
         Input(
-            marked("Order of the dates"),
-            marked(
-                "Order of dates, day_first or month_first, for a table in which 03/04/2024 may "
-                "be either."
-            ),
+            "Order of the dates",
             "choice",
             DATA,
             choices=_orders,

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, Final, Literal, Protocol, Self
 from pydantic import GetCoreSchemaHandler
 from pydantic_core import CoreSchema, core_schema
 
-from rolamento.case.record import Record
+from rolamento.case.record import Record, meanings
 from rolamento.errors import InputError, arguments
 from rolamento.io.columns import folded_name
 from rolamento.records import frozen
@@ -73,8 +73,8 @@ class Input:
 
     Attributes
     ----------
-    label, meaning
-        marked; the meaning is a sentence or two
+    label
+        in English; what the field means stands in the docstring of its request
     kind
         what is typed
     group
@@ -104,7 +104,6 @@ class Input:
     """
 
     label: str
-    meaning: str = ""
     kind: Kind = "text"
     group: str = ""
     example: str = ""
@@ -147,10 +146,10 @@ class Input:
         """Return it below another heading."""
         return replace(self, group=group)
 
-    def described(self, name: str) -> dict[str, Any]:
-        """Return it as plain data, in the language that is spoken; name: of its field."""
+    def described(self, name: str, meaning: str) -> dict[str, Any]:
+        """Return it as plain data, in the language that is spoken; name, meaning: of its field."""
         choices = {} if self.choices is None else self.choices()
-        meaning = self.on_page or self.meaning
+        meaning = self.on_page or meaning
         return {
             "name": name,
             "label": said(self.label),
@@ -261,12 +260,7 @@ def _marks() -> Mapping[str, str]:
 
 
 DECIMAL_MARK: Final = Input(
-    marked("Decimal mark"),
-    marked("Decimal mark, point or comma, for a table in which 12.500 may be 12.5 or 12500."),
-    "choice",
-    choices=_marks,
-    example="comma",
-    metavar="MARK",
+    "Decimal mark", "choice", choices=_marks, example="comma", metavar="MARK"
 )
 
 
@@ -319,6 +313,16 @@ class Request(Record):
         }
 
     @classmethod
+    def meanings(cls) -> dict[str, str]:
+        """Return what each field means, from the docstrings of the request and of its bases."""
+        return {
+            name: meaning
+            for base in reversed(cls.__mro__)
+            if issubclass(base, Request)
+            for name, meaning in meanings(base).items()
+        }
+
+    @classmethod
     def groups(cls) -> dict[str, tuple[str, ...]]:
         """Return the names of the options below each heading, marked."""
         found: dict[str, tuple[str, ...]] = dict.fromkeys(cls.headings, ())
@@ -330,12 +334,14 @@ class Request(Record):
     @classmethod
     def described(cls, *headings: str) -> list[dict[str, Any]]:
         """Return what a form is made of: the headings, or some of them, and what is below each."""
-        inputs = cls.inputs()
+        inputs, means = cls.inputs(), cls.meanings()
         return [
             {
                 "label": said(heading),
                 "options": [
-                    inputs[name].described(name) for name in names if not inputs[name].is_local
+                    inputs[name].described(name, means[name])
+                    for name in names
+                    if not inputs[name].is_local
                 ],
             }
             for heading, names in cls.groups().items()

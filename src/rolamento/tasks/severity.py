@@ -286,48 +286,50 @@ class VibrationSeverity(SignalRequest):
 
     The files are of several places, or of one over time. Velocities are in m/s, or texts such as
     "1.2 mm/s"; a speed in rad/s, or a text such as "1480 rpm".
+
+    Parameters
+    ----------
+    signals
+        Signal files: WAV, CSV, NPY, MATLAB and others. Several are of one machine.
+    speed
+        Speed of the shaft, such as '1480 rpm'; below 600 rpm the band begins at 2 Hz.
+    power
+        Rated power of the machine, such as '45 kW' or '60 cv': gives its group.
+    support
+        Support: rigid or flexible.
+    group
+        Group of ISO 20816-3, 1 or 2, instead.
+    machine_class
+        Class of ISO 10816-1, I to IV, instead of a group.
+    baseline
+        Usual RMS velocity of the machine, such as '1.2 mm/s': sets the alarm.
+    hours
+        Running hours at which the signals were recorded, such as 0,500,1000.
+    dates
+        Dates of the signals instead, such as 2026-01-31,2026-02-28.
+    limit
+        Limit of the trend, such as '4.5 mm/s'; by default the alarm.
+    law
+        Law of growth: linear or exponential; by default the likelier one.
+    confidence
+        Confidence of the time to the limit, such as 0.9.
     """
 
-    signals: Annotated[
-        Any,
-        Input(
-            marked("Signals"),
-            marked("Signal files: WAV, CSV, NPY, MATLAB and others. Several are of one machine."),
-            "files",
-            essential=True,
-            metavar="SIGNAL",
-        ),
-    ]
+    signals: Annotated[Any, Input("Signals", "files", essential=True, metavar="SIGNAL")]
     speed: Annotated[
         float | None,
-        Input(
-            marked("Shaft speed"),
-            marked(
-                "Speed of the shaft, such as '1480 rpm'; below 600 rpm the band begins at 2 Hz."
-            ),
-            "quantity",
-            MACHINE,
-            example="1480 rpm",
-            dimension="angular_speed",
-        ),
+        Input("Shaft speed", "quantity", MACHINE, example="1480 rpm", dimension="angular_speed"),
     ] = None
     power: Annotated[
         float | None,
         Input(
-            marked("Rated power"),
-            marked("Rated power of the machine, such as '45 kW' or '60 cv': gives its group."),
-            "quantity",
-            MACHINE,
-            example="45 kW",
-            dimension="power",
-            essential=True,
+            "Rated power", "quantity", MACHINE, example="45 kW", dimension="power", essential=True
         ),
     ] = None
     support: Annotated[
         str | None,
         Input(
-            marked("Support"),
-            marked("Support: rigid or flexible."),
+            "Support",
             "choice",
             MACHINE,
             example="rigid",
@@ -339,8 +341,7 @@ class VibrationSeverity(SignalRequest):
     group: Annotated[
         str | int | None,
         Input(
-            marked("Group of ISO 20816-3"),
-            marked("Group of ISO 20816-3, 1 or 2, instead."),
+            "Group of ISO 20816-3",
             "choice",
             MACHINE,
             example="2",
@@ -351,8 +352,7 @@ class VibrationSeverity(SignalRequest):
     machine_class: Annotated[
         str | None,
         Input(
-            marked("Class of ISO 10816-1"),
-            marked("Class of ISO 10816-1, I to IV, instead of a group."),
+            "Class of ISO 10816-1",
             "choice",
             MACHINE,
             example="II",
@@ -364,8 +364,7 @@ class VibrationSeverity(SignalRequest):
     baseline: Annotated[
         float | None,
         Input(
-            marked("Usual velocity"),
-            marked("Usual RMS velocity of the machine, such as '1.2 mm/s': sets the alarm."),
+            "Usual velocity",
             "quantity",
             MACHINE,
             example="1.2 mm/s",
@@ -375,21 +374,12 @@ class VibrationSeverity(SignalRequest):
     ] = None
     hours: Annotated[
         tuple[float, ...],
-        Input(
-            marked("Running hours"),
-            marked("Running hours at which the signals were recorded, such as 0,500,1000."),
-            "list",
-            TREND,
-            example="0,500,1000",
-            separator=",",
-            metavar="H,H,…",
-        ),
+        Input("Running hours", "list", TREND, example="0,500,1000", separator=",", metavar="H,H,…"),
     ] = ()
     dates: Annotated[
         tuple[str, ...],
         Input(
-            marked("Dates"),
-            marked("Dates of the signals instead, such as 2026-01-31,2026-02-28."),
+            "Dates",
             "list",
             TREND,
             example="2026-01-31,2026-02-28",
@@ -400,20 +390,13 @@ class VibrationSeverity(SignalRequest):
     limit: Annotated[
         float | None,
         Input(
-            marked("Limit"),
-            marked("Limit of the trend, such as '4.5 mm/s'; by default the alarm."),
-            "quantity",
-            TREND,
-            example="4.5 mm/s",
-            dimension="velocity",
-            metavar="VELOCITY",
+            "Limit", "quantity", TREND, example="4.5 mm/s", dimension="velocity", metavar="VELOCITY"
         ),
     ] = None
     law: Annotated[
         str | None,
         Input(
-            marked("Law of growth"),
-            marked("Law of growth: linear or exponential; by default the likelier one."),
+            "Law of growth",
             "choice",
             TREND,
             example="linear",
@@ -423,16 +406,7 @@ class VibrationSeverity(SignalRequest):
         ),
     ] = None
     confidence: Annotated[
-        float,
-        Input(
-            marked("Confidence"),
-            marked("Confidence of the time to the limit, such as 0.9."),
-            "fraction",
-            TREND,
-            example="0.9",
-            default="0.9",
-            metavar="C",
-        ),
+        float, Input("Confidence", "fraction", TREND, example="0.9", default="0.9", metavar="C")
     ] = 0.9
 
     waiting: ClassVar = marked("blocks of the signal")

@@ -37,71 +37,43 @@ class Reading(TypedDict, total=False):
 
 
 class SignalRequest(Request):
-    """A use case that reads a signal, or a part of one: what its file may not say."""
+    """A use case that reads a signal, or a part of one: what its file may not say.
+
+    Parameters
+    ----------
+    unit
+        Unit of the samples: m/s^2, g, mm/s, um …; V or counts if they are not calibrated.
+    rate
+        Sampling rate, such as '50 kHz', instead of that in the file.
+    channel
+        Channel, by name or by number from 1.
+    scale
+        Sensitivity of the sensor, such as '100 mV/g'.
+    start
+        Start of the part to analyse, such as '2 s'.
+    duration
+        Duration of the part to analyse; by default to the end.
+    decimal_mark
+        Decimal mark, point or comma, for a table in which 12.500 may be 12.5 or 12500.
+    """
 
     unit: Annotated[
-        str | None,
-        Input(
-            marked("Unit of the samples"),
-            marked(
-                "Unit of the samples: m/s^2, g, mm/s, um …; V or counts if they are not calibrated."
-            ),
-            group=SIGNAL,
-            example="m/s^2",
-            essential=True,
-        ),
+        str | None, Input("Unit of the samples", group=SIGNAL, example="m/s^2", essential=True)
     ] = None
     rate: Annotated[
         float | None,
         Input(
-            marked("Sampling rate"),
-            marked("Sampling rate, such as '50 kHz', instead of that in the file."),
-            "frequency",
-            SIGNAL,
-            example="50 kHz",
-            essential=True,
-            metavar="RATE",
+            "Sampling rate", "frequency", SIGNAL, example="50 kHz", essential=True, metavar="RATE"
         ),
     ] = None
     channel: Annotated[
-        str | int | None,
-        Input(
-            marked("Channel or variable"),
-            marked("Channel, by name or by number from 1."),
-            group=SIGNAL,
-            example="1",
-            essential=True,
-        ),
+        str | int | None, Input("Channel or variable", group=SIGNAL, example="1", essential=True)
     ] = None
     scale: Annotated[
-        float | str | None,
-        Input(
-            marked("Sensitivity of the sensor"),
-            marked("Sensitivity of the sensor, such as '100 mV/g'."),
-            group=SIGNAL,
-            example="100 mV/g",
-        ),
+        float | str | None, Input("Sensitivity of the sensor", group=SIGNAL, example="100 mV/g")
     ] = None
-    start: Annotated[
-        float,
-        Input(
-            marked("Start"),
-            marked("Start of the part to analyse, such as '2 s'."),
-            "time",
-            SIGNAL,
-            example="2 s",
-        ),
-    ] = 0.0
-    duration: Annotated[
-        float | None,
-        Input(
-            marked("Duration"),
-            marked("Duration of the part to analyse; by default to the end."),
-            "time",
-            SIGNAL,
-            example="10 s",
-        ),
-    ] = None
+    start: Annotated[float, Input("Start", "time", SIGNAL, example="2 s")] = 0.0
+    duration: Annotated[float | None, Input("Duration", "time", SIGNAL, example="10 s")] = None
     decimal_mark: Annotated[str | None, DECIMAL_MARK.below(SIGNAL)] = None
 
     @property

@@ -31,30 +31,58 @@ class VibrationDiagnosis(SignalRequest):
 
     Of a folder, how its records change; of a record beside those of the same machine in good
     order, what has grown since; of a bearing that nobody knows, which it may be.
+
+    Parameters
+    ----------
+    signal
+        Signal file: WAV, CSV, NumPy, MATLAB, HDF5, Parquet or UFF 58; or a folder of many,
+        followed by their names.
+    bearing
+        Designation such as 6205, or a case file; for a case with a load, the frequencies of
+        the loaded bearing are searched. 'unknown' ranks the bearings of the catalogue.
+    machine
+        File of a machine with several bearings, shafts and gears, instead of --bearing: all
+        are tested together.
+    baseline
+        Record of the machine in good order, or a folder of them; may be repeated. Damage is
+        what has doubled since.
+    nominal
+        Search the frequencies of the geometry, whatever the load.
+    angle
+        Contact angle without a load: zero (radial load, the default) or free (axial load)
+        of a bearing given by its clearance; or any angle, such as '15 deg'.
+    speed
+        Steady speed of the inner ring, such as '1797 rpm'; by default that of the file, or
+        else of the case.
+    outer_speed
+        Speed of the outer ring, with its sign.
+    speed_channel
+        Channel of the same file with the shaft speed at each sample, by name or number.
+    speed_unit
+        Unit of that channel: rpm, rad/s, deg/s or Hz, if the file gives none.
+    tacho
+        Channel of the same file with tachometer pulses of the shaft; held in memory, up to
+        20 million samples.
+    pulses
+        Tachometer pulses per revolution (default 1).
+    track
+        Track the speed in the vibration itself, around --speed; at least 96 revolutions.
+    within
+        Of a tracked speed from the one given: up to 30 % (default 10 %).
+    tolerance
+        Maximum deviation of the cage from its expected speed, 0 to 0.1.
+    speed_tolerance
+        Uncertainty of a steady speed, such as '3 %', up to 10 %; 0 if it is exact. It is
+        corrected by the peaks of the shaft itself.
+    false_alarm
+        Probability that noise without peaks of the bearing gives any finding, up to 0.5.
     """
 
-    signal: Annotated[
-        Any,
-        Input(
-            marked("Signal"),
-            marked(
-                "Signal file: WAV, CSV, NumPy, MATLAB, HDF5, Parquet or UFF 58; or a folder of "
-                "many, followed by their names."
-            ),
-            "file",
-            essential=True,
-            metavar="SIGNAL",
-        ),
-    ]
+    signal: Annotated[Any, Input("Signal", "file", essential=True, metavar="SIGNAL")]
     bearing: Annotated[
         Any,
         Input(
             BEARING,
-            marked(
-                "Designation such as 6205, or a case file; for a case with a load, "
-                "the frequencies of the loaded bearing are searched. 'unknown' ranks the bearings "
-                "of the catalogue."
-            ),
             "bearing",
             BEARING,
             example="6205",
@@ -65,64 +93,20 @@ class VibrationDiagnosis(SignalRequest):
         ),
     ] = None
     machine: Annotated[
-        Any,
-        Input(
-            marked("Machine"),
-            marked(
-                "File of a machine with several bearings, shafts and gears, instead of "
-                "--bearing: all are tested together."
-            ),
-            "path",
-            BEARING,
-            example="machine.toml",
-            metavar="FILE",
-        ),
+        Any, Input("Machine", "path", BEARING, example="machine.toml", metavar="FILE")
     ] = None
     baseline: Annotated[
-        Any,
-        Input(
-            marked("Records in good order"),
-            marked(
-                "Record of the machine in good order, or a folder of them; may be repeated. "
-                "Damage is what has doubled since."
-            ),
-            "paths",
-            BEARING,
-            example="good.wav",
-            metavar="PATH",
-        ),
+        Any, Input("Records in good order", "paths", BEARING, example="good.wav", metavar="PATH")
     ] = ()
     changes: Any = ()
-    nominal: Annotated[
-        bool,
-        Input(
-            marked("Without the load"),
-            marked("Search the frequencies of the geometry, whatever the load."),
-            "switch",
-            BEARING,
-        ),
-    ] = False
+    nominal: Annotated[bool, Input("Without the load", "switch", BEARING)] = False
     angle: Annotated[
-        float | str | None,
-        Input(
-            marked("Contact angle"),
-            marked(
-                "Contact angle without a load: zero (radial load, the default) or "
-                "free (axial load) of a bearing given by its clearance; or any "
-                "angle, such as '15 deg'."
-            ),
-            group=BEARING,
-            example="15 deg",
-        ),
+        float | str | None, Input("Contact angle", group=BEARING, example="15 deg")
     ] = None
     speed: Annotated[
         float | None,
         Input(
-            marked("Shaft speed"),
-            marked(
-                "Steady speed of the inner ring, such as '1797 rpm'; by default "
-                "that of the file, or else of the case."
-            ),
+            "Shaft speed",
             "quantity",
             SPEED,
             example="1797 rpm",
@@ -133,8 +117,7 @@ class VibrationDiagnosis(SignalRequest):
     outer_speed: Annotated[
         float | None,
         Input(
-            marked("Speed of the outer ring"),
-            marked("Speed of the outer ring, with its sign."),
+            "Speed of the outer ring",
             "quantity",
             SPEED,
             example="0 rpm",
@@ -143,22 +126,12 @@ class VibrationDiagnosis(SignalRequest):
         ),
     ] = None
     speed_channel: Annotated[
-        str | int | None,
-        Input(
-            marked("Channel of the speed"),
-            marked(
-                "Channel of the same file with the shaft speed at each sample, by name or number."
-            ),
-            group=SPEED,
-            example="2",
-            metavar="CHANNEL",
-        ),
+        str | int | None, Input("Channel of the speed", group=SPEED, example="2", metavar="CHANNEL")
     ] = None
     speed_unit: Annotated[
         str | None,
         Input(
-            marked("Unit of that channel"),
-            marked("Unit of that channel: rpm, rad/s, deg/s or Hz, if the file gives none."),
+            "Unit of that channel",
             "choice",
             SPEED,
             example="rpm",
@@ -168,91 +141,37 @@ class VibrationDiagnosis(SignalRequest):
     ] = None
     tacho: Annotated[
         str | int | None,
-        Input(
-            marked("Channel of the tachometer"),
-            marked(
-                "Channel of the same file with tachometer pulses of the shaft; "
-                "held in memory, up to 20 million samples."
-            ),
-            group=SPEED,
-            example="2",
-            metavar="CHANNEL",
-        ),
+        Input("Channel of the tachometer", group=SPEED, example="2", metavar="CHANNEL"),
     ] = None
-    pulses: Annotated[
-        int | None,
-        Input(
-            marked("Pulses per revolution"),
-            marked("Tachometer pulses per revolution (default 1)."),
-            "count",
-            SPEED,
-            example="1",
-        ),
-    ] = None
+    pulses: Annotated[int | None, Input("Pulses per revolution", "count", SPEED, example="1")] = (
+        None
+    )
     track: Annotated[
         bool,
         Input(
-            marked("Track the speed"),
-            marked(
-                "Track the speed in the vibration itself, around --speed; at least 96 revolutions."
-            ),
+            "Track the speed",
             "switch",
             SPEED,
             on_page=marked(
-                "Find the varying speed in the vibration itself, around the shaft speed given"
-                " above; at least 96 revolutions."
+                "Find the varying speed in the vibration itself, around the shaft speed given above;"
+                " at least 96 revolutions."
             ),
         ),
     ] = False
     within: Annotated[
-        float | None,
-        Input(
-            marked("Greatest deviation of the speed"),
-            marked("Of a tracked speed from the one given: up to 30 % (default 10 %)."),
-            "fraction",
-            SPEED,
-            example="10 %",
-        ),
+        float | None, Input("Greatest deviation of the speed", "fraction", SPEED, example="10 %")
     ] = None
     tolerance: Annotated[
         float,
         Input(
-            marked("Slip of the cage"),
-            marked("Maximum deviation of the cage from its expected speed, 0 to 0.1."),
-            "fraction",
-            SEARCH,
-            example="2 %",
-            default="2 %",
-            option="--slip",
+            "Slip of the cage", "fraction", SEARCH, example="2 %", default="2 %", option="--slip"
         ),
     ] = 0.02
     speed_tolerance: Annotated[
-        float,
-        Input(
-            marked("Uncertainty of the speed"),
-            marked(
-                "Uncertainty of a steady speed, such as '3 %', up to 10 %; 0 if it "
-                "is exact. It is corrected by the peaks of the shaft itself."
-            ),
-            "fraction",
-            SEARCH,
-            example="3 %",
-            default="3 %",
-        ),
+        float, Input("Uncertainty of the speed", "fraction", SEARCH, example="3 %", default="3 %")
     ] = 0.03
     false_alarm: Annotated[
-        float,
-        Input(
-            marked("False alarms"),
-            marked(
-                "Probability that noise without peaks of the bearing gives any finding, up to 0.5."
-            ),
-            "fraction",
-            SEARCH,
-            example="1 %",
-            default="1 %",
-            metavar="P",
-        ),
+        float, Input("False alarms", "fraction", SEARCH, example="1 %", default="1 %", metavar="P")
     ] = 0.01
 
     waiting: ClassVar = marked("blocks of the signal")

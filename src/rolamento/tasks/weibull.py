@@ -341,30 +341,65 @@ _JOINED: Final = {name.replace("-", "_"): name for name in bounds_known()}
 class LifeTestEvaluation(LifeTable):
     """What a life test says: fits, bounds, and how its groups and failure modes compare.
 
+    Parameters
+    ----------
+    data
+        Life test: columns time, status and, if any, group, rig, count and more; - for
+        standard input.
+    reliabilities
+        Reliability to give lives for, 0.9 for L10. Repeatable; by default 0.9 and 0.5.
+    times
+        Time to give the reliability at, such as '100 h'. Repeatable.
+    calculated
+        Calculated life to compare with the data, such as 'ISO 281=58 h', for the first
+        reliability. Repeatable.
+    confidence
+        Confidence of the bounds, such as 0.9.
+    sides
+        Sides of the bounds: two, lower or upper.
+    bounds
+        Bounds: pivotal, calibrated-likelihood-ratio, likelihood-ratio, fisher,
+        bootstrap-bca, …; by default a method that is exact with few failures.
+    samples
+        Tests to simulate, 100 to a million; 10 000 by default, fewer for large tests.
+    seed
+        Seed of the random numbers.
+    method
+        Fitting method: ml, unbiased, rrx, rry, three-parameter. Repeatable; by default the
+        first four.
+    three_parameter
+        Fit a failure-free time as well.
+    models
+        Fit other distributions beside, with their likelihoods; by default where the data
+        contradict Weibull's.
+    shape
+        Shape from experience: only the scale is fitted (Weibayes).
+    prior
+        90 % range of the shape: gives a posterior as well.
+    by_group
+        Each group by itself, and compared; or all together.
+    by_mode
+        Each failure mode by itself, the others as suspensions, and all of them put
+        together; or all failures alike.
+    only_mode
+        Only this failure mode: failures by others are suspensions.
+    only
+        Only this group. Repeatable.
+    example
+        A shipped life test: campanha-2008 or lieblein-zelen-1956.
+    contour_of
+        Quantity of the contours, over the shape: L10, L1, scale …
+
     >>> found = LifeTestEvaluation(data=[55.2, 81.0, 104.5], samples=1000).run()
     >>> found.groups[0].main.status
     'converged'
     """
 
-    data: Annotated[
-        Any,
-        Input(
-            marked("Life test"),
-            marked(
-                "Life test: columns time, status and, if any, group, rig, count and more; - "
-                "for standard input."
-            ),
-            "file",
-            metavar="DATA.csv",
-        ),
-    ] = None
+    data: Annotated[Any, Input("Life test", "file", metavar="DATA.csv")] = None
     reliabilities: Annotated[
         tuple[float, ...],
         Input(
-            marked("Reliabilities"),
-            marked(
-                "Reliability to give lives for, 0.9 for L10. Repeatable; by default 0.9 and 0.5."
-            ),
+            "Reliabilities",
             "numbers",
             RESULTS,
             example="0.9; 0.5",
@@ -377,8 +412,7 @@ class LifeTestEvaluation(LifeTable):
     times: Annotated[
         tuple[float | str, ...],
         Input(
-            marked("Times"),
-            marked("Time to give the reliability at, such as '100 h'. Repeatable."),
+            "Times",
             "list",
             RESULTS,
             example="100 h; 500 h",
@@ -390,11 +424,7 @@ class LifeTestEvaluation(LifeTable):
     calculated: Annotated[
         tuple[str, ...],
         Input(
-            marked("Calculated life"),
-            marked(
-                "Calculated life to compare with the data, such as 'ISO 281=58 h', for the "
-                "first reliability. Repeatable."
-            ),
+            "Calculated life",
             "list",
             RESULTS,
             example="ISO 281=58 h",
@@ -406,8 +436,7 @@ class LifeTestEvaluation(LifeTable):
     confidence: Annotated[
         float,
         Input(
-            marked("Confidence of bounds"),
-            marked("Confidence of the bounds, such as 0.9."),
+            "Confidence of bounds",
             "fraction",
             BOUNDS,
             example="0.9",
@@ -419,23 +448,13 @@ class LifeTestEvaluation(LifeTable):
     sides: Annotated[
         str,
         Input(
-            marked("Sides of the bounds"),
-            marked("Sides of the bounds: two, lower or upper."),
-            "choice",
-            BOUNDS,
-            choices=_sides,
-            default="two",
-            example="lower",
+            "Sides of the bounds", "choice", BOUNDS, choices=_sides, default="two", example="lower"
         ),
     ] = "two"
     bounds: Annotated[
         str | None,
         Input(
-            marked("Method of the bounds"),
-            marked(
-                "Bounds: pivotal, calibrated-likelihood-ratio, likelihood-ratio, fisher, "
-                "bootstrap-bca, …; by default a method that is exact with few failures."
-            ),
+            "Method of the bounds",
             "choice",
             BOUNDS,
             choices=_bounds,
@@ -446,38 +465,15 @@ class LifeTestEvaluation(LifeTable):
         ),
     ] = None
     samples: Annotated[
-        int | None,
-        Input(
-            marked("Tests to simulate"),
-            marked(
-                "Tests to simulate, 100 to a million; 10 000 by default, fewer for large tests."
-            ),
-            "count",
-            BOUNDS,
-            example="10000",
-            at_computer=True,
-        ),
+        int | None, Input("Tests to simulate", "count", BOUNDS, example="10000", at_computer=True)
     ] = None
     seed: Annotated[
-        int,
-        Input(
-            marked("Seed"),
-            marked("Seed of the random numbers."),
-            "count",
-            BOUNDS,
-            example="0",
-            default="0",
-            at_computer=True,
-        ),
+        int, Input("Seed", "count", BOUNDS, example="0", default="0", at_computer=True)
     ] = 0
     method: Annotated[
         tuple[str, ...],
         Input(
-            marked("Methods of fitting"),
-            marked(
-                "Fitting method: ml, unbiased, rrx, rry, three-parameter. Repeatable; by "
-                "default the first four."
-            ),
+            "Methods of fitting",
             "choices",
             FIT,
             choices=_fits,
@@ -486,56 +482,25 @@ class LifeTestEvaluation(LifeTable):
         ),
     ] = ()
     three_parameter: Annotated[
-        bool,
-        Input(
-            marked("Failure-free time"),
-            marked("Fit a failure-free time as well."),
-            "switch",
-            FIT,
-            at_computer=True,
-        ),
+        bool, Input("Failure-free time", "switch", FIT, at_computer=True)
     ] = False
     models: Annotated[
         bool | None,
-        Input(
-            marked("Other distributions beside"),
-            marked(
-                "Fit other distributions beside, with their likelihoods; by default where the "
-                "data contradict Weibull's."
-            ),
-            "switch",
-            FIT,
-            option="--models/--no-models",
-        ),
+        Input("Other distributions beside", "switch", FIT, option="--models/--no-models"),
     ] = None
     shape: Annotated[
-        float | None,
-        Input(
-            marked("Shape from experience"),
-            marked("Shape from experience: only the scale is fitted (Weibayes)."),
-            "number",
-            FIT,
-            example="1.5",
-            metavar="BETA",
-        ),
+        float | None, Input("Shape from experience", "number", FIT, example="1.5", metavar="BETA")
     ] = None
     prior: Annotated[
         str | None,
         Input(
-            marked("Range of the shape"),
-            marked("90 % range of the shape: gives a posterior as well."),
-            "text",
-            FIT,
-            example="1..2.5",
-            option="--bayes",
-            metavar="LOW..HIGH",
+            "Range of the shape", group=FIT, example="1..2.5", option="--bayes", metavar="LOW..HIGH"
         ),
     ] = None
     by_group: Annotated[
         bool,
         Input(
-            marked("Compare the groups"),
-            marked("Each group by itself, and compared; or all together."),
+            "Compare the groups",
             "switch",
             DATA,
             default="true",
@@ -546,11 +511,7 @@ class LifeTestEvaluation(LifeTable):
     by_mode: Annotated[
         bool,
         Input(
-            marked("Separate the failure modes"),
-            marked(
-                "Each failure mode by itself, the others as suspensions, and all of them put "
-                "together; or all failures alike."
-            ),
+            "Separate the failure modes",
             "switch",
             DATA,
             default="true",
@@ -561,42 +522,22 @@ class LifeTestEvaluation(LifeTable):
     only_mode: Annotated[
         str | None,
         Input(
-            marked("Only this failure mode"),
-            marked("Only this failure mode: failures by others are suspensions."),
-            "text",
-            DATA,
-            example="fatigue",
-            option="--mode",
-            metavar="MODE",
+            "Only this failure mode", group=DATA, example="fatigue", option="--mode", metavar="MODE"
         ),
     ] = None
     only: Annotated[
-        tuple[str, ...],
-        Input(
-            marked("Only these groups"),
-            marked("Only this group. Repeatable."),
-            "list",
-            DATA,
-            example="I; II",
-            metavar="GROUP",
-        ),
+        tuple[str, ...], Input("Only these groups", "list", DATA, example="I; II", metavar="GROUP")
     ] = ()
     example: Annotated[
         str | None,
         Input(
-            marked("Example"),
-            marked("A shipped life test: campanha-2008 or lieblein-zelen-1956."),
-            "shipped",
-            DATA,
-            choices=lambda: dict.fromkeys(SHIPPED, ""),
-            metavar="NAME",
+            "Example", "shipped", DATA, choices=lambda: dict.fromkeys(SHIPPED, ""), metavar="NAME"
         ),
     ] = None
     contour_of: Annotated[
         str,
         Input(
-            marked("Quantity of the contours"),
-            marked("Quantity of the contours, over the shape: L10, L1, scale …"),
+            "Quantity of the contours",
             group=RESULTS,
             example="L10",
             default="L10",
@@ -763,47 +704,41 @@ class DemonstrationTest(Request):
     Fields: see their `Input`; a life or a time is a text with its unit, or a number, a time in the
     unit of the life.
 
+    Parameters
+    ----------
+    life
+        Life to demonstrate, such as '1000 h'.
+    bearings
+        Available bearings: the test time is calculated.
+    time
+        Test time of each bearing: their number is calculated.
+    failures_allowed
+        Failures with which the test is still passed.
+    shape
+        Expected shape of the Weibull distribution.
+    reliability
+        Reliability of the life: 0.9 for L10.
+    confidence
+        Confidence level, such as 0.9.
+
     >>> found = DemonstrationTest(life="1000 h", bearings=10).run()
     >>> f"{found.plan.time:.0f} {found.unit}"
     '1684 h'
     """
 
     life: Annotated[
-        float | str,
-        Input(
-            marked("Life to demonstrate"),
-            marked("Life to demonstrate, such as '1000 h'."),
-            group=_PLAN,
-            example="1000 h",
-            essential=True,
-        ),
+        float | str, Input("Life to demonstrate", group=_PLAN, example="1000 h", essential=True)
     ]
     bearings: Annotated[
-        int | None,
-        Input(
-            marked("Bearings"),
-            marked("Available bearings: the test time is calculated."),
-            "count",
-            _PLAN,
-            example="10",
-            essential=True,
-        ),
+        int | None, Input("Bearings", "count", _PLAN, example="10", essential=True)
     ] = None
     time: Annotated[
-        float | str | None,
-        Input(
-            marked("Test time"),
-            marked("Test time of each bearing: their number is calculated."),
-            group=_PLAN,
-            example="500 h",
-            essential=True,
-        ),
+        float | str | None, Input("Test time", group=_PLAN, example="500 h", essential=True)
     ] = None
     failures_allowed: Annotated[
         int,
         Input(
-            marked("Failures allowed"),
-            marked("Failures with which the test is still passed."),
+            "Failures allowed",
             "count",
             _PLAN,
             example="0",
@@ -815,21 +750,13 @@ class DemonstrationTest(Request):
     shape: Annotated[
         float,
         Input(
-            marked("Shape"),
-            marked("Expected shape of the Weibull distribution."),
-            "number",
-            _PLAN,
-            example="1.5",
-            default="1.5",
-            essential=True,
-            metavar="BETA",
+            "Shape", "number", _PLAN, example="1.5", default="1.5", essential=True, metavar="BETA"
         ),
     ] = 1.5
     reliability: Annotated[
         float,
         Input(
-            marked("Reliability"),
-            marked("Reliability of the life: 0.9 for L10."),
+            "Reliability",
             "fraction",
             _PLAN,
             example="0.9",
@@ -841,8 +768,7 @@ class DemonstrationTest(Request):
     confidence: Annotated[
         float,
         Input(
-            marked("Confidence"),
-            marked("Confidence level, such as 0.9."),
+            "Confidence",
             "fraction",
             _PLAN,
             example="0.9",

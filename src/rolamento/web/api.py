@@ -297,14 +297,14 @@ def _tables(text: str) -> dict[str, Any] | None:
 # --- what there is --------------------------------------------------------------------------------
 
 
-def _of_asked(name: str, one: Input) -> Parameter:
+def _of_asked(name: str, one: Input, meaning: str) -> Parameter:
     """Return what may be typed beside a signal as a parameter of the address."""
     schema: dict[str, Any] = {"type": "string", "maxLength": _LONGEST}
     if one.kind == "switch":
         schema = {"type": "string", "enum": ["true", "false"]}
     elif one.choices is not None:
         schema = {"type": "string", "enum": list(one.choices())}
-    return Parameter(name, one.meaning, schema, one.example)
+    return Parameter(name, one.on_page or meaning, schema, one.example)
 
 
 _TEXT: Final = MappingProxyType({"type": "string", "minLength": 1, "maxLength": _LONGEST})
@@ -517,7 +517,7 @@ DIAGNOSE: Final = Operation(
         Parameter("case", marked("The tables of a case file, as JSON."), {"type": "string"}),
         Parameter("settings", marked("Values over the case, as JSON."), {"type": "string"}),
         *(
-            _of_asked(name, one)
+            _of_asked(name, one, VibrationDiagnosis.meanings()[name])
             for name, one in VibrationDiagnosis.inputs().items()
             if not one.is_local and name != "bearing"
         ),
