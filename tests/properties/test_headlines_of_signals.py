@@ -68,7 +68,7 @@ def test_severity(calibrated: Path) -> None:
 
 
 def test_noise(calibrated: Path) -> None:
-    found = tasks.noise_level(calibrated, unit="um/s", rate=1000.0)
+    found = tasks.NoiseLevel(signals=calibrated, unit="um/s", rate=1000.0).run()
     (one,) = found.measured
     page = anderon_page(found)
     check(page, (*one.notes, *one.choices), {page.sections[0].key})

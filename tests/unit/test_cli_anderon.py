@@ -17,7 +17,7 @@ import pytest
 from typer.testing import CliRunner
 
 from rolamento import tasks
-from rolamento.cli.anderon import _full_scales_of as full_scales_of
+from rolamento.tasks.noise import _full_scales_of as full_scales_of
 from rolamento.cli.app import app
 from rolamento.document.terminal import terminal
 from rolamento.io.json import dumps
@@ -158,9 +158,8 @@ class TestLevels:
         np.save(path, np.random.default_rng(4).normal(size=count))
         told: list[tuple[int, int]] = []
 
-        (found,) = tasks.noise_level(
-            path, unit="um/s", rate=rate, progress=lambda *done: told.append(done)
-        ).measured
+        asked = tasks.NoiseLevel(signals=path, unit="um/s", rate=rate)
+        (found,) = asked.run(lambda *done: told.append(done)).measured
         whole = measure_noise(read_signal(path, unit="um/s", rate=rate))
         assert len(told) > 3
         assert told[-1][0] <= told[-1][1]
@@ -199,7 +198,7 @@ class TestLevels:
         table = np.column_stack([time, np.random.default_rng(1).normal(size=time.size), speed])
         header = "time (s),velocity (um/s),speed (rad/s)"
         np.savetxt(path, table[::1], "%.9g", ",", header=header, comments="")
-        (found,) = tasks.noise_level([path], channel="velocity").measured
+        (found,) = tasks.NoiseLevel(signals=[path], channel="velocity").run().measured
         assert found.noise.speed == pytest.approx(float(np.mean(speed)), rel=2e-3)
 
 

@@ -21,13 +21,15 @@ from typer.testing import CliRunner
 
 from rolamento import Bearing, load_case
 from rolamento.case import parse_case
-from rolamento.cli.diagnose import app
+from rolamento.cli.requested import program_of
 from rolamento.solution import solve
 from rolamento.tasks import signals
 from rolamento.tasks.diagnosis import widened
 from rolamento.vibration.diagnosis import DiagnosisSettings
 from rolamento.vibration.frequencies import FaultFrequencies, frequencies_of, nominal_frequencies
 from rolamento.vibration.synthesis import Fault, Noise, Recipe, synthesise
+
+app = program_of("vibration_diagnosis:VibrationDiagnosis", "diagnose")
 
 Run = Callable[..., tuple[int, str, str]]
 RATE = 12_000.0

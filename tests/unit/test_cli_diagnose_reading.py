@@ -11,7 +11,9 @@ import pytest
 import scipy.io
 from typer.testing import CliRunner
 
-from rolamento.cli.diagnose import app
+from rolamento.cli.requested import program_of
+
+app = program_of("vibration_diagnosis:VibrationDiagnosis", "diagnose")
 
 Run = Callable[..., tuple[int, str, str]]
 NOISE = np.random.default_rng(5).normal(size=60_000)

@@ -15,10 +15,12 @@ import pytest
 from typer.testing import CliRunner
 
 from rolamento import Bearing
-from rolamento.cli.diagnose import app
+from rolamento.cli.requested import program_of
 from rolamento.tasks import shaft_speed, signals
 from rolamento.vibration.frequencies import nominal_frequencies
 from rolamento.vibration.synthesis import Fault, Noise, Recipe, SwingingSpeed, synthesise
+
+app = program_of("vibration_diagnosis:VibrationDiagnosis", "diagnose")
 
 Run = Callable[..., tuple[int, str, str]]
 RATE = 12_000.0

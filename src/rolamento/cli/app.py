@@ -40,6 +40,14 @@ _MODULES: Final = {
 }  # fmt: skip
 """Modules of commands that have none of their own name."""
 
+_REQUESTS: Final = {
+    "anderon": "noise:NoiseLevel",
+    "diagnose": "vibration_diagnosis:VibrationDiagnosis",
+    "severity": "severity:VibrationSeverity",
+    "weibull": "weibull:LifeTestEvaluation",
+}
+"""Commands that are made of a request."""
+
 _SOLVING: Final = {
     "demo", "app", "solve", "turn", "friction", "heat", "report", "life", "sweep", "shaft", "rotor",
     "export",
@@ -70,9 +78,15 @@ class _Commands(Mapping[str, Any]):
 
 @cache
 def _command(name: str) -> Any:
-    module = import_module(f"{__package__}.{_MODULES.get(name, name.replace('-', '_'))}")
+    if name in _REQUESTS:
+        from rolamento.cli.requested import program_of
+
+        program = program_of(_REQUESTS[name], name)
+    else:
+        module = _MODULES.get(name, name.replace("-", "_"))
+        program = import_module(f"{__package__}.{module}").app
     of_module = get_group_from_info(
-        TyperInfo(module.app, name=name),
+        TyperInfo(program, name=name),
         pretty_exceptions_short=True,
         suggest_commands=True,
         rich_markup_mode=None,

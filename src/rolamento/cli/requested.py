@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from importlib import import_module
 from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
@@ -24,7 +25,7 @@ from rolamento.words import marked, said
 if TYPE_CHECKING:
     from rolamento.tasks.request import Input, Request
 
-__all__ = ["add_command", "options_of"]
+__all__ = ["add_command", "options_of", "program_of"]
 
 _METAVARS: Final = {
     "number": "NUMBER", "count": "N", "fraction": "FRACTION", "frequency": "FREQUENCY",
@@ -33,9 +34,7 @@ _METAVARS: Final = {
 _NOT_ITSELF: Final = marked("is one of the input files; choose another name")
 
 
-def add_command(
-    app: typer.Typer, request: type[Request], name: str, summary: str, *, epilog: str
-) -> None:
+def add_command(app: typer.Typer, request: type[Request], name: str) -> None:
     """Give a program the command of a request.
 
     Parameters
@@ -46,10 +45,6 @@ def add_command(
         Whose fields become arguments and options.
     name
         What the command is called.
-    summary
-        A line for the list of commands; further paragraphs after it.
-    epilog
-        Examples.
     """
 
     def command(
@@ -89,7 +84,7 @@ def add_command(
         raise typer.Exit(NO_RESULT if complaint else SOLVED)
 
     command.__signature__ = _signature(command, request)  # type: ignore[attr-defined]
-    command.__name__, command.__doc__ = name, summary
+    command.__name__, command.__doc__ = name, request.summary()
     spoken = with_outputs(command)
     groups: dict[str, tuple[str, ...]] = {
         **request.groups(),
@@ -100,7 +95,15 @@ def add_command(
         first = next(iter(groups))
         groups[first] = (*groups[first], *CASE_OPTIONS)
     shown = type("RequestedCommand", (JsonCommand,), {"groups": groups})
-    app.command(name, cls=shown, epilog=epilog)(spoken)
+    app.command(name, cls=shown, epilog=request.examples)(spoken)
+
+
+def program_of(path: str, name: str) -> typer.Typer:
+    """Return a program with one command; path: of its request, ``module:Class`` in the tasks."""
+    module, _, request = path.partition(":")
+    app = typer.Typer()
+    add_command(app, getattr(import_module(f"rolamento.tasks.{module}"), request), name)
+    return app
 
 
 def options_of(request: type[Request]) -> dict[str, inspect.Parameter]:

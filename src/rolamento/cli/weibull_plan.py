@@ -59,15 +59,7 @@ def weibull_plan(lang: LanguageOption = None) -> None:
     """
 
 
-add_command(
-    app,
-    DemonstrationTest,
-    "demonstration",
-    "Plan to demonstrate a life with few failures or none.\n\n"
-    "Number of bearings against test time.",
-    epilog="Examples: weibull-plan demonstration --life '1000 h' --bearings 10;"
-    " weibull-plan demonstration --life '1000 h' --time '500 h' --failures-allowed 1.",
-)
+add_command(app, DemonstrationTest, "demonstration")
 
 
 @app.command(

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
         diagnose_machine,
         read_machine,
     )
-    from rolamento.tasks.noise import FullScale, NoiseResult, noise_level
+    from rolamento.tasks.noise import FullScale, NoiseLevel, NoiseResult
     from rolamento.tasks.replace import (
         FleetStudy,
         RemainingStudy,
@@ -72,7 +72,7 @@ _NAMES_OF_MODULES: Final = {
     "life_over": ("LifeCurve", "life_curve"),
     "life_spectrum": ("DutyLife", "SpectrumLife", "life_of_duty_spectrum", "read_spectrum"),
     "machine_diagnosis": ("Machine", "MachineDiagnosis", "diagnose_machine", "read_machine"),
-    "noise": ("FullScale", "NoiseResult", "noise_level"),
+    "noise": ("FullScale", "NoiseLevel", "NoiseResult"),
     "replace": (
         "FleetStudy",
         "RemainingStudy",
@@ -119,6 +119,7 @@ __all__ = [
     "LifeTestEvaluation",
     "Machine",
     "MachineDiagnosis",
+    "NoiseLevel",
     "NoiseResult",
     "PrecisionStudy",
     "Records",
@@ -150,7 +151,6 @@ __all__ = [
     "life_of_duty_spectrum",
     "life_of_shaft",
     "life_test_study",
-    "noise_level",
     "precision_study",
     "rank_bearings",
     "read_machine",

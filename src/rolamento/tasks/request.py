@@ -8,6 +8,7 @@ error names the field; each face writes that in its own spelling.
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from math import isfinite
@@ -178,6 +179,8 @@ class Input:
             return given
         if given is None or (isinstance(given, str) and not given.strip()):
             return () if self.is_many else None
+        if isinstance(given, Mapping):
+            return given
         if self.is_many:
             return self._values((given,) if isinstance(given, str | int | float) else given)
         if not isinstance(given, str):
@@ -283,6 +286,8 @@ class Request(Record):
 
     products: ClassVar[Mapping[str, Product]] = {}
     """Files beside the page, by the names of their options."""
+    examples: ClassVar[str] = ""
+    """Of command lines, for its help."""
     waiting: ClassVar[str] = marked("Calculating")
     """What a progress bar says, marked."""
     headings: ClassVar[tuple[str, ...]] = ()
@@ -311,6 +316,11 @@ class Request(Record):
             for mark in field.metadata
             if isinstance(mark, Input)
         }
+
+    @classmethod
+    def summary(cls) -> str:
+        """Return what it does: a line, and perhaps further paragraphs."""
+        return inspect.cleandoc(cls.__doc__ or "").partition("\n\nParameters")[0]
 
     @classmethod
     def meanings(cls) -> dict[str, str]:

@@ -20,7 +20,15 @@ from rolamento.numerics.growth import Forecast, Law, forecast
 from rolamento.records import frozen
 from rolamento.tasks.parameters import Progress, quietly
 from rolamento.tasks.request import Input, Product
-from rolamento.tasks.signals import SIGNAL, SignalRequest, blocks_at, require_calibrated
+from rolamento.tasks.signals import (
+    SIGNAL,
+    SignalRequest,
+    blocks_at,
+    check_files,
+    files_of,
+    hours_of_files,
+    require_calibrated,
+)
 from rolamento.vibration.reading import open_signal
 from rolamento.vibration.severity import (
     AlarmSetting,
@@ -41,8 +49,6 @@ if TYPE_CHECKING:
 __all__ = ["MeasuredSeverity", "SeverityResult", "VibrationSeverity"]
 
 SCHEMA: Final = 1
-_MOST_SIGNALS: Final = 500
-_MOST_HOURS: Final = 1e9
 _MILLI: Final = 1e-3
 MACHINE: Final = marked("Machine")
 TREND: Final = marked("Alarm and trend")
@@ -282,10 +288,9 @@ def _laws() -> Mapping[str, str]:
 
 
 class VibrationSeverity(SignalRequest):
-    """The severity of the vibration of one machine, of files of signals, in bounded memory.
+    """Show the vibration severity in mm/s and its zone.
 
-    The files are of several places, or of one over time. Velocities are in m/s, or texts such as
-    "1.2 mm/s"; a speed in rad/s, or a text such as "1480 rpm".
+    Broadband RMS velocity and zones A to D of ISO 20816-3; for several signals, over time.
 
     Parameters
     ----------
@@ -409,14 +414,17 @@ class VibrationSeverity(SignalRequest):
         float, Input("Confidence", "fraction", TREND, example="0.9", default="0.9", metavar="C")
     ] = 0.9
 
+    examples: ClassVar = (
+        "Examples: severity motor.csv --unit g --speed '1480 rpm' --power '45 kW' --support "
+        "rigid; severity jan.wav feb.wav mar.wav --unit mm/s --hours 0,700,1400 --plot "
+        "trend.png."
+    )
     waiting: ClassVar = marked("blocks of the signal")
     headings: ClassVar = (MACHINE, SIGNAL, TREND)
 
     @model_validator(mode="after")
     def _goes_together(self) -> Self:
-        if not 1 <= len(self.files) <= _MOST_SIGNALS:
-            rule = said("must be 1 to {most} files", most=_MOST_SIGNALS)
-            raise InputError(rule, field="signals", value=len(self.files))
+        check_files(self.files)
         if not 0.0 < self.confidence < 1.0:
             rule = said("must be between 0 and 1, exclusive")
             raise InputError(rule, field="confidence", value=self.confidence)
@@ -435,8 +443,7 @@ class VibrationSeverity(SignalRequest):
     @property
     def files(self) -> list[Any]:
         """The files, also where a single one is given."""
-        one = isinstance(self.signals, str | os.PathLike)
-        return [self.signals] if one else list(self.signals)
+        return files_of(self.signals)
 
     def check_times(self, field: str = "record") -> None:
         """Refuse what needs times where there are none; field: what needs them.
@@ -466,7 +473,7 @@ class VibrationSeverity(SignalRequest):
             machine_class=self.machine_class,
         )
         files = self.files
-        times, first = _hours(self.hours, len(files)), ""
+        times, first = hours_of_files(self.hours, files), ""
         dated: tuple[Note, ...] = ()
         if self.dates:
             times, first, dated = _days(self.dates, len(files))
@@ -513,26 +520,6 @@ class VibrationSeverity(SignalRequest):
             check=check_times,
         ),
     }
-
-
-def _hours(hours: Sequence[Any], count: int) -> list[float]:
-    if not hours:
-        return [nan] * count
-    try:
-        times = [float(time) for time in hours]
-    except ValueError:
-        times = [nan]
-    if len(times) != count or not all(0.0 <= time <= _MOST_HOURS for time in times):
-        rule = said(
-            "must be a number of hours, not negative, for each signal, here {count}", count=count
-        )
-        raise InputError(
-            rule,
-            field="hours",
-            value=", ".join(map(str, hours)),
-            example=arguments(hours=[60, 120, 180]),
-        )
-    return times
 
 
 def _days(given: Sequence[str], count: int) -> tuple[list[float], str, tuple[Note, ...]]:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+import os
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain, islice
-from typing import Annotated, Final, TypedDict
+from math import nan
+from typing import Annotated, Any, Final, TypedDict
 
 import numpy as np
 
@@ -19,6 +21,8 @@ from rolamento.words import marked, said
 SIGNAL: Final = marked("Signal")
 PIECE: Final = 2**20
 """Samples that are read at a time."""
+_MOST_SIGNALS: Final = 500
+_MOST_HOURS: Final = 1e9
 _WHOLE: Final = 8
 """Pieces up to which a signal is taken as one."""
 
@@ -188,6 +192,55 @@ def _joined(pieces: list[Signal]) -> Signal:
         speed = np.concatenate([piece.speed for piece in pieces if piece.speed is not None])
     samples = np.concatenate([piece.samples for piece in pieces])
     return replace(pieces[0], samples=samples, speed=speed)
+
+
+# --- several files ---------------------------------------------------------------------------
+
+
+def files_of(signals: Any) -> list[Any]:
+    """Return the files of a use case that takes one or several."""
+    return [signals] if isinstance(signals, str | os.PathLike) else list(signals)
+
+
+def check_files(files: Sequence[Any]) -> None:
+    """Refuse none, and too many.
+
+    Raises
+    ------
+    InputError
+        With how many there may be.
+    """
+    if not 1 <= len(files) <= _MOST_SIGNALS:
+        rule = said("must be 1 to {most} files", most=_MOST_SIGNALS)
+        raise InputError(rule, field="signals", value=len(files))
+
+
+def hours_of_files(hours: Sequence[Any], files: Sequence[Any]) -> list[float]:
+    """Return the hours at which each of some files was recorded; NaN if they are not given.
+
+    Raises
+    ------
+    InputError
+        If they are no hours, or not as many.
+    """
+    count = len(files)
+    if not hours:
+        return [nan] * count
+    try:
+        times = [float(time) for time in hours]
+    except ValueError:
+        times = [nan]
+    if len(times) != count or not all(0.0 <= time <= _MOST_HOURS for time in times):
+        rule = said(
+            "must be a number of hours, not negative, for each signal, here {count}", count=count
+        )
+        raise InputError(
+            rule,
+            field="hours",
+            value=", ".join(map(str, hours)),
+            example=arguments(hours=[60, 120, 180]),
+        )
+    return times
 
 
 # --- signals whose size counts ---------------------------------------------------------------

@@ -27,10 +27,10 @@ UNKNOWN: Final = "unknown"
 
 
 class VibrationDiagnosis(SignalRequest):
-    """Which parts of a bearing, or of the bearings of a machine, a record shows to be damaged.
+    """Diagnose damaged parts of a bearing from a vibration signal.
 
-    Of a folder, how its records change; of a record beside those of the same machine in good
-    order, what has grown since; of a bearing that nobody knows, which it may be.
+    How severe, why, and what speaks against it. A long signal is read block by block, in
+    bounded memory.
 
     Parameters
     ----------
@@ -153,8 +153,8 @@ class VibrationDiagnosis(SignalRequest):
             "switch",
             SPEED,
             on_page=marked(
-                "Find the varying speed in the vibration itself, around the shaft speed given above;"
-                " at least 96 revolutions."
+                "Find the varying speed in the vibration itself, around the shaft speed given"
+                " above; at least 96 revolutions."
             ),
         ),
     ] = False
@@ -174,6 +174,10 @@ class VibrationDiagnosis(SignalRequest):
         float, Input("False alarms", "fraction", SEARCH, example="1 %", default="1 %", metavar="P")
     ] = 0.01
 
+    examples: ClassVar = (
+        "Examples: diagnose signal.wav --bearing 6205 --speed '1797 rpm' --plot signal.png; "
+        "diagnose run.npz --bearing case.toml --speed-channel rpm."
+    )
     waiting: ClassVar = marked("blocks of the signal")
     headings: ClassVar = (BEARING, SPEED, SIGNAL, SEARCH)
     takes_case: ClassVar = True

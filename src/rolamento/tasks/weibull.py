@@ -339,7 +339,9 @@ _JOINED: Final = {name.replace("-", "_"): name for name in bounds_known()}
 
 
 class LifeTestEvaluation(LifeTable):
-    """What a life test says: fits, bounds, and how its groups and failure modes compare.
+    """Fit a Weibull distribution to a life test, with bounds.
+
+    What the test shows, and what it does not.
 
     Parameters
     ----------
@@ -391,8 +393,8 @@ class LifeTestEvaluation(LifeTable):
         Quantity of the contours, over the shape: L10, L1, scale …
 
     >>> found = LifeTestEvaluation(data=[55.2, 81.0, 104.5], samples=1000).run()
-    >>> found.groups[0].main.status
-    'converged'
+    >>> f"{found.groups[0].main.shape:.2f}"
+    '4.64'
     """
 
     data: Annotated[Any, Input("Life test", "file", metavar="DATA.csv")] = None
@@ -546,6 +548,10 @@ class LifeTestEvaluation(LifeTable):
         ),
     ] = "L10"
 
+    examples: ClassVar = (
+        "Examples: weibull tests.csv --plot paper.png; weibull tests.csv --shape 1.5; weibull "
+        "--example campanha-2008 --calculated-life 'ISO 281=58 h'."
+    )
     waiting: ClassVar = marked("Simulating tests and fitting them …")
     headings: ClassVar = (DATA, FIT, BOUNDS, RESULTS)
     ships: ClassVar = True
@@ -698,11 +704,9 @@ class DemonstrationStudy:
 
 
 class DemonstrationTest(Request):
-    """A test that is to show a life with few failures or none: bearings against time.
+    """Plan to demonstrate a life with few failures or none.
 
-    Without bearings and time each runs as long as the life, where the shape does not matter.
-    Fields: see their `Input`; a life or a time is a text with its unit, or a number, a time in the
-    unit of the life.
+    Number of bearings against test time.
 
     Parameters
     ----------
@@ -777,6 +781,11 @@ class DemonstrationTest(Request):
             metavar="C",
         ),
     ] = 0.9
+
+    examples: ClassVar = (
+        "Examples: weibull-plan demonstration --life '1000 h' --bearings 10; weibull-plan "
+        "demonstration --life '1000 h' --time '500 h' --failures-allowed 1."
+    )
 
     def run(self, progress: Progress = quietly) -> DemonstrationStudy:
         """Plan the test.
