@@ -17,7 +17,6 @@ import pytest
 from typer.testing import CliRunner
 
 from rolamento import tasks
-from rolamento.tasks.noise import _full_scales_of as full_scales_of
 from rolamento.cli.app import app
 from rolamento.document.terminal import terminal
 from rolamento.io.json import dumps
@@ -25,6 +24,7 @@ from rolamento.pages.anderon import anderon_page, noise_statement
 from rolamento.plots.anderon import noise_bands, noise_figure
 from rolamento.tasks import signals
 from rolamento.tasks.noise import FullScale, MeasuredNoise, NoiseResult
+from rolamento.tasks.noise import _full_scales_of as full_scales_of
 from rolamento.vibration.anderon import BANDS, SPEED, BandNoise, measure_noise, noise_steps
 from rolamento.vibration.reading import read_signal
 from rolamento.vibration.signal import Signal

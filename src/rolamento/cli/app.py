@@ -28,7 +28,7 @@ COMMANDS: Final[Groups] = {
     "Life and life tests": ("life", "weibull", "weibull-plan", "replace", "trend"),
     "Vibration": ("frequencies", "diagnose", "severity", "synthesise", "anderon"),
     "Catalogue and clearance": ("catalogue", "clearance", "speed"),
-    "Studies and figures": ("sweep", "tolerance", "plot"),
+    "Studies and figures": ("sweep", "tolerance", "seek", "plot"),
     "Verification": ("verify", "reproduce"),
 }
 """What a person wants, and the commands for it: in the help, the front pages and the guide."""
@@ -43,14 +43,15 @@ _MODULES: Final = {
 _REQUESTS: Final = {
     "anderon": "noise:NoiseLevel",
     "diagnose": "vibration_diagnosis:VibrationDiagnosis",
+    "seek": "seek:GoalSeek",
     "severity": "severity:VibrationSeverity",
     "weibull": "weibull:LifeTestEvaluation",
 }
 """Commands that are made of a request."""
 
 _SOLVING: Final = {
-    "demo", "app", "solve", "turn", "friction", "heat", "report", "life", "sweep", "shaft", "rotor",
-    "export",
+    "demo", "app", "solve", "turn", "friction", "heat", "report", "life", "sweep", "seek", "shaft",
+    "rotor", "export",
 }  # fmt: skip
 """Commands after the first of which the solver is compiled in the background."""
 

@@ -46,6 +46,7 @@ if TYPE_CHECKING:
     )
     from rolamento.tasks.report import CaseReport, Report, calculation_report, compare_variants
     from rolamento.tasks.request import Input, Request
+    from rolamento.tasks.seek import Goal, GoalSeek
     from rolamento.tasks.severity import SeverityResult, VibrationSeverity
     from rolamento.tasks.studies import Sweep, sweep, tolerance
     from rolamento.tasks.synthesis import SynthesisResult, synthesise
@@ -83,6 +84,7 @@ _NAMES_OF_MODULES: Final = {
     ),
     "report": ("CaseReport", "Report", "compare_variants", "calculation_report"),
     "request": ("Input", "Request"),
+    "seek": ("Goal", "GoalSeek"),
     "severity": ("SeverityResult", "VibrationSeverity"),
     "studies": ("Sweep", "sweep", "tolerance"),
     "synthesis": ("SynthesisResult", "synthesise"),
@@ -112,6 +114,8 @@ __all__ = [
     "FleetStudy",
     "FrequencyResult",
     "FullScale",
+    "Goal",
+    "GoalSeek",
     "History",
     "Input",
     "Kind",
