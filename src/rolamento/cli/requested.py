@@ -200,6 +200,9 @@ def _shipped(
 
 def _asked(request: type[Request], typed: Mapping[str, Any], given: CaseOptions) -> Request:
     own = {name: value for name, value in typed.items() if value is not None and value != []}
+    for name, value in own.items():
+        if value in ("", [""]):
+            raise InputError(said("is missing"), field=name)
     if request.takes_case:
         own["changes"] = given.settings
     return request(**own)

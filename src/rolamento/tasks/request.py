@@ -287,7 +287,7 @@ class Request(Record):
     products: ClassVar[Mapping[str, Product]] = {}
     """Files beside the page, by the names of their options."""
     examples: ClassVar[str] = ""
-    """Of command lines, for its help."""
+    """Command lines, for its help."""
     waiting: ClassVar[str] = marked("Calculating")
     """What a progress bar says, marked."""
     headings: ClassVar[tuple[str, ...]] = ()

@@ -25,7 +25,7 @@ __all__ = ["Goal", "GoalSeek"]
 
 GOAL: Final = marked("Goal")
 _POINTS: Final = 25
-"""Of the curve, between which solutions are looked for."""
+"""Points of the curve, between which solutions are looked for."""
 _ROUNDS: Final = 8
 _PARTS: Final = 9
 """A round cuts the part of the curve that holds a solution into so many."""
@@ -145,7 +145,7 @@ class GoalSeek(Request):
     ...     vary="duty.load.fz=2..20kN", wanted="max_inner_max_pressure=2 GPa",
     ... )
     >>> print([round(force) for force in asked.run().found])
-    [6447]
+    [4435]
     """
 
     case: Annotated[Any, Input("Case", "file", essential=True, metavar="CASE")]
