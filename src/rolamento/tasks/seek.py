@@ -136,7 +136,8 @@ class GoalSeek(Request):
         Field to vary, such as bearing.preload, or with its range, FIELD=FIRST..LAST; by default
         around its value, up to a hundred times as much.
     wanted
-        Output and the value that it should have, such as 'stiffness_xx=200 N/um' or 'life_hours=20000 h'.
+        Output and the value that it should have, such as 'stiffness_xx=200 N/um' or
+        'life_hours=20000 h'.
     log
         Vary by equal ratios.
 
