@@ -21,6 +21,7 @@ from rolamento.exchange.rexs import (
     rexs_of_machine,
 )
 from rolamento.exchange.ross import RossBearing, bearing_file, ross_bearings, ross_script
+from rolamento.exchange.tables import maps_to_csv, maps_to_mat, maps_to_modelica
 from rolamento.io.json import plain
 from rolamento.records import frozen
 from rolamento.tasks.maps import POINTS, Mapped, mapped, read_subject
@@ -303,6 +304,24 @@ def _ross(
     return Written("ross", text.encode("utf-8"), found, elements, notes)
 
 
+def _tables(
+    subject: Machine | Case, ending: str, wanted: Wanted, progress: Progress | None
+) -> Written:
+    found = mapped(
+        subject,
+        wanted.over,
+        points=wanted.points or POINTS,
+        bearing=wanted.bearing,
+        progress=progress,
+    )
+    if ending == ".mat":
+        content = maps_to_mat(found.maps)
+    else:
+        make = maps_to_csv if ending == ".csv" else maps_to_modelica
+        content = make(found.maps).encode("utf-8")
+    return Written("table", content, found)
+
+
 _Make = Callable[[Machine | Case, str, Wanted, Progress | None], Written]
 
 
@@ -317,6 +336,9 @@ class Format:
 _MAP: Final = ("over", "points", "bearing")
 ENDINGS: Final[dict[str, Format]] = {
     ".toml": Format(_ross, (*_MAP, "ross", "damping", "levers")),
-    ".py": Format(_ross, ("over", "points", "ross", "damping", "levers")),
+    ".py": Format(_ross, ("over", "points", "damping", "levers")),
+    ".csv": Format(_tables, _MAP),
+    ".mat": Format(_tables, _MAP),
+    ".txt": Format(_tables, _MAP),
 }
 """The formats by the endings of their files, but for REXS."""
