@@ -114,7 +114,8 @@ def export(
             "-o",
             metavar="FILE",
             help="File to write, whose ending says the format: .rexs, .rexsj, .rexsz (REXS, by"
-            " default); .toml (elements for ROSS, with --ross), .py (rotors for ROSS).",
+            " default); .toml (elements for ROSS, with --ross), .py (rotors for ROSS); .csv, .mat"
+            " (MATLAB), .txt (Modelica): tables of stiffness and force; .fmu (FMI).",
         ),
     ] = None,
     settings: Annotated[
@@ -150,6 +151,9 @@ def export(
     ross: Annotated[
         int | None, typer.Option("--ross", metavar="VERSION", help="ROSS: 3 or 2.")
     ] = None,
+    fmi: Annotated[
+        int | None, typer.Option("--fmi", metavar="VERSION", help="FMI: 3 (default) or 2.")
+    ] = None,
     levers: Annotated[
         bool,
         typer.Option(
@@ -180,8 +184,8 @@ def export(
         from rolamento.tasks.exchange import Wanted, check_wanted, ending_of
 
         wanted = Wanted(
-            over=tuple(over or ()), points=points, bearing=bearing, ross=ross, damping=damping,
-            levers=levers,
+            over=tuple(over or ()), points=points, bearing=bearing, ross=ross, fmi=fmi,
+            damping=damping, levers=levers,
         )  # fmt: skip
         path = _usual_name(machine, wanted) if output is None else output
         _check_output(path, machine, json, force)

@@ -12,6 +12,7 @@ from rolamento.case import Case
 from rolamento.case.machine import Machine, load_machine
 from rolamento.catalogue import catalogues as catalogues_beside
 from rolamento.errors import FileError, InputError
+from rolamento.exchange.fmi import between_points, fmu_bytes
 from rolamento.exchange.rexs import (
     Exported,
     Imported,
@@ -322,6 +323,30 @@ def _tables(
     return Written("table", content, found)
 
 
+def _fmu(
+    subject: Machine | Case, ending: str, wanted: Wanted, progress: Progress | None
+) -> Written:
+    if isinstance(subject, Machine) and wanted.bearing is None and len(subject.bearings) > 1:
+        names = ", ".join(one.name for one in subject.bearings)
+        raise InputError(
+            said("is missing: an FMU is of one bearing; one of {names}", names=names),
+            field="--bearing",
+            example=f"--bearing '{subject.bearings[0].name}'",
+        )
+    # with a point between every two, by which what is linear between them is judged
+    found = mapped(
+        subject,
+        wanted.over,
+        points=2 * (wanted.points or POINTS) - 1,
+        bearing=wanted.bearing,
+        progress=progress,
+    )
+    kept, apart = between_points(found.maps[0])
+    content = fmu_bytes(kept, wanted.fmi or 3, damping=wanted.damping or 0.0)
+    note = Note("fmu_between_points", {"apart": apart})
+    return Written("fmu", content, Mapped(found.subject, (kept,)), notes=(note,))
+
+
 _Make = Callable[[Machine | Case, str, Wanted, Progress | None], Written]
 
 
@@ -340,5 +365,6 @@ ENDINGS: Final[dict[str, Format]] = {
     ".csv": Format(_tables, _MAP),
     ".mat": Format(_tables, _MAP),
     ".txt": Format(_tables, _MAP),
+    ".fmu": Format(_fmu, (*_MAP, "fmi", "damping")),
 }
 """The formats by the endings of their files, but for REXS."""

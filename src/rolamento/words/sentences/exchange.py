@@ -149,6 +149,11 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "rexs_as_loads": marked("{part}: other programs see a load with its forces."),
     "rexs_without_type": marked("{part}: REXS has no word for its type, {type}."),
     "rexs_unsolved": marked("Without results: {reason}"),
+    # for simulations
+    "fmu_between_points": marked(
+        "Between its points the stiffness is linear: off by at most {apart:.2g %} of the greatest"
+        " of its kind halfway between them; --points takes more."
+    ),
     # for ROSS
     "coupled_by_housing": marked(
         "{bearing}: its housing couples it to other bearings by up to {stiffness:.3g N/µm}, which"
