@@ -103,8 +103,8 @@ def export(
         str,
         typer.Argument(
             metavar="MACHINE",
-            help="Machine file (TOML or JSON); but for REXS and whole rotors also a case file, or a"
-            " designation; - for standard input.",
+            help="Machine file (TOML, JSON or .xlsx); but for REXS, rotors and workbooks also a case"
+            " file or a designation; - for standard input.",
         ),
     ],
     output: Annotated[
@@ -115,7 +115,8 @@ def export(
             metavar="FILE",
             help="File to write, whose ending says the format: .rexs, .rexsj, .rexsz (REXS, by"
             " default); .toml (elements for ROSS, with --ross), .py (rotors for ROSS); .csv, .mat"
-            " (MATLAB), .txt (Modelica): tables of stiffness and force; .fmu (FMI).",
+            " (MATLAB), .txt (Modelica): tables of stiffness and force; .fmu (FMI); .xlsx (the"
+            " machine as a workbook).",
         ),
     ] = None,
     settings: Annotated[

@@ -23,6 +23,7 @@ from rolamento.exchange.rexs import (
 )
 from rolamento.exchange.ross import RossBearing, bearing_file, ross_bearings, ross_script
 from rolamento.exchange.tables import maps_to_csv, maps_to_mat, maps_to_modelica
+from rolamento.exchange.workbook import machine_to_xlsx
 from rolamento.io.json import plain
 from rolamento.records import frozen
 from rolamento.tasks.maps import POINTS, Mapped, mapped, read_subject
@@ -296,7 +297,7 @@ def _ross(
     else:
         if found.machine is None:
             raise InputError(
-                said("is a bearing alone; a rotor is made of a machine"), field="CASE",
+                said("is a bearing alone; a rotor is made of a machine"), field="MACHINE",
                 example="rolamento export machine.toml -o rotor.py",
             )  # fmt: skip
         own = natural_modes(found.machine, damping=damping).frequency
@@ -347,6 +348,18 @@ def _fmu(
     return Written("fmu", content, Mapped(found.subject, (kept,)), notes=(note,))
 
 
+def _workbook(
+    subject: Machine | Case, ending: str, wanted: Wanted, progress: Progress | None
+) -> Written:
+    if not isinstance(subject, Machine):
+        raise InputError(
+            said("is a bearing alone; a workbook is of a machine"),
+            field="MACHINE",
+            example="rolamento export machine.toml -o machine.xlsx",
+        )
+    return Written("workbook", machine_to_xlsx(subject))
+
+
 _Make = Callable[[Machine | Case, str, Wanted, Progress | None], Written]
 
 
@@ -365,6 +378,7 @@ ENDINGS: Final[dict[str, Format]] = {
     ".csv": Format(_tables, _MAP),
     ".mat": Format(_tables, _MAP),
     ".txt": Format(_tables, _MAP),
+    ".xlsx": Format(_workbook, ()),
     ".fmu": Format(_fmu, (*_MAP, "fmi", "damping")),
 }
 """The formats by the endings of their files, but for REXS."""

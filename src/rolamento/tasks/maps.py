@@ -16,6 +16,7 @@ from rolamento.case.duty import AXES, LOADS
 from rolamento.case.machine import (
     Machine,
     Step,
+    load_machine,
     machine_to_toml,
     parse_machine,
     parts_of_key,
@@ -23,6 +24,7 @@ from rolamento.case.machine import (
 )
 from rolamento.case.machine_fields import place_of_key
 from rolamento.errors import InputError, guess
+from rolamento.io.sheets import is_workbook
 from rolamento.io.text import format_of_path, format_of_text, parse_mapping, read_text
 from rolamento.machines import acts_alone, solve_machines
 from rolamento.numerics import FloatArray
@@ -83,6 +85,8 @@ def read_subject(source: str | os.PathLike[str], settings: Sequence[str] = ()) -
     """
     if is_designation(source):
         return load_case(source, settings)
+    if is_workbook(source):
+        return load_machine(source, settings)
     text, name = read_text(source)
     form = format_of_path(source) or format_of_text(text)
     if "shafts" in parse_mapping(text, form, name):

@@ -186,7 +186,7 @@ class _Description:
         self._map, self._name, self._token, self._sources = one, name, token, sources
         self._variables = list(_variables(one, start, damping))
 
-    def _head(self, version: str, **named: str) -> ElementTree.Element:
+    def _head(self, version: str, **named: Any) -> ElementTree.Element:
         said_of = "; ".join(f"{name}: {value}" for name, value in about(self._map).items())
         return ElementTree.Element(
             "fmiModelDescription", fmiVersion=version, modelName=_in_xml(self._map.name),
@@ -205,7 +205,9 @@ class _Description:
     def of_fmi2(self) -> str:
         root = self._head("2.0", guid=self._token, numberOfEventIndicators="0")
         for kind in ("ModelExchange", "CoSimulation"):
-            more = {"canHandleVariableCommunicationStepSize": "true"} if kind[0] == "C" else {}
+            more: dict[str, Any] = {}
+            if kind == "CoSimulation":
+                more["canHandleVariableCommunicationStepSize"] = "true"
             face = ElementTree.SubElement(
                 root, kind, modelIdentifier=self._name, providesDirectionalDerivative="true",
                 canNotUseMemoryManagementFunctions="true", **more,
@@ -222,7 +224,7 @@ class _Description:
                                              "variability")}  # fmt: skip
             scalar = ElementTree.SubElement(variables, "ScalarVariable", own)
             kind = "Boolean" if one["name"] == "outside" else "Real"
-            value = {key: one[key] for key in ("unit", "start") if key in one}
+            value: dict[str, str] = {key: one[key] for key in ("unit", "start") if key in one}
             ElementTree.SubElement(scalar, kind, value)
         structure = ElementTree.SubElement(root, "ModelStructure")
         knowns = " ".join(str(places[one["name"]]) for one in self._of("input"))
@@ -240,7 +242,9 @@ class _Description:
     def of_fmi3(self) -> str:
         root = self._head("3.0", instantiationToken=self._token)
         for kind in ("ModelExchange", "CoSimulation"):
-            more = {"canHandleVariableCommunicationStepSize": "true"} if kind[0] == "C" else {}
+            more: dict[str, Any] = {}
+            if kind == "CoSimulation":
+                more["canHandleVariableCommunicationStepSize"] = "true"
             ElementTree.SubElement(
                 root, kind, modelIdentifier=self._name, providesDirectionalDerivatives="true",
                 providesAdjointDerivatives="true", **more,
