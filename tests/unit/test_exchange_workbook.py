@@ -72,7 +72,7 @@ def test_numbers_are_numbers_and_texts_are_texts() -> None:
     assert sections[2][1] == 286.7
     assert sections[1][1] == "0.03336666666666667 m"  # more digits than a sheet holds
     assert book["spectrum"]["A2"].value is not None
-    assert {cell.data_type for row in book["machine"].rows for cell in row} == {"s"}
+    assert {cell.data_type for row in book["machine"].rows for cell in row} == {"inlineStr", "s"}
     assert len(list(book["matrix 1"].rows)) == 11
 
 

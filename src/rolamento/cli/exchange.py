@@ -103,8 +103,8 @@ def export(
         str,
         typer.Argument(
             metavar="MACHINE",
-            help="Machine file (TOML, JSON or .xlsx); but for REXS, rotors and workbooks also a case"
-            " file or a designation; - for standard input.",
+            help="Machine file (TOML, JSON or .xlsx); but for REXS, rotors and workbooks also a"
+            " case file or a designation; - for standard input.",
         ),
     ],
     output: Annotated[
