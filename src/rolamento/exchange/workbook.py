@@ -43,9 +43,11 @@ def machine_to_xlsx(machine: Machine) -> bytes:
     from openpyxl.styles import Font
     from openpyxl.utils import get_column_letter
 
-    sheets = sheets_of_tables(machine.to_mapping())
-    sheets["# fields"] = Sheet(("sheet", "column", "example", "meaning"), tuple(_known()))
-    sheets["# read me"] = Sheet(_ABOUT[:1], tuple((line,) for line in _ABOUT[1:]))
+    sheets = {
+        "# read me": Sheet(_ABOUT[:1], tuple((line,) for line in _ABOUT[1:])),
+        **sheets_of_tables(machine.to_mapping()),
+        "# fields": Sheet(("sheet", "column", "example", "meaning"), tuple(_known())),
+    }
     book = Workbook()
     book.remove(book.worksheets[0])
     book.properties.creator = "Rolamento"
