@@ -49,6 +49,7 @@ PAGES: Final = (
     DOCS / "faq.md",
     DOCS / "shafts.md",
     DOCS / "exchange.md",
+    DOCS / "exchange-simulation.md",
     DOCS / "heat.md",
     DOCS / "start.pt-BR.md",
     DOCS / "tutorials" / "maintenance.pt-BR.md",

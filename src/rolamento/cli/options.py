@@ -51,7 +51,10 @@ CaseArgument = Annotated[
 ]
 MachineArgument = Annotated[
     str,
-    typer.Argument(metavar="MACHINE", help="Machine file (TOML or JSON); - for standard input."),
+    typer.Argument(
+        metavar="MACHINE",
+        help="Machine file (TOML or JSON, or a workbook, .xlsx); - for standard input.",
+    ),
 ]
 MachineSettingsOption = Annotated[
     list[str] | None,
