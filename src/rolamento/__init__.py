@@ -30,6 +30,7 @@ if TYPE_CHECKING:
         plots,
         ratings,
         rotors,
+        safety,
         speeds,
         static,
         studies,
@@ -61,6 +62,7 @@ if TYPE_CHECKING:
     from rolamento.case.model import Model
     from rolamento.case.mounting import Mounting, SeatMaterial
     from rolamento.case.roller_bearing import RollerBearing
+    from rolamento.case.static import Static
     from rolamento.case.surface import Surface
     from rolamento.case.temperature import Temperature
     from rolamento.catalogue import geometry_of
@@ -109,6 +111,7 @@ _NAMES_OF_MODULES: Final = {
         "Mounting",
         "RollerBearing",
         "SeatMaterial",
+        "Static",
         "Surface",
         "Temperature",
         "case_to_json",
@@ -158,6 +161,7 @@ _PACKAGES: Final = frozenset(
         "plots",
         "ratings",
         "rotors",
+        "safety",
         "solved",
         "speeds",
         "static",
@@ -196,6 +200,7 @@ __all__ = [
     "SeatMaterial",
     "Solved",
     "SolvedMachine",
+    "Static",
     "Surface",
     "Temperature",
     "UnitError",
@@ -230,6 +235,7 @@ __all__ = [
     "ratings",
     "report",
     "rotors",
+    "safety",
     "save_case",
     "shaft",
     "solve",

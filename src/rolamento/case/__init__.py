@@ -27,6 +27,7 @@ from rolamento.case.model import Model
 from rolamento.case.mounting import Mounting, SeatMaterial
 from rolamento.case.report import ReportHead
 from rolamento.case.roller_bearing import RollerBearing
+from rolamento.case.static import Static
 from rolamento.case.surface import Surface
 from rolamento.case.temperature import Temperature
 
@@ -74,6 +75,7 @@ __all__ = [
     "Shaft",
     "ShaftLoad",
     "Spring",
+    "Static",
     "Step",
     "Surface",
     "Temperature",

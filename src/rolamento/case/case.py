@@ -25,6 +25,7 @@ from rolamento.case.record import ByElement, Record
 from rolamento.case.report import ReportHead
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.case.rolling_bearing import RollingBearing, element_named
+from rolamento.case.static import Static
 from rolamento.case.surface import Surface
 from rolamento.case.temperature import Temperature
 from rolamento.errors import FileError, InputError, nearest
@@ -92,6 +93,8 @@ class Case(Record):
         A `FilmModel`; its defaults if not given.
     heat
         A `Heat`: ways of the heat out of the bearing, for its heat balance.
+    static
+        A `Static`: demands on the static safety, hardness, allowable pressure.
     life
         A `LifeModel`; ratings, cleanliness and wishes for the life.
     report
@@ -115,6 +118,7 @@ class Case(Record):
     mounting: Mounting | None = Field(None, examples=["[mounting] as a table"])
     film: FilmModel | None = Field(None, examples=["[film] as a table"])
     heat: Heat | None = Field(None, examples=["[heat] as a table"])
+    static: Static | None = Field(None, examples=["[static] as a table"])
     life: LifeModel | None = Field(None, examples=["[life] as a table"])
     report: ReportHead | None = Field(None, examples=["[report] as a table"])
 

@@ -573,6 +573,7 @@ TABLES: Final = {
     "mounting": marked("Mounting"),
     "film": marked("Film"),
     "heat": marked("Heat"),
+    "static": marked("Static safety"),
     "life": marked("Life"),
 }
 

@@ -44,6 +44,8 @@ TABLES: Final = {
     "film": marked("How the film thickness is calculated."),
     "heat": marked("Ways of the heat out of the bearing, for rolamento heat; conductances that "
                    "are not given are estimated."),
+    "static": marked("Demands on the static safety, for rolamento static; hardness of the "
+                     "raceways."),
     "life": marked("Ratings, cleanliness and what is required of the life."),
     "report": marked("Title block of rolamento report."),
 }  # fmt: skip
