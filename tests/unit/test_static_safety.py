@@ -177,3 +177,16 @@ def test_the_page_says_it_in_both_languages() -> None:
     for language in ("en", "pt_BR"):
         with speaking(language):
             assert "C_0/P_0" in terminal(static_page(found))
+
+
+def test_a_report_shows_it_where_the_case_asks_for_it() -> None:
+    from rolamento.document.markdown import markdown
+    from rolamento.pages.report import report_page
+    from rolamento.tasks import calculation_report
+
+    plain, asked = (
+        markdown(report_page(calculation_report([one])))
+        for one in (deep_groove(), deep_groove(**{"static.requirement": "high"}))
+    )
+    assert "Hardness below the surface" not in plain
+    assert "Hardness below the surface" in asked

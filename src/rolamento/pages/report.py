@@ -43,6 +43,7 @@ from rolamento.pages.given import no_load_text, untitled
 from rolamento.pages.life import rating_source
 from rolamento.pages.preload import STAGE_NAMES
 from rolamento.pages.state import rosette_section, stiffness_section
+from rolamento.pages.static import static_sections
 from rolamento.records import frozen
 from rolamento.vibration.frequencies import ABBREVIATIONS, LineName
 from rolamento.words import Note, in_unit, manner, marked, said, worded
@@ -764,10 +765,24 @@ def _results(report: Report) -> list[Section | Beside]:
     sections += [Section(compared, loads, "ball_loads", level=3)] * bool(loads)
     for key in ("contacts", "film", "friction", "frequencies", "stiffness"):
         add(key)
+    for case in report.cases:
+        sections += _static(report, case)
     missing = Notes(_missing(report))
     if missing.remarks:
         sections.append(Section(said("Not calculated"), (missing,), "missing", level=3))
     return sections
+
+
+def _static(report: Report, case: CaseReport) -> list[Section]:
+    """Static safety of a case that asks for it."""
+    found = case.static_safety
+    if found is None:
+        return []
+    first, *others = static_sections(found, level=3)
+    if len(report.cases) > 1:
+        heading = said("{what}, case {name}", what=first.heading, name=case.name)
+        first = replace(first, heading=heading)
+    return [first, *(replace(one, level=4) for one in others)]
 
 
 def _elements(report: Report) -> list[str]:

@@ -59,7 +59,7 @@ def static_page(found: StaticSafety) -> Document:
         sections += static_sections(found)
     sections += notes_section(remarks_of(notes))
     title = solved.title or untitled(solved.case)
-    return Document(title, tuple(sections), kind="static", main="contacts")
+    return Document(title, tuple(sections), kind="static", main="static_safety")
 
 
 def static_sections(found: StaticSafety, level: int = 2) -> list[Section]:
@@ -73,8 +73,8 @@ def static_sections(found: StaticSafety, level: int = 2) -> list[Section]:
         Of their headings.
     """
     return [
-        Section(said("Static safety"), _headline(found), key="safety", level=level),
-        Section("", (_contacts(found),), key="contacts", level=level),
+        Section(said("Static safety"), _headline(found), key="static", level=level),
+        Section("", (_contacts(found),), key="static_contacts", level=level),
         *_bearings(found, level),
         _recommended(found, level),
         _launch(found, level),
@@ -189,7 +189,7 @@ def _contacts(found: StaticSafety) -> Table:
              " (p_lim/p)²"),
         said("Q_0 load of the contact with the most load under C_0; S_Q by load: Q_0/Q"),
     )  # fmt: skip
-    return Table(columns=tuple(columns), key="contacts", legends=legends, rule=True)
+    return Table(columns=tuple(columns), key="static_safety", legends=legends, rule=True)
 
 
 def _bearings(found: StaticSafety, level: int) -> list[Section]:
@@ -213,8 +213,8 @@ def _bearings(found: StaticSafety, level: int) -> list[Section]:
             align="right",
         ),
     ]  # fmt: skip
-    table = Table(columns=tuple(columns), key="bearings", rule=True)
-    return [Section(said("Bearing as a whole"), (table,), key="bearings", level=level)]
+    table = Table(columns=tuple(columns), key="static_bearings", rule=True)
+    return [Section(said("Bearing as a whole"), (table,), key="static_bearings", level=level)]
 
 
 def _recommended(found: StaticSafety, level: int) -> Section:
@@ -239,8 +239,11 @@ def _recommended(found: StaticSafety, level: int) -> Section:
         operation=said(OPERATIONS[found.demands.operation]),
         requirement=said(REQUIREMENTS[found.demands.requirement]),
     )
-    blocks = (Statement(text, indent=2), Table(columns=columns, key="recommended", rule=True))
-    return Section(said("Recommended by makers"), blocks, key="recommended", level=level)
+    blocks = (
+        Statement(text, indent=2),
+        Table(columns=columns, key="static_recommended", rule=True),
+    )
+    return Section(said("Recommended by makers"), blocks, key="static_recommended", level=level)
 
 
 def _launch(found: StaticSafety, level: int) -> Section:
@@ -265,13 +268,17 @@ def _launch(found: StaticSafety, level: int) -> Section:
         legends = [said("MoS margin of safety: allowable/pressure − 1")]
         if any(one.key != "own" for one in ones):
             legends.append(launch.source)
-        blocks.append(Table(columns=columns, key="launch", legends=tuple(legends), rule=True))
+        blocks.append(
+            Table(columns=columns, key="static_launch", legends=tuple(legends), rule=True)
+        )
     blocks += _gaps(found)
     if not blocks:
         text = said("No allowable pressure is on file for this ring material; give"
                     " static.allowable_pressure.")  # fmt: skip
         blocks.append(Statement(text, "faint", indent=2))
-    return Section(said("Allowable pressure and gaps"), tuple(blocks), key="launch", level=level)
+    return Section(
+        said("Allowable pressure and gaps"), tuple(blocks), key="static_launch", level=level
+    )
 
 
 def _gaps(found: StaticSafety) -> list[Block]:
@@ -287,7 +294,7 @@ def _gaps(found: StaticSafety) -> list[Block]:
         Column(head=said("all contact lost"), values=lost, key="lost"),
     )
     legend = said("gap the greatest distance between a rolling element and its inner race")
-    blocks: list[Block] = [Table(columns=columns, key="gaps", legends=(legend,), rule=True)]
+    blocks: list[Block] = [Table(columns=columns, key="static_gaps", legends=(legend,), rule=True)]
     preload = solved.preload
     if preload is not None and preload.lift_factor is not None and isfinite(preload.lift_factor):
         text = said(
@@ -335,5 +342,7 @@ def _hardening(found: StaticSafety, level: int) -> Section:
         said("case depth: there a core of {core:.3r} HV bears the stresses",
              core=own["inner"].core_hardness),
     )  # fmt: skip
-    table = Table(columns=tuple(columns), key="hardening", legends=legends, rule=True)
-    return Section(said("Hardness below the surface"), (table,), key="hardening", level=level)
+    table = Table(columns=tuple(columns), key="static_hardening", legends=legends, rule=True)
+    return Section(
+        said("Hardness below the surface"), (table,), key="static_hardening", level=level
+    )
