@@ -22,6 +22,7 @@ if TYPE_CHECKING:
         catalogue,
         clearance,
         contact,
+        electrical,
         friction,
         geometry,
         kinematics,
@@ -53,6 +54,7 @@ if TYPE_CHECKING:
     )
     from rolamento.case.bearing import Bearing
     from rolamento.case.duty import Displacement, Duty, Load
+    from rolamento.case.electrical import Electrical
     from rolamento.case.film_model import FilmModel
     from rolamento.case.heat import Heat
     from rolamento.case.life_model import LifeModel
@@ -100,6 +102,7 @@ _NAMES_OF_MODULES: Final = {
         "Case",
         "Displacement",
         "Duty",
+        "Electrical",
         "FilmModel",
         "Heat",
         "LifeModel",
@@ -151,6 +154,7 @@ _PACKAGES: Final = frozenset(
         "catalogue",
         "clearance",
         "contact",
+        "electrical",
         "errors",
         "examples",
         "friction",
@@ -181,6 +185,7 @@ __all__ = [
     "Case",
     "Displacement",
     "Duty",
+    "Electrical",
     "FileError",
     "FilmModel",
     "Heat",
@@ -215,6 +220,7 @@ __all__ = [
     "clearance",
     "contact",
     "diagnose",
+    "electrical",
     "fault_frequencies",
     "find_bearings",
     "fit_weibull",

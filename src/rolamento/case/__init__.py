@@ -18,6 +18,7 @@ from rolamento.case.case import (
     save_case,
 )
 from rolamento.case.duty import Displacement, Duty, Load
+from rolamento.case.electrical import Electrical
 from rolamento.case.film_model import FilmModel
 from rolamento.case.heat import Heat
 from rolamento.case.life_model import LifeModel
@@ -54,6 +55,7 @@ __all__ = [
     "Case",
     "Displacement",
     "Duty",
+    "Electrical",
     "FilmModel",
     "Gear",
     "Gravity",

@@ -12,6 +12,7 @@ from pydantic import Field, ModelWrapValidatorHandler, ValidationInfo, model_val
 
 from rolamento.case.bearing import Bearing
 from rolamento.case.duty import SHORT_NAMES, Duty
+from rolamento.case.electrical import Electrical
 from rolamento.case.fields import OVERRIDE_SOURCE, Changes, changed, fields_of, overridden
 from rolamento.case.fields import Field as CaseField
 from rolamento.case.film_model import FilmModel
@@ -95,6 +96,8 @@ class Case(Record):
         A `Heat`: ways of the heat out of the bearing, for its heat balance.
     static
         A `Static`: demands on the static safety, hardness, allowable pressure.
+    electrical
+        An `Electrical`: voltage and current across the bearing.
     life
         A `LifeModel`; ratings, cleanliness and wishes for the life.
     report
@@ -119,6 +122,7 @@ class Case(Record):
     film: FilmModel | None = Field(None, examples=["[film] as a table"])
     heat: Heat | None = Field(None, examples=["[heat] as a table"])
     static: Static | None = Field(None, examples=["[static] as a table"])
+    electrical: Electrical | None = Field(None, examples=["[electrical] as a table"])
     life: LifeModel | None = Field(None, examples=["[life] as a table"])
     report: ReportHead | None = Field(None, examples=["[report] as a table"])
 

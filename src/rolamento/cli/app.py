@@ -23,7 +23,7 @@ from rolamento.cli.streams import end_of_output, print_text
 
 COMMANDS: Final[Groups] = {
     "To start with": ("demo", "app", "new", "examples", "warm"),
-    "Inside the bearing": ("solve", "turn", "friction", "heat", "static", "report"),
+    "Inside the bearing": ("solve", "turn", "friction", "heat", "static", "electrical", "report"),
     "The machine around it": ("shaft", "rotor", "import", "export"),
     "Life and life tests": ("life", "weibull", "weibull-plan", "replace", "trend"),
     "Vibration": ("frequencies", "diagnose", "severity", "synthesise", "anderon"),
@@ -41,7 +41,8 @@ _MODULES: Final = {
 """Modules of commands that have none of their own name."""
 
 _SOLVING: Final = {
-    "demo", "app", "solve", "turn", "friction", "heat", "static", "report", "life",
+    "demo", "app", "solve", "turn", "friction", "heat", "static", "electrical", "report",
+    "life",
     "sweep", "shaft", "rotor",
     "export",
 }  # fmt: skip

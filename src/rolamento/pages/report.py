@@ -37,6 +37,7 @@ from rolamento.life.record import BOUNDS, OUTSIDE, note_of
 from rolamento.life.theories import THEORIES
 from rolamento.notes import nothing_given
 from rolamento.pages.clearance import STEPS
+from rolamento.pages.electrical import electrical_sections
 from rolamento.pages.elements import element_tables, roller_pictures
 from rolamento.pages.equations import equations_of, references_of
 from rolamento.pages.given import no_load_text, untitled
@@ -575,6 +576,7 @@ TABLES: Final = {
     "film": marked("Film"),
     "heat": marked("Heat"),
     "static": marked("Static safety"),
+    "electrical": marked("Electricity"),
     "life": marked("Life"),
 }
 
@@ -766,23 +768,27 @@ def _results(report: Report) -> list[Section | Beside]:
     for key in ("contacts", "film", "friction", "frequencies", "stiffness"):
         add(key)
     for case in report.cases:
-        sections += _static(report, case)
+        sections += _asked(report, case)
     missing = Notes(_missing(report))
     if missing.remarks:
         sections.append(Section(said("Not calculated"), (missing,), "missing", level=3))
     return sections
 
 
-def _static(report: Report, case: CaseReport) -> list[Section]:
-    """Static safety of a case that asks for it."""
-    found = case.static_safety
-    if found is None:
-        return []
-    first, *others = static_sections(found, level=3)
-    if len(report.cases) > 1:
-        heading = said("{what}, case {name}", what=first.heading, name=case.name)
-        first = replace(first, heading=heading)
-    return [first, *(replace(one, level=4) for one in others)]
+def _asked(report: Report, case: CaseReport) -> list[Section]:
+    """Static safety and electricity of a case that asks for them."""
+    parts = []
+    if case.static_safety is not None:
+        parts.append(static_sections(case.static_safety, level=3))
+    if case.electrics is not None:
+        parts.append(electrical_sections(case.electrics, level=3))
+    sections = []
+    for first, *others in parts:
+        heading = first.heading
+        if len(report.cases) > 1:
+            heading = said("{what}, case {name}", what=heading, name=case.name)
+        sections += [replace(first, heading=heading), *(replace(one, level=4) for one in others)]
+    return sections
 
 
 def _elements(report: Report) -> list[str]:

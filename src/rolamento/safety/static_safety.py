@@ -368,7 +368,12 @@ def static_safety_of(source: Case | Solved) -> StaticSafety:
     elif demands.load_factor == 1.0:
         solved = source
     else:
-        solved = solve(factored(source.case, demands.load_factor))
+        times = demands.load_factor
+        varied = {
+            name: values * times if name.startswith("duty.load.") else values
+            for name, values in source.varied.items()
+        }
+        solved = solve(factored(source.case, times), varied or None)
     rows, kinds = solved.rows, row_kinds(solved)
     limit = np.array([pressure_limit(kind) for kind in kinds])
     lines = np.isfinite(rows.effective_length)

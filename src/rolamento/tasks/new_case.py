@@ -46,6 +46,7 @@ TABLES: Final = {
                    "are not given are estimated."),
     "static": marked("Demands on the static safety, for rolamento static; hardness of the "
                      "raceways."),
+    "electrical": marked("Voltage and current across the bearing, for rolamento electrical."),
     "life": marked("Ratings, cleanliness and what is required of the life."),
     "report": marked("Title block of rolamento report."),
 }  # fmt: skip

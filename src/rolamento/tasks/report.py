@@ -39,6 +39,7 @@ from rolamento.units import Dimension
 from rolamento.words import said
 
 if TYPE_CHECKING:
+    from rolamento.electrical import BearingElectrics
     from rolamento.safety import StaticSafety
 
 __all__ = [
@@ -189,6 +190,15 @@ class CaseReport:
         from rolamento.safety import static_safety_of
 
         return static_safety_of(self.analysis.solved)
+
+    @cached_property
+    def electrics(self) -> BearingElectrics | None:
+        """The bearing as an electrical part, of a case with [electrical] and a film; else None."""
+        if self.case.electrical is None or self.analysis.film is None:
+            return None
+        from rolamento.electrical import electrics_of
+
+        return electrics_of(self.analysis.solved, self.analysis.film)
 
     @cached_property
     def checksum(self) -> str:
