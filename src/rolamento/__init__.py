@@ -58,6 +58,7 @@ if TYPE_CHECKING:
     from rolamento.case.film_model import FilmModel
     from rolamento.case.heat import Heat
     from rolamento.case.life_model import LifeModel
+    from rolamento.case.losses import Losses
     from rolamento.case.lubricant import Lubricant
     from rolamento.case.machine import Machine, load_machine
     from rolamento.case.material import Material
@@ -107,6 +108,7 @@ _NAMES_OF_MODULES: Final = {
         "Heat",
         "LifeModel",
         "Load",
+        "Losses",
         "Lubricant",
         "Machine",
         "Material",
@@ -194,6 +196,7 @@ __all__ = [
     "LifeModel",
     "LifeSummary",
     "Load",
+    "Losses",
     "Lubricant",
     "Machine",
     "MachineAnalysis",

@@ -22,6 +22,7 @@ from rolamento.case.electrical import Electrical
 from rolamento.case.film_model import FilmModel
 from rolamento.case.heat import Heat
 from rolamento.case.life_model import LifeModel
+from rolamento.case.losses import Losses
 from rolamento.case.lubricant import Lubricant
 from rolamento.case.material import Material
 from rolamento.case.model import Model
@@ -63,6 +64,7 @@ __all__ = [
     "Housing",
     "LifeModel",
     "Load",
+    "Losses",
     "Lubricant",
     "Machine",
     "MachineBearing",

@@ -18,6 +18,7 @@ from rolamento.case.fields import Field as CaseField
 from rolamento.case.film_model import FilmModel
 from rolamento.case.heat import Heat
 from rolamento.case.life_model import LifeModel
+from rolamento.case.losses import Losses
 from rolamento.case.lubricant import LubricantField
 from rolamento.case.model import Model
 from rolamento.case.mounting import Mounting
@@ -98,6 +99,8 @@ class Case(Record):
         A `Static`: demands on the static safety, hardness, allowable pressure.
     electrical
         An `Electrical`: voltage and current across the bearing.
+    losses
+        A `Losses`: seals and oil bath, for the friction.
     life
         A `LifeModel`; ratings, cleanliness and wishes for the life.
     report
@@ -123,6 +126,7 @@ class Case(Record):
     heat: Heat | None = Field(None, examples=["[heat] as a table"])
     static: Static | None = Field(None, examples=["[static] as a table"])
     electrical: Electrical | None = Field(None, examples=["[electrical] as a table"])
+    losses: Losses | None = Field(None, examples=["[losses] as a table"])
     life: LifeModel | None = Field(None, examples=["[life] as a table"])
     report: ReportHead | None = Field(None, examples=["[report] as a table"])
 

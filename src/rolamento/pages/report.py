@@ -577,6 +577,7 @@ TABLES: Final = {
     "heat": marked("Heat"),
     "static": marked("Static safety"),
     "electrical": marked("Electricity"),
+    "losses": marked("Seals and oil bath"),
     "life": marked("Life"),
 }
 
@@ -1504,8 +1505,15 @@ def _friction(report: Report) -> tuple[Table, ...]:
         _Row(said("torque on the housing"), "analysis.rolling.outer_torque", torque),
         _Row(said("power lost in the contacts"), "analysis.rolling.power", power),
     ]
+    beside = "analysis.seals_and_bath"
+    added = [
+        _Row(said("torque of the seals"), f"{beside}.seal", torque),
+        _Row(said("torque of the oil bath"), f"{beside}.drag", torque),
+        _Row(said("power of seals and oil bath"), f"{beside}.power", power),
+    ]
     groups = [
         (said("Friction of the contacts"), whole),
+        (said("Seals and oil bath, in addition"), added),
         (said("Torque by source"), torques),
         (said("Power by source"), heats),
         (said("Torque by model"), models),

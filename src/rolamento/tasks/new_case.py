@@ -47,6 +47,7 @@ TABLES: Final = {
     "static": marked("Demands on the static safety, for rolamento static; hardness of the "
                      "raceways."),
     "electrical": marked("Voltage and current across the bearing, for rolamento electrical."),
+    "losses": marked("Seals and oil bath, for the friction; seals are those of the designation."),
     "life": marked("Ratings, cleanliness and what is required of the life."),
     "report": marked("Title block of rolamento report."),
 }  # fmt: skip

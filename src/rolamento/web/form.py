@@ -52,7 +52,7 @@ FIRST: Final = (
 
 _GROUPS: Final = (
     "bearing", "duty", "lubricant", "temperature", "surface", "mounting", "heat", "static",
-    "electrical", "life", "film",
+    "electrical", "losses", "life", "film",
     "model",
 )  # fmt: skip
 """Tables of a case, those first that an engineer fills in first."""
