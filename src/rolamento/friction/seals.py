@@ -154,7 +154,7 @@ def drag_moment(
     >>> moment = drag_moment("deep_groove", speed=314.0, bore_diameter=0.05,
     ...     outside_diameter=0.11, kinematic_viscosity=46e-6, oil_level=0.0095)
     >>> f"{1e3 * moment:.0f} N mm"
-    '33 N mm'
+    '14 N mm'
     """
     data = toml_of("seals")["drag"]
     d, outside = 1e3 * bore_diameter, 1e3 * outside_diameter
@@ -237,12 +237,12 @@ class SealsAndBath:
 
     @property
     def torque(self) -> FloatArray:
-        """Of both."""
+        """Sum of both."""
         return np.asarray(self.seal + self.drag)
 
     @property
     def power(self) -> FloatArray:
-        """Of both, W."""
+        """Power of both, W."""
         return np.asarray(self.torque * self.speed)
 
     def to_mapping(self, case: int = 0) -> dict[str, Any]:
@@ -292,7 +292,7 @@ def seals_and_bath(solved: Solved, film: Film | None = None) -> SealsAndBath | N
 def _moment_of(
     bearing: RollingBearing, seal: FittedSeal, given: Losses, notes: list[Note]
 ) -> float:
-    """Of the seals of one bearing; 0 with a note where the table has none."""
+    """Torque of the seals of one bearing; 0 with a note where the table has none."""
     if seal.seal == "none":
         return 0.0
     resolved = bearing.resolved

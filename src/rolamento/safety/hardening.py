@@ -131,7 +131,7 @@ def case_depth(
         If the core has no hardness.
 
     >>> print(f"{1e3 * case_depth(4.2e9, 2.0e-3, 0.4e-3, 350.0):.2f} mm")
-    1.17 mm
+    1.24 mm
     """
     core = numbers(core_hardness, "core_hardness")
     if np.any(core <= 0.0):

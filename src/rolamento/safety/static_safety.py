@@ -358,8 +358,8 @@ def static_safety_of(source: Case | Solved) -> StaticSafety:
 
     >>> from rolamento.case import case_of
     >>> found = static_safety_of(case_of("6310", {"duty.load.fz": "19 kN"}))
-    >>> f"{found.safety[0, 0]:.2f}"  # 38 kN / 19 kN
-    '2.00'
+    >>> f"{found.safety[0, 0]:.2f}"  # 38.5 kN / 19 kN
+    '2.03'
     """
     case = source if isinstance(source, Case) else source.case
     demands = case.static or Static()
