@@ -50,13 +50,15 @@ def test_an_unknown_kind_is_refused_by_name() -> None:
 def test_the_load_factor_multiplies_the_loads() -> None:
     plain = static_safety_of(deep_groove(**{"duty.load.fz": "38 kN"}))
     factored = static_safety_of(deep_groove(**{"static.load_factor": 2.0}))
-    assert factored.least("stress") == pytest.approx(plain.least("stress"), rel=1e-9)
+    assert factored.minimum("stress") == pytest.approx(plain.minimum("stress"), rel=1e-9)
     assert factored.safety == pytest.approx(plain.safety)
 
 
 def test_a_solved_case_and_its_case_give_the_same() -> None:
     case = deep_groove()
-    assert static_safety_of(solve(case)).least() == pytest.approx(static_safety_of(case).least())
+    assert static_safety_of(solve(case)).minimum() == pytest.approx(
+        static_safety_of(case).minimum()
+    )
 
 
 def test_without_clearance_the_rating_loads_the_heaviest_ball_as_it_says() -> None:
@@ -64,7 +66,7 @@ def test_without_clearance_the_rating_loads_the_heaviest_ball_as_it_says() -> No
     case = case_of("6310", {"bearing.diametral_clearance": "0 mm"})
     found = static_safety_of(case.with_(fz=38.5e3))
     assert found.safety[0, 0] == pytest.approx(1.0, rel=2e-2)
-    assert found.least("load")[0] == pytest.approx(5.0 / 4.37, rel=0.03)
+    assert found.minimum("load")[0] == pytest.approx(5.0 / 4.37, rel=0.03)
 
 
 def test_q_0_of_a_thrust_bearing_shares_its_rating_evenly() -> None:
@@ -80,7 +82,7 @@ def test_the_pressure_of_rollers_counts_as_that_of_lines() -> None:
 def test_soft_raceways_bear_less_and_say_so() -> None:
     hard = static_safety_of(deep_groove(**{"static.surface_hardness": 58}))
     soft = static_safety_of(deep_groove(**{"static.surface_hardness": 50}))
-    assert soft.least()[0] < 0.7 * hard.least()[0]
+    assert soft.minimum()[0] < 0.7 * hard.minimum()[0]
     assert "soft_raceways" in {note.key for note in soft.notes}
 
 

@@ -74,4 +74,4 @@ def test_c_0_loads_the_heaviest_contact_to_about_the_limit(designation: str) -> 
     assert np.isfinite(rating)
     found = static_safety_of(case.with_(**{"fx" if axial else "fz": rating}))
     assert found.safety[0, 0] == pytest.approx(1.0, rel=1e-6)
-    assert 0.75 < found.least("stress")[0] < 1.4
+    assert 0.75 < found.minimum("stress")[0] < 1.4

@@ -154,8 +154,8 @@ class BearingElectrics:
 
     @property
     def field(self) -> FloatArray:
-        """The greatest field of all contacts; (cases,), V/m."""
-        both = [_greatest(self.of(race).field) for race in RACES]
+        """The maximum field of all contacts; (cases,), V/m."""
+        both = [_maximum(self.of(race).field) for race in RACES]
         return np.asarray(np.fmax(*both))
 
     def of(self, race: Race) -> RaceElectrics:
@@ -266,7 +266,7 @@ def electrics_of(source: Case | Solved, known: Film | None = None) -> BearingEle
         )
     capacitance = in_series(whole["inner"], whole["outer"]).sum(axis=1)
     bands = _bands("breakdown")
-    least = np.fmin(*(_least_over(shares[r], films.of(r).minimum_thickness) for r in RACES))
+    lowest = np.fmin(*(_minimum_over(shares[r], films.of(r).minimum_thickness) for r in RACES))
     ends = np.array([[band.low, band.high] for band in bands])
     converged = solved.converged
     balls = solved.rows.per_element(solved.rows.ball_diameter)
@@ -280,7 +280,7 @@ def electrics_of(source: Case | Solved, known: Film | None = None) -> BearingEle
         np.where(converged, capacitance / given.outside_factor, np.nan),
         np.where(converged, slab.sum(axis=1), np.nan),
         _insulated(solved),
-        ends[:, :, np.newaxis] * least,
+        ends[:, :, np.newaxis] * lowest,
         0.5 * capacitance * voltage**2,
         bands,
         _bands("density"),
@@ -296,7 +296,7 @@ def _area(solved: Solved, race: Race) -> FloatArray:
         return np.where(mean > 0.0, load / np.where(mean > 0.0, mean, 1.0), 0.0 * load)
 
 
-def _least_over(share: FloatArray, thickness: FloatArray) -> FloatArray:
+def _minimum_over(share: FloatArray, thickness: FloatArray) -> FloatArray:
     """Least h/share of all contacts: V between the rings at a field of 1 V/m; (cases,)."""
     with np.errstate(divide="ignore", invalid="ignore"):
         each = thickness / share
@@ -304,7 +304,7 @@ def _least_over(share: FloatArray, thickness: FloatArray) -> FloatArray:
     return np.where(np.isinf(known), np.nan, known)
 
 
-def _greatest(values: FloatArray) -> FloatArray:
+def _maximum(values: FloatArray) -> FloatArray:
     known = np.where(np.isnan(values), -np.inf, values).max(axis=1)
     return np.where(np.isinf(known), np.nan, known)
 

@@ -124,9 +124,7 @@ def _races(found: BearingElectrics) -> Table:
             key="capacitance", figures=3,
         ),
     ]  # fmt: skip
-    legends = [
-        said("ΣA area of all contacts; h_c thinnest central film; C of the contact with the most")
-    ]
+    legends = [said("ΣA area of all contacts; h_c minimum central film; C maximum of a contact")]
     if found.given.current is not None:
         columns.append(
             Column(
@@ -146,7 +144,7 @@ def _races(found: BearingElectrics) -> Table:
             Column(head="E", values=[_most(one.field, one.area) for one in own], unit="V/µm",
                    key="field", figures=3),
         ]  # fmt: skip
-        legends.append(said("V greatest voltage across a contact; E greatest V/h_c"))
+        legends.append(said("V maximum voltage across a contact; E maximum V/h_c"))
     return Table(columns=tuple(columns), key="electrical_races", legends=tuple(legends), rule=True)
 
 

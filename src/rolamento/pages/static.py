@@ -83,23 +83,23 @@ def static_sections(found: StaticSafety, level: int = 2) -> list[Section]:
 
 
 def _headline(found: StaticSafety) -> tuple[Block, ...]:
-    """State the least safety and where it is, beside what is recommended."""
-    least = {by: float(found.least(by)[0]) for by in ("stress", "load")}
+    """State the minimum safety and where it is, beside what is recommended."""
+    lowest = {by: float(found.minimum(by)[0]) for by in ("stress", "load")}
     row, race = _where(found)
     wanted = _wanted(found)
-    tone: Tone = "" if wanted is None else "good" if least["stress"] >= wanted else "warning"
+    tone: Tone = "" if wanted is None else "good" if lowest["stress"] >= wanted else "warning"
     place = said(_RACES[race])
     if len(found.limit) > 1:
         place = said("{race}, row {row}", race=place, row=row)
     entries = [
         Entry(
             said("by stress"),
-            said("{safety} ({place})", safety=_safety_text(least["stress"]), place=place),
+            said("{safety} ({place})", safety=_safety_text(lowest["stress"]), place=place),
             tone,
         )
     ]
-    if isfinite(least["load"]):
-        entries.append(Entry(said("by load"), _safety_text(least["load"])))
+    if isfinite(lowest["load"]):
+        entries.append(Entry(said("by load"), _safety_text(lowest["load"])))
     known = found.safety[0][np.isfinite(found.safety[0])]
     if known.size:
         entries.append(Entry("C_0/P_0", _safety_text(float(known.min()))))
@@ -293,7 +293,7 @@ def _gaps(found: StaticSafety) -> list[Block]:
         Column(head=said("gap"), values=list(gaps), unit="µm", key="gap", figures=3),
         Column(head=said("all contact lost"), values=lost, key="lost"),
     )
-    legend = said("gap the greatest distance between a rolling element and its inner race")
+    legend = said("gap the maximum distance between a rolling element and its inner race")
     blocks: list[Block] = [Table(columns=columns, key="static_gaps", legends=(legend,), rule=True)]
     preload = solved.preload
     if preload is not None and preload.lift_factor is not None and isfinite(preload.lift_factor):

@@ -56,7 +56,7 @@ class Launch:
     allowables
         with their margins
     gap
-        greatest gap between an element and its inner race, (cases, rows) (m); 0 where all touch
+        maximum gap between an element and its inner race, (cases, rows) (m); 0 where all touch
     lost
         whether no element of a row touches, (cases, rows)
     source

@@ -260,7 +260,7 @@ class StaticSafety:
     notes: tuple[Note, ...]
 
     def of_rows(self, race: str, by: str) -> FloatArray:
-        """Return the least safety of each row at a race; (cases, rows).
+        """Return the minimum safety of each row at a race; (cases, rows).
 
         Parameters
         ----------
@@ -272,16 +272,16 @@ class StaticSafety:
         values = getattr(getattr(self, race), f"by_{by}")
         return np.asarray(np.minimum.reduceat(values, self.solved.rows.starts, axis=1))
 
-    def least(self, by: str = "stress") -> FloatArray:
-        """Return the least safety of all contacts; (cases,). by: as `of_rows`."""
+    def minimum(self, by: str = "stress") -> FloatArray:
+        """Return the minimum safety of all contacts; (cases,). by: as `of_rows`."""
         both = [self.of_rows(race, by).min(axis=1) for race in RACES]
         return np.asarray(np.minimum(*both))
 
     def _shown(self) -> dict[str, str]:
         return {
             "": self.solved.title or "a case without a title",
-            "safety by stress": span(self.least("stress")),
-            "safety by load": span(self.least("load")),
+            "safety by stress": span(self.minimum("stress")),
+            "safety by load": span(self.minimum("load")),
             "C_0/P_0": span(self.safety),
             "load factor": f"{self.demands.load_factor:g}",
         }
@@ -325,8 +325,8 @@ class StaticSafety:
             "title": self.solved.title,
             "converged": bool(self.solved.converged[0]),
             "load_factor": self.demands.load_factor,
-            "safety_by_stress": float(self.least("stress")[0]),
-            "safety_by_load": float(self.least("load")[0]),
+            "safety_by_stress": float(self.minimum("stress")[0]),
+            "safety_by_load": float(self.minimum("load")[0]),
             "bearings": bearings,
             "rows": rows,
             "recommended": [
@@ -490,7 +490,7 @@ def _notes(
     if demands.surface_hardness is not None:
         own = float(vickers_of_rockwell(demands.surface_hardness))
         if own < hardest:
-            found.append(Note("yields_below_surface", {"hardness": own, "needed": hardest}))
+            found.append(Note("subsurface_yielding", {"hardness": own, "needed": hardest}))
     turning = np.any(solved.field("duty.inner_speed") != solved.field("duty.outer_speed"))
     if turning and launch.allowables:
         found.append(Note("launch_limits_at_rest"))

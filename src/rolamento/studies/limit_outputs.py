@@ -19,8 +19,8 @@ _OIL: Final = ("lubricant", "temperature.lubricant")
 def limit_outputs() -> tuple[Output, ...]:
     """Return the outputs of static safety and of electricity."""
     return (
-        Output("static_safety_by_stress", "1", lambda given: _least(given, "stress")),
-        Output("static_safety_by_load", "1", lambda given: _least(given, "load")),
+        Output("static_safety_by_stress", "1", lambda given: _minimum(given, "stress")),
+        Output("static_safety_by_load", "1", lambda given: _minimum(given, "load")),
         Output("row_gap", "m", lambda given: given.of(_static).launch.gap, along="row"),
         Output("bearing_capacitance", "F", lambda given: _electrics(given).capacitance, needs=_OIL),
         Output(
@@ -44,9 +44,9 @@ def _static(solved: Solved) -> StaticSafety:
     return static_safety_of(solved)
 
 
-def _least(given: Evaluation, by: str) -> Floats:
+def _minimum(given: Evaluation, by: str) -> Floats:
     found = given.of(_static)
-    return np.where(found.solved.converged, found.least(by), np.nan)
+    return np.where(found.solved.converged, found.minimum(by), np.nan)
 
 
 def _electrics_of(solved: Solved) -> BearingElectrics:

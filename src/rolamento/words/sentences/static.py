@@ -49,7 +49,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "The hardened case of {depth:.3 mm} is shallower than the {needed:.3 mm} at which the core"
         " bears the stresses."
     ),
-    "yields_below_surface": marked(
+    "subsurface_yielding": marked(
         "Below the contact with the most pressure the ring yields: there it needs {needed:.3r} HV"
         " and has {hardness:.3r}. Under C_0 that is so by definition: elements leave marks of"
         " 1/10 000 of their diameter."
