@@ -22,6 +22,7 @@ from rolamento.case import Case
 from rolamento.case.electrical import Electrical
 from rolamento.electrical.contacts import (
     VACUUM,
+    apparent_current_density,
     film_capacitance,
     in_series,
     share_of_voltage,
@@ -260,7 +261,7 @@ def electrics_of(source: Case | Solved, known: Film | None = None) -> BearingEle
         total = np.where(both, area[race], 0.0).sum(axis=1)
         with np.errstate(divide="ignore", invalid="ignore"):
             field = across / thickness[race]
-            density = current / total
+            density = np.where(total > 0.0, apparent_current_density(current, total), np.nan)
         races[race] = RaceElectrics(
             area[race], thickness[race], whole[race], across, field, total, density
         )
