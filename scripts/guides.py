@@ -51,6 +51,8 @@ PAGES: Final = (
     DOCS / "exchange.md",
     DOCS / "exchange-simulation.md",
     DOCS / "heat.md",
+    DOCS / "static-safety.md",
+    DOCS / "electrical.md",
     DOCS / "start.pt-BR.md",
     DOCS / "tutorials" / "maintenance.pt-BR.md",
 )

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
         catalogue,
         clearance,
         contact,
+        electrical,
         friction,
         geometry,
         kinematics,
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
         plots,
         ratings,
         rotors,
+        safety,
         speeds,
         static,
         studies,
@@ -52,15 +54,18 @@ if TYPE_CHECKING:
     )
     from rolamento.case.bearing import Bearing
     from rolamento.case.duty import Displacement, Duty, Load
+    from rolamento.case.electrical import Electrical
     from rolamento.case.film_model import FilmModel
     from rolamento.case.heat import Heat
     from rolamento.case.life_model import LifeModel
+    from rolamento.case.losses import Losses
     from rolamento.case.lubricant import Lubricant
     from rolamento.case.machine import Machine, load_machine
     from rolamento.case.material import Material
     from rolamento.case.model import Model
     from rolamento.case.mounting import Mounting, SeatMaterial
     from rolamento.case.roller_bearing import RollerBearing
+    from rolamento.case.static import Static
     from rolamento.case.surface import Surface
     from rolamento.case.temperature import Temperature
     from rolamento.catalogue import geometry_of
@@ -98,10 +103,12 @@ _NAMES_OF_MODULES: Final = {
         "Case",
         "Displacement",
         "Duty",
+        "Electrical",
         "FilmModel",
         "Heat",
         "LifeModel",
         "Load",
+        "Losses",
         "Lubricant",
         "Machine",
         "Material",
@@ -109,6 +116,7 @@ _NAMES_OF_MODULES: Final = {
         "Mounting",
         "RollerBearing",
         "SeatMaterial",
+        "Static",
         "Surface",
         "Temperature",
         "case_to_json",
@@ -148,6 +156,7 @@ _PACKAGES: Final = frozenset(
         "catalogue",
         "clearance",
         "contact",
+        "electrical",
         "errors",
         "examples",
         "friction",
@@ -158,6 +167,7 @@ _PACKAGES: Final = frozenset(
         "plots",
         "ratings",
         "rotors",
+        "safety",
         "solved",
         "speeds",
         "static",
@@ -177,6 +187,7 @@ __all__ = [
     "Case",
     "Displacement",
     "Duty",
+    "Electrical",
     "FileError",
     "FilmModel",
     "Heat",
@@ -185,6 +196,7 @@ __all__ = [
     "LifeModel",
     "LifeSummary",
     "Load",
+    "Losses",
     "Lubricant",
     "Machine",
     "MachineAnalysis",
@@ -196,6 +208,7 @@ __all__ = [
     "SeatMaterial",
     "Solved",
     "SolvedMachine",
+    "Static",
     "Surface",
     "Temperature",
     "UnitError",
@@ -210,6 +223,7 @@ __all__ = [
     "clearance",
     "contact",
     "diagnose",
+    "electrical",
     "fault_frequencies",
     "find_bearings",
     "fit_weibull",
@@ -230,6 +244,7 @@ __all__ = [
     "ratings",
     "report",
     "rotors",
+    "safety",
     "save_case",
     "shaft",
     "solve",

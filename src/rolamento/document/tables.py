@@ -31,7 +31,9 @@ SI_UNITS: Final = {
     "N/mm": "N/m", "N/µm": "N/m", "N/mrad": "N/rad", "N·m/mm": "N·m/m", "N·m/mrad": "N·m/rad",
     "MPa": "Pa", "GPa": "Pa", "1/GPa": "1/Pa", "mW": "W", "µW": "W", "°C": "K", "10⁻⁶/K": "1/K",
     "mm²/s": "m²/s", "mPa·s": "Pa·s", "mm/s": "m/s", "µm/s": "m/s", "10⁶ mm·rpm": "m·rad/s",
-    "l/min": "m³/s", "ms": "s", "min": "s", "h": "s", "10⁶ rev": "rev", "%": "", "–": "",
+    "l/min": "m³/s",
+    "pF": "F", "nJ": "J", "A/mm²": "A/m²", "V/µm": "V/m",
+    "ms": "s", "min": "s", "h": "s", "10⁶ rev": "rev", "%": "", "–": "",
 }  # fmt: skip
 """Units that a page shows, and those of SI; what does not stand here is of SI."""
 

@@ -45,6 +45,10 @@ TABLES: Final = {
     "film": marked("How the film thickness is calculated."),
     "heat": marked("Ways of the heat out of the bearing, for rolamento heat; conductances that "
                    "are not given are estimated."),
+    "static": marked("Demands on the static safety, for rolamento static; hardness of the "
+                     "raceways."),
+    "electrical": marked("Voltage and current across the bearing, for rolamento electrical."),
+    "losses": marked("Seals and oil bath, for the friction; seals are those of the designation."),
     "life": marked("Ratings, cleanliness and what is required of the life."),
     "report": marked("Title block of rolamento report."),
 }  # fmt: skip
