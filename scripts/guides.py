@@ -50,6 +50,7 @@ PAGES: Final = (
     DOCS / "shafts.md",
     DOCS / "exchange.md",
     DOCS / "heat.md",
+    DOCS / "oscillation.md",
     DOCS / "start.pt-BR.md",
     DOCS / "tutorials" / "maintenance.pt-BR.md",
 )

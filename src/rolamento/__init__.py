@@ -51,8 +51,9 @@ if TYPE_CHECKING:
         save_case,
     )
     from rolamento.case.bearing import Bearing
-    from rolamento.case.duty import Displacement, Duty, Load
+    from rolamento.case.duty import Displacement, Duty, Load, Oscillation
     from rolamento.case.film_model import FilmModel
+    from rolamento.case.grease import Grease
     from rolamento.case.heat import Heat
     from rolamento.case.life_model import LifeModel
     from rolamento.case.lubricant import Lubricant
@@ -99,6 +100,7 @@ _NAMES_OF_MODULES: Final = {
         "Displacement",
         "Duty",
         "FilmModel",
+        "Grease",
         "Heat",
         "LifeModel",
         "Load",
@@ -107,6 +109,7 @@ _NAMES_OF_MODULES: Final = {
         "Material",
         "Model",
         "Mounting",
+        "Oscillation",
         "RollerBearing",
         "SeatMaterial",
         "Surface",
@@ -179,6 +182,7 @@ __all__ = [
     "Duty",
     "FileError",
     "FilmModel",
+    "Grease",
     "Heat",
     "InputError",
     "LifeConditions",
@@ -191,6 +195,7 @@ __all__ = [
     "Material",
     "Model",
     "Mounting",
+    "Oscillation",
     "RolamentoError",
     "RollerBearing",
     "SeatMaterial",

@@ -15,6 +15,7 @@ from rolamento.case.duty import SHORT_NAMES, Duty
 from rolamento.case.fields import OVERRIDE_SOURCE, Changes, changed, fields_of, overridden
 from rolamento.case.fields import Field as CaseField
 from rolamento.case.film_model import FilmModel
+from rolamento.case.grease import Grease
 from rolamento.case.heat import Heat
 from rolamento.case.life_model import LifeModel
 from rolamento.case.lubricant import LubricantField
@@ -90,6 +91,8 @@ class Case(Record):
         outside diameter may be left out of a table where the bearing has a designation.
     film
         A `FilmModel`; its defaults if not given.
+    grease
+        A `Grease`: thickener, seals, shaft, for the life of the grease.
     heat
         A `Heat`: ways of the heat out of the bearing, for its heat balance.
     life
@@ -114,6 +117,7 @@ class Case(Record):
     temperature: Temperature | None = Field(None, examples=["[temperature] as a table"])
     mounting: Mounting | None = Field(None, examples=["[mounting] as a table"])
     film: FilmModel | None = Field(None, examples=["[film] as a table"])
+    grease: Grease | None = Field(None, examples=["[grease] as a table"])
     heat: Heat | None = Field(None, examples=["[heat] as a table"])
     life: LifeModel | None = Field(None, examples=["[life] as a table"])
     report: ReportHead | None = Field(None, examples=["[report] as a table"])

@@ -25,7 +25,7 @@ COMMANDS: Final[Groups] = {
     "To start with": ("demo", "app", "new", "examples", "warm"),
     "Inside the bearing": ("solve", "turn", "friction", "heat", "report"),
     "The machine around it": ("shaft", "rotor", "import", "export"),
-    "Life and life tests": ("life", "weibull", "weibull-plan", "replace", "trend"),
+    "Life and life tests": ("life", "oscillation", "weibull", "weibull-plan", "replace", "trend"),
     "Vibration": ("frequencies", "diagnose", "severity", "synthesise", "anderon"),
     "Catalogue and clearance": ("catalogue", "clearance", "speed"),
     "Studies and figures": ("sweep", "tolerance", "plot"),
@@ -41,8 +41,8 @@ _MODULES: Final = {
 """Modules of commands that have none of their own name."""
 
 _SOLVING: Final = {
-    "demo", "app", "solve", "turn", "friction", "heat", "report", "life", "sweep", "shaft", "rotor",
-    "export",
+    "demo", "app", "solve", "turn", "friction", "heat", "report", "life", "oscillation",
+    "sweep", "shaft", "rotor", "export",
 }  # fmt: skip
 """Commands after the first of which the solver is compiled in the background."""
 

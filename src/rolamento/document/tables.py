@@ -31,14 +31,15 @@ SI_UNITS: Final = {
     "N/mm": "N/m", "N/µm": "N/m", "N/mrad": "N/rad", "N·m/mm": "N·m/m", "N·m/mrad": "N·m/rad",
     "MPa": "Pa", "GPa": "Pa", "1/GPa": "1/Pa", "mW": "W", "µW": "W", "°C": "K", "10⁻⁶/K": "1/K",
     "mm²/s": "m²/s", "mPa·s": "Pa·s", "mm/s": "m/s", "µm/s": "m/s", "10⁶ mm·rpm": "m·rad/s",
-    "l/min": "m³/s", "ms": "s", "min": "s", "h": "s", "10⁶ rev": "rev", "%": "", "–": "",
+    "l/min": "m³/s", "ms": "s", "min": "s", "h": "s", "10⁶ rev": "rev",
+    "10⁶ osc.": "osc.", "%": "", "–": "",
 }  # fmt: skip
 """Units that a page shows, and those of SI; what does not stand here is of SI."""
 
 _PLAIN_UNITS: Final = (
-    ("10⁶ rev", "Mrev"), ("10⁶ mm·rpm", "1e6_mm_rpm"), ("10⁻⁶", "ppm"), ("%", "percent"),
-    ("°C", "degC"), ("°", "deg"), ("µ", "u"), ("²", "2"), ("³", "3"), ("·", ""), ("–", ""),
-    ("(", ""), (")", ""),
+    ("10⁶ rev", "Mrev"), ("10⁶ osc.", "Mosc"), ("10⁶ mm·rpm", "1e6_mm_rpm"),
+    ("10⁻⁶", "ppm"), ("%", "percent"), ("°C", "degC"), ("°", "deg"), ("µ", "u"), ("²", "2"),
+    ("³", "3"), ("·", ""), ("–", ""), ("(", ""), (")", ""),
 )  # fmt: skip
 _FORMULA: Final = re.compile(r"[=+\-@\t\r](?!\Z)")
 _NUMBER: Final = re.compile(r"[+-]?[\d.,]+(?:[eE][+-]?\d+)?\Z")

@@ -44,6 +44,9 @@ REMARKS: Final = frozenset(
         "open_grooves", "close_grooves", "factors_of_the_user", "theory_of_balls",
         "no_temperature", "l_able_without_viscosity", "edge_factor_left_out",
         "without_friction_models", "without_stress_volume", "without_preload_loss",
+        # of an oscillation: what its number contains
+        "oscillation_without_lubrication", "oscillation_without_frequency",
+        "oscillation_as_own_loads",
         # of speeds: a limit that is not given
         "no_reference_speed_of_thrust", "no_boundary_dimensions", "no_static_rating_for_speed",
         "no_permissible_speed", "no_permissible_speed_under_axial_load", "no_load_to_compare",
