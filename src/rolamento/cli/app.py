@@ -28,6 +28,7 @@ COMMANDS: Final[Groups] = {
     "Life and life tests": ("life", "oscillation", "weibull", "weibull-plan", "replace", "trend"),
     "Vibration": ("frequencies", "diagnose", "severity", "synthesise", "anderon"),
     "Catalogue and clearance": ("catalogue", "clearance", "speed"),
+    "Lubrication": ("grease", "oil"),
     "Studies and figures": ("sweep", "tolerance", "plot"),
     "Verification": ("verify", "reproduce"),
 }
@@ -36,13 +37,13 @@ COMMANDS: Final[Groups] = {
 
 _MODULES: Final = {
     "app": "browser", "demo": "solve", "examples": "new", "import": "exchange",
-    "export": "exchange",
+    "export": "exchange", "oil": "grease",
 }  # fmt: skip
 """Modules of commands that have none of their own name."""
 
 _SOLVING: Final = {
     "demo", "app", "solve", "turn", "friction", "heat", "report", "life", "oscillation",
-    "sweep", "shaft", "rotor", "export",
+    "grease", "sweep", "shaft", "rotor", "export",
 }  # fmt: skip
 """Commands after the first of which the solver is compiled in the background."""
 

@@ -52,6 +52,9 @@ REMARKS: Final = frozenset(
         "no_permissible_speed", "no_permissible_speed_under_axial_load", "no_load_to_compare",
         # of the heat balance: what it found anew
         "temperatures_of_balance",
+        # of a grease or an oil: how it was found
+        "grease_sealed_by_designation", "grease_open_by_designation", "oil_index_assumed",
+        "grease_limit_of_class",
         # of life tests: how the numbers were found
         "location_at_zero", "censoring_modelled", "inspected_without_ranks",
         "inspected_groups_not_compared", "too_many_for_ranks", "group_without_failures",
