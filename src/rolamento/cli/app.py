@@ -25,7 +25,15 @@ COMMANDS: Final[Groups] = {
     "To start with": ("demo", "app", "new", "examples", "warm"),
     "Inside the bearing": ("solve", "turn", "friction", "heat", "report"),
     "The machine around it": ("shaft", "rotor", "import", "export"),
-    "Life and life tests": ("life", "oscillation", "weibull", "weibull-plan", "replace", "trend"),
+    "Life and life tests": (
+        "service-life",
+        "life",
+        "oscillation",
+        "weibull",
+        "weibull-plan",
+        "replace",
+        "trend",
+    ),
     "Vibration": ("frequencies", "diagnose", "severity", "synthesise", "anderon"),
     "Catalogue and clearance": ("catalogue", "clearance", "speed"),
     "Lubrication": ("grease", "oil"),
@@ -43,7 +51,7 @@ _MODULES: Final = {
 
 _SOLVING: Final = {
     "demo", "app", "solve", "turn", "friction", "heat", "report", "life", "oscillation",
-    "grease", "sweep", "shaft", "rotor", "export",
+    "grease", "service-life", "sweep", "shaft", "rotor", "export",
 }  # fmt: skip
 """Commands after the first of which the solver is compiled in the background."""
 

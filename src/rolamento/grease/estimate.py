@@ -13,7 +13,7 @@ from rolamento.records import frozen
 from rolamento.units import RPM, ZERO_CELSIUS
 from rolamento.words import Note
 
-__all__ = ["GreaseDuty", "GreaseLife", "GreaseModel", "l10_of_mean"]
+__all__ = ["GreaseDuty", "GreaseLife", "GreaseModel", "l10_of_mean", "life_of_mean"]
 
 MILLIMETRES: Final = 1e3
 
@@ -121,14 +121,30 @@ class GreaseModel:
     evaluate: Callable[[GreaseDuty], GreaseLife]
 
 
-def l10_of_mean(hours: float) -> float:
-    """Life that 90 % of the bearings reach, from the mean one; in the unit of the life.
+def life_of_mean(hours: float, reliability: float) -> float:
+    """Life that a share of the bearings reaches, from the mean one; in the unit of the life.
 
     The scatter is that which SKF's L_10 = 2.7 L_1 stands for: Weibull's slope
-    ln(ln 0.9/ln 0.99)/ln 2.7 = 2.37, with which L_50 = 2.2 L_10.
+    ln(ln 0.9/ln 0.99)/ln 2.7 = 2.37. The mean life is taken as that of half of them.
+
+    Parameters
+    ----------
+    hours
+        Mean life.
+    reliability
+        Share that reaches it, between 0 and 1.
+
+    >>> print(f"{life_of_mean(22_000.0, 0.99):.0f} h")
+    3675 h
+    """
+    slope = log(log(0.9) / log(0.99)) / log(figures()["skf"]["life_over_interval"])
+    return float(hours * (log(reliability) / log(0.5)) ** (1.0 / slope))
+
+
+def l10_of_mean(hours: float) -> float:
+    """Life that 90 % of the bearings reach, from the mean one: L_50/2.2, by `life_of_mean`.
 
     >>> print(f"{l10_of_mean(22_000.0):.0f} h")
     9922 h
     """
-    slope = log(log(0.9) / log(0.99)) / log(figures()["skf"]["life_over_interval"])
-    return float(hours * (log(0.9) / log(0.5)) ** (1.0 / slope))
+    return life_of_mean(hours, 0.9)

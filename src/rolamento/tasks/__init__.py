@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     )
     from rolamento.tasks.drawing import Drawing, Kind, draw
     from rolamento.tasks.frequencies import FrequencyResult, fault_frequencies
+    from rolamento.tasks.grease import GreaseCase, choose_oil_of_case, grease_of_case
     from rolamento.tasks.history import History, Records, diagnose_since, trend_of_records
     from rolamento.tasks.life import CaseLife, ShaftLife, life_of_case, life_of_shaft
     from rolamento.tasks.life_over import LifeCurve, life_curve
@@ -36,6 +37,12 @@ if TYPE_CHECKING:
         read_machine,
     )
     from rolamento.tasks.noise import FullScale, NoiseResult, noise_level
+    from rolamento.tasks.oscillation import (
+        OscillationCase,
+        OscillationSpectrum,
+        life_in_oscillation,
+        life_under_oscillations,
+    )
     from rolamento.tasks.replace import (
         FleetStudy,
         RemainingStudy,
@@ -48,6 +55,7 @@ if TYPE_CHECKING:
     from rolamento.tasks.severity import SeverityResult, vibration_severity
     from rolamento.tasks.studies import Sweep, sweep, tolerance
     from rolamento.tasks.synthesis import SynthesisResult, synthesise
+    from rolamento.tasks.time_line import ServiceLife, service_life
     from rolamento.tasks.weibull import (
         DemonstrationStudy,
         PrecisionStudy,
@@ -63,12 +71,19 @@ _NAMES_OF_MODULES: Final = {
     "diagnosis": ("DiagnosisResult", "TooShort", "UnknownResult", "diagnose", "rank_bearings"),
     "drawing": ("Drawing", "Kind", "draw"),
     "frequencies": ("FrequencyResult", "fault_frequencies"),
+    "grease": ("GreaseCase", "choose_oil_of_case", "grease_of_case"),
     "history": ("History", "Records", "diagnose_since", "trend_of_records"),
     "life": ("CaseLife", "ShaftLife", "life_of_case", "life_of_shaft"),
     "life_over": ("LifeCurve", "life_curve"),
     "life_spectrum": ("DutyLife", "SpectrumLife", "life_of_duty_spectrum", "read_spectrum"),
     "machine_diagnosis": ("Machine", "MachineDiagnosis", "diagnose_machine", "read_machine"),
     "noise": ("FullScale", "NoiseResult", "noise_level"),
+    "oscillation": (
+        "OscillationCase",
+        "OscillationSpectrum",
+        "life_in_oscillation",
+        "life_under_oscillations",
+    ),
     "replace": (
         "FleetStudy",
         "RemainingStudy",
@@ -81,6 +96,7 @@ _NAMES_OF_MODULES: Final = {
     "severity": ("SeverityResult", "vibration_severity"),
     "studies": ("Sweep", "sweep", "tolerance"),
     "synthesis": ("SynthesisResult", "synthesise"),
+    "time_line": ("ServiceLife", "service_life"),
     "weibull": (
         "DemonstrationStudy",
         "PrecisionStudy",
@@ -105,17 +121,21 @@ __all__ = [
     "FleetStudy",
     "FrequencyResult",
     "FullScale",
+    "GreaseCase",
     "History",
     "Kind",
     "LifeCurve",
     "Machine",
     "MachineDiagnosis",
     "NoiseResult",
+    "OscillationCase",
+    "OscillationSpectrum",
     "PrecisionStudy",
     "Records",
     "RemainingStudy",
     "ReplacementStudy",
     "Report",
+    "ServiceLife",
     "SeverityResult",
     "ShaftLife",
     "SpectrumLife",
@@ -125,6 +145,7 @@ __all__ = [
     "TrendStudy",
     "UnknownResult",
     "calculation_report",
+    "choose_oil_of_case",
     "compare_variants",
     "demonstration_study",
     "diagnose",
@@ -134,11 +155,14 @@ __all__ = [
     "example_case",
     "fault_frequencies",
     "fleet_study",
+    "grease_of_case",
     "life_curve",
+    "life_in_oscillation",
     "life_of_case",
     "life_of_duty_spectrum",
     "life_of_shaft",
     "life_test_study",
+    "life_under_oscillations",
     "noise_level",
     "precision_study",
     "rank_bearings",
@@ -146,6 +170,7 @@ __all__ = [
     "read_spectrum",
     "remaining_study",
     "replacement_study",
+    "service_life",
     "sweep",
     "synthesise",
     "tolerance",
