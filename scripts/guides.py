@@ -44,13 +44,22 @@ PAGES: Final = (
     DOCS / "start.md",
     *(
         DOCS / "tutorials" / f"{name}.md"
-        for name in ("spindle", "gearbox", "maintenance", "test-engineer", "researcher")
+        for name in (
+            "spindle",
+            "gearbox",
+            "maintenance",
+            "test-engineer",
+            "researcher",
+            "motor-bearing",
+        )
     ),
     DOCS / "faq.md",
     DOCS / "shafts.md",
     DOCS / "exchange.md",
     DOCS / "heat.md",
     DOCS / "oscillation.md",
+    DOCS / "grease.md",
+    DOCS / "service-life.md",
     DOCS / "start.pt-BR.md",
     DOCS / "tutorials" / "maintenance.pt-BR.md",
 )

@@ -72,6 +72,8 @@ def test_a_heavier_load_shortens_the_life(law: str) -> None:
     ("nsk", {"speed": 9001 * RPM}, "grease_too_fast"),
     ("nsk", {"load_ratio": 0.101}, "grease_loaded_too_much"),
     ("nsk", {"limiting_speed": np.nan}, "grease_without_limiting_speed"),
+    ("nsk", {"thickener": "urea"}, "grease_law_of_lithium"),
+    ("jtekt", {"thickener": "urea"}, "grease_law_of_lithium"),
     ("kawamura", {"temperature": ZERO + 150.01}, "grease_too_hot"),
     ("kawamura", {"thickener": "urea", "temperature": ZERO + 180.01}, "grease_too_hot"),
     ("kawamura", {"mean_diameter": 0.1001, "speed": 10.0}, "grease_size"),

@@ -68,10 +68,13 @@ def _evaluate(duty: GreaseDuty) -> GreaseLife:
     if load > law["most_load_ratio"]:
         values = {"ratio": load, "limit": law["most_load_ratio"]}
         notes.append(Note("grease_loaded_too_much", values))
-    if not notes and warm < law["least_temperature"]:
+    if duty.thickener == "urea":
+        notes.append(Note("grease_law_of_lithium"))
+    refused = bool(notes)
+    if not refused and warm < law["least_temperature"]:
         least = law["least_temperature"] + 273.15
         notes.append(Note("grease_cool_counts_as", {"temperature": least}))
-    hours = grease_life_jtekt(dn, duty.temperature, load)
+    hours = nan if refused else grease_life_jtekt(dn, duty.temperature, load)
     notes.append(Note("grease_law_unchecked"))
     return GreaseLife("jtekt", hours, law["source"], law["checked"], tuple(notes))
 

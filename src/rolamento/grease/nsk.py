@@ -4,7 +4,8 @@
     log10 t = 6.12 - 1.4 n/N - (0.018 - 0.006 n/N) T      wide-range grease (synthetic oil)
 
 t mean life in h, n/N speed over the limiting speed with grease, T in °C. n/N below 0.25 and T below
-70 °C count as these; T at most 110 or 130 °C, n/N at most 1, P at most C/10.
+70 °C count as these; T at most 110 or 130 °C, n/N at most 1, P at most C/10. The first is not
+taken for urea greases, which are not what the maker calls general-purpose.
 
 Source: NSK, Rolling Bearings (E1102), grease life of sealed ball bearings.
 """
@@ -74,6 +75,8 @@ def _evaluate(duty: GreaseDuty) -> GreaseLife:
     if load > data["most_load_ratio"]:
         values = {"ratio": load, "limit": data["most_load_ratio"]}
         notes.append(Note("grease_loaded_too_much", values))
+    if which == "general" and duty.thickener == "urea":
+        notes.append(Note("grease_law_of_lithium"))
     refused = bool(notes)
     if ratio < data["least_speed_ratio"]:
         notes.append(Note("grease_slow_counts_as", {"ratio": data["least_speed_ratio"]}))

@@ -26,7 +26,7 @@ from rolamento.solution import solve
 from rolamento.solved import Solved
 from rolamento.tasks.speed import Boundary, speed_limits
 from rolamento.types import of_balls
-from rolamento.units import ZERO_CELSIUS
+from rolamento.units import HOUR, ZERO_CELSIUS
 from rolamento.words import Note, said
 
 __all__ = ["GREASE_KAPPA", "GreaseCase", "choose_oil_of_case", "grease_of_case", "grease_of_solved"]
@@ -230,6 +230,9 @@ class _Asked:
         lives: tuple[GreaseLife, ...] = ()
         if sealed and deep and duty.speed > 0.0:
             lives = tuple(law.evaluate(duty) for law in MODELS.values())
+            most = figures()["reliable"]["most_hours"]
+            if any(one.hours > most for one in lives):
+                self.notes.append(Note("grease_beyond_tests", {"limit": most * HOUR}))
         elif sealed and not deep:
             self.notes.append(Note("grease_laws_of_deep_groove"))
         if not duty.speed > 0.0:

@@ -73,6 +73,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "grease_unknown_pair": _pair,
     "grease_slow_counts_as": marked("n/N counts as {ratio:.3}"),
     "grease_cool_counts_as": marked("the temperature counts as {temperature:.4 °C}"),
+    "grease_law_of_lithium": marked("for lithium greases alone"),
     "grease_law_unchecked": marked("from general knowledge, not checked against the print"),
     # of the whole
     "grease_assumed": marked("The case has no lubricant: it is taken to be greased."),
@@ -94,6 +95,9 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "grease_laws_of_deep_groove": marked(
         "The laws of the life of a grease are for sealed deep-groove ball bearings of one row: of"
         " this one there is none."
+    ),
+    "grease_beyond_tests": marked(
+        "No test bears out a life of a grease beyond {limit:.5 h}: do not count on more."
     ),
     "grease_at_rest": marked("Nothing turns: grease ages by time then, and no law counts it."),
     "grease_oscillates": marked(
