@@ -44,7 +44,14 @@ PAGES: Final = (
     DOCS / "start.md",
     *(
         DOCS / "tutorials" / f"{name}.md"
-        for name in ("spindle", "gearbox", "maintenance", "test-engineer", "researcher")
+        for name in (
+            "spindle",
+            "gearbox",
+            "maintenance",
+            "test-engineer",
+            "researcher",
+            "motor-bearing",
+        )
     ),
     DOCS / "faq.md",
     DOCS / "shafts.md",
@@ -53,6 +60,9 @@ PAGES: Final = (
     DOCS / "heat.md",
     DOCS / "static-safety.md",
     DOCS / "electrical.md",
+    DOCS / "oscillation.md",
+    DOCS / "grease.md",
+    DOCS / "service-life.md",
     DOCS / "start.pt-BR.md",
     DOCS / "tutorials" / "maintenance.pt-BR.md",
 )

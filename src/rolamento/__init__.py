@@ -25,6 +25,7 @@ if TYPE_CHECKING:
         electrical,
         friction,
         geometry,
+        grease,
         kinematics,
         life,
         lubrication,
@@ -53,9 +54,10 @@ if TYPE_CHECKING:
         save_case,
     )
     from rolamento.case.bearing import Bearing
-    from rolamento.case.duty import Displacement, Duty, Load
+    from rolamento.case.duty import Displacement, Duty, Load, Oscillation
     from rolamento.case.electrical import Electrical
     from rolamento.case.film_model import FilmModel
+    from rolamento.case.grease import Grease
     from rolamento.case.heat import Heat
     from rolamento.case.life_model import LifeModel
     from rolamento.case.losses import Losses
@@ -105,6 +107,7 @@ _NAMES_OF_MODULES: Final = {
         "Duty",
         "Electrical",
         "FilmModel",
+        "Grease",
         "Heat",
         "LifeModel",
         "Load",
@@ -114,6 +117,7 @@ _NAMES_OF_MODULES: Final = {
         "Material",
         "Model",
         "Mounting",
+        "Oscillation",
         "RollerBearing",
         "SeatMaterial",
         "Static",
@@ -161,6 +165,7 @@ _PACKAGES: Final = frozenset(
         "examples",
         "friction",
         "geometry",
+        "grease",
         "kinematics",
         "life",
         "lubrication",
@@ -190,6 +195,7 @@ __all__ = [
     "Electrical",
     "FileError",
     "FilmModel",
+    "Grease",
     "Heat",
     "InputError",
     "LifeConditions",
@@ -203,6 +209,7 @@ __all__ = [
     "Material",
     "Model",
     "Mounting",
+    "Oscillation",
     "RolamentoError",
     "RollerBearing",
     "SeatMaterial",
@@ -231,6 +238,7 @@ __all__ = [
     "friction_torque",
     "geometry",
     "geometry_of",
+    "grease",
     "kinematics",
     "life",
     "load_case",

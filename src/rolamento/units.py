@@ -87,6 +87,7 @@ Dimension = Literal[
     "flow_rate",
     "voltage",
     "electric_current",
+    "frequency",
 ]
 
 _NAMES: Final[dict[Dimension, str]] = {
@@ -116,6 +117,7 @@ _NAMES: Final[dict[Dimension, str]] = {
     "flow_rate": marked("flow rate"),
     "voltage": marked("voltage"),
     "electric_current": marked("electric current"),
+    "frequency": marked("frequency"),
 }
 
 SI_UNIT: Final[dict[Dimension, str]] = {
@@ -145,6 +147,7 @@ SI_UNIT: Final[dict[Dimension, str]] = {
     "flow_rate": "m^3/s",
     "voltage": "V",
     "electric_current": "A",
+    "frequency": "Hz",
 }
 
 
@@ -246,6 +249,7 @@ _COMMON: Final[dict[Dimension, dict[str, _Unit]]] = {
     "flow_rate": {"l/min": _Unit(Fraction(1, 60_000)), "m^3/s": _Unit(Fraction(1))},
     "voltage": {"V": _Unit(Fraction(1)), "mV": _Unit(Fraction(1, 10**3))},
     "electric_current": {"A": _Unit(Fraction(1)), "mA": _Unit(Fraction(1, 10**3))},
+    "frequency": {"Hz": _Unit(Fraction(1)), "1/min": _Unit(Fraction(1, 60))},
 }
 
 _LONGEST_TEXT: Final = 100
@@ -663,4 +667,5 @@ _EXAMPLE_NUMBERS: Final[dict[Dimension, str]] = {
     "flow_rate": "0.5",
     "electric_current": "0.5",
     "voltage": "10",
+    "frequency": "2",
 }

@@ -17,9 +17,10 @@ from rolamento.case.case import (
     parse_case,
     save_case,
 )
-from rolamento.case.duty import Displacement, Duty, Load
+from rolamento.case.duty import Displacement, Duty, Load, Oscillation
 from rolamento.case.electrical import Electrical
 from rolamento.case.film_model import FilmModel
+from rolamento.case.grease import Grease
 from rolamento.case.heat import Heat
 from rolamento.case.life_model import LifeModel
 from rolamento.case.losses import Losses
@@ -60,6 +61,7 @@ __all__ = [
     "FilmModel",
     "Gear",
     "Gravity",
+    "Grease",
     "Heat",
     "Housing",
     "LifeModel",
@@ -72,6 +74,7 @@ __all__ = [
     "Material",
     "Model",
     "Mounting",
+    "Oscillation",
     "ReportHead",
     "RollerBearing",
     "SeatMaterial",

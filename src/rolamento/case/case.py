@@ -16,6 +16,7 @@ from rolamento.case.electrical import Electrical
 from rolamento.case.fields import OVERRIDE_SOURCE, Changes, changed, fields_of, overridden
 from rolamento.case.fields import Field as CaseField
 from rolamento.case.film_model import FilmModel
+from rolamento.case.grease import Grease
 from rolamento.case.heat import Heat
 from rolamento.case.life_model import LifeModel
 from rolamento.case.losses import Losses
@@ -93,6 +94,8 @@ class Case(Record):
         outside diameter may be left out of a table where the bearing has a designation.
     film
         A `FilmModel`; its defaults if not given.
+    grease
+        A `Grease`: thickener, seals, shaft, for the life of the grease.
     heat
         A `Heat`: ways of the heat out of the bearing, for its heat balance.
     static
@@ -123,6 +126,7 @@ class Case(Record):
     temperature: Temperature | None = Field(None, examples=["[temperature] as a table"])
     mounting: Mounting | None = Field(None, examples=["[mounting] as a table"])
     film: FilmModel | None = Field(None, examples=["[film] as a table"])
+    grease: Grease | None = Field(None, examples=["[grease] as a table"])
     heat: Heat | None = Field(None, examples=["[heat] as a table"])
     static: Static | None = Field(None, examples=["[static] as a table"])
     electrical: Electrical | None = Field(None, examples=["[electrical] as a table"])

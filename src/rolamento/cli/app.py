@@ -25,9 +25,12 @@ COMMANDS: Final[Groups] = {
     "To start with": ("demo", "app", "new", "examples", "warm"),
     "Inside the bearing": ("solve", "turn", "friction", "heat", "static", "electrical", "report"),
     "The machine around it": ("shaft", "rotor", "import", "export"),
-    "Life and life tests": ("life", "weibull", "weibull-plan", "replace", "trend"),
+    "Life and life tests": (
+        *("service-life", "life", "oscillation", "weibull", "weibull-plan", "replace", "trend"),
+    ),
     "Vibration": ("frequencies", "diagnose", "severity", "synthesise", "anderon"),
     "Catalogue and clearance": ("catalogue", "clearance", "speed"),
+    "Lubrication": ("grease", "oil"),
     "Studies and figures": ("sweep", "tolerance", "seek", "plot"),
     "Verification": ("verify", "reproduce"),
 }
@@ -36,7 +39,7 @@ COMMANDS: Final[Groups] = {
 
 _MODULES: Final = {
     "app": "browser", "demo": "solve", "examples": "new", "import": "exchange",
-    "export": "exchange",
+    "export": "exchange", "oil": "grease",
 }  # fmt: skip
 """Modules of commands that have none of their own name."""
 
@@ -51,7 +54,7 @@ _REQUESTS: Final = {
 
 _SOLVING: Final = {
     "demo", "app", "solve", "turn", "friction", "heat", "static", "electrical", "report", "life",
-    "sweep", "seek", "shaft", "rotor", "export",
+    "sweep", "seek", "shaft", "rotor", "export", "oscillation", "grease", "service-life",
 }  # fmt: skip
 """Commands after the first of which the solver is compiled in the background."""
 

@@ -33,14 +33,14 @@ SI_UNITS: Final = {
     "mm²/s": "m²/s", "mPa·s": "Pa·s", "mm/s": "m/s", "µm/s": "m/s", "10⁶ mm·rpm": "m·rad/s",
     "l/min": "m³/s",
     "pF": "F", "nJ": "J", "A/mm²": "A/m²", "V/µm": "V/m",
-    "ms": "s", "min": "s", "h": "s", "10⁶ rev": "rev", "%": "", "–": "",
+    "ms": "s", "min": "s", "h": "s", "10⁶ rev": "rev", "10⁶ osc.": "osc.", "%": "", "–": "",
 }  # fmt: skip
 """Units that a page shows, and those of SI; what does not stand here is of SI."""
 
 _PLAIN_UNITS: Final = (
-    ("10⁶ rev", "Mrev"), ("10⁶ mm·rpm", "1e6_mm_rpm"), ("10⁻⁶", "ppm"), ("%", "percent"),
-    ("°C", "degC"), ("°", "deg"), ("µ", "u"), ("²", "2"), ("³", "3"), ("·", ""), ("–", ""),
-    ("(", ""), (")", ""),
+    ("10⁶ rev", "Mrev"), ("10⁶ osc.", "Mosc"), ("10⁶ mm·rpm", "1e6_mm_rpm"),
+    ("10⁻⁶", "ppm"), ("%", "percent"), ("°C", "degC"), ("°", "deg"), ("µ", "u"), ("²", "2"),
+    ("³", "3"), ("·", ""), ("–", ""), ("(", ""), (")", ""),
 )  # fmt: skip
 _NUMBER: Final = re.compile(r"[+-]?[\d.,]+(?:[eE][+-]?\d+)?\Z")
 _NOT_IN_SHEET_NAME: Final = re.compile(r"[\[\]:*?/\\\x00-\x1f]+")

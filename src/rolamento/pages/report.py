@@ -752,6 +752,7 @@ def _results(report: Report) -> list[Section | Beside]:
 
     add("loads")
     add("lives")
+    sections += _service_lives(report)
     add("clearance")
     sections += _ring_and_rosettes(report)
     add("rows")
@@ -932,6 +933,27 @@ def _lives(report: Report) -> list[Table | Statement]:
     ]
     groups.append((said("Conditions"), common))
     return list(_tables(report, groups, "lives", legends=_life_legends()))
+
+
+def _service_lives(report: Report) -> list[Section]:
+    """What ends each case first, where that may be another thing than fatigue."""
+    from rolamento.pages.notes import cautions
+    from rolamento.pages.service_life import endings_section, service_life_statement, time_line
+
+    sections = []
+    for case in report.cases:
+        found = case.service_life
+        if found is None:
+            continue
+        heading = said("What ends it first")
+        if len(report.cases) > 1:
+            heading = said("{what}, case {name}", what=heading, name=case.name)
+        figure = replace(time_line(found), key=f"service_life_{case.name}")
+        table = endings_section(found).blocks
+        notes = [note for one in found.endings if one.name != "fatigue" for note in one.notes]
+        blocks = (*service_life_statement(found), *cautions(notes), *table, figure)
+        sections.append(Section(heading, blocks, f"service_life_{case.name}", level=3))
+    return sections
 
 
 def _hours_row(report: Report, label: str, path: str) -> _Row:

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     )
     from rolamento.tasks.drawing import Drawing, Kind, draw
     from rolamento.tasks.frequencies import FrequencyResult, fault_frequencies
+    from rolamento.tasks.grease import GreaseCase, choose_oil_of_case, grease_of_case
     from rolamento.tasks.history import History, Records, diagnose_since, trend_of_records
     from rolamento.tasks.life import CaseLife, ShaftLife, life_of_case, life_of_shaft
     from rolamento.tasks.life_over import LifeCurve, life_curve
@@ -36,6 +37,12 @@ if TYPE_CHECKING:
         read_machine,
     )
     from rolamento.tasks.noise import FullScale, NoiseLevel, NoiseResult
+    from rolamento.tasks.oscillation import (
+        OscillationCase,
+        OscillationSpectrum,
+        life_in_oscillation,
+        life_under_oscillations,
+    )
     from rolamento.tasks.replace import (
         FleetStudy,
         RemainingStudy,
@@ -50,6 +57,7 @@ if TYPE_CHECKING:
     from rolamento.tasks.severity import SeverityResult, VibrationSeverity
     from rolamento.tasks.studies import Sweep, sweep, tolerance
     from rolamento.tasks.synthesis import SynthesisResult, synthesise
+    from rolamento.tasks.time_line import ServiceLife, service_life
     from rolamento.tasks.vibration_diagnosis import VibrationDiagnosis
     from rolamento.tasks.weibull import (
         DemonstrationStudy,
@@ -68,12 +76,19 @@ _NAMES_OF_MODULES: Final = {
     "vibration_diagnosis": ("VibrationDiagnosis",),
     "drawing": ("Drawing", "Kind", "draw"),
     "frequencies": ("FrequencyResult", "fault_frequencies"),
+    "grease": ("GreaseCase", "choose_oil_of_case", "grease_of_case"),
     "history": ("History", "Records", "diagnose_since", "trend_of_records"),
     "life": ("CaseLife", "ShaftLife", "life_of_case", "life_of_shaft"),
     "life_over": ("LifeCurve", "life_curve"),
     "life_spectrum": ("DutyLife", "SpectrumLife", "life_of_duty_spectrum", "read_spectrum"),
     "machine_diagnosis": ("Machine", "MachineDiagnosis", "diagnose_machine", "read_machine"),
     "noise": ("FullScale", "NoiseLevel", "NoiseResult"),
+    "oscillation": (
+        "OscillationCase",
+        "OscillationSpectrum",
+        "life_in_oscillation",
+        "life_under_oscillations",
+    ),
     "replace": (
         "FleetStudy",
         "RemainingStudy",
@@ -88,6 +103,7 @@ _NAMES_OF_MODULES: Final = {
     "severity": ("SeverityResult", "VibrationSeverity"),
     "studies": ("Sweep", "sweep", "tolerance"),
     "synthesis": ("SynthesisResult", "synthesise"),
+    "time_line": ("ServiceLife", "service_life"),
     "weibull": (
         "DemonstrationStudy",
         "DemonstrationTest",
@@ -116,6 +132,7 @@ __all__ = [
     "FullScale",
     "Goal",
     "GoalSeek",
+    "GreaseCase",
     "History",
     "Input",
     "Kind",
@@ -125,12 +142,15 @@ __all__ = [
     "MachineDiagnosis",
     "NoiseLevel",
     "NoiseResult",
+    "OscillationCase",
+    "OscillationSpectrum",
     "PrecisionStudy",
     "Records",
     "RemainingStudy",
     "ReplacementStudy",
     "Report",
     "Request",
+    "ServiceLife",
     "SeverityResult",
     "ShaftLife",
     "SpectrumLife",
@@ -142,6 +162,7 @@ __all__ = [
     "VibrationDiagnosis",
     "VibrationSeverity",
     "calculation_report",
+    "choose_oil_of_case",
     "compare_variants",
     "diagnose",
     "diagnose_machine",
@@ -150,17 +171,21 @@ __all__ = [
     "example_case",
     "fault_frequencies",
     "fleet_study",
+    "grease_of_case",
     "life_curve",
+    "life_in_oscillation",
     "life_of_case",
     "life_of_duty_spectrum",
     "life_of_shaft",
     "life_test_study",
+    "life_under_oscillations",
     "precision_study",
     "rank_bearings",
     "read_machine",
     "read_spectrum",
     "remaining_study",
     "replacement_study",
+    "service_life",
     "sweep",
     "synthesise",
     "tolerance",

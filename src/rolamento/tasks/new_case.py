@@ -36,6 +36,8 @@ TABLES: Final = {
                         "tilt."),
     "duty.displacement": marked("Displacements that are imposed instead of loads. A tilt without "
                                 "a moment or a value is held at zero."),
+    "duty.oscillation": marked("A ring that swings to and fro in the place of speeds, for "
+                               "rolamento oscillation."),
     "model": marked("Hypotheses of the calculation."),
     "lubricant": marked("Oil or grease: for film, friction and modified life."),
     "surface": marked("Roughness, for the film parameter."),
@@ -43,6 +45,7 @@ TABLES: Final = {
     "mounting": marked("Fits: with this table the bearing is solved with the clearance that fits, "
                        "temperatures and speed leave."),
     "film": marked("How the film thickness is calculated."),
+    "grease": marked("The grease and how it is kept, for rolamento grease."),
     "heat": marked("Ways of the heat out of the bearing, for rolamento heat; conductances that "
                    "are not given are estimated."),
     "static": marked("Demands on the static safety, for rolamento static; hardness of the "

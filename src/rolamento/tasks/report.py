@@ -73,7 +73,7 @@ _UNITS: Final[Mapping[str, str]] = {
     "mm": "mm", "um": "µm", "m": "m", "deg": "°", "rpm": "rpm", "N": "N", "kN": "kN",
     "N m": "N·m", "N mm": "N·mm", "GPa": "GPa", "MPa": "MPa", "kg/m^3": "kg/m³",
     "degC": "°C", "mm^2/s": "mm²/s", "1/GPa": "1/GPa", "W/m/K": "W/(m·K)", "1/K": "10⁻⁶/K",
-    "h": "h",
+    "h": "h", "Hz": "Hz",
 }  # fmt: skip
 """How a reader's unit is written, by how a case file writes it."""
 _OF_DIMENSION: Final[Mapping[Dimension, str]] = {"length": "mm", "angle": "°", "force": "N"}
@@ -201,6 +201,16 @@ class CaseReport:
         return electrics_of(self.analysis.solved, self.analysis.film)
 
     @cached_property
+    def service_life(self) -> Any:
+        """What ends it first (`ServiceLife`), where that may be another thing than fatigue."""
+        from rolamento.tasks.time_line import service_life_of
+
+        if not self.converged:
+            return None
+        found = service_life_of(self.analysis)
+        return found if found.beside_fatigue else None
+
+    @cached_property
     def checksum(self) -> str:
         """SHA-256 of the normalised inputs."""
         return checksum_of(self.case)
@@ -224,6 +234,7 @@ class CaseReport:
             "extremes": _extremes(self.analysis) if self.converged else None,
             "checks": [{**asdict(one), "met": one.met} for one in self.checks],
             "clearance": self._chain,
+            **self._ends,
             "analysis": analysis,
             "case": self.case.to_mapping(),
         }
@@ -280,6 +291,11 @@ class CaseReport:
     @cached_property
     def _chain(self) -> Any:
         return None if self.clearance is None else self.clearance.to_mapping()
+
+    @cached_property
+    def _ends(self) -> Mapping[str, Any]:
+        found = self.service_life
+        return {} if found is None else {"service_life": plain(found.to_mapping())}
 
     @cached_property
     def _brief(self) -> Mapping[str, Any]:

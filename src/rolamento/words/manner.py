@@ -98,6 +98,8 @@ UNITS: Final[dict[str, tuple[float, float]]] = {
     "h": (1.0 / 3600.0, 0.0),
     "rev": (1.0, 0.0),
     "10⁶ rev": (1e-6, 0.0),
+    "osc.": (1.0, 0.0),
+    "10⁶ osc.": (1e-6, 0.0),
     "dB": (1.0, 0.0),
 }
 """Factor and offset from SI to every unit that a page writes."""
