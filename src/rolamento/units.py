@@ -85,6 +85,7 @@ Dimension = Literal[
     "acceleration",
     "thermal_conductance",
     "flow_rate",
+    "heat_capacity",
 ]
 
 _NAMES: Final[dict[Dimension, str]] = {
@@ -112,6 +113,7 @@ _NAMES: Final[dict[Dimension, str]] = {
     "acceleration": marked("acceleration"),
     "thermal_conductance": marked("thermal conductance"),
     "flow_rate": marked("flow rate"),
+    "heat_capacity": marked("heat capacity"),
 }
 
 SI_UNIT: Final[dict[Dimension, str]] = {
@@ -139,6 +141,7 @@ SI_UNIT: Final[dict[Dimension, str]] = {
     "acceleration": "m/s^2",
     "thermal_conductance": "W/K",
     "flow_rate": "m^3/s",
+    "heat_capacity": "J/K",
 }
 
 
@@ -238,6 +241,7 @@ _COMMON: Final[dict[Dimension, dict[str, _Unit]]] = {
     "acceleration": {"m/s^2": _Unit(Fraction(1)), "mm/s^2": _Unit(Fraction(1, 10**3))},
     "thermal_conductance": {"W/K": _Unit(Fraction(1)), "kW/K": _Unit(Fraction(10**3))},
     "flow_rate": {"l/min": _Unit(Fraction(1, 60_000)), "m^3/s": _Unit(Fraction(1))},
+    "heat_capacity": {"J/K": _Unit(Fraction(1)), "kJ/K": _Unit(Fraction(10**3))},
 }
 
 _LONGEST_TEXT: Final = 100
@@ -653,4 +657,5 @@ _EXAMPLE_NUMBERS: Final[dict[Dimension, str]] = {
     "velocity": "1.8",
     "power": "45",
     "flow_rate": "0.5",
+    "heat_capacity": "400",
 }

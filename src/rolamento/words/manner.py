@@ -76,6 +76,7 @@ UNITS: Final[dict[str, tuple[float, float]]] = {
     "K": (1.0, 0.0),
     "W/K": (1.0, 0.0),
     "l/min": (60e3, 0.0),
+    "J/K": (1.0, 0.0),
     "mm²/s": (1e6, 0.0),
     "mPa·s": (1e3, 0.0),
     "Pa·s": (1.0, 0.0),
