@@ -33,6 +33,7 @@ from rolamento.case import Case, case_of
 from rolamento.case.bearing import Bearing
 from rolamento.case.heat import Heat
 from rolamento.case.roller_bearing import RollerBearing
+from rolamento.clearance import clearance_notes, clearance_of_case
 from rolamento.friction.summary import Friction
 from rolamento.geometry import clearance_of_angle, ring_geometry
 from rolamento.heat.network import NODES, HeatFlow, Network, network_of
@@ -43,6 +44,7 @@ from rolamento.numerics import BoolArray, FloatArray, IntArray
 from rolamento.numerics.root import increasing_root
 from rolamento.records import frozen
 from rolamento.solved import Solved
+from rolamento.system.mounted import notes_on_set
 from rolamento.words import Note
 
 __all__ = ["HeatBalance", "HeatCurve", "HeatRoot", "HeatState", "heat_balance", "heat_balances"]
@@ -54,7 +56,7 @@ _POINTS: Final = 17
 _CLOSER: Final = 8
 """Rounds that halve intervals in which there may be more roots than their ends show."""
 _FINEST: Final = 2000.0
-"""Of the greatest power: intervals are not halved below that, 0.07 K."""
+"""Parts of the greatest power below which intervals are not halved, 0.07 K."""
 _EVENLY: Final = 33
 """Powers at which the least friction at a speed is looked for, and where it has no equilibrium."""
 _TOLERANCE: Final = 1e-6
@@ -199,7 +201,7 @@ class HeatState:
 
     @property
     def axial_stiffness(self) -> float:
-        """Of the bearing along the shaft, N/m."""
+        """Stiffness along the shaft, N/m."""
         return float(self._batch.solved.stiffness.array[self._index, 0, 0])
 
     @property
@@ -246,7 +248,7 @@ class HeatState:
         if batch.alone:
             notes = [*self.analysis.solved.notes[0], *self.analysis.notes]
         elif solved.converged[index]:
-            notes = [*solved[index].notes[0]]
+            notes = [*_of_mounting(self.case), *solved[index].notes[0]]
         if lost is not None and batch.by == "contacts":
             notes += lost.qualifications(solved, index)
         elif lost is not None:
@@ -658,7 +660,7 @@ class _Balances:
         return curves
 
     def roots(self, curves: list[tuple[FloatArray, FloatArray]]) -> tuple[IntArray, FloatArray]:
-        """Of which case the roots are, and the powers there but for a last step, (roots,), W."""
+        """The case of each root, and its power but for a last step, (roots,), W."""
         exact: list[tuple[int, float]] = []
         which, ends = [], []
         for index, (power, values) in enumerate(curves):
@@ -813,6 +815,15 @@ def _between(power: FloatArray, h: FloatArray) -> FloatArray:
     edges = np.isfinite(h[:-1]) != np.isfinite(h[1:])
     looked |= edges & (step > power[-1] / _EVENLY)
     return np.asarray(0.5 * (power[:-1] + power[1:])[looked])
+
+
+def _of_mounting(case: Case) -> tuple[Note, ...]:
+    """What `rolamento.solve` says of the fits of a single case, but for stages of the preload."""
+    if case.mounting is None:
+        return ()
+    if case.bearing.is_set:
+        return notes_on_set(case, ())
+    return clearance_notes(clearance_of_case(case))
 
 
 def _clearance(bearing: Bearing | RollerBearing) -> float:
