@@ -69,6 +69,9 @@ class Heat(Record):
     shaft_ambient, housing_ambient
         Conductances from shaft and housing to the surroundings, in W/K; estimated by the reference
         heat flow of ISO 15312 over 50 K, in proportion to d and D.
+    housing_along
+        Of a machine: conductance of the housing from this bearing to the next one along x, in W/K;
+        none if not given. Shafts conduct by their sections.
     oil_flow
         Oil that flows through the bearing, in m³/s; it takes 30 W per l/min and K away from the
         elements.
@@ -105,6 +108,7 @@ class Heat(Record):
     outer_ring_housing: _Conductance | None = Field(None, examples=["25 W/K"])
     shaft_ambient: _Conductance | None = Field(None, examples=["0.8 W/K"])
     housing_ambient: _Conductance | None = Field(None, examples=["1.6 W/K"])
+    housing_along: _Conductance | None = Field(None, examples=["2 W/K"])
     oil_flow: Annotated[float, Quantity("flow_rate", at_least="0 l/min", at_most="1e4 l/min")] = (
         Field(0.0, examples=["0.5 l/min"])
     )

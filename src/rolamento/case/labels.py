@@ -178,6 +178,7 @@ LABELS: Final = {
     "heat.outer_ring_housing": marked("conductance outer ring to housing"),
     "heat.shaft_ambient": marked("conductance shaft to ambient"),
     "heat.housing_ambient": marked("conductance housing to ambient"),
+    "heat.housing_along": marked("conductance of the housing to the next bearing"),
     "heat.oil_flow": marked("oil flow"),
     "heat.oil_inlet": marked("oil inlet temperature"),
     "heat.shaft_heat": marked("heat from outside into the shaft"),

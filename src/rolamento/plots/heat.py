@@ -24,11 +24,13 @@ if TYPE_CHECKING:
 
     from rolamento.heat import HeatBalance, HeatTransient
     from rolamento.heat.answers import HeatVariant
+    from rolamento.heat.machine import MachineHeat
     from rolamento.studies.heat_curves import HeatOver
 
 __all__ = ["heat_balance_curves", "heat_figure", "heat_over_figure", "heat_time_figure",
            "heat_variants_figure"]  # fmt: skip
 
+_BAR: Final = 0.16
 _HOURS: Final = 3.0 * 3600.0
 """s beyond which time is shown in hours."""
 
@@ -223,4 +225,32 @@ def heat_variants_figure(variants: Sequence[HeatVariant]) -> Figure:
         legend_above(axes)
         if variants[0].balance.case.title:
             add_title(figure, variants[0].balance.case.title)
+    return figure
+
+
+def machine_heat_figure(found: MachineHeat) -> Figure:
+    """Draw the temperatures of all nodes of the bearings of a machine, beside each other.
+
+    Parameters
+    ----------
+    found
+        What `rolamento.heat.machine.machine_heat` gives.
+    """
+    with styled():
+        figure, axes = new_figure(height=80.0)
+        if not np.isfinite(found.temperatures).all():
+            empty_frame(axes, no_result())
+            return figure
+        place = np.arange(len(found.bearings), dtype=np.float64)
+        for index, node in enumerate(NODES):
+            look = series(index).keywords()
+            axes.bar(
+                place + _BAR * (index - 2.0), found.temperatures[:, index] - ZERO_CELSIUS, _BAR,
+                color=look["color"], label=said(PLACE_NAMES[node]),
+            )  # fmt: skip
+        axes.set_xticks(place, list(found.bearings))
+        label_y(axes, said("Temperature (°C)"))
+        legend_above(axes)
+        if found.machine.title:
+            add_title(figure, found.machine.title)
     return figure

@@ -66,6 +66,14 @@ def _capacities(values: Mapping[str, Any]) -> str:
     )
 
 
+def _bare(values: Mapping[str, Any]) -> str:
+    return said(
+        "Without [mounting] clearance and preload stay as they are, and nothing grows along the"
+        " shaft: {names}.",
+        names=listed(values["names"]),
+    )
+
+
 def _replaced(values: Mapping[str, Any]) -> str:
     names = listed([said({**PLACE_NAMES, **_TABLE}[name]) for name in values["names"]])
     return said("The balance replaces the temperatures that the case gives: {names}.", names=names)
@@ -112,6 +120,15 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     "conductances_estimated": _estimated,
     "capacities_estimated": _capacities,
+    "machine_runaway": marked(
+        "The temperature runs away: {bearing} gets warmer than {limit:.4 °C}. Remove more heat,"
+        " reduce preloads or the speed, or let a ring slide in its seat."
+    ),
+    "machine_heat_without_mounting": _bare,
+    "machine_lubricant_keeps_temperature": marked(
+        "The lubricant keeps the temperature that is given; without temperature.lubricant it has"
+        " the mean of the rings of each bearing."
+    ),
     "limit_passed_at": marked(
         "After {time:.3 min} a part is warmer than {limit:.4 °C}: remove more heat, reduce the"
         " preload, or run up in steps."
