@@ -44,7 +44,14 @@ PAGES: Final = (
     DOCS / "start.md",
     *(
         DOCS / "tutorials" / f"{name}.md"
-        for name in ("spindle", "gearbox", "maintenance", "test-engineer", "researcher")
+        for name in (
+            "spindle",
+            "spindle-heat",
+            "gearbox",
+            "maintenance",
+            "test-engineer",
+            "researcher",
+        )
     ),
     DOCS / "faq.md",
     DOCS / "shafts.md",

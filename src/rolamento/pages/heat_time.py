@@ -146,8 +146,8 @@ def _columns(
     ]
     if np.ptp(found.speed) > 0.0:
         columns.append(
-            Column(head=said("speed"), values=(100.0 * found.speed[some]).tolist(), unit="%",
-                   key="speed_percent", figures=3)
+            Column(head=said("speed"), values=found.speed[some].tolist(), unit="%",
+                   key="speed_factor", figures=3)
         )  # fmt: skip
     for node, values in zip(NODES, found.temperatures[:, some], strict=True):
         cells: list[CellContent] = [Number(value, ".1f [°C]") for value in values.tolist()]
