@@ -179,7 +179,7 @@ def laid_out(
     """Return machines as a network of nodes; cases, shifts: as of `solve_machines`."""
     given = cases or {}
     running = [
-        _running(machines, index, given.get(bearing.name, bearing.case))
+        _running(machines, index, given.get(bearing.name))
         for index, bearing in enumerate(machines[0].bearings)
     ]
     return structure_of(machines, running, shifts)
@@ -188,9 +188,10 @@ def laid_out(
 # --- the bearings as they run ---------------------------------------------------------------------
 
 
-def _running(machines: Sequence[Machine], index: int, case: Case) -> Cases:
+def _running(machines: Sequence[Machine], index: int, given: Case | None = None) -> Cases:
     """The cases of a bearing, with the clearance in operation and the speeds of its rings."""
     bearing, field = machines[0].bearings[index], f"bearings.{index}"
+    case = bearing.case if given is None else given
     if case.model.raceway_control == "friction" or case.model.needs_film:
         raise InputError(
             said("is for a bearing alone, not for one in a machine"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from math import inf, isfinite, nan
 from typing import Any, Final
 
@@ -10,7 +11,7 @@ import numpy as np
 from rolamento.case import Case, case_of
 from rolamento.case.heat import HeatStep
 from rolamento.errors import InputError
-from rolamento.heat import HeatBalance, HeatTransient, heat_transient
+from rolamento.heat import HeatBalance, HeatTransient, heat_balance, heat_transient
 from rolamento.heat.answers import (
     HeatVariant,
     NeutralDistance,
@@ -27,7 +28,9 @@ from rolamento.tasks.speed import speed_limits
 from rolamento.units import readable, to_si
 from rolamento.words import said
 
-__all__ = ["HeatAnswers", "WarmUp", "heat_answers", "limit_of_text", "warm_up"]
+__all__ = ["HeatAnswers", "WarmUp", "balance_of", "heat_answers", "limit_of_text", "warm_up"]
+
+_REMEMBERED: Final = 16
 
 _LEVELS: Final = 4
 """Speeds of a plan: equal shares of that of the case."""
@@ -35,6 +38,23 @@ _TRIES: Final = 4
 """Times that a step is halved to find how long it has to last."""
 _SHORTEST: Final = 60.0
 """s: below that a step is left out."""
+
+
+@lru_cache(maxsize=_REMEMBERED)
+def balance_of(case: Case) -> HeatBalance | None:
+    """Return the heat balance of a case, without looking for a speed; None where it has none.
+
+    Remembered, for those who show the same case again.
+
+    Parameters
+    ----------
+    case
+        Without an oil, a coefficient of friction, or sizes for the estimates it has none.
+    """
+    try:
+        return heat_balance(case, look_for_speed=False)
+    except InputError:
+        return None
 
 
 @frozen(eq=False, slots=False)

@@ -10,7 +10,7 @@ from dataclasses import asdict
 from datetime import date
 from functools import cached_property
 from math import inf, isfinite
-from typing import Any, Final, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple
 
 import numpy as np
 
@@ -37,6 +37,9 @@ from rolamento.studies.names import setting_name
 from rolamento.tasks.bearing import BearingLike
 from rolamento.units import Dimension
 from rolamento.words import said
+
+if TYPE_CHECKING:
+    from rolamento.heat import HeatBalance
 
 __all__ = [
     "MOST_CASES",
@@ -177,6 +180,15 @@ class CaseReport:
         from rolamento.tasks.clearance import mounted_clearance
 
         return mounted_clearance(self.case).rows[0]
+
+    @cached_property
+    def heat(self) -> HeatBalance | None:
+        """The heat balance of a case with a [heat] table; else None."""
+        if self.case.heat is None:
+            return None
+        from rolamento.tasks.heat import balance_of
+
+        return balance_of(self.case)
 
     @cached_property
     def checksum(self) -> str:
