@@ -73,14 +73,18 @@ class Warmed:
         self.values = dict(values or {})
         self.heat = case.heat or Heat()
         self.by = self.heat.friction
-        self.gives_lubricant = case.lubricant_temperature is not None
+        varies = "temperature.lubricant" in self.values
+        self.gives_lubricant = case.lubricant_temperature is not None or varies
         if self.by != "contacts" and not has_oil(case):
             raise no_coefficient(case)
         self.cold_case = self.case_at(np.full(len(NODES), self.heat.ambient))
 
     def fields_at(self, temperatures: FloatArray) -> dict[str, FloatArray]:
-        """The temperatures of nodes (5, …) as fields of the case."""
-        return temperature_fields(self.case, temperatures)
+        """The temperatures of nodes (5, …) as fields of the case, but for those that vary."""
+        fields = temperature_fields(self.case, temperatures)
+        if self.gives_lubricant:
+            fields.pop("temperature.lubricant", None)
+        return fields
 
     def case_at(self, temperatures: FloatArray) -> Case:
         """The common case at the temperatures of nodes (5,); spacers follow shaft and housing."""
