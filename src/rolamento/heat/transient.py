@@ -26,7 +26,6 @@ from math import isfinite, nan
 from typing import Any, Final
 
 import numpy as np
-from scipy.linalg import expm
 
 from rolamento.case import Case, case_of
 from rolamento.case.heat import Heat, HeatStep
@@ -36,6 +35,7 @@ from rolamento.heat.network import NODES, Network, capacities_of, network_of
 from rolamento.heat.warmed import Warmed
 from rolamento.io.json import dumps, plain
 from rolamento.numerics import FloatArray
+from rolamento.numerics.exponential import exponential
 from rolamento.records import frozen
 from rolamento.words import Note, said
 
@@ -258,7 +258,7 @@ class _Piece:
 
     def at(self, time: float) -> FloatArray:
         """Temperatures at a time in it; (5,), K."""
-        own = np.asarray(expm(self.whole * (time - self.begin)), np.float64)
+        own = exponential(self.whole * (time - self.begin))
         return self.first + own[:5, 5] + self.off / self.length**2 * own[:5, 8]
 
 
@@ -316,7 +316,7 @@ class _Course:
             above = at - self.network.ambient
             flow = (self.source + power * self.share - self.conductances @ above) / self.capacities
             whole = _equations(jacobian, flow, self.share / self.capacities)
-            part = np.asarray(expm(whole * (length / _WITHIN)), np.float64)
+            part = exponential(whole * (length / _WITHIN))
             grown = [part]
             for _ in range(_WITHIN - 1):
                 grown.append(grown[-1] @ part)
