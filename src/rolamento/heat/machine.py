@@ -55,7 +55,7 @@ __all__ = ["MachineHeat", "ShaftLink", "machine_heat"]
 _SIZE: Final = len(NODES)
 _SHAFT, _HOUSING = NODES.index("shaft"), NODES.index("housing")
 _TOLERANCE: Final = 1e-7
-"""Of the greatest friction: where the balance is met."""
+"""Share of the greatest friction within which the balance is met."""
 _MOST_STEPS: Final = 60
 _FIRST: Final = 1.0
 """τ of the first step."""

@@ -1048,7 +1048,7 @@ def _network(one: _Shown, found: HeatBalance) -> Picture:
     ends = {name: (0.0, y) for name, y in _PLACES.items()}
     most = max(abs(flow.power) for flow in found.flows) or 1.0
     drawn: list[dict[str, Any]] = []
-    labels: tuple[list[float], list[float], list[str]] = ([], [], [])
+    labels: tuple[list[float], list[float], list[str], list[str]] = ([], [], [], [])
     for flow in found.flows:
         if not flow.power:
             continue
@@ -1059,19 +1059,20 @@ def _network(one: _Shown, found: HeatBalance) -> Picture:
         told = " → ".join(names if forth else names[::-1])
         drawn.append(
             line(
-                [first[0], last[0]], [first[1], last[1]], told, f"{text}",
+                [first[0], last[0]], [first[1], last[1]], "", f"{told}: {text}",
                 line={"color": "outer" if flow.start in ("friction", "outside") else "grey",
                       "width": max(1.0, _WIDEST * abs(flow.power) / most)},
-                opacity=0.5, showlegend=False,
+                opacity=0.5,
             )
         )  # fmt: skip
         labels[0].append(0.5 * (first[0] + last[0]))
         labels[1].append(0.5 * (first[1] + last[1]))
         labels[2].append(f"{text} {_arrow(first, last, forth)}")
+        labels[3].append("middle left" if first[0] == last[0] else "top center")
     drawn.append(
         {
             "type": "scatter", "mode": "text", "x": labels[0], "y": labels[1], "text": labels[2],
-            "hoverinfo": "skip", "showlegend": False, "name": said("heat flow"),
+            "textposition": labels[3], "hoverinfo": "skip",
         }
     )  # fmt: skip
     names = [
@@ -1081,8 +1082,7 @@ def _network(one: _Shown, found: HeatBalance) -> Picture:
         {
             "type": "scatter", "mode": "markers+text", "x": [0.0] * len(names),
             "y": list(_PLACES.values()), "text": names, "textposition": "middle right",
-            "marker": {"color": "inner", "size": 16}, "hoverinfo": "text", "showlegend": False,
-            "name": said("temperatures"),
+            "marker": {"color": "inner", "size": 16}, "hoverinfo": "text",
         }
     )  # fmt: skip
     hidden = {"visible": False, "fixedrange": True}
@@ -1090,8 +1090,8 @@ def _network(one: _Shown, found: HeatBalance) -> Picture:
         drawn,
         said("Heat balance: {values}.", values=_heat_told(one, found)),
         meta=_DRAWING,
-        xaxis={**hidden, "range": [-2.3, 2.3]},
-        yaxis={**hidden, "range": [-0.4, 6.4]},
+        xaxis=axis("", (-2.3, 2.3), **hidden),
+        yaxis=axis("", (-0.4, 6.4), **hidden),
     )
 
 
