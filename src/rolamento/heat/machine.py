@@ -214,7 +214,7 @@ def machine_heat(machine: Machine | str | os.PathLike[str]) -> MachineHeat:
     ... })
     >>> found = machine_heat(machine)
     >>> print(found.status, [f"{one:.0f} W" for one in found.power])
-    converged ['16 W', '16 W']
+    converged ['18 W', '18 W']
     """
     return _Balance(machine if isinstance(machine, Machine) else load_machine(machine)).found()
 

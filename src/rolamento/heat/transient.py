@@ -204,7 +204,7 @@ def heat_transient(
     >>> case = load_case("6220", {**duty, "lubricant": "ISO VG 68"})
     >>> course = heat_transient(case, 3600.0)
     >>> print(f"inner ring {course.final['inner_ring'] - 273.15:.0f} °C after an hour")
-    inner ring 46 °C after an hour
+    inner ring 56 °C after an hour
     """
     case = case_of(case)
     heat = case.heat or Heat()
