@@ -49,7 +49,7 @@ def ends(*endings: Ending, required: float | None = None) -> ServiceLife:
 
 def test_the_grease_of_a_motor_ends_it() -> None:
     found = service_life(motor())
-    assert [one.name for one in found.endings] == ["fatigue", "grease"]
+    assert [one.name for one in found.endings] == ["fatigue", "grease", "overload"]
     assert found.first is found["grease"]
     grease = grease_of_case(motor())
     assert found["grease"].hours == pytest.approx(l10_of_mean(grease.hours))
@@ -68,14 +68,14 @@ def test_the_fatigue_is_that_of_the_headline() -> None:
 
 def test_an_open_bearing_wants_relubrication() -> None:
     found = service_life(motor(**{"bearing.designation": "6310/C3"}))
-    assert [one.name for one in found.endings] == ["fatigue", "relubrication"]
+    assert [one.name for one in found.endings] == ["fatigue", "relubrication", "overload"]
     assert found["relubrication"].kind == "upkeep"
     assert found.first is found["fatigue"]
 
 
 def test_oil_has_no_grease_to_end() -> None:
     found = service_life(motor(lubricant="ISO VG 100"))
-    assert [one.name for one in found.endings] == ["fatigue"]
+    assert [one.name for one in found.endings] == ["fatigue", "overload"]
     assert not found.beside_fatigue
 
 
