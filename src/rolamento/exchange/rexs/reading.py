@@ -26,7 +26,7 @@ from rolamento.case.record import Record
 from rolamento.catalogue import CatalogueBearing, catalogue
 from rolamento.errors import FileError, InputError
 from rolamento.exchange.rexs.model import Component, LoadCase, RexsModel
-from rolamento.exchange.rexs.poses import HOME, Pose, Vector, dot, poses_of
+from rolamento.exchange.rexs.poses import HOME, Pose, Vector, crossing, dot, poses_of
 from rolamento.exchange.rexs.values import (
     former_names,
     number_of,
@@ -65,15 +65,16 @@ DIGEST: Final = f"{CUSTOM}_digest"
 BEARINGS: Final = (
     "rolling_bearing_with_catalog_geometry", "rolling_bearing_with_detailed_geometry",
 )  # fmt: skip
+GEARS: Final = ("cylindrical_gear", "bevel_gear", "worm_gear", "worm_wheel", "ring_gear")
 _SPRINGS: Final = ("concept_bearing", "coupling")
 _READ: Final = (
-    "gear_unit", "gear_casing", "shaft", "shaft_section", "external_load", "cylindrical_gear",
-    "cylindrical_stage", "additional_mass", "lubricant", "material", "rolling_bearing_row",
-    "rolling_element", "flank_geometry", *BEARINGS, *_SPRINGS,
+    "gear_unit", "gear_casing", "shaft", "shaft_section", "external_load", *GEARS,
+    "cylindrical_stage", "bevel_stage", "additional_mass", "lubricant", "material",
+    "rolling_bearing_row", "rolling_element", "flank_geometry", *BEARINGS, *_SPRINGS,
 )  # fmt: skip
 _MOST: Final = (
-    (("shaft",), 20), (BEARINGS, 100), (("external_load",), 500), (("cylindrical_gear",), 100),
-    (("cylindrical_stage",), 100), (("additional_mass",), 500), (_SPRINGS, 200),
+    (("shaft",), 20), (BEARINGS, 100), (("external_load",), 500), (GEARS, 100),
+    (("cylindrical_stage", "bevel_stage"), 100), (("additional_mass",), 500), (_SPRINGS, 200),
     (("shaft_section",), 20 * MOST_SECTIONS),
 )  # fmt: skip
 """As many components of some types as a machine has; no more are looked at."""
@@ -84,6 +85,8 @@ _RECORDS: Final[Mapping[str, type[Record]]] = {
 _SILENT: Final = ("stage_gear_data", "rolling_element_contact")
 """What holds no more than results, or nothing."""
 _PARALLEL: Final = 1e-6
+_CROSSING: Final = 0.01
+"""Distance of two axes, over the pitch diameter, up to which they count as crossing: no hypoids."""
 _NEAR: Final = 1e-6
 """By how much (m) a place may be off before that is said."""
 _SIZE: Final = 1e-6
@@ -1227,16 +1230,17 @@ class _Reader:
     def _read_gears(self) -> Iterator[Part]:
         given: set[int] = set()
         middles: dict[int, float] = {}
-        for one in self.model.of_type("cylindrical_gear"):
+        bevels: list[tuple[_Laid, Component]] = []
+        for one in self.model.of_type(*GEARS):
             laid = self._shaft_of(one)
             if laid is None:
                 self._note("left", one, "rexs_no_shaft")
                 continue
-            width = self._value(one, "face_width") or 0.0
+            straight = one.type in ("cylindrical_gear", "ring_gear")
+            width = (self._value(one, "face_width") or 0.0) if straight else 0.0
             middle = self._position(one, laid, "u_coordinate_on_shaft", 0.5 * width)
             if middle is None:
                 continue
-            middles[one.id] = middle
             force = self._vector(one, laid, "force_acting_on_shaft_{}")
             moment = self._vector(one, laid, "torque_acting_on_shaft_{}")
             if any(force) or any(moment):
@@ -1249,6 +1253,13 @@ class _Reader:
                     "loads", one.id,
                     _load(self._named(one, "loads"), laid.name, middle, force, moment),
                 )  # fmt: skip
+            elif one.type == "bevel_gear":
+                self._powers.setdefault(laid.component.id, []).append(math.nan)
+                bevels.append((laid, one))
+            elif one.type == "ring_gear":
+                self._note("left", one, "rexs_internal_gear")
+            else:
+                middles[one.id] = middle
         meshes = [
             mesh
             for mesh in self._meshes
@@ -1265,7 +1276,103 @@ class _Reader:
                 yield part
         for number in middles.keys() - done:
             self._note("left", self.model.by_id[number], "rexs_mesh_left")
+        for laid, gear in bevels:
+            if (table := self._bevel_gear(laid, gear)) is None:
+                self._note("left", gear, "rexs_mesh_left")
+            else:
+                yield Part("gears", gear.id, table)
         yield from self._balancing()
+
+    def _bevel_gear(self, laid: _Laid, gear: Component) -> dict[str, Any] | None:
+        """A bevel gear with the power that its shaft leaves it; None where something is missing.
+
+        Its mate is on a shaft across, which no machine has: where the axes cross is the apex of
+        its pitch cone, and the mesh lies toward its mate.
+        """
+        speed = self._speeds[laid.component.id]
+        power = self._left_over.get(laid.component.id, 0.0)
+        mate = self._mate(gear)
+        other = None if mate is None else self.model.whole_of(mate.id, "shaft")
+        if not power or not speed or mate is None or other is None or other.id not in self._poses:
+            return None
+        pose = self._poses[other.id]
+        met = crossing(laid.pose, pose)
+        if met is None:
+            return None
+        sides = [
+            self._side(gear, laid.component, laid.pose, met[0]),
+            self._side(mate, other, pose, met[1]),
+        ]
+        away = [(side * u[0], side * u[1], side * u[2])
+                for side, u in zip(sides, (laid.pose.u, pose.u), strict=True)]  # fmt: skip
+        teeth = [self._whole(one, "number_of_teeth") or 0 for one in (gear, mate)]
+        cone = self._value(gear, "pitch_angle")
+        if not cone and min(teeth) > 0:
+            apart = math.acos(max(-1.0, min(1.0, dot(away[0], away[1]))))
+            cone = math.atan2(math.sin(apart), teeth[1] / teeth[0] + math.cos(apart))
+        spiral = abs(self._value(gear, "mean_spiral_angle") or 0.0)
+        diameter = self._mean_diameter(gear, cone or 0.0, spiral)
+        if not cone or not diameter or met[2] > _CROSSING * diameter:
+            return None
+        position = laid.position(met[0] + sides[0] * 0.5 * diameter / math.tan(cone))
+        if not 0.0 <= position <= laid.length:
+            return None
+        _, y, z = self._frame.local(away[1])
+        pressure = self._value(gear, "normal_pressure_angle")
+        if not pressure:
+            self._note("inferred", gear, "rexs_pressure_angle")
+        self._note("inferred", gear, "rexs_bevel", power=abs(power), diameter=diameter, cone=cone)
+        table = {
+            "name": self._named(gear, "gears"),
+            "shaft": laid.name,
+            "position": _text(position, "length"),
+            "kind": "bevel",
+            "pitch_diameter": readable(diameter, "length", 12),
+            "cone_angle": readable(cone, "angle", 12),
+            "apex": "-x" if dot(away[0], self._frame.u) > 0.0 else "+x",
+            "pressure_angle": readable(pressure or _USUAL_PRESSURE_ANGLE, "angle", 12),
+            "power": readable(abs(power), "power", 12),
+            "drives": power < 0.0,
+            "mesh_azimuth": readable(math.atan2(y, z), "angle", 12),
+        }
+        if spiral:
+            hand = self._text(gear, "spiral_angle_pitch_direction").casefold()
+            table |= {"helix_angle": readable(spiral, "angle", 12),
+                      "hand": "left" if hand.startswith("left") else "right"}  # fmt: skip
+            if not hand.startswith(("left", "right")):
+                self._note("inferred", gear, "rexs_hand")
+        return table
+
+    def _mate(self, gear: Component) -> Component | None:
+        for relation in self.model.relations:
+            numbers = [relation.in_role(role) for role in ("gear_1", "gear_2")]
+            if relation.type == "stage" and gear.id in numbers:
+                return self.model.by_id.get(numbers[1 - numbers.index(gear.id)] or 0)
+        return None
+
+    def _side(self, gear: Component, shaft: Component, pose: Pose, crossed: float) -> float:
+        """On which side of the crossing of the axes a gear is, along u of its shaft: +1 or -1."""
+        own = self._poses.get(gear.id)
+        at = self._value(gear, "u_coordinate_on_shaft")
+        here = pose.seen_from(own.origin)[0] if own is not None else at or 0.0
+        if abs(here - crossed) < _NEAR:  # it is placed by its apex: the shaft is behind it
+            lengths = [self._value(one, "length") or 0.0
+                       for one in self.model.parts(shaft.id, "shaft_section")]  # fmt: skip
+            here = 0.5 * math.fsum(lengths)
+        return 1.0 if here > crossed else -1.0
+
+    def _mean_diameter(self, gear: Component, cone: float, spiral: float) -> float | None:
+        """Pitch diameter of a bevel gear in the middle of its face; m."""
+        if mean := self._value(gear, "mean_pitch_diameter"):
+            return mean
+        teeth, module = (
+            self._whole(gear, "number_of_teeth"),
+            self._value(gear, "mean_normal_module"),
+        )
+        if teeth and module:
+            return teeth * module / math.cos(spiral)
+        outer, width = (self._value(gear, name) for name in ("outer_pitch_diameter", "face_width"))
+        return outer - width * math.sin(cone) if outer and width else None
 
     def _power_flow(self, meshes: Sequence[_Mesh]) -> dict[int, float]:
         """Power that each mesh brings to its second gear: what comes to a shaft leaves it; W."""
