@@ -1319,10 +1319,7 @@ class _Reader:
             return None
         _, y, z = self._frame.local(away[1])
         pressure = self._value(gear, "normal_pressure_angle")
-        if not pressure:
-            self._note("inferred", gear, "rexs_pressure_angle")
-        self._note("inferred", gear, "rexs_bevel", power=abs(power), diameter=diameter, cone=cone)
-        table = {
+        table: dict[str, Any] = {
             "name": self._named(gear, "gears"),
             "shaft": laid.name,
             "position": _text(position, "length"),
@@ -1335,12 +1332,17 @@ class _Reader:
             "drives": power < 0.0,
             "mesh_azimuth": readable(math.atan2(y, z), "angle", 12),
         }
+        hand = self._text(gear, "spiral_angle_pitch_direction").casefold()
         if spiral:
-            hand = self._text(gear, "spiral_angle_pitch_direction").casefold()
             table |= {"helix_angle": readable(spiral, "angle", 12),
                       "hand": "left" if hand.startswith("left") else "right"}  # fmt: skip
-            if not hand.startswith(("left", "right")):
-                self._note("inferred", gear, "rexs_hand")
+        if not _is_valid("gears", table):
+            return None
+        if not pressure:
+            self._note("inferred", gear, "rexs_pressure_angle")
+        if spiral and not hand.startswith(("left", "right")):
+            self._note("inferred", gear, "rexs_hand")
+        self._note("inferred", gear, "rexs_bevel", power=abs(power), diameter=diameter, cone=cone)
         return table
 
     def _mate(self, gear: Component) -> Component | None:
