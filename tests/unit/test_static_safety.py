@@ -192,3 +192,35 @@ def test_a_report_shows_it_where_the_case_asks_for_it() -> None:
     )
     assert "Hardness below the surface" not in plain
     assert "Hardness below the surface" in asked
+
+
+def test_over_the_load_the_safety_falls_and_the_gaps_open() -> None:
+    from rolamento.safety import static_over_load
+
+    case = load_case(PAIR, {"duty.load.fx": "4 kN", "duty.load.fz": "0 N", "duty.inner_speed": 0.0,
+                            "static.load_factor": 2.0})  # fmt: skip
+    curve = static_over_load(case, most=1.5, points=6)
+    assert curve.factor.tolist() == pytest.approx([0.25, 0.5, 0.75, 1.0, 1.25, 1.5])
+    assert np.all(np.diff(curve.safety) < 0.0)
+    assert np.all(np.diff(curve.gap[:, 1]) >= 0.0)
+    # at the design load it is what the page has
+    assert curve.safety[3] == pytest.approx(static_safety_of(case).minimum()[0])
+
+
+def test_without_a_load_there_is_nothing_to_vary() -> None:
+    from rolamento.safety import static_over_load
+
+    with pytest.raises(InputError, match="load"):
+        static_over_load(case_of("6310"))
+
+
+@pytest.mark.parametrize("language", ["en", "pt_BR"])
+def test_the_picture_has_safety_and_gaps(language: str) -> None:
+    from rolamento.plots import static_figure
+    from rolamento.safety import static_over_load
+    from rolamento.words import speaking
+
+    with speaking(language):
+        figure = static_figure(static_over_load(load_case(PAIR), points=4))
+    assert len(figure.axes) == 2
+    assert len(figure.axes[1].lines) == 3  # two rows and the design load
