@@ -22,6 +22,7 @@ if TYPE_CHECKING:
         catalogue,
         clearance,
         contact,
+        electrical,
         friction,
         geometry,
         grease,
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
         plots,
         ratings,
         rotors,
+        safety,
         speeds,
         static,
         studies,
@@ -53,16 +55,19 @@ if TYPE_CHECKING:
     )
     from rolamento.case.bearing import Bearing
     from rolamento.case.duty import Displacement, Duty, Load, Oscillation
+    from rolamento.case.electrical import Electrical
     from rolamento.case.film_model import FilmModel
     from rolamento.case.grease import Grease
     from rolamento.case.heat import Heat
     from rolamento.case.life_model import LifeModel
+    from rolamento.case.losses import Losses
     from rolamento.case.lubricant import Lubricant
     from rolamento.case.machine import Machine, load_machine
     from rolamento.case.material import Material
     from rolamento.case.model import Model
     from rolamento.case.mounting import Mounting, SeatMaterial
     from rolamento.case.roller_bearing import RollerBearing
+    from rolamento.case.static import Static
     from rolamento.case.surface import Surface
     from rolamento.case.temperature import Temperature
     from rolamento.catalogue import geometry_of
@@ -100,11 +105,13 @@ _NAMES_OF_MODULES: Final = {
         "Case",
         "Displacement",
         "Duty",
+        "Electrical",
         "FilmModel",
         "Grease",
         "Heat",
         "LifeModel",
         "Load",
+        "Losses",
         "Lubricant",
         "Machine",
         "Material",
@@ -113,6 +120,7 @@ _NAMES_OF_MODULES: Final = {
         "Oscillation",
         "RollerBearing",
         "SeatMaterial",
+        "Static",
         "Surface",
         "Temperature",
         "case_to_json",
@@ -152,6 +160,7 @@ _PACKAGES: Final = frozenset(
         "catalogue",
         "clearance",
         "contact",
+        "electrical",
         "errors",
         "examples",
         "friction",
@@ -163,6 +172,7 @@ _PACKAGES: Final = frozenset(
         "plots",
         "ratings",
         "rotors",
+        "safety",
         "solved",
         "speeds",
         "static",
@@ -182,6 +192,7 @@ __all__ = [
     "Case",
     "Displacement",
     "Duty",
+    "Electrical",
     "FileError",
     "FilmModel",
     "Grease",
@@ -191,6 +202,7 @@ __all__ = [
     "LifeModel",
     "LifeSummary",
     "Load",
+    "Losses",
     "Lubricant",
     "Machine",
     "MachineAnalysis",
@@ -203,6 +215,7 @@ __all__ = [
     "SeatMaterial",
     "Solved",
     "SolvedMachine",
+    "Static",
     "Surface",
     "Temperature",
     "UnitError",
@@ -217,6 +230,7 @@ __all__ = [
     "clearance",
     "contact",
     "diagnose",
+    "electrical",
     "fault_frequencies",
     "find_bearings",
     "fit_weibull",
@@ -238,6 +252,7 @@ __all__ = [
     "ratings",
     "report",
     "rotors",
+    "safety",
     "save_case",
     "shaft",
     "solve",

@@ -34,6 +34,7 @@ from rolamento.case.heat import Heat
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.errors import InputError
 from rolamento.friction import MachineBearing, friction
+from rolamento.friction.seals import seals_and_bath
 from rolamento.friction.summary import default_model, no_coefficient
 from rolamento.geometry import clearance_of_angle, ring_geometry
 from rolamento.heat.network import NODES, HeatFlow, Network, network_of
@@ -436,6 +437,9 @@ class _Balance:
                     example='friction = "contacts"',
                 )
             torque, power = whole.total, whole.power
+        beside = seals_and_bath(solved, oil)
+        if beside is not None:
+            torque, power = torque + beside.torque, np.abs(power) + beside.power
         return (
             np.where(solved.converged, torque, np.nan),
             np.where(solved.converged, np.abs(power), np.nan),

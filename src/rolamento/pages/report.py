@@ -37,12 +37,14 @@ from rolamento.life.record import BOUNDS, OUTSIDE, note_of
 from rolamento.life.theories import THEORIES
 from rolamento.notes import nothing_given
 from rolamento.pages.clearance import STEPS
+from rolamento.pages.electrical import electrical_sections
 from rolamento.pages.elements import element_tables, roller_pictures
 from rolamento.pages.equations import equations_of, references_of
 from rolamento.pages.given import no_load_text, untitled
 from rolamento.pages.life import rating_source
 from rolamento.pages.preload import STAGE_NAMES
 from rolamento.pages.state import rosette_section, stiffness_section
+from rolamento.pages.static import static_sections
 from rolamento.records import frozen
 from rolamento.vibration.frequencies import ABBREVIATIONS, LineName
 from rolamento.words import Note, in_unit, manner, marked, said, worded
@@ -574,6 +576,9 @@ TABLES: Final = {
     "mounting": marked("Mounting"),
     "film": marked("Film"),
     "heat": marked("Heat"),
+    "static": marked("Static safety"),
+    "electrical": marked("Electricity"),
+    "losses": marked("Seals and oil bath"),
     "life": marked("Life"),
 }
 
@@ -765,9 +770,27 @@ def _results(report: Report) -> list[Section | Beside]:
     sections += [Section(compared, loads, "ball_loads", level=3)] * bool(loads)
     for key in ("contacts", "film", "friction", "frequencies", "stiffness"):
         add(key)
+    for case in report.cases:
+        sections += _asked(report, case)
     missing = Notes(_missing(report))
     if missing.remarks:
         sections.append(Section(said("Not calculated"), (missing,), "missing", level=3))
+    return sections
+
+
+def _asked(report: Report, case: CaseReport) -> list[Section]:
+    """Static safety and electricity of a case that asks for them."""
+    parts = []
+    if case.static_safety is not None:
+        parts.append(static_sections(case.static_safety, level=3))
+    if case.electrics is not None:
+        parts.append(electrical_sections(case.electrics, level=3))
+    sections = []
+    for first, *others in parts:
+        heading = first.heading
+        if len(report.cases) > 1:
+            heading = said("{what}, case {name}", what=heading, name=case.name)
+        sections += [replace(first, heading=heading), *(replace(one, level=4) for one in others)]
     return sections
 
 
@@ -1527,8 +1550,15 @@ def _friction(report: Report) -> tuple[Table, ...]:
         _Row(said("torque on the housing"), "analysis.rolling.outer_torque", torque),
         _Row(said("power lost in the contacts"), "analysis.rolling.power", power),
     ]
+    beside = "analysis.seals_and_bath"
+    added = [
+        _Row(said("torque of the seals"), f"{beside}.seal", torque),
+        _Row(said("torque of the oil bath"), f"{beside}.drag", torque),
+        _Row(said("power of seals and oil bath"), f"{beside}.power", power),
+    ]
     groups = [
         (said("Friction of the contacts"), whole),
+        (said("Seals and oil bath, in addition"), added),
         (said("Torque by source"), torques),
         (said("Power by source"), heats),
         (said("Torque by model"), models),

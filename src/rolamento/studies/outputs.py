@@ -127,13 +127,14 @@ def catalogue() -> Mapping[str, Output]:
     from rolamento.studies.bearing_outputs import ball_outputs, ring_outputs
     from rolamento.studies.friction_outputs import friction_outputs
     from rolamento.studies.life_outputs import life_outputs
+    from rolamento.studies.limit_outputs import limit_outputs
     from rolamento.studies.lubrication_outputs import lubrication_outputs
     from rolamento.studies.roller_outputs import roller_outputs
     from rolamento.studies.row_outputs import row_outputs
 
     providers = (
         ring_outputs, row_outputs, ball_outputs, roller_outputs, lubrication_outputs,
-        friction_outputs, life_outputs,
+        friction_outputs, life_outputs, limit_outputs,
     )  # fmt: skip
     return {output.name: output for provider in providers for output in provider()}
 

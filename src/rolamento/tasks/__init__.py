@@ -36,7 +36,7 @@ if TYPE_CHECKING:
         diagnose_machine,
         read_machine,
     )
-    from rolamento.tasks.noise import FullScale, NoiseResult, noise_level
+    from rolamento.tasks.noise import FullScale, NoiseLevel, NoiseResult
     from rolamento.tasks.oscillation import (
         OscillationCase,
         OscillationSpectrum,
@@ -52,15 +52,19 @@ if TYPE_CHECKING:
         replacement_study,
     )
     from rolamento.tasks.report import CaseReport, Report, calculation_report, compare_variants
-    from rolamento.tasks.severity import SeverityResult, vibration_severity
+    from rolamento.tasks.request import Input, Request
+    from rolamento.tasks.seek import Goal, GoalSeek
+    from rolamento.tasks.severity import SeverityResult, VibrationSeverity
     from rolamento.tasks.studies import Sweep, sweep, tolerance
     from rolamento.tasks.synthesis import SynthesisResult, synthesise
     from rolamento.tasks.time_line import ServiceLife, service_life
+    from rolamento.tasks.vibration_diagnosis import VibrationDiagnosis
     from rolamento.tasks.weibull import (
         DemonstrationStudy,
+        DemonstrationTest,
+        LifeTestEvaluation,
         PrecisionStudy,
         TrendStudy,
-        demonstration_study,
         life_test_study,
         precision_study,
         trend_study,
@@ -69,6 +73,7 @@ if TYPE_CHECKING:
 _NAMES_OF_MODULES: Final = {
     "demonstration": ("example_case", "write_example"),
     "diagnosis": ("DiagnosisResult", "TooShort", "UnknownResult", "diagnose", "rank_bearings"),
+    "vibration_diagnosis": ("VibrationDiagnosis",),
     "drawing": ("Drawing", "Kind", "draw"),
     "frequencies": ("FrequencyResult", "fault_frequencies"),
     "grease": ("GreaseCase", "choose_oil_of_case", "grease_of_case"),
@@ -77,7 +82,7 @@ _NAMES_OF_MODULES: Final = {
     "life_over": ("LifeCurve", "life_curve"),
     "life_spectrum": ("DutyLife", "SpectrumLife", "life_of_duty_spectrum", "read_spectrum"),
     "machine_diagnosis": ("Machine", "MachineDiagnosis", "diagnose_machine", "read_machine"),
-    "noise": ("FullScale", "NoiseResult", "noise_level"),
+    "noise": ("FullScale", "NoiseLevel", "NoiseResult"),
     "oscillation": (
         "OscillationCase",
         "OscillationSpectrum",
@@ -93,15 +98,18 @@ _NAMES_OF_MODULES: Final = {
         "replacement_study",
     ),
     "report": ("CaseReport", "Report", "compare_variants", "calculation_report"),
-    "severity": ("SeverityResult", "vibration_severity"),
+    "request": ("Input", "Request"),
+    "seek": ("Goal", "GoalSeek"),
+    "severity": ("SeverityResult", "VibrationSeverity"),
     "studies": ("Sweep", "sweep", "tolerance"),
     "synthesis": ("SynthesisResult", "synthesise"),
     "time_line": ("ServiceLife", "service_life"),
     "weibull": (
         "DemonstrationStudy",
+        "DemonstrationTest",
+        "LifeTestEvaluation",
         "PrecisionStudy",
         "TrendStudy",
-        "demonstration_study",
         "life_test_study",
         "precision_study",
         "trend_study",
@@ -115,18 +123,24 @@ __all__ = [
     "CaseLife",
     "CaseReport",
     "DemonstrationStudy",
+    "DemonstrationTest",
     "DiagnosisResult",
     "Drawing",
     "DutyLife",
     "FleetStudy",
     "FrequencyResult",
     "FullScale",
+    "Goal",
+    "GoalSeek",
     "GreaseCase",
     "History",
+    "Input",
     "Kind",
     "LifeCurve",
+    "LifeTestEvaluation",
     "Machine",
     "MachineDiagnosis",
+    "NoiseLevel",
     "NoiseResult",
     "OscillationCase",
     "OscillationSpectrum",
@@ -135,6 +149,7 @@ __all__ = [
     "RemainingStudy",
     "ReplacementStudy",
     "Report",
+    "Request",
     "ServiceLife",
     "SeverityResult",
     "ShaftLife",
@@ -144,10 +159,11 @@ __all__ = [
     "TooShort",
     "TrendStudy",
     "UnknownResult",
+    "VibrationDiagnosis",
+    "VibrationSeverity",
     "calculation_report",
     "choose_oil_of_case",
     "compare_variants",
-    "demonstration_study",
     "diagnose",
     "diagnose_machine",
     "diagnose_since",
@@ -163,7 +179,6 @@ __all__ = [
     "life_of_shaft",
     "life_test_study",
     "life_under_oscillations",
-    "noise_level",
     "precision_study",
     "rank_bearings",
     "read_machine",
@@ -176,7 +191,6 @@ __all__ = [
     "tolerance",
     "trend_of_records",
     "trend_study",
-    "vibration_severity",
     "write_example",
 ]
 

@@ -10,7 +10,7 @@ from dataclasses import asdict
 from datetime import date
 from functools import cached_property
 from math import inf, isfinite
-from typing import Any, Final, Literal, NamedTuple
+from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple
 
 import numpy as np
 
@@ -37,6 +37,10 @@ from rolamento.studies.names import setting_name
 from rolamento.tasks.bearing import BearingLike
 from rolamento.units import Dimension
 from rolamento.words import said
+
+if TYPE_CHECKING:
+    from rolamento.electrical import BearingElectrics
+    from rolamento.safety import StaticSafety
 
 __all__ = [
     "MOST_CASES",
@@ -177,6 +181,24 @@ class CaseReport:
         from rolamento.tasks.clearance import mounted_clearance
 
         return mounted_clearance(self.case).rows[0]
+
+    @cached_property
+    def static_safety(self) -> StaticSafety | None:
+        """Static safety of a case that asks for it with [static], and has a result; else None."""
+        if self.case.static is None or not self.converged:
+            return None
+        from rolamento.safety import static_safety_of
+
+        return static_safety_of(self.analysis.solved)
+
+    @cached_property
+    def electrics(self) -> BearingElectrics | None:
+        """The bearing as an electrical part, of a case with [electrical] and a film; else None."""
+        if self.case.electrical is None or self.analysis.film is None:
+            return None
+        from rolamento.electrical import electrics_of
+
+        return electrics_of(self.analysis.solved, self.analysis.film)
 
     @cached_property
     def service_life(self) -> Any:
