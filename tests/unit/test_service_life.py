@@ -211,3 +211,19 @@ def test_the_command() -> None:
     found = json.loads(run(app, [*words, "--json", "-"]).output)
     assert found["service_life"]["first"] == "grease"
     assert run(app, ["service-life", "6205-2RS1"]).exit_code == 2
+
+
+def test_the_page_of_the_case_shows_it() -> None:
+    from rolamento.web.live import live
+
+    tables = {
+        "bearing": {"designation": "6309-2RS1/C3"},
+        "duty": {"inner_speed": "1460 rpm", "load": {"fz": "2.5 kN"}},
+        "temperature": {"lubricant": "85 degC"},
+    }
+    two = [{"case": tables}, {"case": tables, "changes": {"temperature.lubricant": "70 degC"}}]
+    shown = live({"cases": two, "sections": ["service_life"]})["sections"]["service_life"]
+    assert shown.count("First comes grease") == 2
+    oiled = {**tables, "bearing": {"designation": "6309/C3"}, "lubricant": "ISO VG 100"}
+    shown = live({"cases": [{"case": oiled}], "sections": ["service_life"]})
+    assert "grease" not in shown["sections"]["service_life"]
