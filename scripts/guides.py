@@ -46,6 +46,7 @@ PAGES: Final = (
         DOCS / "tutorials" / f"{name}.md"
         for name in (
             "spindle",
+            "spindle-heat",
             "gearbox",
             "maintenance",
             "test-engineer",

@@ -75,20 +75,30 @@ def solve_machine(machine: Machine) -> SolvedMachine:
     return solve_machines((machine,))[0]
 
 
-def solve_machines(machines: Sequence[Machine]) -> SolvedMachines:
+def solve_machines(
+    machines: Sequence[Machine],
+    *,
+    cases: Mapping[str, Case] | None = None,
+    shifts: Mapping[str, float] | None = None,
+) -> SolvedMachines:
     """Solve machines that differ in nothing but what `acts_alone`, all steps of all at once.
 
     Parameters
     ----------
     machines
         At least one.
+    cases
+        By the name of a bearing, in the place of its own: such as it is at other temperatures.
+    shifts
+        How far warm parts move the inner ring of a bearing along its own x against its outer ring,
+        by name, in m.
 
     Raises
     ------
     InputError
         As `shaft`, of any of them.
     """
-    structure, rest, control = balanced(*machines)
+    structure, rest, control = balanced(*machines, cases=cases, shifts=shifts)
     tilted = _too_far(structure, rest)
     bearings = _bearings(structure, rest, control)
     outside = structure.carried(rest)
@@ -147,21 +157,41 @@ def acts_alone(machine: Machine, key: Sequence[str]) -> bool:
     return not any(case.mounting is not None and case.bearing.is_set for case in cases)
 
 
-def balanced(*machines: Machine) -> tuple[Structure, MachineRest, FloatArray]:
-    """Lay machines out and find where they come to rest; what guides each rolling element."""
-    cases = [_running(machines, index) for index in range(len(machines[0].bearings))]
-    structure = structure_of(machines, cases)
+def balanced(
+    *machines: Machine,
+    cases: Mapping[str, Case] | None = None,
+    shifts: Mapping[str, float] | None = None,
+) -> tuple[Structure, MachineRest, FloatArray]:
+    """Lay machines out and find where they come to rest; what guides each rolling element.
+
+    cases, shifts: as of `solve_machines`.
+    """
+    structure = laid_out(*machines, cases=cases, shifts=shifts)
     rest, control = _solved(structure)
     return structure.guided(control), rest, control
+
+
+def laid_out(
+    *machines: Machine,
+    cases: Mapping[str, Case] | None = None,
+    shifts: Mapping[str, float] | None = None,
+) -> Structure:
+    """Return machines as a network of nodes; cases, shifts: as of `solve_machines`."""
+    given = cases or {}
+    running = [
+        _running(machines, index, given.get(bearing.name))
+        for index, bearing in enumerate(machines[0].bearings)
+    ]
+    return structure_of(machines, running, shifts)
 
 
 # --- the bearings as they run ---------------------------------------------------------------------
 
 
-def _running(machines: Sequence[Machine], index: int) -> Cases:
+def _running(machines: Sequence[Machine], index: int, given: Case | None = None) -> Cases:
     """The cases of a bearing, with the clearance in operation and the speeds of its rings."""
-    bearing = machines[0].bearings[index]
-    case, field = bearing.case, f"bearings.{index}"
+    bearing, field = machines[0].bearings[index], f"bearings.{index}"
+    case = bearing.case if given is None else given
     if case.model.raceway_control == "friction" or case.model.needs_film:
         raise InputError(
             said("is for a bearing alone, not for one in a machine"),

@@ -88,6 +88,7 @@ Dimension = Literal[
     "voltage",
     "electric_current",
     "frequency",
+    "heat_capacity",
 ]
 
 _NAMES: Final[dict[Dimension, str]] = {
@@ -118,6 +119,7 @@ _NAMES: Final[dict[Dimension, str]] = {
     "voltage": marked("voltage"),
     "electric_current": marked("electric current"),
     "frequency": marked("frequency"),
+    "heat_capacity": marked("heat capacity"),
 }
 
 SI_UNIT: Final[dict[Dimension, str]] = {
@@ -148,6 +150,7 @@ SI_UNIT: Final[dict[Dimension, str]] = {
     "voltage": "V",
     "electric_current": "A",
     "frequency": "Hz",
+    "heat_capacity": "J/K",
 }
 
 
@@ -250,6 +253,7 @@ _COMMON: Final[dict[Dimension, dict[str, _Unit]]] = {
     "voltage": {"V": _Unit(Fraction(1)), "mV": _Unit(Fraction(1, 10**3))},
     "electric_current": {"A": _Unit(Fraction(1)), "mA": _Unit(Fraction(1, 10**3))},
     "frequency": {"Hz": _Unit(Fraction(1)), "1/min": _Unit(Fraction(1, 60))},
+    "heat_capacity": {"J/K": _Unit(Fraction(1)), "kJ/K": _Unit(Fraction(10**3))},
 }
 
 _LONGEST_TEXT: Final = 100
@@ -668,4 +672,5 @@ _EXAMPLE_NUMBERS: Final[dict[Dimension, str]] = {
     "electric_current": "0.5",
     "voltage": "10",
     "frequency": "2",
+    "heat_capacity": "400",
 }

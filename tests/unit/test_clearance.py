@@ -27,7 +27,7 @@ from rolamento.clearance import (
     operating_clearance,
     sample_clearance,
 )
-from rolamento.clearance.effects import bore_shrinkage, contact_pressure
+from rolamento.clearance.effects import bore_shrinkage, contact_pressure, expansion_of
 from rolamento.clearance.operating import bearing_with_clearance
 from rolamento.errors import InputError, UnitError
 from rolamento.geometry import ring_geometry
@@ -582,3 +582,38 @@ def test_a_table_of_a_file_and_back() -> None:
         Mounting.from_mapping({"bore": 0.025, "outside_diameter": "62 mm"})
     custom = record.replace(housing_material=SeatMaterial.named("steel").replace(name="mine"))
     assert Mounting.from_mapping(custom.to_mapping()) == custom
+
+
+@pytest.mark.parametrize("given", [{"contact_angle": 0.7}, {"diametral_clearance": 20e-6}])
+def test_one_temperature_and_one_coefficient_change_nothing_but_the_size(
+    given: dict[str, float],
+) -> None:
+    """All parts equally warm: forces grow with the square of the size, strains and angles stay."""
+    case = Case(
+        bearing={
+            "ball_count": 8, "ball_diameter": 0.010319, "pitch_diameter": 0.0445,
+            "inner_conformity": 0.51, "outer_conformity": 0.53, **given,
+        },
+        mounting={"bore": 0.025, "outside_diameter": 0.062, "shaft_interference": 12e-6},
+        duty={"load": {"fx": 500.0, "fz": 1000.0}},
+    )  # fmt: skip
+    rise = 80.0
+    size = 1.0 + expansion_of(case.bearing.ring_material, "mounting.ring_expansion") * rise
+    warm = case.with_(
+        {
+            "temperature.inner_ring": 293.15 + rise,
+            "temperature.outer_ring": 293.15 + rise,
+            "mounting.shaft_interference": 12e-6 * size,
+            "duty.load.fx": 500.0 * size**2,
+            "duty.load.fz": 1000.0 * size**2,
+        }
+    )
+    before, after = solve(case), solve(warm)
+    np.testing.assert_allclose(after.inner.load, before.inner.load * size**2, rtol=1e-9, atol=1e-6)
+    np.testing.assert_allclose(after.inner.contact_angle, before.inner.contact_angle, atol=1e-9)
+    np.testing.assert_allclose(after.inner.max_pressure, before.inner.max_pressure, rtol=1e-9)
+    np.testing.assert_allclose(
+        after.rows.free_contact_angle, before.rows.free_contact_angle, atol=1e-12
+    )
+    many = solve(warm, {"temperature.inner_ring": np.full(2, 293.15 + rise)})
+    np.testing.assert_allclose(many.inner.load[1], after.inner.load[0], rtol=1e-9, atol=1e-6)

@@ -178,7 +178,7 @@ def test_a_study_over_the_temperature_of_a_ring_finds_film_and_life() -> None:
     )
     dataset = run(study)
     assert np.all(np.diff(dataset["z"].values) < 0.0)
-    assert np.ptp(dataset["viscosity_ratio"].values) == 0.0
+    assert np.ptp(dataset["viscosity_ratio"].values) < 1e-3  # the pitch circle grows
     lives = life(solve(case, {"temperature.inner_ring": warm})).headline.hours
     alone = [
         life(

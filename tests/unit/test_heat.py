@@ -12,8 +12,14 @@ from typer.testing import CliRunner
 from rolamento import Case, InputError, analyse, load_case
 from rolamento.cli.app import app
 from rolamento.friction.palmgren import palmgren
-from rolamento.heat import CONDUCTANCES, NODES, Network, heat_balance
-from rolamento.heat.balance import _Balance
+from rolamento.heat import (
+    CONDUCTANCES,
+    NODES,
+    HeatBalance,
+    Network,
+    heat_balance,
+)
+from rolamento.heat.balance import _Balances
 from rolamento.lubrication.oil_state import oil_state
 from rolamento.speeds import reference_heat_flow
 
@@ -167,22 +173,31 @@ def test_the_warm_state_is_the_analysis_of_the_case_with_its_temperatures(pair: 
 
 def test_the_root_does_not_depend_on_the_grid(pair: Case, monkeypatch: pytest.MonkeyPatch) -> None:
     power = heat_balance(pair).power
-    for points in (7, 20):
+    for points in (7, 33):
         monkeypatch.setattr("rolamento.heat.balance._POINTS", points)
         assert heat_balance(pair).power == pytest.approx(power, rel=1e-7)
 
 
-class Made(_Balance):
+class Made(_Balances):
     """A balance whose friction is a formula of the warmest temperature."""
 
     def __init__(self, case: Case, friction: object) -> None:
-        super().__init__(case, None)
+        super().__init__(case, {}, (case,), None)
         self.formula = friction
 
     def friction_over(
-        self, temperatures: np.ndarray, factor: np.ndarray | float = 1.0
+        self, temperatures: np.ndarray, which: np.ndarray, factor: np.ndarray | float = 1.0
     ) -> np.ndarray:
         return np.asarray(factor * self.formula(temperatures.max(axis=0)))  # type: ignore[operator]
+
+    def looked_at(
+        self, temperatures: np.ndarray, which: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray, object]:
+        torque, _, batch = super().looked_at(temperatures, which)
+        return torque, self.friction_over(temperatures, which), batch
+
+    def answer(self, look_for_speed: bool) -> HeatBalance:
+        return self.answers(look_for_speed)[0]
 
 
 def folded(warm: np.ndarray) -> np.ndarray:

@@ -28,6 +28,13 @@ def given(case_218: Case) -> Evaluation:
         surface=roughness,
         electrical={"voltage": 10.0, "current": 0.5},
         life={**life, "required_life": 3.6e7, "tallian_subsurface": {}},
+        heat={
+            "bore": 0.09,
+            "outside_diameter": 0.16,
+            "width": 0.03,
+            "shaft_ambient": 200.0,
+            "housing_ambient": 200.0,
+        },
     )
     return Evaluation(solve(case, {"duty.load.fx": FX}))
 

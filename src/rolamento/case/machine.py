@@ -49,6 +49,7 @@ from rolamento.case.fields import (
     plain_value,
 )
 from rolamento.case.film_model import FilmModel
+from rolamento.case.heat import Heat
 from rolamento.case.housing_nodes import Others, elastic, reduced_to_rings
 from rolamento.case.life_model import LifeModel
 from rolamento.case.lubricant import Lubricant, LubricantField
@@ -703,7 +704,7 @@ def _over(tables: Mapping[str, Any], name: str, table: Any) -> dict[str, Any]:
 class MachineBearing(Record):
     """A bearing on a shaft of a machine.
 
-    What is not given of model, lubricant, surface, temperature, film and life is the machine's,
+    What is not given of model, lubricant, surface, temperature, film, heat, life is the machine's,
     field by field (a lubricant as a whole).
 
     Parameters
@@ -719,7 +720,7 @@ class MachineBearing(Record):
     bearing
         The table of a case, a `Bearing` or a `RollerBearing`. In a file also `case`, the name of a
         case file beside it, and in Python a `Case`: its duty counts nothing.
-    model, lubricant, surface, temperature, mounting, film, life
+    model, lubricant, surface, temperature, mounting, film, heat, life
         Tables of a case, for this bearing alone.
     faces
         Which way it carries axial load: ``"+x"`` where the shaft may push its inner ring toward
@@ -756,6 +757,7 @@ class MachineBearing(Record):
     temperature: _Table = None
     mounting: _Table = None
     film: _Table = None
+    heat: _Table = None
     life: _Table = None
     faces: Literal["+x", "-x"] | None = Field(None, examples=["-x"])
     located: Literal["both", "+x", "-x", "floating"] = Field("both", examples=["floating"])
@@ -930,7 +932,7 @@ class PointForce(NamedTuple):
     force: Six
 
 
-_SHARED: Final = ("model", "lubricant", "surface", "temperature", "film", "life")
+_SHARED: Final = ("model", "lubricant", "surface", "temperature", "film", "heat", "life")
 _ON_SHAFTS: Final = ("bearings", "springs", "loads", "gears", "belts", "masses")
 
 
@@ -951,7 +953,7 @@ class Machine(Record):
         A `Gravity`; weights count nothing without it.
     spectrum
         `Step` records, whose shares sum to 1; without them there is one load.
-    model, lubricant, surface, temperature, film, life
+    model, lubricant, surface, temperature, film, heat, life
         As of a `Case`, for all bearings that have none of their own.
 
     Raises
@@ -980,6 +982,7 @@ class Machine(Record):
     surface: Surface | None = Field(None, examples=["[surface] as a table"])
     temperature: Temperature | None = Field(None, examples=["[temperature] as a table"])
     film: FilmModel | None = Field(None, examples=["[film] as a table"])
+    heat: Heat | None = Field(None, examples=["[heat] as a table"])
     life: LifeModel | None = Field(None, examples=["[life] as a table"])
 
     @model_validator(mode="wrap")

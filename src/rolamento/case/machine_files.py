@@ -44,7 +44,7 @@ MOST_SECTIONS: Final = 200
 MOST_UNKNOWNS: Final = 100
 """Rows of the stiffness matrix of one housing."""
 CASE_TABLES: Final = (
-    "bearing", "model", "lubricant", "surface", "temperature", "mounting", "film", "life",
+    "bearing", "model", "lubricant", "surface", "temperature", "mounting", "film", "heat", "life",
 )  # fmt: skip
 """Tables of a case that are a bearing's; its duty is the machine's."""
 _LARGEST: Final = 5_000_000

@@ -7,6 +7,7 @@ case's own numbers.
 from __future__ import annotations
 
 from collections.abc import Mapping, Set
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any, Final
 
@@ -26,6 +27,7 @@ from rolamento.clearance.chain import (
     housing_bands,
     initial_band,
     shaft_bands,
+    warm_geometry,
 )
 from rolamento.clearance.standards import Band
 from rolamento.errors import InputError
@@ -74,17 +76,23 @@ def operating_batch(
     arrays = {name: np.asarray(array, np.float64) for name, array in values.items()}
     bearing = row_bearing(case.bearing, case.bearing, frozenset(), arrays)
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
-        clearance = _clearance(case, bearing, arrays)
-        field, running = _as_given(bearing, clearance)
+        clearance, warm = _clearance(case, bearing, arrays)
+        field, running = _as_given(replace(bearing, **warm), clearance)
     rivals = ("bearing.diametral_clearance", "bearing.contact_angle")
     replaced = (*MOUNTED_FIELDS, *(rivals if case.bearing.element == "ball" else (field,)))
     kept = {name: array for name, array in arrays.items() if name not in replaced}
-    warm = None if case.temperature is None else case.temperature.of_bearing
-    return case.replace(mounting=None, temperature=warm), {**kept, field: running}
+    kept |= {f"bearing.{name}": array for name, array in warm.items()}
+    of_bearing = None if case.temperature is None else case.temperature.of_bearing
+    return case.replace(mounting=None, temperature=of_bearing), {**kept, field: running}
 
 
-def _clearance(case: Case, bearing: Any, arrays: Mapping[str, FloatArray]) -> FloatArray:
-    """Clearance in operation at the limit that the mounting names, NaN where none is."""
+def _clearance(
+    case: Case, bearing: Any, arrays: Mapping[str, FloatArray]
+) -> tuple[FloatArray, dict[str, FloatArray]]:
+    """Clearance in operation at the limit that the mounting names, NaN where none is; warm sizes.
+
+    The clearance (cases,), and the sizes that the temperatures leave, by field.
+    """
     mounting = mounting_of(case, arrays)
     assembly = gathered(
         bearing,
@@ -99,7 +107,8 @@ def _clearance(case: Case, bearing: Any, arrays: Mapping[str, FloatArray]) -> Fl
     except InputError as error:
         raise error.with_details(field=f"mounting.{error.field}") from None
     found = np.asarray(chain.at(mounting.limit))
-    return np.where(inside_seats(assembly, mounting), found, np.nan)
+    clearance = np.where(inside_seats(assembly, mounting), found, np.nan)
+    return clearance, warm_geometry(bearing, assembly.strains)
 
 
 def inside_seats(assembly: Any, mounting: Any) -> Any:

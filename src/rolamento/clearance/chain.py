@@ -319,6 +319,36 @@ def gathered(
     )
 
 
+def warm_geometry(bearing: Any, strains: Strains) -> dict[str, Any]:
+    """The sizes of a row as its temperatures leave them, by field; nothing where none are given.
+
+    Groove radii follow their rings, elements their own temperature, and the pitch circle the mean
+    of the rings, so that parts as warm as each other change nothing but the size.
+
+    Parameters
+    ----------
+    bearing
+        The row, or an object with its attributes as arrays (cases,).
+    strains
+        Of its rings and elements; numbers or arrays.
+    """
+    rings = np.asarray(strains.inner_ring), np.asarray(strains.outer_ring)
+    elements = np.asarray(strains.balls)
+    if not any(np.any(strain) for strain in (*rings, elements)):
+        return {}
+    pitch = np.asarray(bearing.pitch_diameter * (1.0 + 0.5 * (rings[0] + rings[1])))
+    if bearing.bearing_type.has_rollers:
+        diameter = np.asarray(bearing.roller_diameter * (1.0 + elements))
+        return {"roller_diameter": diameter, "pitch_diameter": pitch}
+    inner, outer = ((1.0 + ring) / (1.0 + elements) for ring in rings)
+    return {
+        "ball_diameter": np.asarray(bearing.ball_diameter * (1.0 + elements)),
+        "pitch_diameter": pitch,
+        "inner_conformity": np.asarray(bearing.inner_conformity * inner),
+        "outer_conformity": np.asarray(bearing.outer_conformity * outer),
+    }
+
+
 def raceways(bearing: Any) -> tuple[Any, Any, Any, Any]:
     """Diameters of the raceways, what an element takes of the radius between them, the clearance.
 

@@ -21,7 +21,13 @@ from rolamento.case import Case
 from rolamento.case.bearing import Bearing, clearance_fits
 from rolamento.case.mounting import Mounting
 from rolamento.case.roller_bearing import RollerBearing, roller_clearance_fits
-from rolamento.clearance.chain import Assembly, Chain, ChainResult, Temperatures
+from rolamento.clearance.chain import (
+    Assembly,
+    Chain,
+    ChainResult,
+    Temperatures,
+    warm_geometry,
+)
 from rolamento.clearance.measuring_load import usual_measuring_load
 from rolamento.clearance.standards import (
     BEARING_TOLERANCE_SOURCE,
@@ -73,6 +79,8 @@ class OperatingClearance:
     ----------
     bearing
         before mounting
+    warm_bearing
+        before mounting, with the sizes that the temperatures leave
     steps
         in their order
     minimum, mean, maximum
@@ -82,6 +90,7 @@ class OperatingClearance:
     """
 
     bearing: Bearing | RollerBearing
+    warm_bearing: Bearing | RollerBearing
     steps: tuple[Step, ...]
     minimum: float
     mean: float
@@ -99,7 +108,7 @@ class OperatingClearance:
         InputError
             If no bearing is left: the fits close it, or open it too far.
         """
-        return bearing_with_clearance(self.bearing, getattr(self, limit))
+        return bearing_with_clearance(self.warm_bearing, getattr(self, limit))
 
     def to_mapping(self) -> dict[str, Any]:
         """Give everything as plain mappings and lists, SI."""
@@ -204,7 +213,10 @@ def operating_clearance(
     result = chain.run(_at_limits(chain.initial), _at_limits(tight), _at_limits(held))
     steps = _chain_steps(chain, result)
     low, mean, high = steps[-1].clearance
-    return OperatingClearance(bearing, steps, low, mean, high, _warnings(chain, result, low, mean))
+    sizes = warm_geometry(bearing, chain.assembly.strains)
+    warm = bearing.replace(**{name: float(size) for name, size in sizes.items()})
+    warnings = _warnings(chain, result, low, mean)
+    return OperatingClearance(bearing, warm if sizes else bearing, steps, low, mean, high, warnings)
 
 
 def clearance_of_case(case: Case) -> OperatingClearance:

@@ -60,6 +60,7 @@ from rolamento.clearance.chain import (
     gathered,
     housing_bands,
     shaft_bands,
+    warm_geometry,
 )
 from rolamento.clearance.standards import Limit
 from rolamento.errors import InputError
@@ -186,21 +187,15 @@ def running_rows(
 
 
 def _balls(bearing: Any, clearance: FloatArray, strains: Strains) -> RunningRow:
-    diameter = np.asarray(bearing.ball_diameter, np.float64)
-    balls = 1.0 + np.asarray(strains.balls)
-    inner = bearing.inner_conformity * ((1.0 + np.asarray(strains.inner_ring)) / balls)
-    outer = bearing.outer_conformity * ((1.0 + np.asarray(strains.outer_ring)) / balls)
-    reach = diameter * balls * (inner + outer - 1.0)
+    names = ("ball_diameter", "pitch_diameter", "inner_conformity", "outer_conformity")
+    geometry = _geometry(bearing, names, strains)
+    diameter = geometry["ball_diameter"]
+    reach = diameter * (geometry["inner_conformity"] + geometry["outer_conformity"] - 1.0)
     lengths = [np.asarray(f) - 0.5 for f in (bearing.inner_conformity, bearing.outer_conformity)]
     mean = lengths[0] * strains.inner_ring + lengths[1] * strains.outer_ring
     angle = free_contact_angle(clearance, reach)
     return RunningRow(
-        geometry={
-            "ball_diameter": np.asarray(diameter * balls),
-            "pitch_diameter": _pitch(bearing, strains),
-            "inner_conformity": np.asarray(inner),
-            "outer_conformity": np.asarray(outer),
-        },
+        geometry=geometry,
         clearance=clearance,
         contact_angle=np.asarray(angle),
         touch=np.asarray(reach * np.sin(angle)),
@@ -212,29 +207,27 @@ def _balls(bearing: Any, clearance: FloatArray, strains: Strains) -> RunningRow:
 
 
 def _rollers(bearing: Any, clearance: FloatArray, strains: Strains) -> RunningRow:
-    diameter = bearing.roller_diameter * (1.0 + np.asarray(strains.balls))
+    geometry = _geometry(bearing, ("roller_diameter", "pitch_diameter"), strains)
     angle, touch = np.zeros(()), 0.0 * clearance
     if bearing.bearing_type.conical:
         angle = np.asarray(bearing.contact_angle, np.float64)
         touch = 0.5 * clearance / np.tan(angle)
     return RunningRow(
-        geometry={
-            "roller_diameter": np.asarray(diameter),
-            "pitch_diameter": _pitch(bearing, strains),
-        },
+        geometry=geometry,
         clearance=clearance,
         contact_angle=angle,
         touch=np.asarray(touch),
         stretch=np.ones(()),
         along=np.zeros(()),
         closed=np.zeros((), np.bool_),
-        shut=np.asarray(~roller_clearance_fits(clearance, diameter)),
+        shut=np.asarray(~roller_clearance_fits(clearance, geometry["roller_diameter"])),
     )
 
 
-def _pitch(bearing: Any, strains: Strains) -> FloatArray:
-    across = 0.5 * (np.asarray(strains.inner_ring) + np.asarray(strains.outer_ring))
-    return np.asarray(bearing.pitch_diameter * (1.0 + across))
+def _geometry(bearing: Any, names: tuple[str, ...], strains: Strains) -> dict[str, FloatArray]:
+    """The sizes of a row, as its temperatures leave them."""
+    own = {name: np.asarray(getattr(bearing, name), np.float64) for name in names}
+    return {**own, **warm_geometry(bearing, strains)}
 
 
 def _moved_along(

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings
+from rolamento.cli.common import NO_RESULT, SOLVED, Language, plain_endings
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import (
     CataloguesOption,
@@ -81,6 +81,12 @@ def shaft(
     points: Annotated[
         int, typer.Option("--points", metavar="N", help="With --over, values of it, 2 to 500.")
     ] = 15,
+    heat: Annotated[
+        bool,
+        typer.Option(
+            "--heat", help="How warm the bearings run, and what becomes of their loads: [heat]."
+        ),
+    ] = False,
     outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
 ) -> None:
@@ -92,6 +98,12 @@ def shaft(
         outputs.check({"--json": json, "--plot": plot}, machine)
         from rolamento.tasks.machines import analysed_machine
 
+        if heat:
+            if over is not None:
+                rule = said("cannot be combined with {before}", before="--over")
+                raise InputError(rule, source="--heat")
+            converged = _warm(machine, settings, catalogues, json, plot, outputs, lang)
+            raise typer.Exit(SOLVED if converged else NO_RESULT)
         if over is not None:
             converged = _vary(machine, over, settings, catalogues, points, json, plot, outputs)
             raise typer.Exit(SOLVED if converged else NO_RESULT)
@@ -134,6 +146,34 @@ def _draw(found: MachineAnalysis, kind: Kind, step: int | None, path: str) -> No
         Kind.bearings: machine.draw_bearings_in_place,
     }
     save_figure(draws[kind](solved, step=0 if step is None else step - 1), path)
+
+
+def _warm(
+    machine: str,
+    settings: list[str] | None,
+    catalogues: list[str] | None,
+    json: str | None,
+    plot: str | None,
+    outputs: Outputs,
+    lang: Language | None,
+) -> bool:
+    """Show how warm the bearings of a machine run; return whether there is a state."""
+    from rolamento.pages.machine_heat import machine_heat_page
+    from rolamento.tasks.machines import heat_of_machine
+
+    with waiting(lang):
+        found = heat_of_machine(machine, settings or (), catalogues or ())
+    if json is not None:
+        put(found.to_json() + "\n", json)
+    if plot is not None:
+        from rolamento.plots.heat import machine_heat_figure
+        from rolamento.plots.saving import save_figure
+
+        save_figure(machine_heat_figure(found), plot)
+    outputs.show(lambda: machine_heat_page(found), json)
+    if STANDARD_STREAM in (json, outputs.csv) and not found.converged:
+        complain(reason(found.status))
+    return found.converged
 
 
 def _vary(

@@ -262,9 +262,12 @@ def _said_of(bearings: Sequence[RossBearing], mark: str) -> str:
         " and tilts, of tilts:",
     ]
     for name, parts in groupby(bearings, key=lambda one: one.of):
-        first = next(parts)
-        cross, mixed, tilt = first.left_out
+        own = list(parts)
+        cross, mixed, tilt = own[0].left_out
         lines.append(f"  {name}: {cross:.4g} N/m, {mixed:.4g} N/rad, {tilt:.4g} N m/rad")
+        for one in own if len(own) > 1 or own[0].shaft else ():
+            where = f"shaft {one.shaft}" if one.shaft else "from its middle"
+            lines.append(f"    {one.name}: {where}, {one.position:.6g} m")
     return "".join(f"{mark} {_plain(line)}\n" for line in lines) + "\n"
 
 

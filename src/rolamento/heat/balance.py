@@ -21,40 +21,48 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Mapping
+from functools import cached_property
 from math import inf, nan
 from typing import Any, Final
 
 import numpy as np
 
 from rolamento.analysis import Analysis, analyse
-from rolamento.analysis.needs import has_friction, has_oil, machines_known
+from rolamento.analysis.needs import has_oil
 from rolamento.case import Case, case_of
 from rolamento.case.bearing import Bearing
 from rolamento.case.heat import Heat
 from rolamento.case.roller_bearing import RollerBearing
-from rolamento.errors import InputError
-from rolamento.friction import MachineBearing, friction
-from rolamento.friction.seals import seals_and_bath
-from rolamento.friction.summary import default_model, no_coefficient
+from rolamento.clearance import clearance_notes, clearance_of_case
+from rolamento.friction.summary import Friction
 from rolamento.geometry import clearance_of_angle, ring_geometry
 from rolamento.heat.network import NODES, HeatFlow, Network, network_of
+from rolamento.heat.warmed import Warmed, temperature_fields
 from rolamento.io.json import plain
-from rolamento.lubrication.films import film, has_film
-from rolamento.numerics import BoolArray, FloatArray
+from rolamento.lubrication.films import Film
+from rolamento.numerics import BoolArray, FloatArray, IntArray
 from rolamento.numerics.root import increasing_root
 from rolamento.records import frozen
-from rolamento.solution import solve
 from rolamento.solved import Solved
-from rolamento.words import Note, said
+from rolamento.system.mounted import notes_on_set
+from rolamento.words import Note
 
-__all__ = ["HeatBalance", "HeatCurve", "HeatRoot", "HeatState", "heat_balance"]
+__all__ = ["HeatBalance", "HeatCurve", "HeatRoot", "HeatState", "heat_balance", "heat_balances"]
 
-_POINTS: Final = 33
-"""Powers at which friction is looked at first, 4 K apart between 20 and 150 °C."""
-_CLOSER: Final = 4
-"""Rounds that look between two powers for roots that lie there together."""
-_TOLERANCE: Final = 1e-9
-"""Relative, of the power at a root: what the equilibrium of the elements is solved to."""
+CaseLike = Case | Bearing | RollerBearing | str | os.PathLike[str]
+
+_POINTS: Final = 17
+"""Powers at which friction is looked at first, some 8 K apart between 20 and 150 °C."""
+_CLOSER: Final = 8
+"""Rounds that halve intervals in which there may be more roots than their ends show."""
+_FINEST: Final = 2000.0
+"""Parts of the greatest power below which intervals are not halved, 0.07 K."""
+_EVENLY: Final = 33
+"""Powers at which the least friction at a speed is looked for, and where it has no equilibrium."""
+_TOLERANCE: Final = 1e-6
+"""Relative, of the last of Newton's steps to a root; one more follows with its final slope."""
+_APART: Final = 1e-4
+"""Share of an interval: the step by which Newton's method finds the slope."""
 _DOUBT: Final = 1e-6
 """Relative difference of friction and heat above which a root is none."""
 _SLOPE: Final = 1e-3
@@ -64,7 +72,6 @@ _BETWEEN: Final = 5
 _ROUNDS: Final = 6
 """6^-6 = 2e-5 of the speed is where these end."""
 _COLD: Final = ("inner_ring", "outer_ring", "balls", "shaft", "housing")
-_SPEEDS: Final = ("duty.inner_speed", "duty.outer_speed")
 RUNAWAY: Final = "thermal_runaway"
 
 
@@ -121,28 +128,60 @@ class HeatCurve:
 
 
 @frozen(eq=False)
+class _Batch:
+    """Solved cases with their film, friction and preload, of which a state is one.
+
+    alone: whether all of them are of one case.
+    """
+
+    solved: Solved
+    film: Film | None
+    friction: Friction | None
+    preload: FloatArray
+    by: str
+    alone: bool
+
+
+@frozen(eq=False, slots=False)
 class HeatState:
     """What a bearing is like at some temperatures.
 
     Attributes
     ----------
-    case
-        with these temperatures: analysed alone it gives this state
+    given
+        the case as it was given
     temperatures
         by node, K
-    analysis
-        film, friction and life of it
     torque
         of the friction that the heat balance uses, N·m
     power
         of it, W
     """
 
-    case: Case
+    given: Case
     temperatures: Mapping[str, float]
-    analysis: Analysis
     torque: float
     power: float
+    _batch: _Batch
+    _index: int
+    _threads: int | None = None
+
+    @cached_property
+    def case(self) -> Case:
+        """The case with these temperatures: analysed alone it gives this state."""
+        own = self.given.temperature
+        gone = {
+            f"temperature.{name}": None
+            for name in ("inner_spacer", "outer_spacer")
+            if getattr(own, name, None) is not None
+        }
+        at = temperature_fields(self.given, np.array(list(self.temperatures.values())))
+        return self.given.with_({**gone, **{name: float(value) for name, value in at.items()}})
+
+    @cached_property
+    def analysis(self) -> Analysis:
+        """Film, friction and life of it."""
+        return analyse(self.case, quick=True, threads=self._threads)
 
     @property
     def lubricant(self) -> float | None:
@@ -152,13 +191,18 @@ class HeatState:
     @property
     def preload(self) -> float | None:
         """Axial force between rows that face each other, without external load, at speed; N."""
-        preload = self.analysis.solved.preload
-        return None if preload is None else preload.at_speed
+        value = float(self._batch.preload[self._index])
+        return value if np.isfinite(value) else None
 
     @property
     def axial_load(self) -> float:
         """F_x: of a ring that is held axially the force that holds it; N."""
-        return float(self.analysis.solved.load.fx[0])
+        return float(self._batch.solved.load.fx[self._index])
+
+    @property
+    def axial_stiffness(self) -> float:
+        """Stiffness along the shaft, N/m."""
+        return float(self._batch.solved.stiffness.array[self._index, 0, 0])
 
     @property
     def clearance(self) -> tuple[float, ...]:
@@ -170,13 +214,13 @@ class HeatState:
     @property
     def contact_angle(self) -> tuple[float, ...]:
         """Free contact angle of each row as it runs, rad."""
-        return tuple(self.analysis.solved.rows.free_contact_angle[0].tolist())
+        return tuple(self._batch.solved.rows.free_contact_angle[self._index].tolist())
 
     @property
     def max_pressure(self) -> float:
         """The largest of all contacts, Pa."""
-        solved = self.analysis.solved
-        found = [contacts.max_pressure for contacts in (solved.inner, solved.outer)]
+        solved = self._batch.solved
+        found = [contacts.max_pressure[self._index] for contacts in (solved.inner, solved.outer)]
         if not np.isfinite(found).any():
             return nan
         return float(np.nanmax(found))
@@ -184,15 +228,33 @@ class HeatState:
     @property
     def film_parameter(self) -> float | None:
         """The minimum λ of all contacts; None without a film or roughness."""
-        found = self.analysis.film
-        value = nan if found is None else float(found.minimum_film_parameter[0])
+        found = self._batch.film
+        value = nan if found is None else float(found.minimum_film_parameter[self._index])
         return value if np.isfinite(value) else None
 
     @property
     def viscosity_ratio(self) -> float | None:
         """The ratio κ; None without an oil."""
-        found = self.analysis.film
-        return None if found is None else float(found.viscosity_ratio[0])
+        found = self._batch.film
+        value = nan if found is None else float(found.viscosity_ratio[self._index])
+        return value if np.isfinite(value) else None
+
+    @cached_property
+    def notes(self) -> tuple[Note, ...]:
+        """What the analysis says of it, without what a quick one leaves out."""
+        batch, index = self._batch, self._index
+        solved, lost = batch.solved, batch.friction
+        notes: list[Note] = []
+        if batch.alone:
+            notes = [*self.analysis.solved.notes[0], *self.analysis.notes]
+        elif solved.converged[index]:
+            notes = [*_of_mounting(self.case), *solved[index].notes[0]]
+        if lost is not None and batch.by == "contacts":
+            notes += lost.qualifications(solved, index)
+        elif lost is not None:
+            of_model = (one for one in lost.validity if one.model == batch.by)
+            notes += (note for one in of_model for note in one.notes_of(index))
+        return tuple(note for note in notes if note.key not in _LEFT_OUT)
 
     @property
     def life_hours(self) -> float | None:
@@ -203,14 +265,14 @@ class HeatState:
     def to_mapping(self) -> dict[str, Any]:
         """Give it as plain values, SI; the life in hours."""
         names = (
-            "lubricant", "preload", "axial_load", "clearance", "contact_angle", "max_pressure",
-            "film_parameter", "viscosity_ratio", "torque", "power", "life_hours",
+            "lubricant", "preload", "axial_load", "axial_stiffness", "clearance", "contact_angle",
+            "max_pressure", "film_parameter", "viscosity_ratio", "torque", "power", "life_hours",
         )  # fmt: skip
         own: dict[str, Any] = plain({name: getattr(self, name) for name in names})
         return {"temperatures": dict(self.temperatures), **own, "case": self.case.to_mapping()}
 
 
-@frozen(eq=False)
+@frozen(eq=False, slots=False)
 class HeatBalance:
     """The temperatures at which a bearing runs, and what becomes of its preload.
 
@@ -236,8 +298,6 @@ class HeatBalance:
         looked for
     merges
         whether two states merge there; else the coldest one comes to the temperature limit
-    notes
-        what to know about it
     """
 
     case: Case
@@ -250,7 +310,13 @@ class HeatBalance:
     curve: HeatCurve
     runaway: float
     merges: bool
-    notes: tuple[Note, ...]
+    _own_notes: tuple[Note, ...] = ()
+
+    @cached_property
+    def notes(self) -> tuple[Note, ...]:
+        """What to know about it."""
+        state = self.cold if self.warm is None else self.warm
+        return tuple(dict.fromkeys((*self._own_notes, *state.notes)))
 
     @property
     def converged(self) -> bool:
@@ -326,7 +392,7 @@ class HeatBalance:
 
 
 def heat_balance(
-    case: Case | Bearing | RollerBearing | str | os.PathLike[str],
+    case: CaseLike,
     *,
     look_for_speed: bool = True,
     threads: int | None = None,
@@ -365,208 +431,274 @@ def heat_balance(
     300 W, inner ring 57 °C
     """
     case = case_of(case)
-    balance = _Balance(case, threads)
-    return balance.answer(look_for_speed)
+    return balances_of(case, threads).answers(look_for_speed)[0]
 
 
-class _Balance:
-    """A heat balance in the making: what stays the same while powers and speeds are tried."""
+def heat_balances(
+    case: CaseLike,
+    values: Mapping[str, FloatArray],
+    *,
+    threads: int | None = None,
+) -> tuple[HeatBalance, ...]:
+    """Find the heat balances of a case over the values of some fields, all of them at once.
 
-    def __init__(self, case: Case, threads: int | None) -> None:
-        self.case, self.threads = case, threads
-        self.heat = case.heat or Heat()
-        self.gives_lubricant = case.lubricant_temperature is not None
-        self.by = self.heat.friction
-        if self.by != "contacts" and not has_oil(case):
-            raise no_coefficient(case)
-        self.cold_case = self.case_at(np.full(len(NODES), self.heat.ambient))
-        self.cold = analyse(self.cold_case, quick=True, threads=threads)
-        self.network = network_of(case, self.cold.solved)
-        solved = bool(self.cold.solved.converged[0])
-        self.most = self.network.most_power(self.heat.limit) if solved else nan
+    Parameters
+    ----------
+    case
+        As of `heat_balance`.
+    values
+        By the dotted names of fields, (points,) each, SI.
+    threads
+        As of `heat_balance`.
 
-    # --- the bearing at temperatures --------------------------------------------------------------
+    Returns
+    -------
+    tuple of HeatBalance
+        One a point, each as `heat_balance` gives it without looking for a speed.
 
-    def fields_at(self, temperatures: FloatArray) -> dict[str, FloatArray]:
-        """The temperatures of nodes (5, …) as fields of the case."""
-        inner, balls, outer, shaft, housing = temperatures
-        found = {"inner_ring": inner, "outer_ring": outer, "balls": balls}
-        if self.case.mounting is not None:
-            found |= {"shaft": shaft, "housing": housing}
-        if has_oil(self.case) and not self.gives_lubricant:
-            found["lubricant"] = 0.5 * (inner + outer)
-        return {f"temperature.{name}": value for name, value in found.items()}
+    Raises
+    ------
+    InputError
+        As `heat_balance`.
+    """
+    case = case_of(case)
+    count = len(next(iter(values.values())))
+    cases = tuple(
+        case.with_({name: float(array[index]) for name, array in values.items()})
+        for index in range(count)
+    )
+    fields = Case.fields()
+    of_network = {name for name in values if name.startswith("heat.")}
+    together = {name: np.asarray(a, np.float64) for name, a in values.items()}
+    together = {name: array for name, array in together.items() if name not in of_network}
+    if all(fields[name].varies for name in together) and "heat.friction" not in of_network:
+        return _Balances(case, together, cases, threads).answers(look_for_speed=False)
+    return tuple(heat_balance(one, look_for_speed=False, threads=threads) for one in cases)
 
-    def case_at(self, temperatures: FloatArray) -> Case:
-        """The case at the temperatures of nodes (5,); spacers follow shaft and housing."""
-        own = self.case.temperature
-        gone = {"inner_spacer": None, "outer_spacer": None}
-        spacers = {
-            f"temperature.{name}": None for name in gone if getattr(own, name, None) is not None
-        }
-        values = {name: float(value) for name, value in self.fields_at(temperatures).items()}
-        return self.case.with_({**spacers, **values})
 
-    def friction_of(self, solved: Solved) -> tuple[FloatArray, FloatArray]:
-        """Torque (N·m) and power (W) of solved cases; NaN without an equilibrium."""
-        if not has_friction(solved):
-            raise no_coefficient(self.case)
-        oil = film(solved) if has_film(solved) else None
-        machine: tuple[MachineBearing, ...]
-        if self.by == "contacts":
-            model, machine = default_model(solved), ()
-        else:
-            model, machine = default_model(solved, quick=True), machines_known(solved, oil)
-        found = friction(
-            solved,
-            model=model,
-            film_parameter=np.nan if oil is None else oil.minimum_film_parameter,
-            machine=machine,
-            compare=False,
-            threads=self.threads,
-        )
-        if self.by == "contacts":
-            torque, power = found.torque, found.power
-        else:
-            whole = found.models.get(self.by)
-            if whole is None:
-                raise InputError(
-                    said("needs a bearing with a designation that this model has constants for"),
-                    field="heat.friction",
-                    value=self.by,
-                    example='friction = "contacts"',
+def balances_of(case: Case, threads: int | None = None) -> _Balances:
+    """Return a heat balance in the making, for those who look at other speeds."""
+    return _Balances(case, {}, (case,), threads)
+
+
+class _Balances:
+    """Heat balances in the making: what stays the same while powers and speeds are tried.
+
+    cases: each as it is given; values: what differs between them, for `Warmed`.
+    """
+
+    def __init__(
+        self,
+        case: Case,
+        values: Mapping[str, FloatArray],
+        cases: tuple[Case, ...],
+        threads: int | None,
+    ) -> None:
+        self.cases, self.threads = cases, threads
+        self.warmed = Warmed(case, values, threads)
+        self.heats = [one.heat or Heat() for one in cases]
+        self.each = np.arange(len(cases))
+        self.ambient = np.tile([heat.ambient for heat in self.heats], (len(NODES), 1))
+        self.cold = self.warmed.solved(self.ambient, self.each)
+        self.nets = [network_of(one, self.cold, index) for index, one in enumerate(cases)]
+        self.most = np.array(
+            [
+                net.most_power(heat.limit) if solved else nan
+                for net, heat, solved in zip(
+                    self.nets, self.heats, self.cold.converged.tolist(), strict=True
                 )
-            torque, power = whole.total, whole.power
-        beside = seals_and_bath(solved, oil)
-        if beside is not None:
-            torque, power = torque + beside.torque, np.abs(power) + beside.power
-        return (
-            np.where(solved.converged, torque, np.nan),
-            np.where(solved.converged, np.abs(power), np.nan),
+            ]
         )
-
-    def friction_at(self, power: FloatArray) -> FloatArray:
-        """Friction at the temperatures that a power makes, W."""
-        return self.friction_over(self.network.temperatures(power))
 
     def friction_over(
-        self, temperatures: FloatArray, factor: FloatArray | float = 1.0
+        self, temperatures: FloatArray, which: IntArray, factor: FloatArray | float = 1.0
     ) -> FloatArray:
-        """Friction at temperatures of the nodes (5, n), at a multiple of the speeds; W."""
-        fields = self.fields_at(temperatures)
-        if self.case.mounting is None:  # those of the rings act through it
-            fields = {name: one for name, one in fields.items() if name.endswith("lubricant")}
-        duty = self.case.duty
-        for name, speed in zip(_SPEEDS, (duty.inner_speed, duty.outer_speed), strict=True):
-            fields[name] = np.broadcast_to(factor * speed, temperatures.shape[1:])
-        solved = solve(self.cold_case, fields, threads=self.threads)
-        return self.friction_of(solved)[1]
+        """Friction of cases at temperatures (5, n), at multiples of the speeds; (n,), W."""
+        return self.warmed.power(temperatures, which, speed=factor)
 
-    def state(self, temperatures: FloatArray, analysis: Analysis | None = None) -> HeatState:
-        case = self.case_at(temperatures)
-        found = analysis or analyse(case, quick=True, threads=self.threads)
-        torque = power = nan
-        if found.solved.converged[0]:
-            torque, power = (float(one[0]) for one in self.friction_of(found.solved))
-        return HeatState(
-            case, dict(zip(NODES, temperatures.tolist(), strict=True)), found, torque, power
-        )
+    def friction_at(self, power: FloatArray, which: IntArray) -> FloatArray:
+        """Friction of cases at the temperatures that powers (n,) make, W."""
+        return self.friction_over(self.at(power, which), which)
+
+    def at(self, power: FloatArray, which: IntArray) -> FloatArray:
+        """Temperatures of the nodes of cases at powers (n,); (5, n), K."""
+        pairs = zip(which.tolist(), power, strict=True)
+        return np.array([self.nets[k].temperatures(one) for k, one in pairs]).T
 
     # --- the roots --------------------------------------------------------------------------------
 
-    def answer(self, look_for_speed: bool) -> HeatBalance:
-        cold = self.state(np.full(len(NODES), self.heat.ambient), self.cold)
-        status = str(self.cold.solved.status.code[0])
-        roots: tuple[HeatRoot, ...] = ()
-        power = values = np.zeros(0)
-        runaway, merges, notes = nan, False, list(self._notes())
-        if status == "converged":
-            power, values = self.scanned()
-            roots, doubtful = self.roots(power, values)
-            if not any(root.stable for root in roots):
-                status = "not_converged" if doubtful else RUNAWAY
-        if status == RUNAWAY:
-            runaway, merges = self.runaway() if look_for_speed else (nan, False)
-            notes.insert(0, self._runaway_note(power, values, runaway, merges))
-        warm: HeatState | None = None
-        flows: tuple[HeatFlow, ...] = ()
-        if status == "converged":
-            root = next(one for one in roots if one.stable)
-            temperatures = self.network.temperatures(root.power)
-            warm, flows = self.state(temperatures), self.network.flows(temperatures, root.power)
-            hotter = [one for one in roots if not one.stable]
-            if hotter:
-                hot = max(hotter[0].temperatures.values())
-                notes.append(Note("hotter_unstable_state", {"temperature": hot}))
-        notes += self._notes_of(warm or cold)
-        at = self.network.temperatures(power) if len(power) else np.zeros((len(NODES), 0))
-        curve = HeatCurve(power, at, values)
-        return HeatBalance(
-            self.case, status, self.network, cold, warm, flows, roots, curve, runaway, merges,
-            tuple(dict.fromkeys(notes)),
-        )  # fmt: skip
+    def answers(self, look_for_speed: bool) -> tuple[HeatBalance, ...]:
+        """All balances."""
+        curves = self.scanned()
+        cold, roots, warm, doubtful = self.states_of(*self.roots(curves))
+        balances = []
+        for index, (case, net) in enumerate(zip(self.cases, self.nets, strict=True)):
+            runaway, merges, notes = nan, False, list(self._notes(index))
+            status = str(self.cold.status.code[index])
+            place = next((k for k, root in enumerate(roots[index]) if root.stable), None)
+            if status == "converged" and place is None:
+                status = "not_converged" if doubtful[index] else RUNAWAY
+            if status == RUNAWAY:
+                runaway, merges = self.runaway(index) if look_for_speed else (nan, False)
+                notes.insert(0, self._runaway_note(index, curves[index], runaway, merges))
+            flows: tuple[HeatFlow, ...] = ()
+            if place is not None:
+                root = roots[index][place]
+                flows = net.flows(np.array(list(root.temperatures.values())), root.power)
+                hotter = [one for one in roots[index] if not one.stable]
+                if hotter:
+                    hot = max(hotter[0].temperatures.values())
+                    notes.append(Note("hotter_unstable_state", {"temperature": hot}))
+            power, values = curves[index]
+            at = net.temperatures(power) if len(power) else np.zeros((len(NODES), 0))
+            balances.append(
+                HeatBalance(
+                    case, status, net, cold[index], None if place is None else warm[index][place],
+                    flows, roots[index], HeatCurve(power, at, values), runaway, merges,
+                    tuple(notes),
+                )
+            )  # fmt: skip
+        return tuple(balances)
 
-    def scanned(self) -> tuple[FloatArray, FloatArray]:
-        """Powers up to the temperature limit, and the friction there."""
-        if self.most < 0.0:
-            return np.zeros(0), np.zeros(0)
-        power = np.linspace(0.0, self.most, _POINTS)
-        values = self.friction_at(power)
-        for _ in range(_CLOSER):
-            more = _between(power, values - power)
-            if not len(more):
+    def states_of(
+        self, which: IntArray, powers: FloatArray
+    ) -> tuple[
+        list[HeatState], list[tuple[HeatRoot, ...]], list[tuple[HeatState, ...]], list[bool]
+    ]:
+        """The cold state of each case, its roots, the states there, and whether one is doubtful.
+
+        which: of which case a root is; powers: where it probably is, W. Cold states, roots and what
+        lies beside them for their slopes are solved together.
+        """
+        most = self.most[which]
+        step = _SLOPE * most
+        below, above = np.maximum(powers - step, 0.0), np.minimum(powers + step, most)
+        every = np.concatenate([self.each, np.tile(which, 3)])
+        at = self.ambient
+        if len(which):
+            at = np.hstack(
+                [at, self.at(np.concatenate([powers, below, above]), every[len(at.T) :])]
+            )
+        torque, power, batch = self.looked_at(at, every)
+        count, roots = len(self.cases), len(which)
+        own, low, high = np.split(power[count:], 3)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            slopes = (high - low) / (above - below)
+            exact = powers - (powers - own) / (1.0 - slopes)  # a last step of Newton's
+            good = np.abs(own - powers) <= _DOUBT * np.maximum(powers, 1e-4 * step)
+            exact = np.where(np.isfinite(exact) & good, np.clip(exact, 0.0, most), powers)
+
+        def state(index: int) -> HeatState:
+            temperatures = dict(zip(NODES, at[:, index].tolist(), strict=True))
+            return HeatState(
+                self.cases[int(every[index])], temperatures, float(torque[index]),
+                float(power[index]), batch, index, self.threads,
+            )  # fmt: skip
+
+        found: list[tuple[HeatRoot, ...]] = []
+        warm: list[tuple[HeatState, ...]] = []
+        doubtful = []
+        for index in range(count):
+            places = [k for k in range(roots) if which[k] == index]
+            kept = sorted((k for k in places if good[k]), key=lambda k: float(powers[k]))
+            doubtful.append(len(kept) < len(places))
+            found.append(
+                tuple(
+                    HeatRoot(
+                        float(exact[k]),
+                        dict(
+                            zip(
+                                NODES,
+                                self.nets[index].temperatures(exact[k]).tolist(),
+                                strict=True,
+                            )
+                        ),
+                        float(slopes[k]),
+                    )
+                    for k in kept
+                )
+            )
+            warm.append(tuple(state(count + k) for k in kept))
+        return [state(index) for index in range(count)], found, warm, doubtful
+
+    def looked_at(
+        self, temperatures: FloatArray, which: IntArray
+    ) -> tuple[FloatArray, FloatArray, _Batch]:
+        """Torque (N·m) and power (W) of cases at temperatures (5, n), and all that is known."""
+        warmed = self.warmed
+        solved = warmed.solved(temperatures, which)
+        torque = power = np.full(len(solved), nan)
+        oil: Film | None = None
+        lost: Friction | None = None
+        if solved.converged.any():
+            oil, lost = warmed.friction_of(solved)
+            torque, power = warmed.torque_and_power(solved, oil, lost)
+        alone = len(self.cases) == 1
+        return torque, power, _Batch(solved, oil, lost, warmed.preload(solved), warmed.by, alone)
+
+    def scanned(self) -> list[tuple[FloatArray, FloatArray]]:
+        """Powers of each case up to the temperature limit, and the friction there."""
+        curves = [(np.zeros(0), np.zeros(0)) for _ in self.cases]
+        wanted = [
+            np.linspace(0.0, most, _POINTS) if most >= 0.0 else np.zeros(0)
+            for most in self.most.tolist()
+        ]
+        for _ in range(_CLOSER + 1):
+            which = np.repeat(self.each, [len(one) for one in wanted])
+            if not len(which):
                 break
-            power = np.concatenate([power, more])
-            values = np.concatenate([values, self.friction_at(more)])
-            order = np.argsort(power)
-            power, values = power[order], values[order]
-        return power, values
+            found = self.friction_at(np.concatenate(wanted), which)
+            parts = np.split(found, np.cumsum([len(one) for one in wanted])[:-1])
+            for index, (more, values) in enumerate(zip(wanted, parts, strict=True)):
+                power = np.concatenate([curves[index][0], more])
+                order = np.argsort(power)
+                curves[index] = power[order], np.concatenate([curves[index][1], values])[order]
+            wanted = [
+                _between(power, values - power) if len(more) else more
+                for more, (power, values) in zip(wanted, curves, strict=True)
+            ]
+        return curves
 
-    def roots(self, power: FloatArray, values: FloatArray) -> tuple[tuple[HeatRoot, ...], bool]:
-        """All roots, and whether one of them could not be found as it should."""
-        h = values - power
-        found = [float(power[i]) for i in np.flatnonzero(h == 0.0)]
-        crossed = np.flatnonzero(h[:-1] * h[1:] < 0.0)
-        doubtful = False
-        if len(crossed):
-            lower, upper = power[crossed], power[crossed + 1]
-            sign = np.where(h[crossed] > 0.0, 1.0, -1.0)  # of roots that end in the stable state
-            step = 1e-4 * (upper - lower)
+    def roots(self, curves: list[tuple[FloatArray, FloatArray]]) -> tuple[IntArray, FloatArray]:
+        """The case of each root, and its power but for a last step, (roots,), W."""
+        exact: list[tuple[int, float]] = []
+        which, ends = [], []
+        for index, (power, values) in enumerate(curves):
+            h = values - power
+            exact += [(index, float(power[i])) for i in np.flatnonzero(h == 0.0)]
+            for i in np.flatnonzero(h[:-1] * h[1:] < 0.0).tolist():
+                which.append(index)
+                ends.append((power[i], power[i + 1], h[i], _started(power, h, i)))
+        cases = np.array([*(index for index, _ in exact), *which], np.int64)
+        known = np.array([power for _, power in exact])
+        if not ends:
+            return cases, known
+        own_cases = np.array(which)
+        lower, upper, first, start = np.array(ends).T
+        sign = np.where(first > 0.0, 1.0, -1.0)  # of roots that end in the stable state
+        step = _APART * (upper - lower)
 
-            def excess(x: FloatArray) -> tuple[FloatArray, FloatArray]:
-                beside = np.where(x + step <= upper, x + step, x - step)
-                own, next_to = np.split(self.friction_at(np.concatenate([x, beside])), 2)
-                slope = 1.0 - (next_to - own) / (beside - x)
-                return sign * (x - own), sign * slope
+        def excess(x: FloatArray) -> tuple[FloatArray, FloatArray]:
+            beside = np.where(x + step <= upper, x + step, x - step)
+            both = self.friction_at(np.concatenate([x, beside]), np.tile(own_cases, 2))
+            own, next_to = np.split(both, 2)
+            slope = 1.0 - (next_to - own) / (beside - x)
+            return sign * (x - own), sign * slope
 
-            start = lower + (upper - lower) * h[crossed] / (h[crossed] - h[crossed + 1])
-            x, _ = increasing_root(excess, start, lower, upper, tolerance=_TOLERANCE)
-            x = np.where(np.isfinite(x), x, 0.5 * (lower + upper))
-            off = np.abs(self.friction_at(x) - x)
-            good = off <= _DOUBT * np.maximum(x, step)
-            doubtful = not bool(good.all())
-            found += x[good].tolist()
-        return tuple(self._root(at) for at in sorted(found)), doubtful
+        x, _ = increasing_root(excess, start, lower, upper, tolerance=_TOLERANCE)
+        x = np.where(np.isfinite(x), x, 0.5 * (lower + upper))
+        return cases, np.concatenate([known, x])
 
-    def _root(self, power: float) -> HeatRoot:
-        step = _SLOPE * self.most
-        ends = np.array([max(power - step, 0.0), min(power + step, self.most)])
-        values = self.friction_at(ends)
-        temperatures = self.network.temperatures(power)
-        return HeatRoot(
-            power,
-            dict(zip(NODES, temperatures.tolist(), strict=True)),
-            float((values[1] - values[0]) / (ends[1] - ends[0])),
-        )
+    # --- the highest speed ------------------------------------------------------------------------
 
-    def runaway(self) -> tuple[float, bool]:
+    def runaway(self, index: int, low: float = 0.0, high: float = 1.0) -> tuple[float, bool]:
         """The multiple of the speeds up to which there is a state, and whether two merge there."""
-        if self.most < 0.0:
+        if self.most[index] < 0.0:
             return nan, False
-        low, high, merges = 0.0, 1.0, False
+        merges = False
         for _ in range(_ROUNDS):
             factors = np.linspace(low, high, _BETWEEN + 2)[1:-1]
-            least, at_end = self._least_excess(factors)
+            least, at_end = self.least_excess(index, factors)
             without = np.flatnonzero(~(least <= 0.0))
             first = int(without[0]) if len(without) else len(factors)
             if first < len(factors):
@@ -575,78 +707,64 @@ class _Balance:
                 low = float(factors[first - 1])
         return low, merges
 
-    def _least_excess(self, factors: FloatArray) -> tuple[FloatArray, BoolArray]:
-        """Least h of each multiple of the speeds, and whether it lies at the temperature limit."""
-        duty = self.case.duty
-        speeds = {
-            name: factors * speed
-            for name, speed in zip(_SPEEDS, (duty.inner_speed, duty.outer_speed), strict=True)
-        }
-        cold = solve(self.cold_case, speeds, threads=self.threads)
-        known = cold.converged
+    def least_excess(self, index: int, factors: FloatArray) -> tuple[FloatArray, BoolArray]:
+        """Least h at each multiple of the speeds, and whether it lies at the temperature limit."""
+        own = np.full(len(factors), index)
+        cold = self.warmed.solved(self.ambient[:, own], own, speed=factors)
+        known, case, limit = cold.converged, self.cases[index], self.heats[index].limit
         nets = [
-            network_of(self.case, cold, index) if known[index] else self.network
-            for index in range(len(factors))
+            network_of(case, cold, place) if known[place] else self.nets[index]
+            for place in range(len(factors))
         ]
-        most = np.array([net.most_power(self.heat.limit) for net in nets])
+        most = np.array([net.most_power(limit) for net in nets])
 
         def excess(power: FloatArray) -> FloatArray:
-            at = [net.temperatures(own) for net, own in zip(nets, power, strict=True)]
+            at = [net.temperatures(one) for net, one in zip(nets, power, strict=True)]
             points = power.shape[1]
-            found = self.friction_over(np.concatenate(at, axis=1), np.repeat(factors, points))
+            which, factor = np.repeat(own, points), np.repeat(factors, points)
+            found = self.friction_over(np.concatenate(at, axis=1), which, factor)
             h = found.reshape(power.shape) - power
             return np.where(np.isfinite(h) & known[:, np.newaxis], h, inf)
 
-        power = np.linspace(0.0, most, _POINTS, axis=1)
+        power = np.linspace(0.0, most, _EVENLY, axis=1)
         h = excess(power)
         place = np.argmin(h, axis=1)
         each = np.arange(len(factors))
-        before, after = np.maximum(place - 1, 0), np.minimum(place + 1, _POINTS - 1)
+        before, after = np.maximum(place - 1, 0), np.minimum(place + 1, _EVENLY - 1)
         closer = np.linspace(power[each, before], power[each, after], 2 * _BETWEEN + 1, axis=1)
         least = np.minimum(h.min(axis=1), excess(closer).min(axis=1))
-        return least, place == _POINTS - 1
+        return least, place == _EVENLY - 1
 
     # --- what to know -----------------------------------------------------------------------------
 
-    def _notes(self) -> list[Note]:
-        notes = []
-        if self.network.estimated:
-            notes.append(Note("conductances_estimated", {"names": list(self.network.estimated)}))
-        if self.case.mounting is None:
+    def _notes(self, index: int) -> list[Note]:
+        case, network, notes = self.cases[index], self.nets[index], []
+        if network.estimated:
+            notes.append(Note("conductances_estimated", {"names": list(network.estimated)}))
+        if case.mounting is None:
             notes.append(Note("heat_without_mounting"))
-        if self.gives_lubricant and has_oil(self.case):
-            warm = self.case.lubricant_temperature
+        if self.warmed.gives_lubricant and has_oil(case):
+            warm = case.lubricant_temperature
             notes.append(Note("lubricant_keeps_temperature", {"temperature": warm}))
-        own = self.case.temperature
+        own = case.temperature
         names = (*_COLD, "inner_spacer", "outer_spacer")
         given = [name for name in names if getattr(own, name, None) is not None]
         if given:
             notes.append(Note("temperatures_of_balance", {"names": given}))
         return notes
 
-    def _notes_of(self, state: HeatState) -> list[Note]:
-        """What the analysis of a state says, without what a quick one leaves out."""
-        found = state.analysis
-        notes = [*found.solved.notes[0], *found.notes]
-        if found.friction is not None and self.by == "contacts":
-            notes += found.friction.qualifications(found.solved)
-        elif found.friction is not None:
-            of_model = (one for one in found.friction.validity if one.model == self.by)
-            notes += (note for one in of_model for note in one.notes_of(0))
-        return [note for note in notes if note.key not in _LEFT_OUT]
-
     def _runaway_note(
-        self, power: FloatArray, values: FloatArray, runaway: float, merges: bool
+        self, index: int, curve: tuple[FloatArray, FloatArray], runaway: float, merges: bool
     ) -> Note:
-        limit = self.heat.limit
-        if self.most < 0.0:
+        limit = self.heats[index].limit
+        if self.most[index] < 0.0:
             return Note("heated_past_limit", {"limit": limit})
-        duty = self.case.duty
+        duty, (power, values) = self.cases[index].duty, curve
         speed = max(duty.inner_speed, duty.outer_speed, key=abs)
         lost = power[~np.isfinite(values)]
         warm = None
         if len(lost):
-            warm = float(self.network.temperatures(lost.min()).max())
+            warm = float(self.nets[index].temperatures(lost.min()).max())
         return Note(
             RUNAWAY,
             {
@@ -659,22 +777,53 @@ class _Balance:
         )
 
 
+def _started(power: FloatArray, h: FloatArray, i: int) -> float:
+    """Where h changes its sign between two points, by a cubic through two more."""
+    some = slice(max(i - 1, 0), i + 3)
+    x, y = power[some], h[some]
+    low, high = float(power[i]), float(power[i + 1])
+    line = low + (high - low) * float(h[i] / (h[i] - h[i + 1]))
+    if not np.isfinite(y).all():
+        return line
+    scale = high - low
+    roots = np.roots(np.polyfit((x - low) / scale, y, len(x) - 1))
+    real = [float(one.real) for one in roots if abs(one.imag) < 1e-9 and 0.0 <= one.real <= 1.0]
+    return low + scale * real[0] if len(real) == 1 else line
+
+
 def _between(power: FloatArray, h: FloatArray) -> FloatArray:
-    """Powers to look at where h comes close to zero between points and may touch it."""
-    more: list[float] = []
-    for i in range(1, len(power) - 1):
-        before, here, after = h[i - 1 : i + 2]
-        if not (np.isfinite([before, here, after]).all() and before * here > 0.0 < here * after):
-            continue
-        if abs(here) > min(abs(before), abs(after)):
-            continue
-        curve = np.polyfit(power[i - 1 : i + 2] - power[i], [before, here, after], 2)
-        vertex = here - curve[1] ** 2 / (4.0 * curve[0]) if curve[0] else here
-        if vertex / here > 0.5:  # far from zero
-            continue
-        for end in (power[i - 1], power[i + 1]):
-            more += [power[i] + part * (end - power[i]) for part in (0.25, 0.5, 0.75)]
-    return np.array(more)
+    """Middles of intervals in which h may have roots that the signs at their ends do not show.
+
+    Its second derivative, by neighbours, bounds how far h may dip between two points of one sign,
+    and how much its slope may turn between two of different signs; doubled for safety.
+    """
+    count = len(power)
+    if count < 3:
+        return np.zeros(0)
+    step = np.diff(power)
+    slope = np.diff(h) / step
+    bend = np.abs(np.diff(slope)) / (0.5 * (step[:-1] + step[1:]))
+    bend = np.concatenate([bend[:1], bend, bend[-1:]])  # at every point
+    with np.errstate(invalid="ignore"):
+        most = 2.0 * np.fmax(bend[:-1], bend[1:])
+        dips = np.fmin(np.abs(h[:-1]), np.abs(h[1:])) < most * step**2 / 8.0
+        turns = np.abs(slope) < 0.5 * most * step
+        crosses = h[:-1] * h[1:] < 0.0
+    known = np.isfinite(h[:-1]) & np.isfinite(h[1:]) & np.isfinite(most)
+    looked = np.where(crosses, turns, dips & turns) & known & (h[:-1] != 0.0) & (h[1:] != 0.0)
+    looked &= step > power[-1] / _FINEST
+    edges = np.isfinite(h[:-1]) != np.isfinite(h[1:])
+    looked |= edges & (step > power[-1] / _EVENLY)
+    return np.asarray(0.5 * (power[:-1] + power[1:])[looked])
+
+
+def _of_mounting(case: Case) -> tuple[Note, ...]:
+    """What `rolamento.solve` says of the fits of a single case, but for stages of the preload."""
+    if case.mounting is None:
+        return ()
+    if case.bearing.is_set:
+        return notes_on_set(case, ())
+    return clearance_notes(clearance_of_case(case))
 
 
 def _clearance(bearing: Bearing | RollerBearing) -> float:

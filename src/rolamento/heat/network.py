@@ -20,6 +20,9 @@ The third is how two half-spaces that touch for the time 2b/u conduct, with a co
 and the speed u of its surfaces, e = √(k ρ c); the second part of it is the constriction of two
 half-spaces at rest (Carslaw, Jaeger, Conduction of Heat in Solids, 2nd ed. (1959), 2.8 and 8.2).
 The oil between them is left out, which may make it several times too large.
+
+What the nodes store, C, is ρ c of steel times their volumes: the rings up to the pitch circle less
+or more an element, the elements, the shaft and a housing of 1.5 D over three widths of the bearing.
 """
 
 from __future__ import annotations
@@ -32,7 +35,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from rolamento.case import Case
+from rolamento.case.bearing import Bearing
 from rolamento.case.heat import Heat
+from rolamento.case.roller_bearing import RollerBearing
 from rolamento.errors import InputError
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
@@ -40,7 +45,16 @@ from rolamento.solved import Solved
 from rolamento.speeds import reference_heat_flow
 from rolamento.words import said
 
-__all__ = ["CONDUCTANCES", "NODES", "OIL_CAPACITY", "HeatFlow", "Network", "network_of"]
+__all__ = [
+    "CAPACITIES",
+    "CONDUCTANCES",
+    "NODES",
+    "OIL_CAPACITY",
+    "HeatFlow",
+    "Network",
+    "capacities_of",
+    "network_of",
+]
 
 NODES: Final = ("inner_ring", "elements", "outer_ring", "shaft", "housing")
 AMBIENT: Final = "ambient"
@@ -54,6 +68,8 @@ CONDUCTANCES: Final[Mapping[str, tuple[str, str]]] = {
     "housing_ambient": ("housing", AMBIENT),
 }
 """Fields of [heat], and what each lies between."""
+CAPACITIES: Final = tuple(f"{node}_capacity" for node in NODES)
+"""Fields of [heat]: what the nodes store."""
 OIL_CAPACITY: Final = 30.0 * 60e3
 """ρ c of oil, J/(m³ K): 30 W take it through 1 K at 1 l/min."""
 SEAT: Final = 5e3
@@ -62,6 +78,10 @@ REFERENCE_RISE: Final = 50.0
 """K of the outer ring above ambient at which ISO 15312 gives the heat flow."""
 CONDUCTIVITY, DENSITY, CAPACITY = 46.0, 7800.0, 460.0
 """k, ρ and c of bearing steel: W/(m K), kg/m³, J/(kg K)."""
+SEAT_WIDTHS: Final = 3.0
+"""Widths of the bearing along which shaft and housing are taken to warm with it."""
+HOUSING_WALL: Final = 1.5
+"""Outside diameter of a housing over that of the bearing, if nothing is given."""
 _EFFUSIVITY: Final = sqrt(CONDUCTIVITY * DENSITY * CAPACITY)
 
 
@@ -123,9 +143,11 @@ class Network:
             still, (-1, *(1,) * np.ndim(power))
         )
 
-    def _line(self) -> tuple[FloatArray, FloatArray]:
-        """T at P = 0, K, and dT/dP, K/W; above ambient, so that no digits are lost."""
-        self._check_ways_out()
+    def equations(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+        """A (5, 5), W/K, b (5,), W, and the shares s (5,) of A T = b + P s, T above ambient.
+
+        With the capacities C of the nodes, C dT/dt = b + P s - A T.
+        """
         size = len(NODES)
         matrix, source = np.zeros((size, size)), np.zeros(size)
         for name, (start, end) in CONDUCTANCES.items():
@@ -143,6 +165,12 @@ class Network:
         share = np.zeros(size)
         share[NODES.index("inner_ring")] = self.inner_share
         share[NODES.index("outer_ring")] = 1.0 - self.inner_share
+        return matrix, source, share
+
+    def _line(self) -> tuple[FloatArray, FloatArray]:
+        """T at P = 0, K, and dT/dP, K/W; above ambient, so that no digits are lost."""
+        self._check_ways_out()
+        matrix, source, share = self.equations()
         found = np.linalg.solve(matrix, np.stack([source, share], axis=1))
         still, slope = np.asarray(found, np.float64).T
         return self.ambient + still, slope
@@ -221,6 +249,58 @@ def network_of(case: Case, cold: Solved, index: int = 0) -> Network:
         inner_share=heat.inner_share,
         estimated=estimated,
     )
+
+
+def capacities_of(case: Case) -> tuple[FloatArray, tuple[str, ...]]:
+    """Return the heat that warms each node by 1 K, (5,), J/K, and which of them are estimates.
+
+    Parameters
+    ----------
+    case
+        Its [heat] may be missing: all of it is estimated then.
+
+    Raises
+    ------
+    InputError
+        If a size that an estimate needs is missing.
+    """
+    heat = case.heat or Heat()
+    given = {name: getattr(heat, name) for name in CAPACITIES}
+    estimated = tuple(name for name, value in given.items() if value is None)
+    values = [_capacity(name, case, heat) if own is None else own for name, own in given.items()]
+    return np.array(values, np.float64), estimated
+
+
+def _capacity(name: str, case: Case, heat: Heat) -> float:
+    """ρ c of steel times the volume of a node, of all bearings of the case; J/K."""
+    bearing, mounting = case.bearing, case.mounting
+    rows = [place.bearing for place in bearing.places]
+    if name == "elements_capacity":
+        return DENSITY * CAPACITY * sum(_elements(row) for row in rows)
+    bore, outside, width = (
+        _size(case, heat, size, name) for size in ("bore", "outside_diameter", "width")
+    )
+    within = rows[0].pitch_diameter - rows[0].element_diameter
+    around = rows[0].pitch_diameter + rows[0].element_diameter
+    hollow = 0.0 if mounting is None else mounting.shaft_bore
+    wall = None if mounting is None else mounting.housing_outside_diameter
+    ends = {
+        "inner_ring_capacity": (bore, within, 1.0),
+        "outer_ring_capacity": (around, outside, 1.0),
+        "shaft_capacity": (hollow, bore, SEAT_WIDTHS),
+        "housing_capacity": (outside, wall or HOUSING_WALL * outside, SEAT_WIDTHS),
+    }
+    inside, edge, widths = ends[name]
+    count = len(bearing.places) // bearing.rows_of_one_bearing
+    area = 0.25 * pi * max(edge**2 - inside**2, 0.01 * edge**2)
+    return DENSITY * CAPACITY * count * area * widths * width
+
+
+def _elements(row: Bearing | RollerBearing) -> float:
+    """Volume of the elements of a row, m³."""
+    if isinstance(row, Bearing):
+        return row.ball_count * pi / 6.0 * row.ball_diameter**3
+    return row.roller_count * 0.25 * pi * row.roller_diameter**2 * row.effective_length
 
 
 def _estimate(name: str, case: Case, heat: Heat, cold: Solved, index: int) -> float:

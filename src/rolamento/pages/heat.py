@@ -26,7 +26,7 @@ from rolamento.heat import CONDUCTANCES, NODES
 from rolamento.pages.across import cautions_over, field_column
 from rolamento.pages.friction import torque_unit
 from rolamento.pages.given import untitled
-from rolamento.pages.notes import cautions_section, notes_section, remarks_of
+from rolamento.pages.notes import cautions, cautions_section, notes_section, remarks_of
 from rolamento.words import marked, said
 from rolamento.words.reasons import reason
 from rolamento.words.sentences.heat import CONDUCTANCE_NAMES, PLACE_NAMES
@@ -39,7 +39,12 @@ if TYPE_CHECKING:
     from rolamento.heat import HeatBalance, HeatState
     from rolamento.studies.heat_curves import HeatOver
 
-__all__ = ["heat_over_page", "heat_page"]
+__all__ = ["heat_blocks", "heat_over_page", "heat_page"]
+
+_OF_HEAT: Final = (
+    "thermal_runaway", "heated_past_limit", "conductances_estimated", "heat_without_mounting",
+    "lubricant_keeps_temperature", "hotter_unstable_state",
+)  # fmt: skip
 
 _STABLE: Final = {True: marked("stable"), False: marked("unstable")}
 
@@ -71,6 +76,21 @@ def heat_page(found: HeatBalance) -> Document:
         sections.append(Section("", (figure,), key="figure"))
     sections += notes_section(remarks_of(found.notes))
     return Document(title, tuple(sections), kind="heat", main="nodes")
+
+
+def heat_blocks(found: HeatBalance) -> list[Block]:
+    """Return a heat balance as a part of a report: its state, temperatures, flows, cold and warm.
+
+    Parameters
+    ----------
+    found
+        As of `heat_page`.
+    """
+    sections = [] if found.warm is None else [_nodes(found), _flows(found)]
+    sections.append(_states_beside(found))
+    own = [*_headline(found), *(block for one in sections for block in one.blocks)]
+    remarks = cautions([note for note in found.notes if note.key in _OF_HEAT])
+    return [*own, *remarks]
 
 
 def _picture(found: HeatBalance) -> Picture:

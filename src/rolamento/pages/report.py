@@ -768,7 +768,7 @@ def _results(report: Report) -> list[Section | Beside]:
     )
     loads = _ball_loads(report)
     sections += [Section(compared, loads, "ball_loads", level=3)] * bool(loads)
-    for key in ("contacts", "film", "friction", "frequencies", "stiffness"):
+    for key in ("contacts", "film", "friction", "heat", "frequencies", "stiffness"):
         add(key)
     for case in report.cases:
         sections += _asked(report, case)
@@ -1276,6 +1276,19 @@ def _rows(report: Report) -> tuple[Table, ...]:
     return _tables(report, groups, "set")
 
 
+def _heat(report: Report) -> list[Block]:
+    """The heat balance of each case that has a [heat] table."""
+    from rolamento.pages.heat import heat_blocks
+
+    found: list[Block] = []
+    for case in report.cases:
+        if case.heat is not None:
+            if len(report.cases) > 1:
+                found.append(Statement(said("case {name}", name=case.name), "strong"))
+            found += heat_blocks(case.heat)
+    return found
+
+
 def _preload_stages(report: Report) -> list[_Group]:
     """What becomes of the preload of mounted sets, at mean tolerances."""
     found = [case.analysis.solved.preload for case in report.cases]
@@ -1752,6 +1765,7 @@ PARTS: Final[Mapping[str, Part]] = {
     "contacts": Part(marked("Contact stresses"), _contacts),
     "film": Part(marked("Lubricant film"), _film),
     "friction": Part(marked("Friction"), _friction),
+    "heat": Part(marked("Heat balance"), _heat),
     "frequencies": Part(marked("Fault frequencies"), _frequencies),
     "stiffness": Part(marked("Stiffness"), _stiffness),
     "inputs": Part(marked("Inputs"), lambda report: _blocks(_inputs(report))),

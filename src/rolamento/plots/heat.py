@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -10,21 +11,28 @@ from matplotlib.figure import Figure
 from rolamento.heat import NODES
 from rolamento.numerics import FloatArray
 from rolamento.plots.axes_units import read_values, readable_unit
-from rolamento.plots.frame import add_title, empty_frame, label_x, label_y, legend_above
+from rolamento.plots.frame import GREY, add_title, empty_frame, label_x, label_y, legend_above
 from rolamento.plots.over_field import across
 from rolamento.plots.style import new_figure, new_stacked_figure, series, styled
 from rolamento.plots.texts import no_result
 from rolamento.units import ZERO_CELSIUS
 from rolamento.words import said
-from rolamento.words.sentences.heat import PLACE_NAMES
+from rolamento.words.sentences.heat import PLACE_NAMES, VARIANT_NAMES
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from rolamento.heat import HeatBalance
+    from rolamento.heat import HeatBalance, HeatTransient
+    from rolamento.heat.answers import HeatVariant
+    from rolamento.heat.machine import MachineHeat
     from rolamento.studies.heat_curves import HeatOver
 
-__all__ = ["heat_balance_curves", "heat_figure", "heat_over_figure"]
+__all__ = ["heat_balance_curves", "heat_figure", "heat_over_figure", "heat_time_figure",
+           "heat_variants_figure"]  # fmt: skip
+
+_BAR: Final = 0.16
+_HOURS: Final = 3.0 * 3600.0
+"""s beyond which time is shown in hours."""
 
 
 def heat_figure(found: HeatBalance) -> Figure:
@@ -127,3 +135,122 @@ def _line(found: HeatOver, axes: Axes, lines: dict[str, FloatArray], unit: str, 
     label_y(axes, read.label(name))
     if len(lines) > 1:
         legend_above(axes)
+
+
+def heat_time_figure(courses: Sequence[tuple[str, HeatTransient]]) -> Figure:
+    """Draw temperatures, power and, of sets, preload in time, one below the other.
+
+    Parameters
+    ----------
+    courses
+        A name, and what `rolamento.heat.heat_transient` gives; of several only the warmest part's
+        temperature is drawn.
+    """
+    with styled():
+        has_preload = any(found.has_preload for _, found in courses)
+        count = 3 if has_preload else 2
+        figure, frames = new_stacked_figure(count, height=60.0 * count)
+        longest = max(float(found.time[-1]) for _, found in courses)
+        scale, unit = (3600.0, "h") if longest > _HOURS else (60.0, "min")
+        if len(courses) == 1:
+            found = courses[0][1]
+            for index, (node, values) in enumerate(zip(NODES, found.temperatures, strict=True)):
+                frames[0].plot(
+                    found.time / scale, values - ZERO_CELSIUS, label=said(PLACE_NAMES[node]),
+                    **series(index).keywords(),
+                )  # fmt: skip
+        lines: list[tuple[Axes, str, str, list[FloatArray]]] = [
+            (frames[1], "W", said("Power loss"), [found.power for _, found in courses])
+        ]
+        if has_preload:
+            preloads = [found.preload for _, found in courses]
+            lines.append((frames[2], "N", said("Preload"), preloads))
+        for axes, own_unit, name, values in lines:
+            read = readable_unit(own_unit, np.concatenate(values))
+            for index, ((label, found), own) in enumerate(zip(courses, values, strict=True)):
+                axes.plot(found.time / scale, read.of(own), label=label, **series(index).keywords())
+            axes.set_ylim(bottom=0.0)
+            label_y(axes, read.label(name))
+        if len(courses) > 1:
+            for index, (label, found) in enumerate(courses):
+                warmest = found.temperatures.max(axis=0) - ZERO_CELSIUS
+                frames[0].plot(found.time / scale, warmest, label=label, **series(index).keywords())
+            label_y(frames[0], said("Warmest part (°C)"))
+        else:
+            label_y(frames[0], said("Temperature (°C)"))
+        if has_preload:
+            for found in (one for _, one in courses if one.has_preload):
+                read = readable_unit("N", found.preload)
+                largest, when = found.largest_preload
+                frames[2].plot(
+                    when / scale, read.of(largest), linestyle="none", marker="o", markersize=5.0,
+                    color="#000000", zorder=5,
+                )  # fmt: skip
+        legend_above(frames[0])
+        for axes in frames:
+            axes.set_xlim(0.0, longest / scale)
+        label_x(frames[-1], said("Time ({unit})", unit=unit))
+        if courses[0][1].case.title:
+            add_title(figure, courses[0][1].case.title)
+    return figure
+
+
+def heat_variants_figure(variants: Sequence[HeatVariant]) -> Figure:
+    """Draw friction and the heat that is removed of each variant, with the state where they cross.
+
+    Parameters
+    ----------
+    variants
+        What `rolamento.heat.answers.variants_of` gives.
+    """
+    with styled():
+        figure, axes = new_figure(height=95.0)
+        for index, one in enumerate(variants):
+            curve, look = one.balance.curve, series(index)
+            if not np.isfinite(curve.friction).any():
+                continue
+            warm = curve.temperatures.max(axis=0) - ZERO_CELSIUS
+            name = said(VARIANT_NAMES[one.name])
+            axes.plot(warm, curve.friction, label=name, **look.keywords())
+            if index == 0:
+                axes.plot(warm, curve.power, label=said("heat removed"), color=GREY, linewidth=1.0)
+                axes.set_xlim(float(warm.min()), float(warm.max()))
+            if one.balance.root is not None:
+                hottest = max(one.balance.temperatures.values()) - ZERO_CELSIUS
+                axes.plot(hottest, one.balance.power, linestyle="none", marker="o", markersize=5.0,
+                          color="#000000", zorder=5)  # fmt: skip
+        axes.set_ylim(bottom=0.0)
+        label_x(axes, said("Temperature of the warmest part (°C)"))
+        label_y(axes, said("Power (W)"))
+        legend_above(axes)
+        if variants[0].balance.case.title:
+            add_title(figure, variants[0].balance.case.title)
+    return figure
+
+
+def machine_heat_figure(found: MachineHeat) -> Figure:
+    """Draw the temperatures of all nodes of the bearings of a machine, beside each other.
+
+    Parameters
+    ----------
+    found
+        What `rolamento.heat.machine.machine_heat` gives.
+    """
+    with styled():
+        figure, axes = new_figure(height=80.0)
+        if not np.isfinite(found.temperatures).all():
+            empty_frame(axes, no_result())
+            return figure
+        place = np.arange(len(found.bearings), dtype=np.float64)
+        for index, node in enumerate(NODES):
+            look = series(index).keywords()
+            axes.bar(
+                place + _BAR * (index - 2.0), found.temperatures[:, index] - ZERO_CELSIUS, _BAR,
+                color=look["color"], label=said(PLACE_NAMES[node]),
+            )  # fmt: skip
+        axes.set_xticks(place, list(found.bearings))
+        label_y(axes, said("Temperature (°C)"))
+        legend_above(axes)
+        if found.machine.title:
+            add_title(figure, found.machine.title)
+    return figure

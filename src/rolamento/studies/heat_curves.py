@@ -9,12 +9,11 @@ from numpy.typing import NDArray
 
 from rolamento.case import Case
 from rolamento.errors import InputError
-from rolamento.heat import NODES, HeatBalance, heat_balance
+from rolamento.heat import NODES, HeatBalance, heat_balances
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
 from rolamento.studies.fields import Field
 from rolamento.studies.ranges import Range, refuse_many_singles
-from rolamento.studies.solving import base_case
 from rolamento.words import said
 from rolamento.words.headlines import Qualified, over_cases
 
@@ -151,8 +150,7 @@ def heat_over(case: Case, over: Range) -> HeatOver:
             example="--over duty.inner_speed=1000..6000rpm",
         )
     refuse_many_singles(len(over.values))
-    cases = [base_case(case, {name: float(value)}) for value in over.values]
-    balances = tuple(heat_balance(one, look_for_speed=False) for one in cases)
+    balances = heat_balances(case, {name: over.values})
     return HeatOver(case, over.field, over.values, balances)
 
 

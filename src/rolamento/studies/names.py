@@ -46,6 +46,16 @@ _WHOLE: Final = {
     "rolling_resistance_torque": marked("friction torque, rolling resistance of the oil"),
     "rolling_power": marked("power loss in the contacts (friction control)"),
     "cage_speed": marked("cage speed (friction control)"),
+    # heat
+    "warm_inner_ring": marked("temperature of the inner ring (heat balance)"),
+    "warm_elements": marked("temperature of the rolling elements (heat balance)"),
+    "warm_outer_ring": marked("temperature of the outer ring (heat balance)"),
+    "warm_shaft": marked("temperature of the shaft (heat balance)"),
+    "warm_housing": marked("temperature of the housing (heat balance)"),
+    "warm_power": marked("friction power loss (heat balance)"),
+    "warm_preload": marked("axial preload (heat balance)"),
+    "warm_max_pressure": marked("maximum contact pressure (heat balance)"),
+    "warm_slope": marked("slope of the friction over the heat (heat balance)"),
     # life
     "life_hours": marked("life"),
     "life_revolutions": marked("life in revolutions"),

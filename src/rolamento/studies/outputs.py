@@ -126,6 +126,7 @@ def catalogue() -> Mapping[str, Output]:
     """Return all outputs by name."""
     from rolamento.studies.bearing_outputs import ball_outputs, ring_outputs
     from rolamento.studies.friction_outputs import friction_outputs
+    from rolamento.studies.heat_outputs import heat_outputs
     from rolamento.studies.life_outputs import life_outputs
     from rolamento.studies.limit_outputs import limit_outputs
     from rolamento.studies.lubrication_outputs import lubrication_outputs
@@ -134,7 +135,7 @@ def catalogue() -> Mapping[str, Output]:
 
     providers = (
         ring_outputs, row_outputs, ball_outputs, roller_outputs, lubrication_outputs,
-        friction_outputs, life_outputs, limit_outputs,
+        friction_outputs, heat_outputs, life_outputs, limit_outputs,
     )  # fmt: skip
     return {output.name: output for provider in providers for output in provider()}
 
@@ -187,6 +188,10 @@ _MISSING: Final[Mapping[str, tuple[str, str]]] = {
         'model.raceway_control = "friction" in the case',
     ),
     "bearing.designation": (marked("a designation"), 'designation = "6310" in [bearing]'),
+    "heat": (
+        marked("a [heat] table"),
+        '[heat] with housing_ambient = "5 W/K" in the case',
+    ),
     "balls": (marked("balls"), "friction_torque_roller_sliding"),
     "rollers": (marked("rollers"), 'element = "cylindrical" in [bearing]'),
     "life": (
@@ -257,6 +262,8 @@ def _has(case: Case, need: str, varied: frozenset[str]) -> bool:
         return _has(case, "lubricant", varied) and _has(case, "temperature.lubricant", varied)
     if need == "temperature.lubricant":
         return case.lubricant_temperature is not None
+    if need == "heat":
+        return case.heat is not None
     if need == "surface":
         return case.surface is not None
     return case.model.raceway_control == "friction" or "model.raceway_control" in varied

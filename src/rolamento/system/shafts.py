@@ -510,10 +510,16 @@ class MachineRest:
 # --- from a machine to its structure --------------------------------------------------------------
 
 
-def structure_of(machines: Sequence[Machine], cases: Sequence[Cases]) -> Structure:
+def structure_of(
+    machines: Sequence[Machine],
+    cases: Sequence[Cases],
+    shifts: Mapping[str, float] | None = None,
+) -> Structure:
     """Lay out machines that differ in forces and speeds alone.
 
     cases: of each bearing, as many as the spectra of all have steps, one of each without steps.
+    shifts: how far warm parts move the inner ring of a bearing along its own x, against its outer
+    ring, by name, m.
     """
     machine = machines[0]
     beams = beams_of(machine)
@@ -533,6 +539,9 @@ def structure_of(machines: Sequence[Machine], cases: Sequence[Cases]) -> Structu
         if bearing.spring_force is not None and outer is not None:
             layout.push(outer, np.full(len(own), -way * bearing.spring_force))
         press, offset = _pressed(bearing, own)
+        if shifts is not None and (shift := shifts.get(bearing.name)) is not None:
+            press = tuple(e + row.sign * shift for e, row in zip(press, own.rows, strict=True))
+            offset = offset + shift
         seats.append(Seat(bearing, own, press, offset, way, inner, outer, slide))
     _put_housings(machine, {seat.bearing.name: seat for seat in seats}, layout)
     springs = [*layout.springs, *(_spring(one, by_name) for one in machine.springs)]

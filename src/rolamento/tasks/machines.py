@@ -12,6 +12,7 @@ from rolamento.analysis.machine import MachineAnalysis, analyse_machine
 from rolamento.case.machine import load_machine, machine_reader
 from rolamento.catalogue import catalogues as catalogues_beside
 from rolamento.errors import FileError, InputError
+from rolamento.heat.machine import MachineHeat, machine_heat
 from rolamento.io.json import dumps
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
@@ -19,7 +20,7 @@ from rolamento.studies.ranges import check_points, number_and_unit, range_of_fie
 from rolamento.tasks.parameters import Progress
 from rolamento.words import said
 
-__all__ = ["MachineCurve", "analysed_machine", "machine_over"]
+__all__ = ["MachineCurve", "analysed_machine", "heat_of_machine", "machine_over"]
 
 
 def analysed_machine(
@@ -45,6 +46,27 @@ def analysed_machine(
     """
     with catalogues_beside(catalogues):
         return analyse_machine(load_machine(source, settings))
+
+
+def heat_of_machine(
+    source: str | os.PathLike[str],
+    settings: Sequence[str] = (),
+    catalogues: Sequence[str | os.PathLike[str]] = (),
+) -> MachineHeat:
+    """Read a machine, and find how warm its bearings run.
+
+    Parameters
+    ----------
+    source, settings, catalogues
+        As of `analysed_machine`.
+
+    Raises
+    ------
+    InputError, FileError
+        As `analysed_machine` and `rolamento.heat.machine.machine_heat`.
+    """
+    with catalogues_beside(catalogues):
+        return machine_heat(load_machine(source, settings))
 
 
 # --- over a field ---------------------------------------------------------------------------------

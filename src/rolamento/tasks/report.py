@@ -40,6 +40,7 @@ from rolamento.words import said
 
 if TYPE_CHECKING:
     from rolamento.electrical import BearingElectrics
+    from rolamento.heat import HeatBalance
     from rolamento.safety import StaticSafety
 
 __all__ = [
@@ -209,6 +210,15 @@ class CaseReport:
             return None
         found = service_life_of(self.analysis)
         return found if found.beside_fatigue else None
+
+    @cached_property
+    def heat(self) -> HeatBalance | None:
+        """The heat balance of a case with a [heat] table; else None."""
+        if self.case.heat is None:
+            return None
+        from rolamento.tasks.heat import balance_of
+
+        return balance_of(self.case)
 
     @cached_property
     def checksum(self) -> str:

@@ -21,8 +21,9 @@ __all__ = ["Lookalike", "Lookalikes", "lookalikes", "orders_of"]
 _NAMED: Final = 3
 _LINES: Final = 2.0
 """Lines of a spectrum by which two peaks must lie apart to be seen as two."""
-_ALIKE: Final = 1e-6
-"""Part within which two orders are the same: no record distinguishs them."""
+_ALIKE: Final = 2.5e-4
+"""Part within which two orders are the same: no record distinguishes them. Balls 20 K warmer than
+the rings change D/d_m by as much."""
 
 
 _LINE_OF: Final[Mapping[Component, LineName]] = {

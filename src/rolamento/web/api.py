@@ -29,6 +29,7 @@ from rolamento.web.requests import (
     CaseRequest,
     FrequenciesRequest,
     FrictionRequest,
+    HeatRequest,
     LifeRequest,
     MachineRequest,
     ReportRequest,
@@ -173,6 +174,18 @@ def _friction(asked: FrictionRequest) -> str:
     from rolamento.tasks.friction import friction_mapping, friction_of_case
 
     return dumps(friction_mapping(friction_of_case(asked.to_case(), hysteresis=asked.hysteresis)))
+
+
+def _heat(asked: HeatRequest) -> str:
+    from rolamento.heat import heat_balance, heat_transient
+
+    case = asked.to_case()
+    kind, found = (
+        ("heat", heat_balance(case).to_mapping())
+        if asked.time is None
+        else ("heat_time", heat_transient(case, asked.time).to_mapping())
+    )
+    return dumps({"schema": 1, "kind": kind, **found})
 
 
 def _frequencies(asked: FrequenciesRequest) -> str:
@@ -414,6 +427,20 @@ OPERATIONS: Final[tuple[Operation, ...]] = (
             },
         },
         has=(*_STATE, "kind", "friction"),
+        seconds=60.0,
+    ),
+    Operation(
+        "POST",
+        "/heat",
+        marked("Temperatures and preload in operation"),
+        marked("How warm a bearing runs, or how it warms up. As rolamento heat CASE --json."),
+        _heat,
+        HeatRequest,
+        {
+            "designation": "6310/C3",
+            "settings": {**_LOAD, "lubricant": "ISO VG 68", "heat.housing_ambient": "4 W/K"},
+        },
+        has=("schema", "kind", "title", "status", "temperatures", "power", "notes", "case"),
         seconds=60.0,
     ),
     Operation(

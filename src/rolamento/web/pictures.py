@@ -13,9 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.analysis import Analysis
+from rolamento.case import Case
 from rolamento.contact.line import PRESSURE_LIMIT
 from rolamento.friction import Friction
 from rolamento.geometry import Race
+from rolamento.heat import HeatBalance
 from rolamento.life import LifeSummary
 from rolamento.life.theories import BY_RANK, THEORIES
 from rolamento.lubrication import Film
@@ -56,7 +58,8 @@ from rolamento.plots.texts import capitalised, no_result, number, theory_label
 from rolamento.records import frozen
 from rolamento.roller_notes import are_rollers
 from rolamento.solved import RACES, Solved
-from rolamento.units import HOUR
+from rolamento.tasks.heat import balance_of
+from rolamento.units import HOUR, ZERO_CELSIUS
 from rolamento.vibration.frequencies import ABBREVIATIONS, FAULTS
 from rolamento.web.drawing import (
     FAINT,
@@ -73,6 +76,7 @@ from rolamento.web.drawing import (
     rounded_up,
 )
 from rolamento.words import ENDLESS, in_unit, manner, marked, said
+from rolamento.words.sentences.heat import PLACE_NAMES
 
 __all__ = ["PICTURES", "PictureKind", "described", "figures"]
 
@@ -1002,6 +1006,143 @@ def _frequencies(cases: Cases) -> Picture:
     )  # fmt: skip
 
 
+# --- heat -----------------------------------------------------------------------------------------
+
+_PLACES: Final = {
+    "shaft": 5.0, "inner_ring": 4.0, "elements": 3.0, "outer_ring": 2.0, "housing": 1.0,
+}  # fmt: skip
+"""Heights of the nodes: from the shaft down to the housing."""
+_WIDEST: Final = 14.0
+"""px of the greatest heat flow."""
+
+
+def _heat(cases: Cases) -> Picture:
+    """Draw the network with its heat flows; of two cases the temperatures beside each other."""
+    found = [(one, balance_of(_given_case(one.solved))) for one in cases]
+    known = [(one, own) for one, own in found if own is not None]
+    if not known:
+        return empty(said("The heat balance needs a lubricant and the sizes of the bearing."))
+    states = [(one, own) for one, own in known if own.root is not None]
+    if not states:
+        return empty("\n".join(one.named(no_result(own.status)) for one, own in known))
+    if len(states) > 1:
+        return _temperatures_beside(states)
+    return _network(*states[0])
+
+
+def _given_case(solved: Solved) -> Case:
+    """The case as it was given, before its mounting."""
+    return solved.case if solved.before_mounting is None else solved.before_mounting.case
+
+
+def _heat_told(one: _Shown, found: HeatBalance) -> str:
+    values = {
+        "power": _told(found.power, "W"),
+        "temperature": number(max(found.temperatures.values()) - ZERO_CELSIUS),
+    }
+    return one.named(said("{power} of friction, {temperature} °C at most", **values))
+
+
+def _network(one: _Shown, found: HeatBalance) -> Picture:
+    at = found.temperatures
+    ends = {name: (0.0, y) for name, y in _PLACES.items()}
+    most = max(abs(flow.power) for flow in found.flows) or 1.0
+    drawn: list[dict[str, Any]] = []
+    labels: tuple[list[float], list[float], list[str], list[str]] = ([], [], [], [])
+    for flow in found.flows:
+        if not flow.power:
+            continue
+        first, last = _ends(flow.start, flow.end, ends)
+        forth = flow.power > 0.0
+        text = f"{number(abs(flow.power))} W"
+        names = [said(PLACE_NAMES[name]) for name in (flow.start, flow.end)]
+        told = " → ".join(names if forth else names[::-1])
+        drawn.append(
+            line(
+                [first[0], last[0]], [first[1], last[1]], "", f"{told}: {text}",
+                line={"color": "outer" if flow.start in ("friction", "outside") else "grey",
+                      "width": max(1.0, _WIDEST * abs(flow.power) / most)},
+                opacity=0.5,
+            )
+        )  # fmt: skip
+        labels[0].append(0.5 * (first[0] + last[0]))
+        labels[1].append(0.5 * (first[1] + last[1]))
+        labels[2].append(f"{text} {_arrow(first, last, forth)}")
+        labels[3].append("middle left" if first[0] == last[0] else "top center")
+    drawn.append(
+        {
+            "type": "scatter", "mode": "text", "x": labels[0], "y": labels[1], "text": labels[2],
+            "textposition": labels[3], "hoverinfo": "skip",
+        }
+    )  # fmt: skip
+    names = [
+        f"{said(PLACE_NAMES[name])}<br>{number(at[name] - ZERO_CELSIUS)} °C" for name in _PLACES
+    ]
+    drawn.append(
+        {
+            "type": "scatter", "mode": "markers+text", "x": [0.0] * len(names),
+            "y": list(_PLACES.values()), "text": names, "textposition": "middle right",
+            "marker": {"color": "inner", "size": 16}, "hoverinfo": "text",
+        }
+    )  # fmt: skip
+    hidden = {"visible": False, "fixedrange": True}
+    return picture(
+        drawn,
+        said("Heat balance: {values}.", values=_heat_told(one, found)),
+        meta=_DRAWING,
+        xaxis=axis("", (-2.3, 2.3), **hidden),
+        yaxis=axis("", (-0.4, 6.4), **hidden),
+    )
+
+
+def _ends(
+    start: str, end: str, nodes: Mapping[str, tuple[float, float]]
+) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Where a heat flow begins and ends: to the surroundings above and below, from aside else."""
+    if start in ("friction", "outside"):
+        x, y = nodes[end]
+        return (x - 1.8, y), (x, y)
+    x, y = nodes[start]
+    if end == "oil":
+        return (x, y), (x - 1.8, y)
+    if end == "ambient":
+        return (x, y), (x, y + 1.0 if start == "shaft" else y - 1.0)
+    return (x, y), nodes[end]
+
+
+def _arrow(first: tuple[float, float], last: tuple[float, float], forth: bool) -> str:
+    over, up = last[0] - first[0], last[1] - first[1]
+    if not forth:
+        over, up = -over, -up
+    if over:
+        return "→" if over > 0.0 else "←"
+    return "↑" if up > 0.0 else "↓"
+
+
+def _temperatures_beside(states: Sequence[tuple[_Shown, HeatBalance]]) -> Picture:
+    names = [capitalised(said(PLACE_NAMES[name])) for name in _PLACES]
+    drawn = []
+    for one, found in states:
+        warm = [found.temperatures[name] - ZERO_CELSIUS for name in _PLACES]
+        color = "inner" if one.place == 0 else "inner2"
+        drawn.append(
+            {
+                "type": "bar", "orientation": "h", "x": numbers(warm), "y": names,
+                "name": one.name, "marker": {"color": color},
+                "hovertemplate": f"%{{y}}: %{{x:{NUMBER}}} °C<extra>%{{fullData.name}}</extra>",
+            }
+        )  # fmt: skip
+    most = max(max(found.temperatures.values()) for _, found in states) - ZERO_CELSIUS
+    told = "; ".join(_heat_told(one, found) for one, found in states)
+    return picture(
+        drawn,
+        said("Heat balance: {values}.", values=told),
+        xaxis=axis(said("Temperature (°C)"), (0.0, rounded_up(1.03 * most))),
+        yaxis=_categories(),
+        barmode="group",
+    )
+
+
 PICTURES: Final[Mapping[str, PictureKind]] = {
     own.key: own
     for own in (
@@ -1021,6 +1162,7 @@ PICTURES: Final[Mapping[str, PictureKind]] = {
             "film_parameter", marked("Lubrication regime"), _ALL, _film_parameter, opened=True
         ),
         PictureKind("friction", marked("Friction by source"), _ALL, _friction, opened=True),
+        PictureKind("heat", marked("Heat flows"), _ALL, _heat, unloaded=True),
         PictureKind("life", marked("Life by theory"), _ALL, _life, opened=True),
         PictureKind(
             "frequencies", marked("Fault frequencies"), _ALL, _frequencies, unloaded=True

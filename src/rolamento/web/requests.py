@@ -40,6 +40,7 @@ __all__ = [
     "CaseRequest",
     "FrequenciesRequest",
     "FrictionRequest",
+    "HeatRequest",
     "LifeRequest",
     "MachineRequest",
     "ReportRequest",
@@ -188,6 +189,26 @@ class FrictionRequest(CaseRequest):
     """
 
     hysteresis: Annotated[float, Ratio(at_least=0.0, at_most=1.0)] = Field(0.01, examples=[0.01])
+
+
+class HeatRequest(CaseRequest):
+    """A case of which the heat balance is to be found, or how it warms up.
+
+    Parameters
+    ----------
+    case
+        The tables of a case file, with a [lubricant] and where the heat goes, [heat].
+    designation
+        Of a bearing in the catalogue, instead of a case.
+    settings
+        Values over the case, by the dotted names of its fields; null takes one away.
+    time
+        How long it starts up from ambient temperature, instead of the balance; up to 1000 h.
+    """
+
+    time: Annotated[float, Quantity("time", above="0 s", at_most="1000 h")] | None = Field(
+        None, examples=["1 h"]
+    )
 
 
 class LifeRequest(CaseRequest):

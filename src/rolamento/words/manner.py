@@ -82,6 +82,7 @@ UNITS: Final[dict[str, tuple[float, float]]] = {
     "nJ": (1e9, 0.0),
     "A/mm²": (1e-6, 0.0),
     "V/µm": (1e-6, 0.0),
+    "J/K": (1.0, 0.0),
     "mm²/s": (1e6, 0.0),
     "mPa·s": (1e3, 0.0),
     "Pa·s": (1.0, 0.0),

@@ -11,7 +11,7 @@ from rolamento.words.speaking import marked, said
 if TYPE_CHECKING:
     from rolamento.words.sentences import Sentence
 
-__all__ = ["CONDUCTANCE_NAMES", "PLACE_NAMES", "SENTENCES"]
+__all__ = ["CONDUCTANCE_NAMES", "PLACE_NAMES", "SENTENCES", "VARIANT_NAMES"]
 
 PLACE_NAMES: Final = {
     "inner_ring": marked("inner ring"),
@@ -34,6 +34,14 @@ CONDUCTANCE_NAMES: Final = {
     "housing_ambient": marked("housing – ambient"),
 }
 """Names of the conductances of `rolamento.case.Heat`."""
+VARIANT_NAMES: Final = {
+    "as_given": marked("as given"),
+    "rigid": marked("rigid preload"),
+    "spring": marked("springs"),
+    "ceramic": marked("ceramic elements"),
+    "steel": marked("steel elements"),
+}
+"""Names of `rolamento.heat.answers.HeatVariant`."""
 _TABLE: Final = {
     "balls": marked("balls"),
     "inner_spacer": marked("inner spacers"),
@@ -46,6 +54,23 @@ def _estimated(values: Mapping[str, Any]) -> str:
     return said(
         "Conductances are estimated, within ± 50 % at best: {names}; give them in [heat].",
         names=names,
+    )
+
+
+def _capacities(values: Mapping[str, Any]) -> str:
+    nodes = [name.removesuffix("_capacity") for name in values["names"]]
+    return said(
+        "Heat capacities are estimated, within ± 50 % at best: {names}; times of warming are in"
+        " proportion to them.",
+        names=listed([said(PLACE_NAMES[node]) for node in nodes]),
+    )
+
+
+def _bare(values: Mapping[str, Any]) -> str:
+    return said(
+        "Without [mounting] clearance and preload stay as they are, and nothing grows along the"
+        " shaft: {names}.",
+        names=listed(values["names"]),
     )
 
 
@@ -94,6 +119,20 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "The heat from outside alone makes a part warmer than {limit:.4 °C}: remove more heat."
     ),
     "conductances_estimated": _estimated,
+    "capacities_estimated": _capacities,
+    "machine_runaway": marked(
+        "The temperature runs away: {bearing} gets warmer than {limit:.4 °C}. Remove more heat,"
+        " reduce preloads or the speed, or let a ring slide in its seat."
+    ),
+    "machine_heat_without_mounting": _bare,
+    "machine_lubricant_keeps_temperature": marked(
+        "The lubricant keeps the temperature that is given; without temperature.lubricant it has"
+        " the mean of the rings of each bearing."
+    ),
+    "limit_passed_at": marked(
+        "After {time:.3 min} a part is warmer than {limit:.4 °C}: remove more heat, reduce the"
+        " preload, or run up in steps."
+    ),
     "heat_without_mounting": marked(
         "Without [mounting] clearance and preload stay as they are: only the lubricant gets warm."
     ),

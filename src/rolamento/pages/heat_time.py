@@ -1,0 +1,280 @@
+"""The pages of `heat` in time: how a bearing runs up, and a plan that keeps it below a limit."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from rolamento.document import (
+    Block,
+    CellContent,
+    Column,
+    Document,
+    Entry,
+    Figure,
+    KeyValues,
+    Number,
+    Section,
+    Statement,
+    Table,
+    Title,
+)
+from rolamento.heat import NODES
+from rolamento.pages.given import untitled
+from rolamento.pages.notes import cautions_section, notes_section, remarks_of
+from rolamento.words import said
+from rolamento.words.reasons import reason
+from rolamento.words.sentences.heat import PLACE_NAMES
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Picture
+
+    from rolamento.heat import HeatTransient
+    from rolamento.tasks.heat import WarmUp
+
+__all__ = ["heat_time_page", "warm_up_figure", "warm_up_page"]
+
+_SHOWN: Final = 14
+"""Points of time on the page; files have all."""
+
+
+def heat_time_page(found: HeatTransient) -> Document:
+    """Return how temperatures and preload of a bearing change in time.
+
+    Parameters
+    ----------
+    found
+        What `rolamento.heat.heat_transient` gives.
+    """
+    title = found.case.title or untitled(found.case)
+    sections = [
+        Section("", (Title(title), *_headline(found)), key="head"),
+        *cautions_section(found.notes),
+        *_course(found),
+        *notes_section(remarks_of(found.notes)),
+    ]
+    return Document(title, tuple(sections), kind="heat_time", main="course")
+
+
+def _headline(found: HeatTransient) -> list[Block]:
+    blocks: list[Block] = []
+    if not found.converged:
+        blocks.append(Statement(reason(found.status), "bad-strong"))
+    entries = []
+    if found.has_preload:
+        largest, when = found.largest_preload
+        text = said(
+            "{first:.4 [N]} at the start, largest {largest:.4 [N]} after {when:.3 min}, at the end"
+            " {last:.4 N}",
+            first=float(found.preload[0]),
+            largest=largest,
+            when=when,
+            last=float(found.preload[-1]),
+        )
+        entries.append(Entry(said("preload"), text))
+    at = found.final
+    text = said(
+        "inner ring {inner:.1f °C}, outer ring {outer:.1f °C}, housing {housing:.1f °C} after"
+        " {time:.3 min}",
+        inner=at["inner_ring"],
+        outer=at["outer_ring"],
+        housing=at["housing"],
+        time=float(found.time[-1]),
+    )
+    entries.append(Entry(said("temperatures"), text))
+    entries.append(Entry(said("power loss"), Number(float(found.power[-1]), ".4 W")))
+    return [*blocks, KeyValues(tuple(entries))]
+
+
+def _course(found: HeatTransient) -> list[Section]:
+    if len(found) < 2:
+        return []
+    shown = _moments(found)
+    every = np.arange(len(found))
+    figure = Figure(
+        caption=said("Temperatures, power and preload in time"),
+        draw=lambda: _picture(found),
+        key="course",
+    )
+    return [
+        Section(
+            said("In time"),
+            (
+                Table(columns=_columns(found, shown), key="moments", legends=_legends(found)),
+                Table(columns=_columns(found, every), key="course", only_in_files=True),
+            ),
+            key="course",
+        ),
+        Section("", (figure,), key="figure"),
+    ]
+
+
+def _picture(found: HeatTransient) -> Picture:
+    from rolamento.plots.heat import heat_time_figure
+
+    return heat_time_figure([("", found)])
+
+
+def _legends(found: HeatTransient) -> tuple[str, ...]:
+    legend = said("p maximum pressure; ◂ largest preload") if found.has_preload else ""
+    return (legend or said("p maximum pressure"),)
+
+
+def _moments(found: HeatTransient) -> np.ndarray[tuple[int], np.dtype[np.int64]]:
+    """Points of time worth a line: evenly in the logarithm, and the worst."""
+    time = found.time
+    last = float(time[-1])
+    wanted = np.geomspace(max(float(time[1]), last / 500.0), last, _SHOWN - 1)
+    places = [int(np.argmin(np.abs(time - one))) for one in wanted]
+    begins = np.flatnonzero(np.diff(found.speed) != 0.0).tolist()
+    kept = {0, found.worst, *places, *(begins if len(begins) < _SHOWN else [])}
+    return np.array(sorted(kept), np.int64)
+
+
+def _columns(
+    found: HeatTransient, some: np.ndarray[tuple[int], np.dtype[np.int64]]
+) -> tuple[Column, ...]:
+    columns = [
+        Column(
+            head=said("time"),
+            values=[Number(one, ".3 [min]") for one in found.time[some].tolist()],
+            unit="min",
+            key="time",
+            align="right",
+        )
+    ]
+    if np.ptp(found.speed) > 0.0:
+        columns.append(
+            Column(head=said("speed"), values=found.speed[some].tolist(), unit="%",
+                   key="speed_factor", figures=3)
+        )  # fmt: skip
+    for node, values in zip(NODES, found.temperatures[:, some], strict=True):
+        cells: list[CellContent] = [Number(value, ".1f [°C]") for value in values.tolist()]
+        columns.append(
+            Column(head=said(PLACE_NAMES[node]), values=cells, unit="°C", key=node, align="right")
+        )
+    columns.append(
+        Column(head=said("power loss"), values=found.power[some].tolist(), unit="W", key="power")
+    )
+    if found.has_preload:
+        columns.append(
+            Column(head=said("preload"), values=found.preload[some].tolist(), unit="N",
+                   key="preload", peak="maximum")
+        )  # fmt: skip
+    columns.append(
+        Column(head="p", values=found.max_pressure[some].tolist(), unit="MPa", key="max_pressure")
+    )
+    return tuple(columns)
+
+
+# --- running up -----------------------------------------------------------------------------------
+
+
+def warm_up_page(found: WarmUp) -> Document:
+    """Return a plan of speeds that keeps a bearing below a limit, beside full speed at once.
+
+    Parameters
+    ----------
+    found
+        What `rolamento.tasks.heat.warm_up` gives.
+    """
+    case = found.at_once.case
+    title = case.title or untitled(case)
+    sections = [
+        Section("", (Title(title), *_verdict(found)), key="head"),
+        *cautions_section(found.at_once.notes),
+    ]
+    if found.transient is not None and found.needed:
+        sections.append(_plan(found))
+    shown = found.transient or found.at_once
+    figure = Figure(
+        caption=said("Full speed at once, and by the plan"),
+        draw=lambda: warm_up_figure(found),
+        key="course",
+    )
+    course = _course(shown)
+    sections += [*course[:1], Section("", (figure,), key="figure")]
+    sections += notes_section(remarks_of(shown.notes))
+    return Document(title, tuple(sections), kind="warm_up", main="course")
+
+
+def warm_up_figure(found: WarmUp) -> Picture:
+    """Draw full speed at once, and what the plan makes of it.
+
+    Parameters
+    ----------
+    found
+        As of `warm_up_page`.
+    """
+    from rolamento.plots.heat import heat_time_figure
+
+    courses = [(said("full speed at once"), found.at_once)]
+    if found.transient is not None and found.needed:
+        courses.append((said("by the plan"), found.transient))
+    return heat_time_figure(courses)
+
+
+def _verdict(found: WarmUp) -> list[Block]:
+    limit = (
+        said("a preload of {limit:.4 N}", limit=found.preload)
+        if found.preload is not None
+        else said("{limit:.4 °C} of every part", limit=found.temperature)
+    )
+    if not found.needed:
+        return [Statement(said("Full speed at once stays below {limit}.", limit=limit))]
+    if found.transient is None:
+        text = said("No plan of four speeds stays below {limit}.", limit=limit)
+        return [Statement(text, "bad-strong")]
+    return [Statement(said("This plan stays below {limit}.", limit=limit))]
+
+
+def _plan(found: WarmUp) -> Section:
+    assert found.transient is not None
+    duty, course = found.at_once.case.duty, found.transient
+    fastest = max(abs(duty.inner_speed), abs(duty.outer_speed))
+    ends = np.cumsum([step.duration for step in found.steps])
+    lines = []
+    for index, step in enumerate(found.steps):
+        own = (course.time <= ends[index]) & (course.time >= ends[index] - step.duration)
+        lines.append((step, own))
+    last = len(lines) - 1
+    columns = [
+        Column(head=said("step"), values=list(range(1, len(lines) + 1)), key="step", figures=1),
+        Column(
+            head=said("speed"),
+            values=[step.speed_factor * fastest for step, _ in lines],
+            unit="rpm",
+            key="speed",
+        ),
+        Column(
+            head=said("duration"),
+            values=[
+                said("on") if index == last else Number(step.duration, ".3 [min]")
+                for index, (step, _) in enumerate(lines)
+            ],
+            unit="min",
+            key="duration",
+            align="right",
+        ),
+        Column(
+            head=said("warmest part"),
+            values=[
+                Number(float(course.temperatures[:, own].max()), ".1f [°C]") for _, own in lines
+            ],
+            unit="°C",
+            key="warmest",
+            align="right",
+        ),
+    ]
+    if course.has_preload:
+        columns.append(
+            Column(
+                head=said("largest preload"),
+                values=[float(course.preload[own].max()) for _, own in lines],
+                unit="N",
+                key="largest_preload",
+            )
+        )
+    table = Table(columns=tuple(columns), key="plan", rule=True)
+    return Section(said("Plan"), (table,), key="plan")

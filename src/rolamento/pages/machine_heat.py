@@ -1,0 +1,160 @@
+"""The page of `shaft --heat`: how warm the bearings of a machine run."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rolamento.document import (
+    CellContent,
+    Column,
+    Document,
+    Entry,
+    Figure,
+    KeyValues,
+    Number,
+    Section,
+    Statement,
+    Table,
+    Title,
+)
+from rolamento.heat import NODES
+from rolamento.pages.notes import cautions_section, notes_section, remarks_of
+from rolamento.words import said
+from rolamento.words.reasons import reason
+from rolamento.words.sentences.heat import PLACE_NAMES
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Picture
+
+    from rolamento.heat.machine import MachineHeat
+    from rolamento.solved.machine import SolvedMachine
+
+__all__ = ["machine_heat_page"]
+
+
+def machine_heat_page(found: MachineHeat) -> Document:
+    """Return the heat balance of a machine: temperatures, what becomes of loads, what shafts carry.
+
+    Parameters
+    ----------
+    found
+        What `rolamento.heat.machine.machine_heat` gives.
+    """
+    title = found.machine.title or said("machine")
+    head = Section("", (Title(title), _headline(found)), key="head")
+    sections = [head, *cautions_section(found.notes)]
+    if found.warm is not None:
+        figure = Figure(
+            caption=said("Temperatures of the bearings"),
+            draw=lambda: _picture(found),
+            key="heat",
+        )
+        sections += [_temperatures(found), _loads(found, found.warm), *_links(found)]
+        sections.append(Section("", (figure,), key="figure"))
+    sections += notes_section(remarks_of(found.notes))
+    return Document(title, tuple(sections), kind="machine_heat", main="bearings")
+
+
+def _picture(found: MachineHeat) -> Picture:
+    from rolamento.plots.heat import machine_heat_figure
+
+    return machine_heat_figure(found)
+
+
+def _headline(found: MachineHeat) -> Statement | KeyValues:
+    if not found.converged:
+        return Statement(reason(found.status), "bad-strong")
+    place, node = np.unravel_index(int(np.argmax(found.temperatures)), found.temperatures.shape)
+    warmest = said(
+        "{bearing}, {part}: {temperature:.1f °C}",
+        bearing=found.bearings[int(place)],
+        part=said(PLACE_NAMES[NODES[int(node)]]),
+        temperature=float(found.temperatures[place, node]),
+    )
+    return KeyValues(
+        (
+            Entry(said("warmest part"), warmest),
+            Entry(said("power loss"), Number(float(found.power.sum()), ".4 W")),
+            Entry(
+                said("stability"),
+                said(
+                    "stable: one watt of heat more makes {slope:.3} W of friction",
+                    slope=found.growth,
+                ),
+            ),
+        )
+    )
+
+
+def _temperatures(found: MachineHeat) -> Section:
+    columns = [Column(head="", values=list(found.bearings), key="bearing")]
+    for index, node in enumerate(NODES):
+        cells: list[CellContent] = [
+            Number(value, ".1f [°C]") for value in found.temperatures[:, index].tolist()
+        ]
+        columns.append(
+            Column(head=said(PLACE_NAMES[node]), values=cells, unit="°C", key=node, align="right")
+        )
+    columns.append(
+        Column(head=said("power loss"), values=found.power.tolist(), unit="W", key="power")
+    )
+    table = Table(columns=tuple(columns), key="bearings", rule=True)
+    return Section(said("Temperatures"), (table,), key="bearings")
+
+
+def _loads(found: MachineHeat, warm: SolvedMachine) -> Section:
+    """The loads of each bearing in its hardest step, cold beside warm."""
+    lines: list[tuple[str, list[float]]] = []
+    for name in found.bearings:
+        values = []
+        for solved in (found.cold, warm):
+            own = solved.bearings[name].solved
+            load = own.load.array
+            values += [
+                float(np.abs(load[:, 0]).max()),
+                float(np.hypot(load[:, 1], load[:, 2]).max()),
+                float(np.nanmax(own.inner.max_pressure)),
+            ]
+        lines.append((name, values))
+    heads = (
+        (said("axial load, cold"), "axial_cold", "N"),
+        (said("radial load, cold"), "radial_cold", "N"),
+        (said("p, cold"), "pressure_cold", "MPa"),
+        (said("axial load, warm"), "axial_warm", "N"),
+        (said("radial load, warm"), "radial_warm", "N"),
+        (said("p, warm"), "pressure_warm", "MPa"),
+    )
+    columns = [Column(head="", values=[name for name, _ in lines], key="bearing")]
+    for place in (0, 3, 1, 4, 2, 5):
+        head, key, unit = heads[place]
+        columns.append(
+            Column(head=head, values=[own[place] for _, own in lines], unit=unit, key=key)
+        )
+    legend = said("p maximum pressure")
+    table = Table(columns=tuple(columns), key="loads", legends=(legend,), rule=True)
+    return Section(said("Cold and warm"), (table,), key="loads")
+
+
+def _links(found: MachineHeat) -> list[Section]:
+    if not found.links:
+        return []
+    columns = (
+        Column(
+            head="",
+            values=[f"{one.first} – {one.second}" for one in found.links],
+            key="bearings",
+        ),
+        Column(head="", values=[said(PLACE_NAMES[one.part]) for one in found.links], key="part"),
+        Column(head=said("heat flow"), values=list(found.link_flows()), unit="W", key="flow"),
+        Column(
+            head=said("conductance"),
+            values=[one.conductance for one in found.links],
+            unit="W/K",
+            key="conductance",
+            figures=3,
+        ),
+    )
+    table = Table(columns=columns, key="links", rule=True)
+    return [Section(said("Heat between the bearings"), (table,), key="links")]
