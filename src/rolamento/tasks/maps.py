@@ -23,8 +23,8 @@ from rolamento.case.machine import (
     with_values,
 )
 from rolamento.case.machine_fields import place_of_key
+from rolamento.case.machine_sheets import holds_sheets
 from rolamento.errors import InputError, guess
-from rolamento.io.sheets import is_workbook
 from rolamento.io.text import format_of_path, format_of_text, parse_mapping, read_text
 from rolamento.machines import acts_alone, solve_machines
 from rolamento.numerics import FloatArray
@@ -83,10 +83,10 @@ def read_subject(source: str | os.PathLike[str], settings: Sequence[str] = ()) -
     InputError, FileError
         As `rolamento.load_machine` or `rolamento.load_case`.
     """
+    if holds_sheets(source):
+        return load_machine(source, settings)
     if is_designation(source):
         return load_case(source, settings)
-    if is_workbook(source):
-        return load_machine(source, settings)
     text, name = read_text(source)
     form = format_of_path(source) or format_of_text(text)
     if "shafts" in parse_mapping(text, form, name):
