@@ -136,6 +136,11 @@ def mapped(
         )  # fmt: skip
     check_points(points, min(MOST_POINTS, int(MOST_MACHINES ** (1.0 / len(texts)))))
     ranges = [read_range(one, points, of_machine=isinstance(subject, Machine)) for one in texts]
+    for one in ranges:
+        if one.values[0] == one.values[-1]:
+            raise InputError(
+                said("must have two different ends"), field="--over", value=one.field.name
+            )
     names = [one.field.name for one in ranges]
     if len(set(names)) < len(names):
         raise InputError(said("is given twice"), field="--over", value=names[0])
