@@ -227,3 +227,12 @@ def test_the_page_of_the_case_shows_it() -> None:
     oiled = {**tables, "bearing": {"designation": "6309/C3"}, "lubricant": "ISO VG 100"}
     shown = live({"cases": [{"case": oiled}], "sections": ["service_life"]})
     assert "grease" not in shown["sections"]["service_life"]
+
+
+def test_a_report_has_the_inputs_of_the_grease() -> None:
+    from rolamento.document.markdown import markdown
+    from rolamento.pages.report import report_page
+
+    text = markdown(report_page(report(motor(grease={"thickener": "urea"}))))
+    assert "What ends it first" in text
+    assert "urea" in text

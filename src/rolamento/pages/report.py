@@ -576,6 +576,7 @@ TABLES: Final = {
     "mounting": marked("Mounting"),
     "film": marked("Film"),
     "heat": marked("Heat"),
+    "grease": marked("Grease"),
     "static": marked("Static safety"),
     "electrical": marked("Electricity"),
     "losses": marked("Seals and oil bath"),

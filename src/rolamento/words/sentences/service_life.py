@@ -19,7 +19,7 @@ ENDING_NAMES: Final = {
     "relubrication": marked("relubrication is due"),
     "wear": marked("wear in boundary lubrication"),
     "currents": marked("electrical erosion"),
-    "overload": marked("permanent deformation by overload"),
+    "overload": marked("overload"),
 }
 """Names of `rolamento.tasks.endings.Ending.name`."""
 BASES: Final = {
@@ -28,7 +28,7 @@ BASES: Final = {
     "grease_l10": marked("L_10 of the grease, by all laws"),
     "interval": marked("interval by SKF, spread of all factors"),
     "untimed": marked("no law says when"),
-    "static": marked("static safety by stress, at the load of the case"),
+    "static": marked("static safety by stress"),
     "below_bands": marked("current density below the published bands"),
 }
 """What the hours of an ending are, by `Ending.basis`."""
