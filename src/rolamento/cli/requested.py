@@ -131,7 +131,7 @@ def _parameter(name: str, one: Input, meaning: str) -> inspect.Parameter:
     if one.kind == "switch":
         made = typer.Option(one.option or one.long_option(name), help=meaning)
         has_opposite = "/" in one.option
-        default = {"true": True, "": None if has_opposite else False}[one.default]
+        default = {"true": True, "false": False}.get(one.default, None if has_opposite else False)
         kind: Any = bool | None if default is None else bool
     elif one.is_argument:
         made = typer.Argument(metavar=metavar, help=meaning)
@@ -194,7 +194,8 @@ def _shipped(
         print_text(said("Wrote {path}", path=path) + "\n")
         raise typer.Exit(SOLVED)
     known = request.inputs()["example"].choices
-    check_one_given(typed[field], example, command, list(known() if known else ()))
+    if request.needs_file or (typed[field] is not None and example is not None):
+        check_one_given(typed[field], example, command, list(known() if known else ()))
     return json
 
 
