@@ -47,7 +47,7 @@ def template() -> Catalog:
         directory_filter=lambda folder: True,  # Babel would pass over private packages
     ):
         catalogue.add(message, context=context)
-    for message, context in (*of_commands(), *of_data()):
+    for message, context in (*of_commands(), *of_requests(), *of_data()):
         catalogue.add(message, context=context)
     catalogue.add(".", context="decimal mark")
     return catalogue
@@ -70,6 +70,18 @@ def of_commands() -> Iterator[tuple[str, str | None]]:
         marks += [getattr(one, "metavar", None) for one in command.params]
         yield from ((mark, METAVAR) for mark in marks if mark)
         pending += getattr(command, "commands", {}).values()
+
+
+def of_requests() -> Iterator[tuple[str, str | None]]:
+    """Return what the use cases ask for: labels and meanings."""
+    from rolamento import tasks
+    from rolamento.tasks.request import Request
+
+    for name in tasks.__all__:
+        request = getattr(tasks, name)
+        if isinstance(request, type) and issubclass(request, Request):
+            yield from ((one.label, None) for one in request.inputs().values())
+            yield from ((meaning, None) for meaning in request.meanings().values())
 
 
 _TABLES = (

@@ -22,14 +22,17 @@ if TYPE_CHECKING:
         catalogue,
         clearance,
         contact,
+        electrical,
         friction,
         geometry,
+        grease,
         kinematics,
         life,
         lubrication,
         plots,
         ratings,
         rotors,
+        safety,
         speeds,
         static,
         studies,
@@ -51,16 +54,20 @@ if TYPE_CHECKING:
         save_case,
     )
     from rolamento.case.bearing import Bearing
-    from rolamento.case.duty import Displacement, Duty, Load
+    from rolamento.case.duty import Displacement, Duty, Load, Oscillation
+    from rolamento.case.electrical import Electrical
     from rolamento.case.film_model import FilmModel
+    from rolamento.case.grease import Grease
     from rolamento.case.heat import Heat
     from rolamento.case.life_model import LifeModel
+    from rolamento.case.losses import Losses
     from rolamento.case.lubricant import Lubricant
     from rolamento.case.machine import Machine, load_machine
     from rolamento.case.material import Material
     from rolamento.case.model import Model
     from rolamento.case.mounting import Mounting, SeatMaterial
     from rolamento.case.roller_bearing import RollerBearing
+    from rolamento.case.static import Static
     from rolamento.case.surface import Surface
     from rolamento.case.temperature import Temperature
     from rolamento.catalogue import geometry_of
@@ -98,17 +105,22 @@ _NAMES_OF_MODULES: Final = {
         "Case",
         "Displacement",
         "Duty",
+        "Electrical",
         "FilmModel",
+        "Grease",
         "Heat",
         "LifeModel",
         "Load",
+        "Losses",
         "Lubricant",
         "Machine",
         "Material",
         "Model",
         "Mounting",
+        "Oscillation",
         "RollerBearing",
         "SeatMaterial",
+        "Static",
         "Surface",
         "Temperature",
         "case_to_json",
@@ -148,16 +160,19 @@ _PACKAGES: Final = frozenset(
         "catalogue",
         "clearance",
         "contact",
+        "electrical",
         "errors",
         "examples",
         "friction",
         "geometry",
+        "grease",
         "kinematics",
         "life",
         "lubrication",
         "plots",
         "ratings",
         "rotors",
+        "safety",
         "solved",
         "speeds",
         "static",
@@ -177,25 +192,30 @@ __all__ = [
     "Case",
     "Displacement",
     "Duty",
+    "Electrical",
     "FileError",
     "FilmModel",
+    "Grease",
     "Heat",
     "InputError",
     "LifeConditions",
     "LifeModel",
     "LifeSummary",
     "Load",
+    "Losses",
     "Lubricant",
     "Machine",
     "MachineAnalysis",
     "Material",
     "Model",
     "Mounting",
+    "Oscillation",
     "RolamentoError",
     "RollerBearing",
     "SeatMaterial",
     "Solved",
     "SolvedMachine",
+    "Static",
     "Surface",
     "Temperature",
     "UnitError",
@@ -210,6 +230,7 @@ __all__ = [
     "clearance",
     "contact",
     "diagnose",
+    "electrical",
     "fault_frequencies",
     "find_bearings",
     "fit_weibull",
@@ -217,6 +238,7 @@ __all__ = [
     "friction_torque",
     "geometry",
     "geometry_of",
+    "grease",
     "kinematics",
     "life",
     "load_case",
@@ -230,6 +252,7 @@ __all__ = [
     "ratings",
     "report",
     "rotors",
+    "safety",
     "save_case",
     "shaft",
     "solve",

@@ -19,11 +19,13 @@ from rolamento.errors import InputError
 from rolamento.machines import balanced
 from rolamento.numerics import BoolArray, ComplexArray, FloatArray, IntArray
 from rolamento.records import frozen
+from rolamento.rows.row import Response
+from rolamento.solved.maps import MapAxis, StiffnessMap
 from rolamento.solved.rotor import Campbell, CriticalSpeed, Modes, UnbalanceResponse, whirl_names
 from rolamento.status import CONVERGED, STATUS_NAMES
-from rolamento.system.network import FIVE
+from rolamento.system.network import FIVE, unknowns_of
 from rolamento.system.rotor import Eigenmodes, Rotor, rotor_of, unbalance_force
-from rolamento.system.shafts import MachineRest, Structure
+from rolamento.system.shafts import MachineRest, Seat, Structure
 from rolamento.words import Note, said
 
 __all__ = [
@@ -34,6 +36,7 @@ __all__ = [
     "campbell",
     "compliance",
     "natural_modes",
+    "supports",
     "turning_shaft",
     "unbalance_response",
 ]
@@ -278,6 +281,62 @@ def compliance(machine: Source, shaft: str, position: float) -> FloatArray:
     return out
 
 
+def supports(
+    machine: Source, speeds: ArrayLike, *, shaft: str | None = None
+) -> tuple[StiffnessMap, ...]:
+    """How each bearing holds its shaft over speed, with what stands under its outer ring.
+
+    Parameters
+    ----------
+    machine, speeds, shaft
+        As of `campbell`.
+
+    Returns
+    -------
+    A `StiffnessMap` for each bearing, over the speed of the shaft that its inner ring is on.
+    Housings and springs under its outer ring are condensed into it; of a matrix over several
+    bearings what couples them is left out, with a note of its size. Displacements are those of the
+    inner ring against the outer one.
+
+    Raises
+    ------
+    InputError
+        As `campbell`.
+    """
+    base = _machine(machine)
+    name = turning_shaft(base, shaft)
+    asked = _checked_speeds(speeds)
+    given, structure, rest = _at_rest(base, asked / base.speed(name))
+    known = rest.number == CONVERGED
+    status = np.array([STATUS_NAMES[int(one)] for one in rest.number])
+    tangent = structure.tangent(rest)
+    found = []
+    for seat, rows in structure.held_rows(rest):
+        stiffness = np.full((len(asked), FIVE, FIVE), np.nan)
+        force, place = np.full((2, len(asked), FIVE), np.nan)
+        own, between = _held(structure, tangent, seat, rows, known)
+        stiffness[known] = own
+        outer = 0.0 if seat.outer is None else rest.place[:, seat.outer]
+        for row, held in zip(seat.rows(), rows, strict=True):
+            force[known] = np.nan_to_num(force[known]) + row.on_nodes(held.force)[known]
+        place[known] = (rest.place[:, seat.inner] - outer)[known]
+        bearing = seat.bearing
+        own_shaft = bearing.shaft if base.speed(bearing.shaft) else name
+        ratio = abs(base.speed(own_shaft) / base.speed(name))
+        notes = []
+        if between > 0.0:
+            values = {"bearing": bearing.name, "stiffness": between}
+            notes.append(Note("coupled_by_housing", values))
+        axis = MapAxis(f"shafts.{own_shaft}.speed", "rad/s", np.abs(asked) * ratio)
+        found.append(
+            StiffnessMap(
+                bearing.name, (axis,), stiffness, force, place, status, {"title": given.title},
+                tuple(notes),
+            )
+        )  # fmt: skip
+    return tuple(found)
+
+
 def turning_shaft(machine: Machine, shaft: str | None) -> str:
     """Return the shaft whose speed counts.
 
@@ -322,6 +381,16 @@ def _machine(source: Source) -> Machine:
 def _at_work(
     machine: Machine, factors: FloatArray | None, damping: float
 ) -> tuple[Machine, Structure, MachineRest, Rotor]:
+    """The machine at several speeds and its matrices, as `_at_rest`."""
+    given, structure, rest = _at_rest(machine, factors)
+    by = [step.speed_factor for step in given.spectrum]
+    speeds = {shaft.name: np.array(by) * given.speed(shaft.name) for shaft in given.shafts}
+    return given, structure, rest, rotor_of(given, structure, rest, speeds, damping)
+
+
+def _at_rest(
+    machine: Machine, factors: FloatArray | None
+) -> tuple[Machine, Structure, MachineRest]:
     """The machine at several speeds, under the load of its first step or its only one."""
     first = machine.spectrum[0] if machine.spectrum else None
     by = np.array([1.0 if first is None else first.speed_factor]) if factors is None else factors
@@ -329,8 +398,43 @@ def _at_work(
     steps = [Step(share=1.0 / len(by), speed_factor=float(one), load_factor=heavier) for one in by]
     given = machine.replace(spectrum=steps)
     structure, rest, _ = balanced(given)
-    speeds = {shaft.name: by * given.speed(shaft.name) for shaft in given.shafts}
-    return given, structure, rest, rotor_of(given, structure, rest, speeds, damping)
+    return given, structure, rest
+
+
+def _held(
+    structure: Structure,
+    tangent: FloatArray,
+    seat: Seat,
+    rows: Sequence[Response],
+    known: BoolArray,
+) -> tuple[FloatArray, float]:
+    """How a bearing holds its inner ring, its outer one following; and what couples it to others.
+
+    (known cases, 5, 5), and the greatest stiffness to rings of other bearings, N/m.
+    """
+    stiffness = np.sum(
+        [
+            row.tangent(held)[known, :FIVE, :FIVE]
+            for row, held in zip(seat.rows(), rows, strict=True)
+        ],
+        axis=0,
+    )
+    on_shafts = structure.beams[-1].nodes[-1]
+    rings = tuple(n for n in (seat.outer, seat.slide) if n is not None and n > on_shafts)
+    if not rings:
+        return stiffness, 0.0
+    at = unknowns_of(rings)
+    at = at[~structure.held[at]]
+    inner = unknowns_of((seat.inner,))
+    whole = tangent[known]
+    coupled = whole[:, inner[:, np.newaxis], at]
+    yields = np.linalg.pinv(whole[:, at[:, np.newaxis], at])
+    back = whole[:, at[:, np.newaxis], inner]
+    of_rings = np.arange(FIVE * (on_shafts + 1), len(structure.held))
+    others = np.setdiff1d(of_rings[~structure.held[of_rings]], at)
+    shifts = others[others % FIVE < 3]
+    between = whole[:, at[at % FIVE < 3][:, np.newaxis], shifts]
+    return stiffness - coupled @ yields @ back, float(np.abs(between).max(initial=0.0))
 
 
 def _refuse_lost(rest: MachineRest) -> None:

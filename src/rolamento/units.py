@@ -85,6 +85,9 @@ Dimension = Literal[
     "acceleration",
     "thermal_conductance",
     "flow_rate",
+    "voltage",
+    "electric_current",
+    "frequency",
     "heat_capacity",
 ]
 
@@ -113,6 +116,9 @@ _NAMES: Final[dict[Dimension, str]] = {
     "acceleration": marked("acceleration"),
     "thermal_conductance": marked("thermal conductance"),
     "flow_rate": marked("flow rate"),
+    "voltage": marked("voltage"),
+    "electric_current": marked("electric current"),
+    "frequency": marked("frequency"),
     "heat_capacity": marked("heat capacity"),
 }
 
@@ -141,6 +147,9 @@ SI_UNIT: Final[dict[Dimension, str]] = {
     "acceleration": "m/s^2",
     "thermal_conductance": "W/K",
     "flow_rate": "m^3/s",
+    "voltage": "V",
+    "electric_current": "A",
+    "frequency": "Hz",
     "heat_capacity": "J/K",
 }
 
@@ -241,6 +250,9 @@ _COMMON: Final[dict[Dimension, dict[str, _Unit]]] = {
     "acceleration": {"m/s^2": _Unit(Fraction(1)), "mm/s^2": _Unit(Fraction(1, 10**3))},
     "thermal_conductance": {"W/K": _Unit(Fraction(1)), "kW/K": _Unit(Fraction(10**3))},
     "flow_rate": {"l/min": _Unit(Fraction(1, 60_000)), "m^3/s": _Unit(Fraction(1))},
+    "voltage": {"V": _Unit(Fraction(1)), "mV": _Unit(Fraction(1, 10**3))},
+    "electric_current": {"A": _Unit(Fraction(1)), "mA": _Unit(Fraction(1, 10**3))},
+    "frequency": {"Hz": _Unit(Fraction(1)), "1/min": _Unit(Fraction(1, 60))},
     "heat_capacity": {"J/K": _Unit(Fraction(1)), "kJ/K": _Unit(Fraction(10**3))},
 }
 
@@ -657,5 +669,8 @@ _EXAMPLE_NUMBERS: Final[dict[Dimension, str]] = {
     "velocity": "1.8",
     "power": "45",
     "flow_rate": "0.5",
+    "electric_current": "0.5",
+    "voltage": "10",
+    "frequency": "2",
     "heat_capacity": "400",
 }

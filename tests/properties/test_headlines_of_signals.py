@@ -63,12 +63,12 @@ def calibrated(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_severity(calibrated: Path) -> None:
-    found = tasks.vibration_severity(calibrated, unit="m/s^2", rate=1000.0)
+    found = tasks.VibrationSeverity(signals=calibrated, unit="m/s^2", rate=1000.0).run()
     check(severity_page(found), (*found.notes, *found.measured[0].notes), {"verdict"})
 
 
 def test_noise(calibrated: Path) -> None:
-    found = tasks.noise_level(calibrated, unit="um/s", rate=1000.0)
+    found = tasks.NoiseLevel(signals=calibrated, unit="um/s", rate=1000.0).run()
     (one,) = found.measured
     page = anderon_page(found)
     check(page, (*one.notes, *one.choices), {page.sections[0].key})

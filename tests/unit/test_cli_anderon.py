@@ -17,7 +17,6 @@ import pytest
 from typer.testing import CliRunner
 
 from rolamento import tasks
-from rolamento.cli.anderon import _full_scales_of as full_scales_of
 from rolamento.cli.app import app
 from rolamento.document.terminal import terminal
 from rolamento.io.json import dumps
@@ -25,6 +24,7 @@ from rolamento.pages.anderon import anderon_page, noise_statement
 from rolamento.plots.anderon import noise_bands, noise_figure
 from rolamento.tasks import signals
 from rolamento.tasks.noise import FullScale, MeasuredNoise, NoiseResult
+from rolamento.tasks.noise import _full_scales_of as full_scales_of
 from rolamento.vibration.anderon import BANDS, SPEED, BandNoise, measure_noise, noise_steps
 from rolamento.vibration.reading import read_signal
 from rolamento.vibration.signal import Signal
@@ -158,9 +158,8 @@ class TestLevels:
         np.save(path, np.random.default_rng(4).normal(size=count))
         told: list[tuple[int, int]] = []
 
-        (found,) = tasks.noise_level(
-            path, unit="um/s", rate=rate, progress=lambda *done: told.append(done)
-        ).measured
+        asked = tasks.NoiseLevel(signals=path, unit="um/s", rate=rate)
+        (found,) = asked.run(lambda *done: told.append(done)).measured
         whole = measure_noise(read_signal(path, unit="um/s", rate=rate))
         assert len(told) > 3
         assert told[-1][0] <= told[-1][1]
@@ -199,7 +198,7 @@ class TestLevels:
         table = np.column_stack([time, np.random.default_rng(1).normal(size=time.size), speed])
         header = "time (s),velocity (um/s),speed (rad/s)"
         np.savetxt(path, table[::1], "%.9g", ",", header=header, comments="")
-        (found,) = tasks.noise_level([path], channel="velocity").measured
+        (found,) = tasks.NoiseLevel(signals=[path], channel="velocity").run().measured
         assert found.noise.speed == pytest.approx(float(np.mean(speed)), rel=2e-3)
 
 
@@ -388,7 +387,7 @@ REFUSED: list[tuple[tuple[str, ...], str]] = [
     (("t60.npz", "--unit", "um/s", "--plot", "a.gif"), "must end in .png"),
     (
         ("t60.npz", "--unit", "um/s", "--csv", "t60.npz"),
-        "is one of the signal files; choose another name",
+        "is one of the input files; choose another name",
     ),
     (("t60.npz", "--unit", "um/s", "--csv", "a", "--json", "a"), "only one of"),
     (("t60.npz", "--unit", "um/s", "--bearing", "a\nb"), "--bearing: "),
@@ -409,7 +408,7 @@ def test_wrong_input_is_one_line(run: Run, arguments: tuple[str, ...], message: 
 
 
 def test_full_scales() -> None:
-    found = full_scales_of(["low=30, HIGH = 50 anderon", "medium=0.1 mm/s"])
+    found = full_scales_of(["low=30", "HIGH = 50 anderon", "medium=0.1 mm/s"])
     assert found["low"] == FullScale(30.0)
     assert found["high"] == FullScale(50.0)
     assert found["medium"].is_velocity
@@ -420,7 +419,8 @@ def test_full_scales() -> None:
 def test_hours_that_are_none(run: Run, text: str) -> None:
     code, _, err = run("t60.npz", "t120.npz", "--unit", "um/s", "--hours", text)
     assert code == 2
-    assert "must be a number of hours, not negative, for each signal, here 2" in err
+    rule = "must be a number of hours, not negative, for each signal, here 2"
+    assert (rule if text else "--hours: is missing") in err
 
 
 # --- page and picture of a record ------------------------------------------------------------

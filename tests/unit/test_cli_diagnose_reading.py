@@ -9,13 +9,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 import scipy.io
-import typer
 from typer.testing import CliRunner
 
-from rolamento.cli.diagnose import DiagnoseCommand, diagnose
+from rolamento.cli.requested import program_of
 
-app = typer.Typer(rich_markup_mode=None, add_completion=False)
-app.command(cls=DiagnoseCommand)(diagnose)
+app = program_of("vibration_diagnosis:VibrationDiagnosis", "diagnose")
 
 Run = Callable[..., tuple[int, str, str]]
 NOISE = np.random.default_rng(5).normal(size=60_000)
@@ -122,7 +120,7 @@ def test_a_short_record_is_told_before_it_is_read(
     known = ("a.npy", "--speed", "30 rpm", "--rate", "50 kHz")
     code, out, _ = run(*known)
     assert code == 1
-    assert out == (
+    assert " ".join(out.split()).startswith(
         "No verdict: the record is too short. It covers 0.4 revolutions of the shaft, 0.8 s; "
         "below 1.7 revolutions, 3.4 s, nothing can be said about either race."
     )

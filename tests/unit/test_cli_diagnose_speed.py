@@ -12,17 +12,15 @@ from typing import Any, NamedTuple
 import h5py
 import numpy as np
 import pytest
-import typer
 from typer.testing import CliRunner
 
 from rolamento import Bearing
-from rolamento.cli.diagnose import DiagnoseCommand, diagnose
+from rolamento.cli.requested import program_of
 from rolamento.tasks import shaft_speed, signals
 from rolamento.vibration.frequencies import nominal_frequencies
 from rolamento.vibration.synthesis import Fault, Noise, Recipe, SwingingSpeed, synthesise
 
-app = typer.Typer(rich_markup_mode=None, add_completion=False)
-app.command(cls=DiagnoseCommand)(diagnose)
+app = program_of("vibration_diagnosis:VibrationDiagnosis", "diagnose")
 
 Run = Callable[..., tuple[int, str, str]]
 RATE = 12_000.0

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import tomllib
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -124,3 +126,101 @@ def test_export_without_equilibrium_says_so() -> None:
     )
     assert "Without results" in page
     assert Path("a.rexs").is_file()
+
+
+# --- for simulation programs ----------------------------------------------------------------------
+
+SPINDLE = str(MACHINES / "spindle.toml")
+
+
+@pytest.mark.parametrize("language", ["en", "pt"])
+def test_elements_for_ross_with_what_they_leave_out(language: str) -> None:
+    page, _ = run("export", SPINDLE, "--ross", "3", "--points", "7", "--force",
+                  "-o", "b.toml", "--lang", language)  # fmt: skip
+    assert ("left out" if language == "en" else "omitido") in page
+    tables = tomllib.loads(Path("b.toml").read_text("utf-8"))
+    assert list(tables) == ["BearingElement_nose", "BearingElement_rear"]
+    assert tables["BearingElement_rear"]["speed"][-1] == pytest.approx(837.758)
+
+
+def test_ross_by_its_usual_name_and_to_standard_output() -> None:
+    run("export", SPINDLE, "--ross", "2", "--bearing", "rear", "--points", "7")
+    text, _ = run("export", SPINDLE, "--ross", "2", "--bearing", "rear", "--points", "7", "-o", "-")
+    assert Path("spindle_ross.toml").read_text("utf-8") == text
+    assert "frequency" in tomllib.loads(text)["BearingElement_rear"]
+
+
+def test_a_designation_a_case_and_a_machine_are_mapped() -> None:
+    over = ["--over", "duty.load.fz=1..2kN", "--points", "2"]
+    page, _ = run("export", "6310/C3", *over, "-o", "a.csv")
+    assert "6310/C3" in page
+    case = '[bearing]\ndesignation = "6310/C3"\n[duty]\n'
+    run("export", "-", *over, "-o", "b.csv", given=case.encode())
+    rows = [Path(name).read_text("utf-8").splitlines()[-1] for name in ("a.csv", "b.csv")]
+    assert rows[0].split(",")[1:] == rows[1].split(",")[1:]
+    run("export", SPINDLE, "--over", "loads.0.fz=1..2kN", "--points", "2", "-o", "c.mat")
+    assert Path("c.mat").read_bytes().startswith(b"MATLAB 5.0")
+
+
+def test_what_was_solved_as_json() -> None:
+    text, _ = run("export", SPINDLE, "-o", "r.py", "--points", "7", "--levers", "--json")
+    mapping = json.loads(text)
+    assert (mapping["kind"], len(mapping["bearings"]), len(mapping["elements"])) == (
+        "ross_export", 2, 4,
+    )  # fmt: skip
+    assert set(mapping["elements"][0]["left_out"]) == {"axial_radial", "shift_tilt", "tilt"}
+
+
+def test_an_fmu_says_what_lies_between_its_points() -> None:
+    page, _ = run("export", "6310/C3", "--set", "duty.load.fz=1 kN", "--points", "3",
+                  "--over", "duty.inner_speed=0..3000rpm", "-o", "a.fmu", "--fmi", "2")  # fmt: skip
+    assert "Between its points the stiffness is linear" in page
+    assert zipfile.is_zipfile("a.fmu")
+
+
+def test_points_without_equilibrium_end_with_1() -> None:
+    page, _ = run("export", "NU206", "--set", "duty.load.fz=1 kN", "--points", "2",
+                  "--over", "duty.load.fx=0..1kN", "-o", "a.csv", code=1)  # fmt: skip
+    assert "without a" in page
+
+
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [
+        (["-o", "a.toml"], "--ross: is missing: elements for ROSS need its version"),
+        (["-o", "a.toml", "--ross", "4"], "--ross = 4: must be one of 2, 3"),
+        (["-o", "a.py", "--ross", "3"], "--ross: is not for files that end in .py"),
+        (["-o", "a.rexs", "--over", "loads.0.fz=1..2kN"], "--over: is not for files that end in"),
+        (["-o", "a.csv", "--levers"], "--levers: is not for files that end in .csv"),
+        (["-o", "a.csv", "--without-results"], "--without-results: is not for files"),
+        (["-o", "a.fmu"], "--bearing: is missing: an FMU is of one bearing; one of nose, rear"),
+        (["-o", "a.fmu", "--bearing", "rear", "--fmi", "1"], "--fmi = 1: must be one of 2, 3"),
+        (["-o", "a.py", "--over", "loads.0.fz=1..2kN"], "must be the speed of a shaft"),
+        (["-o", "a.py", "--points", "6"], "--points = 6: must be at least 7"),
+        (["-o", "a.csv", "--bearing", "front"], "--bearing"),
+        (["-o", "a.csv", "--points", "100000"], "--points"),
+        (["-o", "a.csv", "--over", "loads.9.fz=1..2kN"], "loads.9"),
+        (["-o", "a.csv", "--over", "duty.load.fz=1..2kN"], "duty"),
+        (["-o", "a.csv", "--over", "loads.0.fz=1mm..2mm"], "loads.0.fz"),
+        (["-o", "there.toml", "--ross", "3"], "already exists"),
+        (["-o", "no/folder/a.csv", "--points", "2"], "cannot be written"),
+    ],
+)
+def test_wrong_options_are_one_line(words: list[str], expected: str) -> None:
+    Path("there.toml").write_text("", encoding="utf-8")
+    _, complaint = run("export", SPINDLE, *words, code=2)
+    assert expected in complaint
+    assert complaint.count("\n") == 1
+
+
+@pytest.mark.parametrize("name", ["a.py", "a.xlsx"])
+def test_a_bearing_alone_is_no_machine(name: str) -> None:
+    _, complaint = run("export", "6310/C3", "--set", "duty.inner_speed=9 rpm", "-o", name, code=2)
+    assert "is a bearing alone" in complaint
+
+
+def test_a_workbook_is_exported_and_solved() -> None:
+    run("export", SPINDLE, "--set", "loads.0.fz=900 N", "-o", "m.xlsx")
+    assert load_machine("m.xlsx") == load_machine(SPINDLE, ["loads.0.fz=900 N"])
+    page, _ = run("export", "m.xlsx", "-o", "again.rexs", "--without-results")
+    assert "REXS 2.0" in page

@@ -110,13 +110,14 @@ def test_the_reference_life_is_not_passed_by_what_knows_less() -> None:
 
 
 def test_without_a_fatigue_load_limit_nothing_leads() -> None:
-    hybrid = deep(fz=2000.0)
-    hybrid = hybrid.replace(bearing=hybrid.bearing.replace(ball_material="Si3N4"))
+    balls = {"ball_count": 5, "ball_diameter": 0.02, "pitch_diameter": 0.045}  # beyond ISO 76
+    outside = Bearing(**balls, inner_conformity=0.52, outer_conformity=0.53, contact_angle=0.0)
+    case = Case(bearing=outside, duty=Duty(inner_speed=100.0, load=Load(fz=2000.0)))
     given = {"fatigue_load_limit": "estimate", "dynamic_rating": 20600.0}
-    found = of(hybrid, **KNOWN, **given)
+    found = of(case, **KNOWN, **given)
     assert np.isnan(found.headline.life[0])
     assert found.headline.reason[0] == "no_fatigue_load_limit"
-    thin = of(hybrid, viscosity_ratio=0.05, contamination=0.5, **given)
+    thin = of(case, viscosity_ratio=0.05, contamination=0.5, **given)
     assert thin.headline.below[0]  # the bound needs no fatigue load limit
 
 

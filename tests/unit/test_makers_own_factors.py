@@ -119,9 +119,9 @@ def test_rollers_are_estimated_by_their_own_share() -> None:
 
 @pytest.mark.parametrize(
     ("designation", "method"),
-    [("S 6012 C", "contacts"), ("EX 70 15deg", "contacts"), ("6310/HC5", "contacts")],
+    [("S 6012 C", "contacts"), ("EX 70 15deg", "contacts"), ("6310/HC5", "estimate")],
 )
-def test_a_known_interior_and_ceramic_balls_have_it_by_the_contacts(
+def test_a_known_interior_has_it_by_the_contacts_and_an_inferred_one_by_c_0(
     designation: str, method: str
 ) -> None:
     assert life(solved_of(designation)).rating_sources["fatigue"] == method

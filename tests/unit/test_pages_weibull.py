@@ -14,7 +14,7 @@ from rolamento.document.terminal import terminal
 from rolamento.io.json import dumps
 from rolamento.pages.weibull import BOUND_METHODS, FITS, HYPOTHESES, SCHEMES, weibull_page
 from rolamento.pages.weibull_plan import demonstration_page, precision_page
-from rolamento.tasks.weibull import demonstration_study, precision_study
+from rolamento.tasks.weibull import DemonstrationTest, precision_study
 from rolamento.weibull import (
     FIT_METHODS,
     METHODS,
@@ -186,7 +186,9 @@ def test_json_has_null_for_what_does_not_exist() -> None:
 @EVERY
 @pytest.mark.parametrize("width", WIDTHS)
 def test_plans_fit_the_page(width: int, language: str) -> None:
-    demonstrated = demonstration_study("12000 Mrev", shape=1.3, bearings=12, failures_allowed=1)
+    demonstrated = DemonstrationTest(
+        life="12000 Mrev", shape=1.3, bearings=12, failures_allowed=1
+    ).run()
     known = precision_study(5.0, shape=1.1, life="25000 h", samples=SAMPLES)
     told = precision_study(failures=6, groups=6, group_sizes=[4], samples=SAMPLES)
     pages = [
@@ -202,7 +204,7 @@ def test_plans_fit_the_page(width: int, language: str) -> None:
 
 @EVERY
 def test_plans_without_result_give_advice(language: str) -> None:
-    failed = demonstration_study("1000 h", bearings=2, time=10.0)
+    failed = DemonstrationTest(life="1000 h", bearings=2, time=10.0).run()
     page = " ".join(shown(demonstration_page, failed, language).split())
     assert advice("plan_not_shown", language) in page
     unreachable = precision_study(1.5, groups=5, life="1000 h", samples=SAMPLES)
@@ -220,7 +222,7 @@ def test_sudden_death_is_weighed_against_the_full_test() -> None:
 
 
 def test_json_of_plans() -> None:
-    found = demonstration_study("1000 h", bearings=10)
+    found = DemonstrationTest(life="1000 h", bearings=10).run()
     data = json.loads(dumps(found.to_mapping()))
     assert (data["unit"], data["time"]) == ("h", found.plan.time)
     chance = {one["life_ratio"]: one["chance"] for one in data["chance_of_passing"]}

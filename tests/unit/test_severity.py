@@ -221,9 +221,9 @@ def test_the_worse_zone_leads(tmp_path: Path) -> None:
     path = tmp_path / "slow.npz"
     velocity = 1.1107e-3 * np.sin(2 * np.pi * 2.5 * time)
     np.savez(path, velocity=velocity, fs=5120.0)
-    found = tasks.vibration_severity(
-        path, speed="150 rpm", power="45 kW", support="rigid", unit="m/s"
-    )
+    found = tasks.VibrationSeverity(
+        signals=path, speed="150 rpm", power="45 kW", support="rigid", unit="m/s"
+    ).run()
     assert found.zone == "C"
     assert "zone A by velocity" in severity_statement(found)
 

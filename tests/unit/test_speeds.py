@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from rolamento import InputError, parse_case
+from rolamento import InputError, load_case, parse_case, solve
 from rolamento.case import case_of
 from rolamento.case.bearing import Bearing
 from rolamento.case.preload_classes import level_of_force
@@ -20,6 +20,7 @@ from rolamento.pages.speed import speed_page
 from rolamento.ratings import dynamic_rating, roller_dynamic_rating, static_rating
 from rolamento.speeds import (
     ceramic_factor,
+    general_minimum_shares,
     heat_shares,
     minimum_axial_load,
     minimum_axial_load_of_thrust,
@@ -376,3 +377,33 @@ def test_different_elements_are_asked_for_alone() -> None:
                 '[duty.load]\nfz = "1 kN"\n'
             )
         )
+
+
+def test_makers_ask_alike_of_all_bearings() -> None:
+    rules = {one.maker: one.share for one in general_minimum_shares("cylindrical")}
+    assert rules == {"SKF": 0.02, "Schaeffler": 0.02}
+    assert {one.share for one in general_minimum_shares("ball")} == {0.01}
+
+
+def test_without_a_cage_schaeffler_asks_for_more() -> None:
+    rules = {one.maker: one.share for one in general_minimum_shares("cylindrical", True)}
+    assert rules["Schaeffler"] == 2.0 * rules["SKF"]
+
+
+def test_general_rules_stand_beside_the_case_and_warn_of_nothing() -> None:
+    changes = {"duty.load.fz": "1 kN", "duty.inner_speed": "3000 rpm"}
+    found = speed_limits("NU210", changes)
+    skf = found.general_loads[0]
+    assert skf.load == pytest.approx(0.02 * found.boundary.dynamic_rating)
+    assert not skf.enough
+    assert "load_below_minimum" not in {note.key for note in found.notes}
+
+
+def test_the_cage_slips_where_friction_moves_the_balls() -> None:
+    changes = {"model.raceway_control": "friction", "lubricant.kind": "dry",
+               "lubricant.friction_coefficient": 0.06}  # fmt: skip
+    case = load_case("src/rolamento/examples/218_combined.toml", changes)
+    slip = speed_limits(case).cage_slip
+    assert slip is not None
+    assert slip == pytest.approx(float(solve(case).rolling.skid[0]))  # type: ignore[union-attr]
+    assert speed_limits(case.with_({"model.raceway_control": "outer"})).cage_slip is None

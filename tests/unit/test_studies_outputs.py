@@ -26,6 +26,7 @@ def given(case_218: Case) -> Evaluation:
         lubricant=oil,
         temperature={"lubricant": 343.15},
         surface=roughness,
+        electrical={"voltage": 10.0, "current": 0.5},
         life={**life, "required_life": 3.6e7, "tallian_subsurface": {}},
         heat={
             "bore": 0.09,

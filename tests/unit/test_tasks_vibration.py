@@ -120,25 +120,25 @@ def test_anderons_of_files(tmp_path: Path) -> None:
     for hours, factor in ((60, 1.0), (120, 2.0)):
         paths.append(tmp_path / f"t{hours}.npz")
         np.savez(paths[-1], velocity=factor * samples, fs=24_000.0)
-    one = tasks.noise_level(paths[0], unit="m/s")
+    one = tasks.NoiseLevel(signals=paths[0], unit="m/s").run()
     assert one.verdicts == ("none",)
-    both = tasks.noise_level(
-        paths,
+    both = tasks.NoiseLevel(
+        signals=paths,
         unit="m/s",
         hours=[60, 120],
         full_scale={"low": 1e6, "high": tasks.FullScale(0.1, True)},
-    )
+    ).run()
     assert both.verdicts == ("accepted", "accepted")
     assert both.trend is not None
     assert both.trend.of("low").ratio == pytest.approx(2.0)
     for wrong in ({"hours": [1.0]}, {"accepted": 2.0}, {"speed": 0.0}, {"bearing": "a\nb"}):
         with pytest.raises(InputError) as refused:
-            tasks.noise_level(paths, unit="m/s", **wrong)
+            tasks.NoiseLevel(signals=paths, unit="m/s", **wrong).run()
         assert refused.value.field == next(iter(wrong))
     with pytest.raises(InputError, match="1 to 500 files"):
-        tasks.noise_level([])
+        tasks.NoiseLevel(signals=[]).run()
     with pytest.raises(InputError, match='unit="um/s"'):
-        tasks.noise_level(paths[0])
+        tasks.NoiseLevel(signals=paths[0]).run()
 
 
 def test_a_case_without_solution_makes_no_signal() -> None:

@@ -15,7 +15,14 @@ import numpy as np
 import pytest
 
 from rolamento.errors import InputError
-from rolamento.tasks.inputs import DEMONSTRATION, LIFE_TEST, SIGNAL, by_name, given
+from rolamento.tasks import (
+    DemonstrationTest,
+    LifeTestEvaluation,
+    Request,
+    VibrationDiagnosis,
+    VibrationSeverity,
+)
+from rolamento.tasks.bearing import designated
 from rolamento.web import drops, limits
 from rolamento.web.server import Settings, create_app
 
@@ -65,7 +72,7 @@ def test_a_record_says_what_is_damaged_as_the_command_does(record: bytes, tmp_pa
     answer = drop(record, "motor%20drive.npz", bearing="6205").json()
     path = tmp_path / "own.npz"
     path.write_bytes(record)
-    own = tasks.diagnose(path, drops._of_designation("6205"))
+    own = tasks.diagnose(path, designated("6205"))
     assert answer["verdict"] == {
         "code": "fault",
         "text": own.statement[0].text,
@@ -328,13 +335,37 @@ def test_a_page_calls_options_as_it_labels_them() -> None:
     assert " --" not in answer
 
 
-@pytest.mark.parametrize("groups", [SIGNAL, LIFE_TEST, DEMONSTRATION])
-def test_every_example_of_what_is_asked_for_can_be_read(groups: Any) -> None:
-    known = by_name(groups)
-    typed = {name: [one.example] for name, one in known.items() if one.example}
-    assert given(groups, typed).keys() >= typed.keys()
+@pytest.mark.parametrize(
+    ("request_", "own"),
+    [
+        (VibrationDiagnosis, {"signal": "x.wav"}),
+        (VibrationSeverity, {"signals": ["x.wav"]}),
+        (LifeTestEvaluation, {"data": [1.0, 2.0]}),
+        (DemonstrationTest, {}),
+    ],
+)
+def test_every_example_of_what_is_asked_for_can_be_read(
+    request_: type[Request], own: dict[str, Any]
+) -> None:
+    asked = {name: one for name, one in request_.inputs().items() if not one.is_local}
+    examples = {name: [one.example] for name, one in asked.items() if one.example}
+    for name, texts in examples.items():
+        needed = {"life": ["1 h"], "bearing": ["6205"], "hours": ["1"]}
+        typed = {key: one for key, one in needed.items() if key in asked} | {name: texts}
+        typed.pop("hours" if name == "dates" else "", None)
+        assert getattr(request_.read(typed, **own), name) is not None
     with pytest.raises(InputError):
-        given(groups, {"nonsense": ["1"]})
+        request_.read({"nonsense": ["1"]}, **own)
+
+
+@pytest.mark.parametrize("name", ["machine", "baseline", "signal"])
+def test_no_page_names_a_file(name: str) -> None:
+    """What is read from the disk of the server is nothing that a visitor may choose."""
+    with pytest.raises(InputError, match="is not asked for here"):
+        VibrationDiagnosis.read({name: ["/etc/passwd"]}, signal="x.wav", bearing="6205")
+    assert name not in str(VibrationDiagnosis.described())
+    with pytest.raises(InputError, match="bearing"):
+        VibrationDiagnosis.read({"bearing": ["/etc/passwd"]}, signal="x.wav")
 
 
 def test_a_worker_does_the_same(record: bytes, tmp_path: Path) -> None:

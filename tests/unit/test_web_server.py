@@ -421,7 +421,7 @@ def test_a_heavy_case_is_slow_wherever_it_stands(
     expected: tuple[str, float | None],
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    async def fast(*_: object) -> tuple[str, None]:
+    async def fast(*_: object, **__: object) -> tuple[str, None]:
         return "fast", None
 
     async def slow(*_: object, seconds: float) -> tuple[str, float]:
@@ -439,7 +439,7 @@ def test_a_heavy_case_is_slow_wherever_it_stands(
 def test_too_many_that_wait_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     async def run() -> None:
         queue = limits.Limits(1, 2)
-        monkeypatch.setattr(limits, "_queue", lambda _: queue)
+        monkeypatch.setattr(limits, "_queue", lambda *_: queue)
         refused = []
 
         async def one() -> None:

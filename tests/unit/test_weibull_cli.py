@@ -231,7 +231,7 @@ def test_the_example_can_be_copied(run: Run, tmp_path: Path) -> None:
         (("campanha_2008.csv", "--write", "x.csv"), "goes with --example alone"),
         (
             ("campanha_2008.csv", "--json", "campanha_2008.csv"),
-            "is the data file itself; choose another name",
+            "is one of the input files; choose another name",
         ),
         (("campanha_2008.csv", "--plot", "x.png", "--contour", "x.png"), "only one of"),
         (("campanha_2008.csv", "--plot", "x.gif"), "must end in .png, .svg or .pdf"),
@@ -242,7 +242,7 @@ def test_the_example_can_be_copied(run: Run, tmp_path: Path) -> None:
             "cannot be combined with --shape, which has its own bounds",
         ),
         (("campanha_2008.csv", "--shape", "-1"), "must be a positive number"),
-        (("campanha_2008.csv", "--shape", "nan"), "must be a positive number"),
+        (("campanha_2008.csv", "--shape", "nan"), "must be a number"),
         (("campanha_2008.csv", "--confidence", "90"), "between 0 and 1"),
         (("campanha_2008.csv", "--reliability", "1"), "between 0 and 1"),
         (("campanha_2008.csv", "--sides", "both"), "must be one of two"),

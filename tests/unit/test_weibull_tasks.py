@@ -12,7 +12,7 @@ import pytest
 
 from rolamento.errors import InputError
 from rolamento.tasks.weibull import (
-    demonstration_study,
+    DemonstrationTest,
     life_test_study,
     precision_study,
     trend_study,
@@ -77,10 +77,10 @@ def test_large_tests_are_drawn_less_often() -> None:
 
 
 def test_a_demonstration_as_long_as_its_life() -> None:
-    found = demonstration_study("1000 h", confidence=0.95)
+    found = DemonstrationTest(life="1000 h", confidence=0.95).run()
     assert (found.plan.time, found.unit) == (1000.0, "h")
     assert [one.failures_allowed for one in found.beside] == [1, 2]
-    in_days = demonstration_study("1000 h", bearings=5, time="2 days")
+    in_days = DemonstrationTest(life="1000 h", bearings=5, time="2 days").run()
     assert in_days.plan.time == 48.0
 
 
@@ -105,8 +105,8 @@ def test_noise_has_no_law_of_wear() -> None:
         (lambda: life_test_study(TIMES, calculated={"a": -1.0}), "calculated"),
         (lambda: life_test_study(TIMES, only=["III"]), "only"),
         (lambda: life_test_study(TIMES, methods="maximum_likelihood"), "methods"),
-        (lambda: demonstration_study("1000"), "life"),
-        (lambda: demonstration_study("1000 h", time="1 Mrev"), "time"),
+        (lambda: DemonstrationTest(life="1000").run(), "life"),
+        (lambda: DemonstrationTest(life="1000 h", time="1 Mrev").run(), "time"),
         (lambda: precision_study(), "ratio"),
         (lambda: precision_study(5.0, groups=4, group_sizes=[2, 3]), "groups"),
     ],

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from rolamento.case.roller_bearing import RollerBearing
     from rolamento.case.varied import DutyFields
     from rolamento.friction import Friction
+    from rolamento.friction.seals import SealsAndBath
     from rolamento.life import LifeConditions, LifeSummary
     from rolamento.lubrication import Film
     from rolamento.vibration.frequencies import FaultFrequencies
@@ -88,6 +89,18 @@ class Analysis:
 
         return frequencies_of(self.solved)
 
+    @cached_property
+    def seals_and_bath(self) -> SealsAndBath | None:
+        """Torque of contact seals and of an oil bath, beside the friction of the contacts.
+
+        None where the bearing has neither, or without a result.
+        """
+        if not self.solved.converged.any():
+            return None
+        from rolamento.friction.seals import seals_and_bath
+
+        return seals_and_bath(self.solved, self.film)
+
     def part(self, name: str) -> Any:
         """Give one part of the mapping by its key, such as ``"life"``, without the others.
 
@@ -106,6 +119,10 @@ class Analysis:
         notes = [*mapping.pop("notes"), *own]
         case = mapping.pop("case")
         parts = {name: self.part(name) for name in _FOLLOWING}
+        beside = self.seals_and_bath
+        if beside is not None:
+            parts["seals_and_bath"] = beside.to_mapping()
+            notes += [note.to_mapping() for note in beside.notes]
         return {**mapping, **parts, "notes": notes, "case": case}
 
     def to_json(self, *, indent: int | None = 2) -> str:

@@ -41,10 +41,16 @@ def machines_known(solved: Solved, found: Film | None) -> tuple[MachineBearing, 
     A bearing with a mounting is designated as it was delivered. found: the film of the cases.
     """
     from rolamento.friction import machines_of
-    from rolamento.friction.machine import are_designated
+    from rolamento.friction.machine import are_designated, bearings_of
     from rolamento.life.basis import static_of_bearings
+    from rolamento.life.hybrid import static_share
 
     case = solved.case if solved.before_mounting is None else solved.before_mounting.case
     if found is None or not are_designated(case.bearing):
         return ()
-    return machines_of(case, found, *static_of_bearings(solved))
+    rating, load = static_of_bearings(solved)
+    # the constants of the models are for the C_0 of steel bearings: it stands for their geometry
+    shares = [static_share(one) for one in bearings_of(case.bearing)]
+    if rating.shape[1] == len(shares) and any(share != 1.0 for share in shares):
+        rating = np.where(np.array(shares) == 1.0, rating, np.nan)
+    return machines_of(case, found, rating, load)

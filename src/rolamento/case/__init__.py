@@ -17,16 +17,20 @@ from rolamento.case.case import (
     parse_case,
     save_case,
 )
-from rolamento.case.duty import Displacement, Duty, Load
+from rolamento.case.duty import Displacement, Duty, Load, Oscillation
+from rolamento.case.electrical import Electrical
 from rolamento.case.film_model import FilmModel
+from rolamento.case.grease import Grease
 from rolamento.case.heat import Heat
 from rolamento.case.life_model import LifeModel
+from rolamento.case.losses import Losses
 from rolamento.case.lubricant import Lubricant
 from rolamento.case.material import Material
 from rolamento.case.model import Model
 from rolamento.case.mounting import Mounting, SeatMaterial
 from rolamento.case.report import ReportHead
 from rolamento.case.roller_bearing import RollerBearing
+from rolamento.case.static import Static
 from rolamento.case.surface import Surface
 from rolamento.case.temperature import Temperature
 
@@ -53,13 +57,16 @@ __all__ = [
     "Case",
     "Displacement",
     "Duty",
+    "Electrical",
     "FilmModel",
     "Gear",
     "Gravity",
+    "Grease",
     "Heat",
     "Housing",
     "LifeModel",
     "Load",
+    "Losses",
     "Lubricant",
     "Machine",
     "MachineBearing",
@@ -67,6 +74,7 @@ __all__ = [
     "Material",
     "Model",
     "Mounting",
+    "Oscillation",
     "ReportHead",
     "RollerBearing",
     "SeatMaterial",
@@ -74,6 +82,7 @@ __all__ = [
     "Shaft",
     "ShaftLoad",
     "Spring",
+    "Static",
     "Step",
     "Surface",
     "Temperature",

@@ -12,11 +12,14 @@ from pydantic import Field, ModelWrapValidatorHandler, ValidationInfo, model_val
 
 from rolamento.case.bearing import Bearing
 from rolamento.case.duty import SHORT_NAMES, Duty
+from rolamento.case.electrical import Electrical
 from rolamento.case.fields import OVERRIDE_SOURCE, Changes, changed, fields_of, overridden
 from rolamento.case.fields import Field as CaseField
 from rolamento.case.film_model import FilmModel
+from rolamento.case.grease import Grease
 from rolamento.case.heat import Heat
 from rolamento.case.life_model import LifeModel
+from rolamento.case.losses import Losses
 from rolamento.case.lubricant import LubricantField
 from rolamento.case.model import Model
 from rolamento.case.mounting import Mounting
@@ -25,6 +28,7 @@ from rolamento.case.record import ByElement, Record
 from rolamento.case.report import ReportHead
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.case.rolling_bearing import RollingBearing, element_named
+from rolamento.case.static import Static
 from rolamento.case.surface import Surface
 from rolamento.case.temperature import Temperature
 from rolamento.errors import FileError, InputError, nearest
@@ -90,8 +94,16 @@ class Case(Record):
         outside diameter may be left out of a table where the bearing has a designation.
     film
         A `FilmModel`; its defaults if not given.
+    grease
+        A `Grease`: thickener, seals, shaft, for the life of the grease.
     heat
         A `Heat`: ways of the heat out of the bearing, for its heat balance.
+    static
+        A `Static`: demands on the static safety, hardness, allowable pressure.
+    electrical
+        An `Electrical`: voltage and current across the bearing.
+    losses
+        A `Losses`: seals and oil bath, for the friction.
     life
         A `LifeModel`; ratings, cleanliness and wishes for the life.
     report
@@ -114,7 +126,11 @@ class Case(Record):
     temperature: Temperature | None = Field(None, examples=["[temperature] as a table"])
     mounting: Mounting | None = Field(None, examples=["[mounting] as a table"])
     film: FilmModel | None = Field(None, examples=["[film] as a table"])
+    grease: Grease | None = Field(None, examples=["[grease] as a table"])
     heat: Heat | None = Field(None, examples=["[heat] as a table"])
+    static: Static | None = Field(None, examples=["[static] as a table"])
+    electrical: Electrical | None = Field(None, examples=["[electrical] as a table"])
+    losses: Losses | None = Field(None, examples=["[losses] as a table"])
     life: LifeModel | None = Field(None, examples=["[life] as a table"])
     report: ReportHead | None = Field(None, examples=["[report] as a table"])
 

@@ -12,7 +12,7 @@ from rolamento.errors import InputError
 from rolamento.units import readable
 from rolamento.words import said
 
-__all__ = ["AXES", "LOADS", "SHORT_NAMES", "Displacement", "Duty", "Load"]
+__all__ = ["AXES", "LOADS", "SHORT_NAMES", "Displacement", "Duty", "Load", "Oscillation"]
 
 AXES: Final = ("x", "y", "z", "ry", "rz")
 """The five degrees of freedom of the inner ring, in the order used everywhere."""
@@ -92,6 +92,32 @@ class Displacement(Record):
     rz: Annotated[_Tilt | None, Replaces("duty.load.mz")] = Field(None, examples=["0.05 deg"])
 
 
+class Oscillation(Record):
+    """A ring that swings to and fro instead of turning.
+
+    Parameters
+    ----------
+    angle
+        φ between the end points, in rad: half of it to each side of the middle. An oscillation
+        goes there and back, 2 φ.
+    frequency
+        Oscillations in a second, in Hz; without it the life has no hours.
+
+    Raises
+    ------
+    InputError
+        If a value is out of range.
+    """
+
+    angle: Annotated[
+        Annotated[float, Quantity("angle", above="0 deg", at_most="3600 deg")],
+        Replaces("duty.inner_speed", "duty.outer_speed"),
+    ] = Field(examples=["30 deg"])
+    frequency: Annotated[float, Quantity("frequency", above="0 Hz", at_most="1000 Hz")] | None = (
+        Field(None, examples=["2 Hz"])
+    )
+
+
 class Duty(Record):
     """Speeds, loads and imposed displacements.
 
@@ -109,6 +135,9 @@ class Duty(Record):
         A `Load`.
     displacement
         A `Displacement`.
+    oscillation
+        An `Oscillation`, in the place of speeds: which of the rings swings makes no difference but
+        by `life.rotating_load`.
 
     Raises
     ------
@@ -121,6 +150,7 @@ class Duty(Record):
     first_ball_azimuth: _Azimuth = Field(0.0, examples=["11.25 deg"])
     load: Load = Field(default_factory=Load)
     displacement: Displacement = Field(default_factory=Displacement)
+    oscillation: Oscillation | None = Field(None, examples=["[duty.oscillation] as a table"])
 
     @model_validator(mode="after")
     def _load_or_displacement(self) -> Self:
@@ -136,6 +166,19 @@ class Duty(Record):
                     field=f"displacement.{axis}",
                     value=readable(shift, "length" if len(axis) == 1 else "angle"),
                     example=f"{axis} without load.{name}",
+                )
+        return self
+
+    @model_validator(mode="after")
+    def _turning_or_oscillating(self) -> Self:
+        for name in ("inner_speed", "outer_speed") if self.oscillation is not None else ():
+            speed = getattr(self, name)
+            if speed != 0.0:
+                raise InputError(
+                    said("cannot be combined with an oscillation: the ring turns or it swings"),
+                    field=name,
+                    value=readable(speed, "angular_speed"),
+                    example="[duty.oscillation] without inner_speed and outer_speed",
                 )
         return self
 

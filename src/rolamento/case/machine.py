@@ -73,6 +73,7 @@ from rolamento.case.machine_loads import (
     Speed,
     mirrored,
 )
+from rolamento.case.machine_sheets import read_sheets
 from rolamento.case.material import Material
 from rolamento.case.model import Model
 from rolamento.case.quantity import AT_THE_BORDER, Line, Quantity, Ratio, Replaces, at_the_border
@@ -81,6 +82,7 @@ from rolamento.case.rolling_bearing import Designation
 from rolamento.case.surface import Surface
 from rolamento.case.temperature import Temperature
 from rolamento.errors import ABSENT, InputError, guess
+from rolamento.io.sheets import is_workbook
 from rolamento.io.text import (
     TextFormat,
     format_of_path,
@@ -1177,7 +1179,7 @@ def load_machine(path: str | os.PathLike[str], settings: Iterable[str] = ()) -> 
     ----------
     path
         A TOML or JSON file, distinguished by the name's ending, else by the first character;
-        ``"-"`` for standard input.
+        ``"-"`` for standard input; or a workbook (.xlsx), one sheet a table.
     settings
         Texts ``KEY=VALUE`` that go over the file: parts of a list by their names, or by their
         numbers from 0, such as ``bearings.A.designation=6310`` or ``loads.0.fz=-8 kN``.
@@ -1213,11 +1215,27 @@ def machine_reader(path: str | os.PathLike[str]) -> MachineReader:
 
     Parameters and errors as of `load_machine`; beside settings also values as of `with_values`.
     """
+    if is_workbook(path):
+        return _workbook_reader(path)
     text, source = read_text(path)
     folder = "" if os.fspath(path) == "-" else os.path.dirname(os.fspath(path))
 
     def read(settings: Iterable[str], values: _Values = ()) -> Machine:
         return _parsed(text, format_of_path(path), source, folder, settings, values)
+
+    return read
+
+
+def _workbook_reader(path: str | os.PathLike[str]) -> MachineReader:
+    """As `machine_reader`, of a workbook, one sheet a table."""
+    mapping = read_sheets(path)
+
+    def read(settings: Iterable[str], values: _Values = ()) -> Machine:
+        whole = with_values(with_settings(mapping, settings), values)
+        try:
+            return Machine.from_mapping(with_files(whole, os.path.dirname(os.fspath(path))))
+        except InputError as error:
+            raise error if error.source else error.with_details(source=os.fspath(path)) from None
 
     return read
 

@@ -23,12 +23,15 @@ from rolamento.cli.streams import end_of_output, print_text
 
 COMMANDS: Final[Groups] = {
     "To start with": ("demo", "app", "new", "examples", "warm"),
-    "Inside the bearing": ("solve", "turn", "friction", "heat", "report"),
+    "Inside the bearing": ("solve", "turn", "friction", "heat", "static", "electrical", "report"),
     "The machine around it": ("shaft", "rotor", "import", "export"),
-    "Life and life tests": ("life", "weibull", "weibull-plan", "replace", "trend"),
+    "Life and life tests": (
+        *("service-life", "life", "oscillation", "weibull", "weibull-plan", "replace", "trend"),
+    ),
     "Vibration": ("frequencies", "diagnose", "severity", "synthesise", "anderon"),
     "Catalogue and clearance": ("catalogue", "clearance", "speed"),
-    "Studies and figures": ("sweep", "tolerance", "plot"),
+    "Lubrication": ("grease", "oil"),
+    "Studies and figures": ("sweep", "tolerance", "seek", "plot"),
     "Verification": ("verify", "reproduce"),
 }
 """What a person wants, and the commands for it: in the help, the front pages and the guide."""
@@ -36,13 +39,22 @@ COMMANDS: Final[Groups] = {
 
 _MODULES: Final = {
     "app": "browser", "demo": "solve", "examples": "new", "import": "exchange",
-    "export": "exchange",
+    "export": "exchange", "oil": "grease",
 }  # fmt: skip
 """Modules of commands that have none of their own name."""
 
+_REQUESTS: Final = {
+    "anderon": "noise:NoiseLevel",
+    "diagnose": "vibration_diagnosis:VibrationDiagnosis",
+    "seek": "seek:GoalSeek",
+    "severity": "severity:VibrationSeverity",
+    "weibull": "weibull:LifeTestEvaluation",
+}
+"""Commands that are made of a request."""
+
 _SOLVING: Final = {
-    "demo", "app", "solve", "turn", "friction", "heat", "report", "life", "sweep", "shaft", "rotor",
-    "export",
+    "demo", "app", "solve", "turn", "friction", "heat", "static", "electrical", "report", "life",
+    "sweep", "seek", "shaft", "rotor", "export", "oscillation", "grease", "service-life",
 }  # fmt: skip
 """Commands after the first of which the solver is compiled in the background."""
 
@@ -70,9 +82,15 @@ class _Commands(Mapping[str, Any]):
 
 @cache
 def _command(name: str) -> Any:
-    module = import_module(f"{__package__}.{_MODULES.get(name, name.replace('-', '_'))}")
+    if name in _REQUESTS:
+        from rolamento.cli.requested import program_of
+
+        program = program_of(_REQUESTS[name], name)
+    else:
+        module = _MODULES.get(name, name.replace("-", "_"))
+        program = import_module(f"{__package__}.{module}").app
     of_module = get_group_from_info(
-        TyperInfo(module.app, name=name),
+        TyperInfo(program, name=name),
         pretty_exceptions_short=True,
         suggest_commands=True,
         rich_markup_mode=None,

@@ -12,7 +12,7 @@ from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import CataloguesOption, ForceOption, LanguageOption
 from rolamento.cli.streams import STANDARD_STREAM, print_text, put
 from rolamento.errors import InputError
-from rolamento.io.writing import write_text
+from rolamento.io.writing import write_bytes, write_text
 from rolamento.words import said
 
 __all__ = ["app", "examples", "new"]
@@ -42,7 +42,12 @@ def new(
         ),
     ] = None,
     machine: Annotated[
-        bool, typer.Option("--machine", help="A machine file instead: shafts on their bearings.")
+        bool,
+        typer.Option(
+            "--machine",
+            help="A machine file instead: shafts on their bearings; as a workbook if FILE ends in"
+            " .xlsx.",
+        ),
     ] = False,
     force: ForceOption = False,
     catalogue: CataloguesOption = None,
@@ -81,11 +86,17 @@ def _write_machine(text: str, designation: str | None, output: str | None, force
             value=designation,
         )
     path = "machine.toml" if output is None else output
-    _check_ending(path)
-    if path == STANDARD_STREAM:
-        put(text, path)
-        return
-    _write(text, path, force)
+    if path.lower().endswith(".xlsx"):
+        from rolamento.tasks.new_case import machine_workbook
+
+        _refuse_there(path, force)
+        write_bytes(machine_workbook(), path, new=not force)
+    else:
+        _check_ending(path)
+        if path == STANDARD_STREAM:
+            put(text, path)
+            return
+        _write(text, path, force)
     command = f"rolamento shaft {path}"
     print_text(said("Wrote {path}; now try: {command}", path=path, command=command) + "\n")
 
@@ -143,6 +154,10 @@ def _check_ending(path: str) -> None:
 
 def _write(text: str, path: str, force: bool) -> None:
     """Write a file; one that is there only if that is meant."""
+    _refuse_there(path, force)
+    write_text(text, path, new=not force)
+
+
+def _refuse_there(path: str, force: bool) -> None:
     if not force and os.path.lexists(path):
         raise InputError(said("already exists; --force overwrites it"), source=path)
-    write_text(text, path, new=not force)

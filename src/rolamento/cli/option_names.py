@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import inspect
 import shlex
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 
 from typer.models import OptionInfo
@@ -23,6 +23,13 @@ def in_options(command: Callable[..., None], **others: str) -> Iterator[None]:
     others
         Options that are called otherwise than the parameter of the task.
     """
+    with in_names({**_option_names(command), **others}):
+        yield
+
+
+@contextmanager
+def in_names(options: Mapping[str, str]) -> Iterator[None]:
+    """Say which option gave a field that is refused; options: by the names of the fields."""
     try:
         yield
     except InputError as error:
@@ -30,7 +37,7 @@ def in_options(command: Callable[..., None], **others: str) -> Iterator[None]:
             raise
         from rolamento.tasks.parameters import renamed
 
-        names = {"changes": "--set", **_option_names(command), **others}
+        names = {"changes": "--set", **options}
         told = renamed(error, names, written, between=" ")
         if not told.source and error.field in names:
             told = told.with_details(field="", source=told.field)

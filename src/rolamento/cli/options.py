@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Final
+from typing import Annotated, Any
 
 import typer
 
 from rolamento.cli.common import Language
-from rolamento.tasks.inputs import SIGNAL, by_name
 
 __all__ = [
     "BearingArgument",
     "CaseArgument",
     "CataloguesOption",
-    "ChannelOption",
-    "DurationOption",
     "ForceOption",
     "JsonOption",
     "LagOption",
@@ -23,19 +20,13 @@ __all__ = [
     "MachineSettingsOption",
     "OuterSpeedOption",
     "PlotOption",
-    "RateOption",
-    "ScaleOption",
     "SeedOption",
     "SettingsOption",
     "SpeedOption",
-    "StartOption",
     "VariantsOption",
     "json_option",
     "plot_option",
 ]
-
-
-_ASKED: Final = by_name(SIGNAL)
 
 
 def json_option(what: str) -> Any:
@@ -60,7 +51,10 @@ CaseArgument = Annotated[
 ]
 MachineArgument = Annotated[
     str,
-    typer.Argument(metavar="MACHINE", help="Machine file (TOML or JSON); - for standard input."),
+    typer.Argument(
+        metavar="MACHINE",
+        help="Machine file (TOML or JSON, or a workbook, .xlsx); - for standard input.",
+    ),
 ]
 MachineSettingsOption = Annotated[
     list[str] | None,
@@ -119,7 +113,7 @@ SpeedOption = Annotated[
 ]
 OuterSpeedOption = Annotated[
     str | None,
-    typer.Option("--outer-speed", metavar="SPEED", help=_ASKED["outer_speed"].meaning),
+    typer.Option("--outer-speed", metavar="SPEED", help="Speed of the outer ring, with its sign."),
 ]
 LagOption = Annotated[
     float,
@@ -128,31 +122,4 @@ LagOption = Annotated[
         metavar="FRACTION",
         help="Fraction by which the cage lags, such as 0.01; from -1 to 1.",
     ),
-]
-
-# --- the signal of a file --------------------------------------------------------------------
-
-ChannelOption = Annotated[
-    str | None,
-    typer.Option("--channel", metavar="CHANNEL", help=_ASKED["channel"].meaning),
-]
-RateOption = Annotated[
-    str | None,
-    typer.Option(
-        "--rate",
-        metavar="RATE",
-        help=_ASKED["rate"].meaning,
-    ),
-]
-ScaleOption = Annotated[
-    str | None,
-    typer.Option("--scale", metavar="SCALE", help=_ASKED["scale"].meaning),
-]
-StartOption = Annotated[
-    str | None,
-    typer.Option("--start", metavar="TIME", help=_ASKED["start"].meaning),
-]
-DurationOption = Annotated[
-    str | None,
-    typer.Option("--duration", metavar="TIME", help=_ASKED["duration"].meaning),
 ]

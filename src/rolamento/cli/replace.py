@@ -25,9 +25,9 @@ from rolamento.cli.table_options import (
     told_in_options,
     with_life_columns,
 )
-from rolamento.cli.weibull import EXAMPLES
 from rolamento.errors import InputError
 from rolamento.records import frozen
+from rolamento.tasks.life_tables import SHIPPED
 from rolamento.words import marked, said
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ class LivesOptions:
 
     example: Annotated[
         str | None,
-        typer.Option("--example", metavar="NAME", help=f"Shipped lives: {' or '.join(EXAMPLES)}."),
+        typer.Option("--example", metavar="NAME", help=f"Shipped lives: {' or '.join(SHIPPED)}."),
     ] = None
     only: Annotated[
         list[str] | None,
@@ -412,7 +412,7 @@ def _lives(
         from rolamento.weibull import published_life_test
 
         with told_in_options():
-            name = known_example(options.example, EXAMPLES).replace("-", "_")
+            name = known_example(options.example, SHIPPED).replace("-", "_")
             source = published_life_test(name, **columns.arguments())
     return source, json, lives
 

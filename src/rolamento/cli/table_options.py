@@ -12,7 +12,7 @@ import typer
 from rolamento.cli.option_records import with_record
 from rolamento.errors import InputError, respelled
 from rolamento.records import frozen
-from rolamento.tasks.inputs import LIFE_TEST, by_name
+from rolamento.tasks.life_tables import LifeTable
 
 __all__ = [
     "ALL_COLUMNS",
@@ -27,7 +27,7 @@ __all__ = [
     "with_life_columns",
 ]
 
-_ASKED: Final = by_name(LIFE_TEST)
+_ASKED: Final = LifeTable.meanings()
 _OPTIONS: Final = {
     "decimal_mark": "--decimal-mark",
     "date_order": "--date-order",
@@ -50,12 +50,12 @@ DecimalMarkOption = Annotated[
     typer.Option(
         "--decimal-mark",
         metavar="MARK",
-        help=_ASKED["decimal_mark"].meaning,
+        help=_ASKED["decimal_mark"],
     ),
 ]
 TimeColumnOption = Annotated[
     str | None,
-    typer.Option("--time-column", metavar="COLUMN", help=_ASKED["time"].meaning),
+    typer.Option("--time-column", metavar="COLUMN", help=_ASKED["time"]),
 ]
 BearingColumnOption = Annotated[
     str | None,
@@ -86,21 +86,19 @@ DateOrderOption = Annotated[
 class LifeColumns:
     """What options say of a table of lives."""
 
-    unit: Annotated[
-        str | None, typer.Option("--unit", metavar="UNIT", help=_ASKED["unit"].meaning)
-    ] = None
+    unit: Annotated[str | None, typer.Option("--unit", metavar="UNIT", help=_ASKED["unit"])] = None
     time_column: TimeColumnOption = None
     status_column: Annotated[
         str | None,
-        typer.Option("--status-column", metavar="COLUMN", help=_ASKED["status"].meaning),
+        typer.Option("--status-column", metavar="COLUMN", help=_ASKED["status"]),
     ] = None
     count_column: Annotated[
         str | None,
-        typer.Option("--count-column", metavar="COLUMN", help=_ASKED["count"].meaning),
+        typer.Option("--count-column", metavar="COLUMN", help=_ASKED["count"]),
     ] = None
     mode_column: Annotated[
         str | None,
-        typer.Option("--mode-column", metavar="COLUMN", help=_ASKED["mode"].meaning),
+        typer.Option("--mode-column", metavar="COLUMN", help=_ASKED["mode"]),
     ] = None
     ignore_column: Annotated[
         list[str] | None,
@@ -112,18 +110,18 @@ class LifeColumns:
     ] = None
     start_column: Annotated[
         str | None,
-        typer.Option("--start-column", metavar="COLUMN", help=_ASKED["start"].meaning),
+        typer.Option("--start-column", metavar="COLUMN", help=_ASKED["start"]),
     ] = None
     end_column: Annotated[
-        str | None, typer.Option("--end-column", metavar="COLUMN", help=_ASKED["end"].meaning)
+        str | None, typer.Option("--end-column", metavar="COLUMN", help=_ASKED["end"])
     ] = None
     use_per_day: Annotated[
         str | None,
-        typer.Option("--use-per-day", metavar="TIME", help=_ASKED["use_per_day"].meaning),
+        typer.Option("--use-per-day", metavar="TIME", help=_ASKED["use_per_day"]),
     ] = None
-    as_of: Annotated[
-        str | None, typer.Option("--as-of", metavar="DATE", help=_ASKED["as_of"].meaning)
-    ] = None
+    as_of: Annotated[str | None, typer.Option("--as-of", metavar="DATE", help=_ASKED["as_of"])] = (
+        None
+    )
     date_order: DateOrderOption = None
     decimal_mark: DecimalMarkOption = None
 

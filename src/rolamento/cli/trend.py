@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Any, Final
+from typing import TYPE_CHECKING, Annotated, Any, Final, cast
 
 import typer
 
@@ -10,7 +10,6 @@ from rolamento.cli.common import SOLVED, plain_endings
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import LanguageOption, PlotOption, json_option
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
-from rolamento.cli.severity import GrowthLawOption, checked_growth
 from rolamento.cli.shipped_data import check_one_given, data_and_json, known_example
 from rolamento.cli.streams import put_json
 from rolamento.cli.table_options import (
@@ -26,6 +25,7 @@ from rolamento.words import marked, said
 
 if TYPE_CHECKING:
     from rolamento.clearance import WearLaw
+    from rolamento.numerics.growth import Law
 
 __all__ = ["app", "trend"]
 
@@ -36,6 +36,8 @@ LAWS: Final[dict[str, WearLaw]] = {
     "power": "power",
 }
 
+
+_GROWTH: Final = ("linear", "exponential")
 
 app = typer.Typer()
 
@@ -75,7 +77,14 @@ def trend(
             help="Limit of a quantity, such as '4.5 mm/s': when it is reached. Repeatable.",
         ),
     ] = None,
-    growth: GrowthLawOption = None,
+    growth: Annotated[
+        str | None,
+        typer.Option(
+            "--growth",
+            metavar="LAW",
+            help="Law of growth: linear or exponential; by default the likelier one.",
+        ),
+    ] = None,
     confidence: Annotated[
         float,
         typer.Option(
@@ -123,7 +132,7 @@ def trend(
                 given,
                 law=None if law is None else LAWS[law],
                 limits=limit or (),
-                growth=checked_growth(growth),
+                growth=_checked_growth(growth),
                 confidence=confidence,
                 columns=columns,
             )
@@ -136,3 +145,10 @@ def trend(
             put_json(found.to_mapping(), json)
         outputs.show(lambda: trend_page(found), json)
     raise typer.Exit(SOLVED)
+
+
+def _checked_growth(name: str | None) -> Law | None:
+    if name is not None and name not in _GROWTH:
+        rule = said("must be one of {known}", known=", ".join(_GROWTH))
+        raise InputError(rule, source="--growth", value=name, example="--growth linear")
+    return cast("Law | None", name)

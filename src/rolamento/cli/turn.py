@@ -76,14 +76,18 @@ def _show(
 ) -> None:
     """Write what was asked for; standard output takes data or the page, not both."""
     from rolamento.pages.turn import turn_page
+    from rolamento.studies.torque_turn import torque_over_turn
+
+    torque = torque_over_turn(turned)
 
     if json is not None:
-        put_json(turned.to_mapping(), json)
+        own = {} if torque is None else {"torque": torque.to_mapping()}
+        put_json({**turned.to_mapping(), **own}, json)
     if plot is not None:
         from rolamento.plots.cage_turn import cage_turn_figure
         from rolamento.plots.saving import save_figure
 
         save_figure(cage_turn_figure(turned), plot)
-    outputs.show(lambda: turn_page(turned), json)
+    outputs.show(lambda: turn_page(turned, torque), json)
     if STANDARD_STREAM in (json, outputs.csv) and not turned.converged:
         complain_of_points(turned.status[turned.status != "converged"], len(turned), lang)

@@ -15,15 +15,16 @@ from rolamento.cli.grouped_help import GroupedCommands
 from rolamento.cli.optional_value import JsonCommand
 from rolamento.cli.options import LanguageOption, PlotOption, SeedOption, json_option
 from rolamento.cli.outputs import NOWHERE, Outputs, with_outputs
+from rolamento.cli.requested import add_command
 from rolamento.cli.streams import STANDARD_STREAM, complain, put_json
 from rolamento.cli.table_options import told_in_options
 from rolamento.errors import InputError
-from rolamento.tasks.inputs import DEMONSTRATION, by_name
+from rolamento.tasks.weibull import DemonstrationTest
 from rolamento.words import said
 
 __all__ = ["app"]
 
-_ASKED: Final = by_name(DEMONSTRATION)
+_ASKED: Final = DemonstrationTest.meanings()
 _SHAPE: Final = 1.5
 _MAXIMUM_SIZES: Final = 20
 
@@ -39,13 +40,13 @@ LifeOption = Annotated[
 ]
 ShapeOption = Annotated[
     float,
-    typer.Option("--shape", metavar="BETA", help=_ASKED["shape"].meaning),
+    typer.Option("--shape", metavar="BETA", help=_ASKED["shape"]),
 ]
 ReliabilityOption = Annotated[
-    float, typer.Option("--reliability", metavar="R", help=_ASKED["reliability"].meaning)
+    float, typer.Option("--reliability", metavar="R", help=_ASKED["reliability"])
 ]
 ConfidenceOption = Annotated[
-    float, typer.Option("--confidence", metavar="C", help=_ASKED["confidence"].meaning)
+    float, typer.Option("--confidence", metavar="C", help=_ASKED["confidence"])
 ]
 JsonOption = Annotated[str | None, json_option("Write everything as JSON, in the unit of the life")]
 
@@ -58,64 +59,7 @@ def weibull_plan(lang: LanguageOption = None) -> None:
     """
 
 
-@app.command(
-    cls=JsonCommand,
-    epilog="Examples: weibull-plan demonstration --life '1000 h' --bearings 10;"
-    " weibull-plan demonstration --life '1000 h' --time '500 h' --failures-allowed 1.",
-)
-@with_outputs
-def demonstration(
-    life: Annotated[str, typer.Option("--life", metavar="LIFE", help=_ASKED["life"].meaning)],
-    bearings: Annotated[
-        int | None,
-        typer.Option("--bearings", metavar="N", help=_ASKED["bearings"].meaning),
-    ] = None,
-    time: Annotated[
-        str | None,
-        typer.Option("--time", metavar="TIME", help=_ASKED["time"].meaning),
-    ] = None,
-    failures_allowed: Annotated[
-        int,
-        typer.Option("--failures-allowed", metavar="K", help=_ASKED["failures_allowed"].meaning),
-    ] = 0,
-    shape: ShapeOption = _SHAPE,
-    reliability: ReliabilityOption = 0.9,
-    confidence: ConfidenceOption = 0.9,
-    plot: PlotOption = None,
-    json: JsonOption = None,
-    outputs: Outputs = NOWHERE,
-    lang: LanguageOption = None,
-) -> None:
-    """Plan to demonstrate a life with few failures or none.
-
-    Number of bearings against test time.
-    """
-    with plain_endings(lang):
-        outputs.check({"--json": json, "--plot": plot})
-        from rolamento.pages.weibull_plan import demonstration_page
-        from rolamento.tasks.weibull import demonstration_study
-
-        with told_in_options(life="--life", time="--time"):
-            found = demonstration_study(
-                life,
-                bearings=bearings,
-                time=time,
-                shape=shape,
-                reliability=reliability,
-                confidence=confidence,
-                failures_allowed=failures_allowed,
-            )
-        if plot is not None:
-            from rolamento.plots.saving import save_figure
-            from rolamento.plots.weibull_plan import chance_figure
-
-            save_figure(chance_figure([found.plan, *found.beside], found.unit), plot)
-        if json is not None:
-            put_json(found.to_mapping(), json)
-        outputs.show(lambda: demonstration_page(found), json)
-        if STANDARD_STREAM in (json, outputs.csv) and not found.plan.planned:
-            complain(str(found.plan.advice))
-    raise typer.Exit(SOLVED if found.plan.planned else NO_RESULT)
+add_command(app, DemonstrationTest, "demonstration")
 
 
 @app.command(

@@ -9,14 +9,14 @@ from __future__ import annotations
 import csv
 import io
 import re
-import zipfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from math import isfinite
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Final
 
 from rolamento.document.model import CellContent, Column, Document, Number, Table
 from rolamento.errors import InputError, nearest, printable
+from rolamento.io.sheets import FORMULA, NOT_IN_SHEET, book_bytes, put_text
 from rolamento.records import frozen
 from rolamento.words import UNITS, in_unit, manner, said, unit_of
 
@@ -31,24 +31,22 @@ SI_UNITS: Final = {
     "N/mm": "N/m", "N/µm": "N/m", "N/mrad": "N/rad", "N·m/mm": "N·m/m", "N·m/mrad": "N·m/rad",
     "MPa": "Pa", "GPa": "Pa", "1/GPa": "1/Pa", "mW": "W", "µW": "W", "°C": "K", "10⁻⁶/K": "1/K",
     "mm²/s": "m²/s", "mPa·s": "Pa·s", "mm/s": "m/s", "µm/s": "m/s", "10⁶ mm·rpm": "m·rad/s",
-    "l/min": "m³/s", "ms": "s", "min": "s", "h": "s", "10⁶ rev": "rev", "%": "", "–": "",
+    "l/min": "m³/s",
+    "pF": "F", "nJ": "J", "A/mm²": "A/m²", "V/µm": "V/m",
+    "ms": "s", "min": "s", "h": "s", "10⁶ rev": "rev", "10⁶ osc.": "osc.", "%": "", "–": "",
 }  # fmt: skip
 """Units that a page shows, and those of SI; what does not stand here is of SI."""
 
 _PLAIN_UNITS: Final = (
-    ("10⁶ rev", "Mrev"), ("10⁶ mm·rpm", "1e6_mm_rpm"), ("10⁻⁶", "ppm"), ("%", "percent"),
-    ("°C", "degC"), ("°", "deg"), ("µ", "u"), ("²", "2"), ("³", "3"), ("·", ""), ("–", ""),
-    ("(", ""), (")", ""),
+    ("10⁶ rev", "Mrev"), ("10⁶ osc.", "Mosc"), ("10⁶ mm·rpm", "1e6_mm_rpm"),
+    ("10⁻⁶", "ppm"), ("%", "percent"), ("°C", "degC"), ("°", "deg"), ("µ", "u"), ("²", "2"),
+    ("³", "3"), ("·", ""), ("–", ""), ("(", ""), (")", ""),
 )  # fmt: skip
-_FORMULA: Final = re.compile(r"[=+\-@\t\r](?!\Z)")
 _NUMBER: Final = re.compile(r"[+-]?[\d.,]+(?:[eE][+-]?\d+)?\Z")
 _NOT_IN_SHEET_NAME: Final = re.compile(r"[\[\]:*?/\\\x00-\x1f]+")
-_NOT_IN_SHEET: Final = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]")
 _LONGEST_SHEET_NAME: Final = 31
 _MOST_ROWS: Final = 1_048_576
 _WIDTHS: Final = (8, 44)
-_DAY: Final = (1980, 1, 1, 0, 0, 0)
-"""The day of every file in a workbook: the same tables give the same bytes."""
 
 
 def table_of(document: Document, key: str = "") -> Table:
@@ -130,14 +128,12 @@ def to_xlsx(document: Document, *, si: bool = False) -> bytes:
     table_of(document)
     book = Workbook()
     book.remove(book.worksheets[0])
-    book.properties.title = _NOT_IN_SHEET.sub(" ", document.title)
+    book.properties.title = NOT_IN_SHEET.sub(" ", document.title)
     book.properties.creator = "Rolamento"
     taken: set[str] = set()
     for table in document.tables():
         _fill(book.create_sheet(_sheet_name(table.key, taken)), _fields(table, si))
-    content = io.BytesIO()
-    book.save(content)
-    return _without_times(content.getvalue())
+    return book_bytes(book)
 
 
 # --- columns -----------------------------------------------------------------------------------
@@ -247,7 +243,7 @@ def _csv_cell(value: Value, decimal: str) -> str:
 
 def _harmless(text: str) -> str:
     """Return a text that no spreadsheet takes for a formula."""
-    return f"'{text}" if _FORMULA.match(text) and not _NUMBER.match(text) else text
+    return f"'{text}" if FORMULA.match(text) and not _NUMBER.match(text) else text
 
 
 # --- workbook ----------------------------------------------------------------------------------
@@ -274,43 +270,17 @@ def _fill(sheet: Worksheet, fields: Sequence[_Field]) -> None:
         )
     for column, one in enumerate(fields, 1):
         head = sheet.cell(1, column)
-        _write_text(head, one.readable_name)
+        put_text(head, one.readable_name)
         head.font = Font(bold=True)
         text = any(isinstance(value, str) for value in one.values)
         head.alignment = Alignment(horizontal="left" if text else "right")
         longest = len(one.readable_name) + 1
         for row, value in enumerate(one.values, 2):
             if isinstance(value, str):
-                _write_text(sheet.cell(row, column), value)
+                put_text(sheet.cell(row, column), value)
             elif value is not None:
                 sheet.cell(row, column, value)
             longest = max(longest, len(value) if isinstance(value, str) else 0)
         width = min(max(longest + 1, _WIDTHS[0]), _WIDTHS[1])
         sheet.column_dimensions[get_column_letter(column)].width = width
     sheet.freeze_panes = "A2"
-
-
-def _write_text(cell: Any, text: str) -> None:
-    """Write a text as a text, whatever it begins with."""
-    cell.value = _NOT_IN_SHEET.sub("\ufffd", text)
-    cell.data_type = "s"
-    cell.quotePrefix = bool(_FORMULA.match(text))
-
-
-def _without_times(book: bytes) -> bytes:
-    """Return a workbook that does not say when it was written."""
-    content = io.BytesIO()
-    with zipfile.ZipFile(io.BytesIO(book)) as old, zipfile.ZipFile(content, "w") as new:
-        for name, data in _parts(old):
-            entry = zipfile.ZipInfo(name, _DAY)
-            entry.compress_type = zipfile.ZIP_DEFLATED
-            new.writestr(entry, data)
-    return content.getvalue()
-
-
-def _parts(book: zipfile.ZipFile) -> Iterator[tuple[str, bytes]]:
-    for name in book.namelist():
-        data = book.read(name)
-        if name == "docProps/core.xml":
-            data = re.sub(rb"<dcterms:(created|modified)\b.*?</dcterms:\1>", b"", data)
-        yield name, data

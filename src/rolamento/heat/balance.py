@@ -632,7 +632,7 @@ class _Balances:
         lost: Friction | None = None
         if solved.converged.any():
             oil, lost = warmed.friction_of(solved)
-            torque, power = warmed.torque_and_power(solved, lost)
+            torque, power = warmed.torque_and_power(solved, oil, lost)
         alone = len(self.cases) == 1
         return torque, power, _Batch(solved, oil, lost, warmed.preload(solved), warmed.by, alone)
 

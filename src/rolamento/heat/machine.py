@@ -37,6 +37,7 @@ from rolamento.clearance.chain import PartTemperatures, gathered
 from rolamento.clearance.sets import running_rows
 from rolamento.errors import InputError
 from rolamento.friction import friction
+from rolamento.friction.seals import seals_and_bath
 from rolamento.friction.summary import default_model, no_coefficient
 from rolamento.geometry import clearance_of_angle, ring_geometry
 from rolamento.heat.balance import RUNAWAY
@@ -473,7 +474,9 @@ class _Balance:
                 compare=False,
                 machine=(),
             )
-            found.append(float(share @ np.abs(lost.power)))
+            beside = seals_and_bath(own, oil)
+            of_seals = 0.0 if beside is None else beside.power
+            found.append(float(share @ (np.abs(lost.power) + of_seals)))
         return np.array(found)
 
     def friction_at(self, power: FloatArray) -> FloatArray:

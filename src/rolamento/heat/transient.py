@@ -396,7 +396,7 @@ class _Course:
         speed = np.array([one.speed_factor for one in self.steps])[step]
         load = np.array([one.load_factor for one in self.steps])[step]
         solved = self.warmed.solved(at, speed=speed, load=load)
-        power = self.warmed.torque_and_power(solved, self.warmed.friction_of(solved)[1])[1]
+        power = self.warmed.torque_and_power(solved, *self.warmed.friction_of(solved))[1]
         both = [contacts.max_pressure for contacts in (solved.inner, solved.outer)]
         found = np.concatenate(both, axis=1)
         pressure = np.fmax.reduce(found, axis=1)

@@ -19,6 +19,7 @@ from rolamento.case.duty import LOADS
 from rolamento.case.heat import Heat
 from rolamento.errors import InputError
 from rolamento.friction import MachineBearing, friction
+from rolamento.friction.seals import seals_and_bath
 from rolamento.friction.summary import Friction, default_model, no_coefficient
 from rolamento.heat.network import NODES
 from rolamento.lubrication.films import Film, film, has_film
@@ -158,8 +159,12 @@ class Warmed:
         )
         return oil, found
 
-    def torque_and_power(self, solved: Solved, found: Friction) -> tuple[FloatArray, FloatArray]:
-        """Torque (N·m) and power (W) of solved cases; NaN without an equilibrium.
+    def torque_and_power(
+        self, solved: Solved, oil: Film | None, found: Friction
+    ) -> tuple[FloatArray, FloatArray]:
+        """Torque (N·m) and power (W) of solved cases, of seals and an oil bath as well.
+
+        NaN without an equilibrium.
 
         Raises
         ------
@@ -177,6 +182,9 @@ class Warmed:
                     example='friction = "contacts"',
                 )
             torque, power = whole.total, whole.power
+        beside = seals_and_bath(solved, oil)
+        if beside is not None:
+            torque, power = torque + beside.torque, np.abs(power) + beside.power
         return (
             np.where(solved.converged, torque, np.nan),
             np.where(solved.converged, np.abs(power), np.nan),
@@ -192,7 +200,7 @@ class Warmed:
     ) -> FloatArray:
         """Friction at temperatures, (n,), W; NaN without an equilibrium. Parameters: `solved`."""
         solved = self.solved(temperatures, which, speed=speed, load=load)
-        return self.torque_and_power(solved, self.friction_of(solved)[1])[1]
+        return self.torque_and_power(solved, *self.friction_of(solved))[1]
 
     @property
     def has_preload(self) -> bool:

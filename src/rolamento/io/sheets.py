@@ -1,12 +1,18 @@
-"""Sheets of workbooks (.xlsx) as text: what openpyxl finds in one, in a process of its own."""
+"""Workbooks (.xlsx): their sheets as text or cells, and what is written to them.
+
+They are read by openpyxl, in a process of its own.
+"""
 
 from __future__ import annotations
 
+import io
 import os
+import re
 import stat
 import zipfile
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Final
+from typing import TYPE_CHECKING, Any, Final
 
 from rolamento.errors import FileError
 from rolamento.io.foreign.bounds import check_whole, size_of_file
@@ -14,7 +20,27 @@ from rolamento.io.foreign.isolated import Isolated
 from rolamento.io.foreign.readers import WorkbookSheets
 from rolamento.words import marked, said
 
-__all__ = ["begins_as_archive", "is_workbook", "text_of_workbook"]
+if TYPE_CHECKING:
+    from openpyxl import Workbook
+
+__all__ = [
+    "FORMULA",
+    "NOT_IN_SHEET",
+    "Cell",
+    "begins_as_archive",
+    "book_bytes",
+    "cells_of_workbook",
+    "is_workbook",
+    "put_text",
+    "text_of_workbook",
+]
+
+FORMULA: Final = re.compile(r"[=+\-@\t\r](?!\Z)")
+"""How a text begins that a spreadsheet takes for a formula."""
+NOT_IN_SHEET: Final = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff]")
+"""Characters that no sheet holds."""
+_DAY: Final = (1980, 1, 1, 0, 0, 0)
+"""The day of every file in a workbook: the same tables give the same bytes."""
 
 _ENDINGS: Final = (".xlsx", ".xlsm")
 _MOST_LISTED: Final = 12
@@ -104,6 +130,40 @@ def text_of_workbook(path: str | os.PathLike[str], most: int) -> str:
     return text.decode("utf-8")
 
 
+Cell = str | float | bool | None
+"""What stands in a cell; None of an empty one."""
+
+
+def cells_of_workbook(
+    path: str | os.PathLike[str], most_sheets: int, most_rows: int, most: int
+) -> dict[str, list[list[Cell]]]:
+    """Return what the cells of all sheets hold that are shown and not empty, by their names.
+
+    Parameters
+    ----------
+    path
+        Of the workbook.
+    most_sheets, most_rows
+        Sheets, and rows of each.
+    most
+        Characters of all texts of a sheet.
+
+    Raises
+    ------
+    FileError
+        If it is damaged or holds more.
+    """
+    source = os.fspath(path)
+    check_whole(size_of_file(source), source)
+    with Isolated(WorkbookSheets, Path(source), marked("workbook")) as workbook:
+        names: list[str] = workbook.ask("filled")
+        if not names:
+            raise FileError(said("is a workbook without a table"), source=source)
+        if len(names) > most_sheets:
+            raise FileError(said("has more than {most} sheets", most=most_sheets), source=source)
+        return {name: workbook.ask("cells", name, most_rows, most) for name in names}
+
+
 def _file_and_sheet(path: str | os.PathLike[str]) -> tuple[str, str | None]:
     """Name of the file, and of the sheet if one stands behind #."""
     whole = os.fspath(path)
@@ -111,3 +171,34 @@ def _file_and_sheet(path: str | os.PathLike[str]) -> tuple[str, str | None]:
     if mark and file.lower().endswith(_ENDINGS) and not os.path.exists(whole):
         return file, sheet
     return whole, None
+
+
+# --- what is written ------------------------------------------------------------------------------
+
+
+def put_text(cell: Any, text: str) -> None:
+    """Write a text to a cell of openpyxl as a text, whatever it begins with."""
+    cell.value = NOT_IN_SHEET.sub("\ufffd", text)
+    cell.data_type = "s"
+    cell.quotePrefix = bool(FORMULA.match(text))
+
+
+def book_bytes(book: Workbook) -> bytes:
+    """Return a workbook of openpyxl as a file that does not say when it was written."""
+    written = io.BytesIO()
+    book.save(written)
+    content = io.BytesIO()
+    with zipfile.ZipFile(written) as old, zipfile.ZipFile(content, "w") as new:
+        for name, data in _parts(old):
+            entry = zipfile.ZipInfo(name, _DAY)
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            new.writestr(entry, data)
+    return content.getvalue()
+
+
+def _parts(book: zipfile.ZipFile) -> Iterator[tuple[str, bytes]]:
+    for name in book.namelist():
+        data = book.read(name)
+        if name == "docProps/core.xml":
+            data = re.sub(rb"<dcterms:(created|modified)\b.*?</dcterms:\1>", b"", data)
+        yield name, data

@@ -633,6 +633,7 @@ def _notes_on_bearing(solved: Solved, given: LifeConditions) -> Notes:
         "close_grooves": np.asarray(closed.any(axis=1)),
         "ceramic_balls": np.full(cases, not has_steel_elements(solved)),
         "too_hot_for_steel": hot,
+        "duty_oscillates": np.full(cases, solved.case.duty.oscillation is not None),
     }
 
 

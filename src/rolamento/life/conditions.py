@@ -22,6 +22,7 @@ from rolamento.life.contamination import (
     class_of_grease,
     level_of,
 )
+from rolamento.life.hybrid import static_share
 from rolamento.life.ioannides_harris import FATIGUE_LIMIT, Depth
 from rolamento.life.l_able import FactorTable
 from rolamento.life.reliability import RATING_RELIABILITY, Edition, reliability_factor
@@ -244,34 +245,28 @@ def _class_of(model: LifeModel) -> ContaminationClass | ContaminationLevel | Non
 
 
 def _published_ratings(case: Case) -> tuple[dict[str, float], Mapping[str, str]]:
-    """Ratings of the catalogue and their sources; C_0 and C_u are of steel balls or rollers."""
+    """Ratings of the catalogue and their sources; C_0 and C_u by the stiffness of the elements."""
     bearing = case.bearing
     published = bearing.published
     if published is None or bearing.rows is not None:
         return {}, {}
-    names = ["dynamic_rating"]
-    if _is_of_steel(bearing):
-        names += ["static_rating", "fatigue_load_limit"]
-    found = {name: getattr(published, name) for name in names}
-    return {name: value for name, value in found.items() if value is not None}, published.sources
-
-
-def _is_of_steel(bearing: RollingBearing) -> bool:
-    """Whether balls or rollers are as stiff as the rings."""
-    return bearing.element_material.youngs_modulus == bearing.ring_material.youngs_modulus
+    share = static_share(bearing)
+    shares = {"dynamic_rating": 1.0, "static_rating": share, "fatigue_load_limit": share}
+    found = {name: (getattr(published, name), own) for name, own in shares.items()}
+    known = {name: value * own for name, (value, own) in found.items() if value is not None}
+    return known, published.sources
 
 
 def _fatigue_load_method(case: Case) -> FatigueLoad:
     """How C_u is found where neither the user nor the maker gives it.
 
     From the contacts only where these are known: an interior that is inferred from the ratings
-    shows C and C_0, not the conformities on which the pressure depends. Ceramic balls have no C_0
-    to estimate it from.
+    shows C and C_0, not the conformities on which the pressure depends.
     """
     bearing = case.bearing
     rows = [bearing] if bearing.rows is None else [place.bearing for place in bearing.places]
     inferred = any(_is_inferred(row) for row in rows)
-    return "estimate" if inferred and _is_of_steel(bearing) else "contacts"
+    return "estimate" if inferred else "contacts"
 
 
 def _is_inferred(bearing: RollingBearing) -> bool:

@@ -16,6 +16,7 @@ from rolamento.contact.profile import drop
 from rolamento.errors import InputError
 from rolamento.life.conditions import LifeConditions
 from rolamento.life.equivalent_load import MAXIMUM_ANGLE
+from rolamento.life.hybrid import is_of_steel, static_share
 from rolamento.life.iso281 import EXPONENT, ROLLER_EXPONENT
 from rolamento.life.iso281_modified import (
     fatigue_load_limit,
@@ -73,6 +74,8 @@ class Ratings:
     fatigue_of_set: FloatArray
     kinds: tuple[Rated, ...]
     fatigue_by_contacts: FloatArray | None = None
+    static_share: float = 1.0
+    """What the stiffness of the elements leaves of C_0 and C_u of a steel bearing."""
 
     @property
     def kind(self) -> Rated:
@@ -141,7 +144,6 @@ def ratings_of(solved: Solved, angle: FloatArray, given: LifeConditions) -> Rati
         is given of rows of balls and rollers.
     """
     rows, kinds = solved.rows, row_kinds(solved)
-    steel = has_steel_elements(solved)
     bearing = solved.case.bearing
     together = bearing.rows_of_one_bearing
     shape = rows.ball_diameter.shape
@@ -150,21 +152,22 @@ def ratings_of(solved: Solved, angle: FloatArray, given: LifeConditions) -> Rati
     for kind in dict.fromkeys(kinds) if mixed or any(one is None for one in both) else ():
         own = np.flatnonzero([one == kind for one in kinds])
         dynamic[:, own], static[:, own] = _by_geometry(solved, angle, kind, own)
+    shares = np.array([static_share(place.bearing) for place in bearing.places])
+    static = static * shares
     if mixed:
         _refuse_one_for_all(given)
         for index, place in enumerate(bearing.places):
             dynamic[:, index] = _listed(place, "dynamic_rating", dynamic[:, index])
-            static[:, index] = _listed(place, "static_rating", static[:, index])
+            static[:, index] = _listed(
+                place, "static_rating", static[:, index], static_share(place.bearing)
+            )
     share = (
         _ROLLER_ROW_SHARE
         if all(type_of_element(e).has_rollers for e in rows.element)
         else _ROW_SHARE
     )
     dynamic = _rating_or(given.dynamic_rating, dynamic, together**share)
-    if given.static_rating is None and not steel:
-        static = np.full(shape, np.nan)
-    else:
-        static = _rating_or(given.static_rating, static, together)
+    static = _rating_or(given.static_rating, static, together)
     if dynamic.size and np.all(np.isnan(dynamic)):
         rollers = all(kind.startswith("roller") for kind in kinds)
         raise InputError(
@@ -191,7 +194,7 @@ def ratings_of(solved: Solved, angle: FloatArray, given: LifeConditions) -> Rati
             fatigue[:, own] = (
                 by_contacts[:, own]
                 if method == "contacts"
-                else _fatigue_by_static(rows, static, kind, own, steel=steel)
+                else _fatigue_by_static(rows, static, kind, own)
             )
     nothing = np.nan if mixed else 1.0
     return Ratings(
@@ -205,6 +208,7 @@ def ratings_of(solved: Solved, angle: FloatArray, given: LifeConditions) -> Rati
         nothing * by_contacts.sum(axis=1)
         if isinstance(method, str) and method == "estimate"
         else None,
+        static_share=float(shares.min()),
     )
 
 
@@ -254,13 +258,7 @@ def within_rating(angle: FloatArray, kinds: tuple[Rated, ...]) -> FloatArray:
 
 def has_steel_elements(solved: Solved) -> bool:
     """Whether the elements of all rows are as stiff as the rings, within a tenth."""
-    return all(
-        abs(
-            p.bearing.element_material.youngs_modulus / p.bearing.ring_material.youngs_modulus - 1.0
-        )
-        <= 0.1
-        for p in solved.case.bearing.places
-    )
+    return all(is_of_steel(place.bearing) for place in solved.case.bearing.places)
 
 
 def _by_geometry(
@@ -299,11 +297,14 @@ def _refuse_one_for_all(given: LifeConditions) -> None:
             )
 
 
-def _listed(place: RowPlace, name: str, computed: FloatArray) -> FloatArray:
-    """A rating of a row by its designation; by the geometry where there is none."""
+def _listed(place: RowPlace, name: str, computed: FloatArray, share: float = 1.0) -> FloatArray:
+    """A rating of a row by its designation; by the geometry where there is none.
+
+    share: what its elements leave of that of a steel bearing.
+    """
     published = place.bearing.published
     value = None if published is None else getattr(published, name)
-    return computed if value is None else np.full_like(computed, value)
+    return computed if value is None else np.full_like(computed, value * share)
 
 
 def _fatigue_by_contacts(
@@ -365,14 +366,12 @@ def _fatigue_by_static(
     static: FloatArray,
     kind: Rated,
     own: np.ndarray[tuple[int], np.dtype[np.intp]],
-    *,
-    steel: bool,
 ) -> FloatArray:
     listed = static[:, own]
     known = np.where(np.isnan(listed), 1.0, listed)
     rollers = kind in ("roller", "roller_thrust")
     estimate = fatigue_load_limit(known, rows.pitch_diameter[:, own], rollers=rollers)
-    return np.where(np.isnan(listed) | (not steel), np.nan, estimate)
+    return np.where(np.isnan(listed), np.nan, estimate)
 
 
 def _rating_or(value: ArrayLike | None, computed: FloatArray, together: float) -> FloatArray:

@@ -21,8 +21,10 @@ from rolamento.words import said
 
 if TYPE_CHECKING:
     from rolamento.exchange.rexs import Exported, Imported
+    from rolamento.tasks.exchange import Written
+    from rolamento.tasks.maps import Mapped
 
-__all__ = ["export_page", "import_page"]
+__all__ = ["export_page", "import_page", "written_page"]
 
 
 def import_page(found: Imported) -> Document:
@@ -127,3 +129,72 @@ def export_page(found: Exported, path: str) -> Document:
         remarks = {note.text: Remark(note.text, note.key) for note in found.notes}
         sections.append(Section(said("Notes"), (Notes(tuple(remarks.values())),), key="notes"))
     return Document(title, tuple(sections), kind="rexs_export", main="parts")
+
+
+def written_page(found: Written, path: str) -> Document:
+    """Return the page of a file for another program: what it has, and what it leaves out.
+
+    Parameters
+    ----------
+    found
+        Of `rolamento.tasks.exchange.written_for`.
+    path
+        Of the file that was written.
+    """
+    title = said("Wrote {path}", path=path)
+    sections = [Section("", (Title(title),), key="head")]
+    if found.elements:
+        sections.append(Section(said("Elements for ROSS"), (_elements(found),), key="elements"))
+    elif found.mapped is not None:
+        sections.append(Section(said("Bearings"), (_maps(found.mapped),), key="bearings"))
+    if found.notes:
+        remarks = {note.text: Remark(note.text, note.key) for note in found.notes}
+        sections.append(Section(said("Notes"), (Notes(tuple(remarks.values())),), key="notes"))
+    return Document(title, tuple(sections), kind=f"{found.kind}_export", main="elements")
+
+
+def _elements(found: Written) -> Table:
+    lines = found.elements
+    first = {one.of: one for one in reversed(lines)}
+
+    def once(place: int) -> list[float | None]:
+        return [one.left_out[place] if first[one.of] is one else None for one in lines]
+
+    last = [one.stiffness[-1] for one in lines]
+    columns = (
+        Column(head=said("element"), key="element", values=[one.name for one in lines]),
+        Column(head=said("at"), unit="mm", key="position", values=[one.position for one in lines]),
+        Column(head=said("up to"), unit="rpm", key="speed",
+               values=[float(one.speed[-1]) for one in lines]),
+        *(
+            Column(head=f"k_{2 * axis}", unit="N/µm", key=f"k{2 * axis}",
+                   values=[float(k[place, place]) for k in last])
+            for place, axis in enumerate("xyz")
+        ),
+        Column(head=said("left out:\nx, y–z"), unit="N/µm", key="left_out_axial_radial",
+               values=once(0)),
+        Column(head=said("shift–tilt"), unit="N/mrad", key="left_out_shift_tilt", values=once(1)),
+        Column(head=said("tilt"), unit="N·m/mrad", key="left_out_tilt", values=once(2)),
+    )  # fmt: skip
+    legends = (
+        said(
+            "x, y, z of ROSS are y, z, x of Rolamento: z is along the shaft; stiffness at the last"
+            " speed. Elements of ROSS have no stiffness between shifts along and across the shaft,"
+            " and none of tilts: the greatest of all speeds is what is left out"
+        ),
+    )
+    return Table(columns=columns, key="elements", legends=legends)
+
+
+def _maps(mapped: Mapped) -> Table:
+    maps = mapped.maps
+    missing = [int((one.status != "converged").sum()) for one in maps]
+    columns = (
+        Column(head=said("bearing"), key="bearing", values=[one.name for one in maps]),
+        Column(head=said("over"), key="over",
+               values=[", ".join(axis.field for axis in one.axes) for one in maps]),
+        Column(head=said("points"), key="points", values=[one.status.size for one in maps],
+               most=0),
+        Column(head=said("without a\nresult"), key="missing", values=missing, most=0),
+    )  # fmt: skip
+    return Table(columns=columns, key="bearings")

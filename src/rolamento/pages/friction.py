@@ -12,7 +12,9 @@ from rolamento.document import (
     Block,
     Column,
     Document,
+    Notes,
     Number,
+    Remark,
     Section,
     Statement,
     Table,
@@ -72,9 +74,36 @@ def friction_page(analysis: Analysis) -> Document:
     sections = [head(solved), *cautions_section(whole)]
     if analysis.friction is not None:
         sections += friction_sections(solved, analysis.friction)
+        sections += beside_sections(analysis)
     return Document(
         solved.title or untitled(solved.case), tuple(sections), kind="friction", main="models"
     )
+
+
+def beside_sections(analysis: Analysis) -> list[Section]:
+    """Return what seals and an oil bath add to the friction of the contacts; nothing without."""
+    friction, beside = analysis.friction, analysis.seals_and_bath
+    if friction is None or beside is None:
+        return []
+    seal, drag = float(beside.seal[0]), float(beside.drag[0])
+    lines = [(said("contacts"), float(friction.torque[0]), float(friction.power[0]))]
+    if seal or not drag:
+        lines.append((said("seals"), seal, seal * float(beside.speed[0])))
+    given = analysis.solved.case.losses
+    if given is not None and given.oil_level is not None:
+        lines.append((said("oil bath"), drag, drag * float(beside.speed[0])))
+    torques, powers = [one for _, one, _ in lines], [one for _, _, one in lines]
+    columns = (
+        Column(head="", values=[*(label for label, _, _ in lines), said("sum")], key="source"),
+        Column(head=said("torque"), values=[*torques, sum(torques)],
+               unit=torque_unit([sum(torques)]), key="torque", most=4),
+        Column(head=said("power"), values=[*powers, sum(powers)],
+               unit=power_unit([sum(powers)]), key="power"),
+    )  # fmt: skip
+    table = Table(columns=columns, key="seals_and_bath", rule=True)
+    remarks = tuple(Remark(note.text, note.key, "warning") for note in beside.notes)
+    blocks: tuple[Block, ...] = (table, *([Notes(remarks)] if remarks else []))
+    return [Section(said("Whole bearing, with seals and oil bath"), blocks, key="seals_and_bath")]
 
 
 def source_name(source: str) -> str:

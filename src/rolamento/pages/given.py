@@ -362,6 +362,14 @@ def _duty(duty: Duty) -> str:
     if duty.outer_speed != 0.0:
         speed = quantity(duty.outer_speed, "angular_speed")
         speeds.append(said("outer ring {speed}", speed=speed))
+    swing = duty.oscillation
+    if swing is not None:
+        values = {"angle": swing.angle, "frequency": swing.frequency}
+        speeds.append(
+            said("oscillates by {angle:.5 °}", **values)
+            if swing.frequency is None
+            else said("oscillates by {angle:.5 °} at {frequency:.4 Hz}", **values)
+        )
     return ", ".join([*(speeds or [said("at rest")]), *_imposed(duty)])
 
 

@@ -732,6 +732,14 @@ def rating_source(summary: LifeSummary, rating: str) -> str:
 
     rating: ``"dynamic"``, ``"static"`` or ``"fatigue"``.
     """
+    text, share = _rating_source(summary, rating), summary.ratings.static_share
+    own = ("given", "contacts")
+    if share == 1.0 or rating == "dynamic" or summary.rating_sources[rating] in own:
+        return text
+    return said("{source}; × {share:.3}, stiffness of the elements", source=text, share=share)
+
+
+def _rating_source(summary: LifeSummary, rating: str) -> str:
     ratings, source = summary.ratings, summary.rating_sources[rating]
     if not isfinite(getattr(ratings, f"{rating}_of_set")[0]):
         return said("not known")

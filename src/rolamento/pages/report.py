@@ -37,12 +37,14 @@ from rolamento.life.record import BOUNDS, OUTSIDE, note_of
 from rolamento.life.theories import THEORIES
 from rolamento.notes import nothing_given
 from rolamento.pages.clearance import STEPS
+from rolamento.pages.electrical import electrical_sections
 from rolamento.pages.elements import element_tables, roller_pictures
 from rolamento.pages.equations import equations_of, references_of
 from rolamento.pages.given import no_load_text, untitled
 from rolamento.pages.life import rating_source
 from rolamento.pages.preload import STAGE_NAMES
 from rolamento.pages.state import rosette_section, stiffness_section
+from rolamento.pages.static import static_sections
 from rolamento.records import frozen
 from rolamento.vibration.frequencies import ABBREVIATIONS, LineName
 from rolamento.words import Note, in_unit, manner, marked, said, worded
@@ -53,6 +55,7 @@ from rolamento.words.theories import theory_name
 if TYPE_CHECKING:
     from rolamento.geometry import Race
     from rolamento.tasks.report import CaseReport, Input, Report
+    from rolamento.tasks.time_line import ServiceLife
 
 __all__ = [
     "ORIGINS",
@@ -573,6 +576,9 @@ TABLES: Final = {
     "mounting": marked("Mounting"),
     "film": marked("Film"),
     "heat": marked("Heat"),
+    "static": marked("Static safety"),
+    "electrical": marked("Electricity"),
+    "losses": marked("Seals and oil bath"),
     "life": marked("Life"),
 }
 
@@ -747,6 +753,7 @@ def _results(report: Report) -> list[Section | Beside]:
 
     add("loads")
     add("lives")
+    sections += _service_lives(report)
     add("clearance")
     sections += _ring_and_rosettes(report)
     add("rows")
@@ -763,9 +770,27 @@ def _results(report: Report) -> list[Section | Beside]:
     sections += [Section(compared, loads, "ball_loads", level=3)] * bool(loads)
     for key in ("contacts", "film", "friction", "heat", "frequencies", "stiffness"):
         add(key)
+    for case in report.cases:
+        sections += _asked(report, case)
     missing = Notes(_missing(report))
     if missing.remarks:
         sections.append(Section(said("Not calculated"), (missing,), "missing", level=3))
+    return sections
+
+
+def _asked(report: Report, case: CaseReport) -> list[Section]:
+    """Static safety and electricity of a case that asks for them."""
+    parts = []
+    if case.static_safety is not None:
+        parts.append(static_sections(case.static_safety, level=3))
+    if case.electrics is not None:
+        parts.append(electrical_sections(case.electrics, level=3))
+    sections = []
+    for first, *others in parts:
+        heading = first.heading
+        if len(report.cases) > 1:
+            heading = said("{what}, case {name}", what=heading, name=case.name)
+        sections += [replace(first, heading=heading), *(replace(one, level=4) for one in others)]
     return sections
 
 
@@ -909,6 +934,49 @@ def _lives(report: Report) -> list[Table | Statement]:
     ]
     groups.append((said("Conditions"), common))
     return list(_tables(report, groups, "lives", legends=_life_legends()))
+
+
+def _service_lives(report: Report) -> list[Section]:
+    """What ends each case first, where that may be another thing than fatigue."""
+    from rolamento.pages.service_life import time_line
+
+    sections = []
+    for case in report.cases:
+        found = case.service_life
+        if found is None:
+            continue
+        heading = said("What ends it first")
+        if len(report.cases) > 1:
+            heading = said("{what}, case {name}", what=heading, name=case.name)
+        figure = replace(time_line(found), key=f"service_life_{case.name}")
+        blocks = (*_endings(found), figure)
+        sections.append(Section(heading, blocks, f"service_life_{case.name}", level=3))
+    return sections
+
+
+def _endings(found: ServiceLife) -> Iterator[Block]:
+    """Yield what ends a case first, what qualifies it, and all endings side by side."""
+    from rolamento.pages.notes import cautions
+    from rolamento.pages.service_life import endings_section, service_life_statement
+
+    yield from service_life_statement(found)
+    yield from cautions(
+        [note for one in found.endings if one.name != "fatigue" for note in one.notes]
+    )
+    yield from endings_section(found).blocks
+
+
+def _all_endings(report: Report) -> list[Block]:
+    """What ends every case first, without pictures."""
+    return [
+        block
+        for case in report.cases
+        if case.service_life is not None
+        for block in (
+            *([Title(said("case {name}", name=case.name))] if len(report.cases) > 1 else []),
+            *_endings(case.service_life),
+        )
+    ]
 
 
 def _hours_row(report: Report, label: str, path: str) -> _Row:
@@ -1495,8 +1563,15 @@ def _friction(report: Report) -> tuple[Table, ...]:
         _Row(said("torque on the housing"), "analysis.rolling.outer_torque", torque),
         _Row(said("power lost in the contacts"), "analysis.rolling.power", power),
     ]
+    beside = "analysis.seals_and_bath"
+    added = [
+        _Row(said("torque of the seals"), f"{beside}.seal", torque),
+        _Row(said("torque of the oil bath"), f"{beside}.drag", torque),
+        _Row(said("power of seals and oil bath"), f"{beside}.power", power),
+    ]
     groups = [
         (said("Friction of the contacts"), whole),
+        (said("Seals and oil bath, in addition"), added),
         (said("Torque by source"), torques),
         (said("Power by source"), heats),
         (said("Torque by model"), models),
@@ -1682,6 +1757,7 @@ class Part:
 PARTS: Final[Mapping[str, Part]] = {
     "loads": Part(marked("Loads and ratings"), _loads),
     "lives": Part(marked("Lives by theory"), _lives),
+    "service_life": Part(marked("What ends it first"), _all_endings),
     "clearance": Part(marked("Clearance in operation"), _clearance),
     "ring": Part(marked("Inner ring"), _ring),
     "rows": Part(marked("Rows and preload"), _rows),

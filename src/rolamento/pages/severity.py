@@ -54,7 +54,7 @@ def severity_page(found: SeverityResult) -> Document:
     Parameters
     ----------
     found
-        Of `rolamento.tasks.severity.vibration_severity`.
+        Of `rolamento.tasks.VibrationSeverity`.
     """
     title = said("Severity of vibration")
     if len(found.measured) == 1:

@@ -12,6 +12,7 @@ from rolamento.document import (
     KeyValues,
     Number,
     Section,
+    Statement,
     Table,
     Title,
     Tone,
@@ -49,6 +50,19 @@ def speed_page(found: SpeedLimits) -> Document:
         sections.append(_limits(found))
     if found.minimum_loads:
         sections.append(_loads(found.minimum_loads))
+    if found.general_loads:
+        sections.append(_general(found.general_loads))
+    if found.cage_slip is not None:
+        slip = found.cage_slip
+        text = (
+            said("Under friction alone the cage lags {slip:.3 %} behind that of outer raceway"
+                 " control.", slip=slip)
+            if slip >= 0.0
+            else said("Under friction alone the cage is {slip:.3 %} ahead of that of outer raceway"
+                      " control.", slip=-slip)
+        )  # fmt: skip
+        blocks = (Statement(text, indent=2),)
+        sections.append(Section(said("Slip of the cage"), blocks, key="cage_slip"))
     sections += notes_section(remarks_of(found.notes))
     return Document(title, tuple(sections), kind="speed")
 
@@ -149,6 +163,20 @@ def _loads(loads: tuple[MinimumLoad, ...]) -> Section:
     )  # fmt: skip
     table = Table(columns=columns, key="minimum_loads", rule=True, fixed=1)
     return Section(said("Minimum load"), (table,), key="minimum_loads")
+
+
+def _general(loads: tuple[MinimumLoad, ...]) -> Section:
+    makers = [str(one.source.values["maker"]) for one in loads]
+    columns = (
+        Column(head="", values=makers, key="maker"),
+        Column(head=said("needed"), values=[one.load for one in loads], unit="N", key="needed",
+               figures=3),
+        Column(head=said("of the case"), values=[one.given for one in loads], unit="N",
+               key="given", figures=4),
+        Column(head=said("rule"), values=[one.source.text for one in loads], key="rule"),
+    )  # fmt: skip
+    table = Table(columns=columns, key="general_loads", rule=True, fixed=1)
+    return Section(said("Makers' rules for all bearings"), (table,), key="general_loads")
 
 
 def _tone(limit: SpeedLimit) -> Tone:

@@ -24,6 +24,7 @@ from rolamento.document import (
     Title,
 )
 from rolamento.numerics import FloatArray
+from rolamento.pages.friction import torque_unit
 from rolamento.pages.given import untitled
 from rolamento.solved import RACES
 from rolamento.words import decimals_for, in_unit, said, said_in, worded
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure as Picture
 
     from rolamento.studies.cage_turn import BallHistory, CageTurn, Variation
+    from rolamento.studies.torque_turn import TorqueTurn
 
 __all__ = ["turn_page"]
 
@@ -45,18 +47,21 @@ _LOAD_UNITS: Final = ("N",) * _SHIFTS + ("N·m",) * 2
 _STIFFNESS_UNITS: Final = ("N/µm",) * _SHIFTS + ("N·m/mrad",) * 2
 
 
-def turn_page(turn: CageTurn) -> Document:
+def turn_page(turn: CageTurn, torque: TorqueTurn | None = None) -> Document:
     """Return the page of a turn of the cage.
 
     Parameters
     ----------
     turn
         Converged or not; what needs every instant is left out if one has no result.
+    torque
+        Its friction torque, if that is known.
     """
     title = turn.case.title or untitled(turn.case)
     sections = [Section("", (Title(title), _head(turn)), key="given")]
     if turn.converged:
         sections += [_displacement(turn), _load(turn), _stiffness(turn)]
+        sections += [_torque(torque)] if torque is not None else []
         sections += [_ball(history, turn) for history in turn.histories]
     figure = Figure(
         caption=worded(
@@ -146,6 +151,31 @@ def _displacement(turn: CageTurn) -> Section:
         blocks.append(Statement(text, "faint", indent=2))
     heading = said("Displacement of the inner ring")
     return Section(heading, tuple(blocks), key="displacement")
+
+
+def _torque(found: TorqueTurn) -> Section:
+    """Show how the friction torque varies, as far as an ideal bearing's does."""
+    unit = torque_unit([found.mean])
+    amplitudes = np.abs(found.harmonics[:_HARMONICS])
+    rows = [
+        (said("mean"), found.mean),
+        (said("peak to peak"), found.peak_to_peak),
+        *(
+            (said("harm. {order}", order=order), float(value))
+            for order, value in enumerate(amplitudes, start=1)
+        ),
+    ]
+    columns = (
+        Column(head="", values=[label for label, _ in rows], key="quantity"),
+        Column(head="", values=[Number(value, f".3 [{unit}]") for _, value in rows], key="value",
+               align="right"),
+        Column(head="", values=[unit] * len(rows), key="unit"),
+        Column(head="", values=[Number(value / found.mean if found.mean else nan, ".3 %")
+                                for _, value in rows], key="share", align="right"),
+    )  # fmt: skip
+    legend = said("of an ideal bearing; unlike elements, waviness and the cage add more")
+    table = Table(columns=columns, key="torque", headless=True, legends=(legend,))
+    return Section(said("Friction torque"), (table,), key="torque")
 
 
 def _load(turn: CageTurn) -> Section:

@@ -43,7 +43,7 @@ def demonstration_page(found: DemonstrationStudy) -> Document:
     Parameters
     ----------
     found
-        Of `rolamento.tasks.weibull.demonstration_study`.
+        Of `rolamento.tasks.DemonstrationTest`.
     """
     plan, unit = found.plan, one_line(found.unit)
     quantity = life_name(Estimand.life(plan.reliability))

@@ -9,6 +9,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rolamento import units
+from rolamento.errors import InputError
+from rolamento.units import typed
+from rolamento.words import said
 
 if TYPE_CHECKING:
     from rolamento.case.fields import Field
@@ -68,6 +71,9 @@ _READABLE: Final[Mapping[str, tuple[tuple[float, ReadableUnit], ...]]] = {
         (1e4, ReadableUnit("kN·m", 1e-3)),
     ),
     "Pa": ((0.0, MEGAPASCAL), (1e10, ReadableUnit("GPa", 1e-9))),
+    "F": ((0.0, ReadableUnit("pF", 1e12)),),
+    "A/m^2": ((0.0, ReadableUnit("A/mm²", 1e-6)),),
+    "V/m": ((0.0, ReadableUnit("V/µm", 1e-6)),),
     "m^3/s": ((0.0, ReadableUnit("l/min", 60e3)),),
     "N/m": ((0.0, ReadableUnit("N/µm", 1e-6)),),
     "N/rad": ((0.0, ReadableUnit("N/mrad", 1e-3)),),
@@ -105,6 +111,57 @@ def readable_unit(unit: str, values: ArrayLike, name: str = "") -> ReadableUnit:
     magnitudes = np.abs(np.asarray(values, dtype=np.float64))
     greatest = float(np.max(magnitudes, initial=0.0, where=np.isfinite(magnitudes)))
     return [readable for least, readable in choices if least <= greatest][-1]
+
+
+def si_value(text: str, unit: str, field: str, example: str) -> float:
+    """Read a number with a unit in which a quantity is shown, or in its SI unit.
+
+    Parameters
+    ----------
+    text
+        Such as ``"200 N/um"``; a number alone of a quantity without a unit.
+    unit
+        In SI; lives have ``"h"`` or ``"Mrev"``.
+    field, example
+        For the message.
+
+    Raises
+    ------
+    InputError
+        If it is no number, or has another unit.
+
+    >>> si_value("200 N/um", "N/m", "wanted", "")
+    200000000.0
+    """
+    from rolamento.studies.ranges import number_and_unit
+
+    read = number_and_unit(typed(text))
+    if read is None:
+        rule = said("must be a number with its unit")
+        raise InputError(rule, field=field, value=text, example=example)
+    value, written = read
+    shown = [one for _, one in _READABLE.get(unit, ())]
+    known = {_folded(one.symbol): one.factor for one in shown} | {_folded(unit): 1.0}
+    if unit in ("", "1"):
+        known[""] = 1.0
+    if _folded(written) in known:
+        return value / known[_folded(written)]
+    for dimension, name in units.SI_UNIT.items():
+        if _folded(name) == _folded(unit):
+            try:
+                return units.to_si(text, dimension)
+            except InputError as error:
+                raise error.with_details(field=field) from None
+    names = ", ".join(dict.fromkeys([*(one.symbol for one in shown), unit]))
+    rule = said("must be in {names}", names=names)
+    raise InputError(rule, field=field, value=text, example=example)
+
+
+def _folded(symbol: str) -> str:
+    """Return a unit without what may be written in several ways."""
+    for sign, plain in (("µ", "u"), ("μ", "u"), ("·", "*"), (" ", ""), ("°", "deg"), ("⁶", "^6")):
+        symbol = symbol.replace(sign, plain)
+    return symbol.replace("–", "")
 
 
 def read_values(field: Field, values: NDArray[np.float64]) -> tuple[NDArray[np.float64], str]:

@@ -8,6 +8,8 @@ See docs/theory/speeds.md.
 
 from rolamento.speeds.class_of_maker import SpeedClass, speed_class
 from rolamento.speeds.minimum_load import (
+    GeneralShare,
+    general_minimum_shares,
     minimum_axial_load,
     minimum_axial_load_of_thrust,
     minimum_load_factors,
@@ -28,11 +30,13 @@ from rolamento.speeds.reference import (
 from rolamento.speeds.speed_factors import SpeedFactor, ceramic_factor, set_factor
 
 __all__ = [
+    "GeneralShare",
     "HeatShares",
     "ReferenceCoefficients",
     "SpeedClass",
     "SpeedFactor",
     "ceramic_factor",
+    "general_minimum_shares",
     "heat_shares",
     "minimum_axial_load",
     "minimum_axial_load_of_thrust",

@@ -12,6 +12,9 @@ bearings, with the thermal reference speed n_r,
 
 and of tapered and needle roller bearings F_rm = 0.02 C.
 
+Beside these of a series, makers have rules for all bearings (`general_minimum_shares`), a share of
+C or of C_0: side by side they show how well the makers agree.
+
 Source: SKF, Rolling bearings (catalogue 10000 EN).
 """
 
@@ -23,8 +26,10 @@ from typing import Any, NamedTuple
 from rolamento.io.data import toml_of
 
 __all__ = [
+    "GeneralShare",
     "MinimumLoadFactors",
     "RollerLoadFactor",
+    "general_minimum_shares",
     "minimum_axial_load",
     "minimum_axial_load_of_thrust",
     "minimum_load_factors",
@@ -71,6 +76,43 @@ def minimum_share_source(element: str) -> str:
     """Return where `minimum_share` of such rollers is from."""
     rollers = toml_of("speeds")["minimum_load"]["rollers"]
     return str(rollers["sources"].get(element, rollers["source"]))
+
+
+class GeneralShare(NamedTuple):
+    """A maker's rule for all its bearings: a share of C, or of C_0 where ``of`` is "static"."""
+
+    maker: str
+    share: float
+    of: str
+    source: str
+    checked: bool
+
+
+def general_minimum_shares(
+    element: str = "ball", is_full_complement: bool = False
+) -> tuple[GeneralShare, ...]:
+    """Return what makers ask of all bearings with such elements, side by side.
+
+    Parameters
+    ----------
+    element
+        What rolls, as a case file has it, such as ``"tapered"``.
+    is_full_complement
+        Whether there is no cage.
+
+    SKF, Requisite minimum load; others with their sources in data/speeds.toml.
+
+    >>> [(one.maker, one.share) for one in general_minimum_shares("tapered")]
+    [('SKF', 0.02), ('Schaeffler', 0.02)]
+    """
+    rolls = "ball" if element == "ball" else "roller"
+    found = []
+    for row in toml_of("speeds")["minimum_load"]["general"]:
+        if rolls not in row or element not in row.get("elements", (element,)):
+            continue
+        share = row.get(f"{rolls}_full", row[rolls]) if is_full_complement else row[rolls]
+        found.append(GeneralShare(row["maker"], share, row["of"], row["source"], row["checked"]))
+    return tuple(found)
 
 
 class RollerLoadFactor(NamedTuple):

@@ -128,13 +128,14 @@ def catalogue() -> Mapping[str, Output]:
     from rolamento.studies.friction_outputs import friction_outputs
     from rolamento.studies.heat_outputs import heat_outputs
     from rolamento.studies.life_outputs import life_outputs
+    from rolamento.studies.limit_outputs import limit_outputs
     from rolamento.studies.lubrication_outputs import lubrication_outputs
     from rolamento.studies.roller_outputs import roller_outputs
     from rolamento.studies.row_outputs import row_outputs
 
     providers = (
         ring_outputs, row_outputs, ball_outputs, roller_outputs, lubrication_outputs,
-        friction_outputs, heat_outputs, life_outputs,
+        friction_outputs, heat_outputs, life_outputs, limit_outputs,
     )  # fmt: skip
     return {output.name: output for provider in providers for output in provider()}
 
@@ -190,6 +191,14 @@ _MISSING: Final[Mapping[str, tuple[str, str]]] = {
     "heat": (
         marked("a [heat] table"),
         '[heat] with housing_ambient = "5 W/K" in the case',
+    ),
+    "electrical.current": (
+        marked("the current through the bearing"),
+        '[electrical] with current = "0.5 A" in the case',
+    ),
+    "electrical.voltage": (
+        marked("the voltage across the bearing"),
+        '[electrical] with voltage = "10 V" in the case',
     ),
     "balls": (marked("balls"), "friction_torque_roller_sliding"),
     "rollers": (marked("rollers"), 'element = "cylindrical" in [bearing]'),
@@ -265,4 +274,7 @@ def _has(case: Case, need: str, varied: frozenset[str]) -> bool:
         return case.heat is not None
     if need == "surface":
         return case.surface is not None
+    if need.startswith("electrical."):
+        name = need.partition(".")[2]
+        return case.electrical is not None and getattr(case.electrical, name) is not None
     return case.model.raceway_control == "friction" or "model.raceway_control" in varied

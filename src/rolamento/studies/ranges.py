@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from rolamento.errors import InputError
 from rolamento.records import frozen
-from rolamento.studies.fields import Field, no_range, read_field
+from rolamento.studies.fields import Field, no_range, read_field, read_varied
 from rolamento.words import said
 
 __all__ = [
@@ -42,7 +42,9 @@ class Range:
     values: NDArray[np.float64]
 
 
-def read_range(text: str, points: int = 40, *, log: bool = False) -> Range:
+def read_range(
+    text: str, points: int = 40, *, log: bool = False, of_machine: bool = False
+) -> Range:
     """Read a range such as ``"duty.load.fx=10..200N"`` or ``"duty.load.fx=10N..2kN"``.
 
     Parameters
@@ -53,6 +55,8 @@ def read_range(text: str, points: int = 40, *, log: bool = False) -> Range:
         How many values, ends included.
     log
         Equal ratios instead of equal steps.
+    of_machine
+        Whether the field may be one of a part of a machine, such as ``"loads.0.fz"``.
 
     Raises
     ------
@@ -61,7 +65,7 @@ def read_range(text: str, points: int = 40, *, log: bool = False) -> Range:
     """
     name, first, last = range_of_field(text, _EXAMPLE)
     check_points(points, MOST_POINTS)
-    field = read_field(name, at="--over")
+    field = (read_varied if of_machine else read_field)(name, at="--over")
     if not field.continuous:
         raise InputError(no_range(name), field="--over", value=name, example=_EXAMPLE)
     begin, end = _value(field, first), _value(field, last)

@@ -522,7 +522,7 @@ def structure_of(
     ring, by name, m.
     """
     machine = machines[0]
-    beams = _beams(machine)
+    beams = beams_of(machine)
     by_name = {beam.shaft.name: beam for beam in beams}
     layout = _Layout(sum(len(beam.place) for beam in beams))
     seats, shoulders = [], []
@@ -582,8 +582,8 @@ class _Layout:
         self.pushed.append((node, force))
 
 
-def _beams(machine: Machine) -> list[Beam]:
-    """The shafts, divided wherever something stands on them."""
+def beams_of(machine: Machine, more: Mapping[str, Sequence[float]] | None = None) -> list[Beam]:
+    """The shafts, divided wherever something stands on them, and at further places of each."""
     stops: dict[str, list[float]] = {shaft.name: [] for shaft in machine.shafts}
     parts = (machine.loads, machine.gears, machine.belts, machine.masses, machine.springs)
     for part in (*machine.bearings, *(one for kind in parts for one in kind)):
@@ -594,6 +594,8 @@ def _beams(machine: Machine) -> list[Beam]:
     for spring in machine.springs:
         if spring.to_shaft is not None and spring.to_position is not None:
             stops[spring.to_shaft].append(spring.to_position)
+    for name, places in (more or {}).items():
+        stops[name] += places
     beams: list[Beam] = []
     for shaft in machine.shafts:
         first = 0 if not beams else int(beams[-1].nodes[-1]) + 1

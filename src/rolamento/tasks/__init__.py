@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     )
     from rolamento.tasks.drawing import Drawing, Kind, draw
     from rolamento.tasks.frequencies import FrequencyResult, fault_frequencies
+    from rolamento.tasks.grease import GreaseCase, choose_oil_of_case, grease_of_case
     from rolamento.tasks.history import History, Records, diagnose_since, trend_of_records
     from rolamento.tasks.life import CaseLife, ShaftLife, life_of_case, life_of_shaft
     from rolamento.tasks.life_over import LifeCurve, life_curve
@@ -35,7 +36,13 @@ if TYPE_CHECKING:
         diagnose_machine,
         read_machine,
     )
-    from rolamento.tasks.noise import FullScale, NoiseResult, noise_level
+    from rolamento.tasks.noise import FullScale, NoiseLevel, NoiseResult
+    from rolamento.tasks.oscillation import (
+        OscillationCase,
+        OscillationSpectrum,
+        life_in_oscillation,
+        life_under_oscillations,
+    )
     from rolamento.tasks.replace import (
         FleetStudy,
         RemainingStudy,
@@ -45,14 +52,19 @@ if TYPE_CHECKING:
         replacement_study,
     )
     from rolamento.tasks.report import CaseReport, Report, calculation_report, compare_variants
-    from rolamento.tasks.severity import SeverityResult, vibration_severity
+    from rolamento.tasks.request import Input, Request
+    from rolamento.tasks.seek import Goal, GoalSeek
+    from rolamento.tasks.severity import SeverityResult, VibrationSeverity
     from rolamento.tasks.studies import Sweep, sweep, tolerance
     from rolamento.tasks.synthesis import SynthesisResult, synthesise
+    from rolamento.tasks.time_line import ServiceLife, service_life
+    from rolamento.tasks.vibration_diagnosis import VibrationDiagnosis
     from rolamento.tasks.weibull import (
         DemonstrationStudy,
+        DemonstrationTest,
+        LifeTestEvaluation,
         PrecisionStudy,
         TrendStudy,
-        demonstration_study,
         life_test_study,
         precision_study,
         trend_study,
@@ -61,14 +73,22 @@ if TYPE_CHECKING:
 _NAMES_OF_MODULES: Final = {
     "demonstration": ("example_case", "write_example"),
     "diagnosis": ("DiagnosisResult", "TooShort", "UnknownResult", "diagnose", "rank_bearings"),
+    "vibration_diagnosis": ("VibrationDiagnosis",),
     "drawing": ("Drawing", "Kind", "draw"),
     "frequencies": ("FrequencyResult", "fault_frequencies"),
+    "grease": ("GreaseCase", "choose_oil_of_case", "grease_of_case"),
     "history": ("History", "Records", "diagnose_since", "trend_of_records"),
     "life": ("CaseLife", "ShaftLife", "life_of_case", "life_of_shaft"),
     "life_over": ("LifeCurve", "life_curve"),
     "life_spectrum": ("DutyLife", "SpectrumLife", "life_of_duty_spectrum", "read_spectrum"),
     "machine_diagnosis": ("Machine", "MachineDiagnosis", "diagnose_machine", "read_machine"),
-    "noise": ("FullScale", "NoiseResult", "noise_level"),
+    "noise": ("FullScale", "NoiseLevel", "NoiseResult"),
+    "oscillation": (
+        "OscillationCase",
+        "OscillationSpectrum",
+        "life_in_oscillation",
+        "life_under_oscillations",
+    ),
     "replace": (
         "FleetStudy",
         "RemainingStudy",
@@ -78,14 +98,18 @@ _NAMES_OF_MODULES: Final = {
         "replacement_study",
     ),
     "report": ("CaseReport", "Report", "compare_variants", "calculation_report"),
-    "severity": ("SeverityResult", "vibration_severity"),
+    "request": ("Input", "Request"),
+    "seek": ("Goal", "GoalSeek"),
+    "severity": ("SeverityResult", "VibrationSeverity"),
     "studies": ("Sweep", "sweep", "tolerance"),
     "synthesis": ("SynthesisResult", "synthesise"),
+    "time_line": ("ServiceLife", "service_life"),
     "weibull": (
         "DemonstrationStudy",
+        "DemonstrationTest",
+        "LifeTestEvaluation",
         "PrecisionStudy",
         "TrendStudy",
-        "demonstration_study",
         "life_test_study",
         "precision_study",
         "trend_study",
@@ -99,23 +123,34 @@ __all__ = [
     "CaseLife",
     "CaseReport",
     "DemonstrationStudy",
+    "DemonstrationTest",
     "DiagnosisResult",
     "Drawing",
     "DutyLife",
     "FleetStudy",
     "FrequencyResult",
     "FullScale",
+    "Goal",
+    "GoalSeek",
+    "GreaseCase",
     "History",
+    "Input",
     "Kind",
     "LifeCurve",
+    "LifeTestEvaluation",
     "Machine",
     "MachineDiagnosis",
+    "NoiseLevel",
     "NoiseResult",
+    "OscillationCase",
+    "OscillationSpectrum",
     "PrecisionStudy",
     "Records",
     "RemainingStudy",
     "ReplacementStudy",
     "Report",
+    "Request",
+    "ServiceLife",
     "SeverityResult",
     "ShaftLife",
     "SpectrumLife",
@@ -124,9 +159,11 @@ __all__ = [
     "TooShort",
     "TrendStudy",
     "UnknownResult",
+    "VibrationDiagnosis",
+    "VibrationSeverity",
     "calculation_report",
+    "choose_oil_of_case",
     "compare_variants",
-    "demonstration_study",
     "diagnose",
     "diagnose_machine",
     "diagnose_since",
@@ -134,24 +171,26 @@ __all__ = [
     "example_case",
     "fault_frequencies",
     "fleet_study",
+    "grease_of_case",
     "life_curve",
+    "life_in_oscillation",
     "life_of_case",
     "life_of_duty_spectrum",
     "life_of_shaft",
     "life_test_study",
-    "noise_level",
+    "life_under_oscillations",
     "precision_study",
     "rank_bearings",
     "read_machine",
     "read_spectrum",
     "remaining_study",
     "replacement_study",
+    "service_life",
     "sweep",
     "synthesise",
     "tolerance",
     "trend_of_records",
     "trend_study",
-    "vibration_severity",
     "write_example",
 ]
 

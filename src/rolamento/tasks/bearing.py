@@ -21,6 +21,22 @@ BearingLike = str | os.PathLike[str] | Bearing | RollerBearing | Case
 """A designation, a case file (``"-"``: on standard input), a bearing or a case."""
 
 
+def designated(designation: str, parameter: str = "bearing") -> Case:
+    """Return the bearing of a designation without a load; no file is looked for by its name.
+
+    Raises
+    ------
+    InputError
+        If there is no such designation; parameter: what to call it.
+    """
+    try:
+        case = Case.from_mapping({"bearing": {"designation": designation}, "duty": {}})
+    except InputError as error:
+        example = arguments(**{parameter: "6205"})
+        raise error.with_details(field=parameter, value=designation, example=example) from None
+    return case if case.title else case.replace(title=designation)
+
+
 def name_of(bearing: BearingLike, case: Case) -> str:
     """Return what to call a bearing: by the title of its case, or as it was given."""
     return case.title or (os.fspath(bearing) if isinstance(bearing, str | os.PathLike) else "")

@@ -21,7 +21,15 @@ from rolamento.studies.study import Study
 from rolamento.tasks.report import number_of_field, with_life
 from rolamento.words import Note, said
 
-__all__ = ["Curve", "Scale", "curve_over", "fields_over", "outputs_over", "usual_range"]
+__all__ = [
+    "Curve",
+    "Scale",
+    "bounds_of",
+    "curve_over",
+    "fields_over",
+    "outputs_over",
+    "usual_range",
+]
 
 Floats = NDArray[np.float64]
 Scale = Literal["linear", "log"]
@@ -163,7 +171,7 @@ def usual_range(case: Case, field: Field, scale: Scale = "linear") -> tuple[floa
         Wider where it is logarithmic.
     """
     own = number_of_field(case, field.name)
-    least, most = _bounds(field)
+    least, most = bounds_of(field)
     if not own:  # none, or zero, around which nothing has a size
         text = field.example.strip('"')
         size = abs(float(field.checked(text if field.dimension else float(text), in_file=True)))
@@ -177,7 +185,7 @@ def usual_range(case: Case, field: Field, scale: Scale = "linear") -> tuple[floa
     else:
         low, high = sorted((_LEAST * own, _MOST * own))
     if np.isfinite(least) and np.isfinite(most):
-        room = _INSIDE * (most - least)
+        room = _INSIDE * min(most - least, high - low)
         least, most = least + room, most - room
     elif np.isfinite(least) and least != 0.0:
         least += _INSIDE * abs(least)
@@ -185,7 +193,8 @@ def usual_range(case: Case, field: Field, scale: Scale = "linear") -> tuple[floa
     return low, high
 
 
-def _bounds(field: Field) -> tuple[float, float]:
+def bounds_of(field: Field) -> tuple[float, float]:
+    """Return the least and the greatest value that a field may have, SI."""
     limits = {} if field.bounds is None else field.bounds.limits_in_si
     least = limits.get("at_least", -inf)
     if "above" in limits:

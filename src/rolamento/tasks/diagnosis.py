@@ -9,7 +9,7 @@ from dataclasses import asdict, replace
 from functools import cached_property
 from itertools import product
 from math import ceil, inf, isfinite, pi
-from typing import TYPE_CHECKING, Any, Final, Literal, TypeVar, Unpack
+from typing import TYPE_CHECKING, Any, Final, Literal, Protocol, TypeVar, Unpack
 
 import numpy as np
 
@@ -50,6 +50,9 @@ from rolamento.words import Note, said
 from rolamento.words.naming import of_element
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Picture
+
+    from rolamento.document import Document
     from rolamento.solved import Solved
 
 SCHEMA: Final = 3
@@ -333,6 +336,35 @@ class DiagnosisResult:
                     values = {"part": part, "count": count, "frequency": frequency}
                     yield Note("peak_of_other_count", values)
 
+    @property
+    def complaint(self) -> str:
+        """Why there is no verdict; "" if there is one."""
+        return complaint_of(self)
+
+    def page(self) -> Document:
+        """Return what people read of it."""
+        from rolamento.pages.diagnosis import diagnosis_page
+
+        return diagnosis_page(self)
+
+    def picture(self) -> Picture | None:
+        """Draw waveform, kurtogram and envelope spectrum; None of a record that is too short."""
+        from rolamento.plots.vibration import diagnosis_figure
+
+        if self.found is None:
+            return None
+        return diagnosis_figure(self.signal, self.found, title=f"{self.bearing_name}: {self.title}")
+
+    def kurtogram(self) -> Picture | None:
+        """Draw the kurtogram alone; None as of `picture`."""
+        from rolamento.plots.vibration import kurtogram_figure
+
+        if self.found is None:
+            return None
+        fault = self.found.clearest_fault
+        band = None if fault is None else fault.band
+        return kurtogram_figure(self.signal, band=band, title=f"{self.bearing_name}: {self.title}")
+
     def to_mapping(self) -> dict[str, Any]:
         """Return everything but the spectra as plain data, in SI units and Hz."""
         if (short := self.too_short) is not None:
@@ -395,6 +427,21 @@ class DiagnosisResult:
             },
             "notes": _mappings(self.notes),
         }
+
+
+class _Concluded(Protocol):
+    @property
+    def verdict(self) -> Conclusion: ...
+
+    @property
+    def statement(self) -> tuple[Note, ...]: ...
+
+
+def complaint_of(found: _Concluded) -> str:
+    """Return what a result without a verdict comes to; "" of one that has one."""
+    if found.verdict not in ("no_verdict", "undecided"):
+        return ""
+    return " ".join(note.text for note in found.statement)
 
 
 def _mappings(notes: Iterable[Note]) -> list[dict[str, Any]]:
@@ -591,6 +638,17 @@ class UnknownResult:
         else:
             notes.append(Note("no_bearing_with_combs", {"compared": self.found.compared}))
         return tuple(notes)
+
+    @property
+    def complaint(self) -> str:
+        """Why there is no verdict; "" if there is one."""
+        return complaint_of(self)
+
+    def page(self) -> Document:
+        """Return what people read of it."""
+        from rolamento.pages.history import unknown_page
+
+        return unknown_page(self)
 
     def to_mapping(self) -> dict[str, Any]:
         """Return everything as plain data."""

@@ -36,5 +36,5 @@ def friction_of_case(case: Case, *, hysteresis: float = 0.01) -> Analysis:
 def friction_mapping(analysis: Analysis) -> dict[str, Any]:
     """Return the friction of one case as plain data, in SI units."""
     whole = analysis.to_mapping()
-    kept = ("schema", "title", "status", "friction", "notes", "case")
-    return {"kind": "friction", **{key: whole[key] for key in kept}}
+    kept = ("schema", "title", "status", "friction", "seals_and_bath", "notes", "case")
+    return {"kind": "friction", **{key: whole[key] for key in kept if key in whole}}

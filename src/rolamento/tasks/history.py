@@ -9,7 +9,7 @@ from dataclasses import replace
 from itertools import chain, pairwise
 from math import exp, isfinite, nan
 from pathlib import Path
-from typing import Any, Final, Literal
+from typing import TYPE_CHECKING, Any, Final, Literal
 
 import numpy as np
 
@@ -17,7 +17,13 @@ from rolamento.errors import InputError, arguments
 from rolamento.numerics import FloatArray
 from rolamento.records import frozen
 from rolamento.tasks.bearing import BearingLike
-from rolamento.tasks.diagnosis import SCHEMA, Conclusion, DiagnosisResult, diagnose
+from rolamento.tasks.diagnosis import (
+    SCHEMA,
+    Conclusion,
+    DiagnosisResult,
+    complaint_of,
+    diagnose,
+)
 from rolamento.vibration.diagnosis import COMPONENTS, DAMAGE, Component, DiagnosisSettings
 from rolamento.vibration.reading import read_signal
 from rolamento.vibration.reading.formats import ENDINGS
@@ -25,6 +31,9 @@ from rolamento.vibration.signal import Signal
 from rolamento.vibration.spectrum import indicators
 from rolamento.words import Note, said
 from rolamento.words.naming import of_element
+
+if TYPE_CHECKING:
+    from rolamento.document import Document
 
 __all__ = ["History", "PartThen", "Records", "diagnose_since", "records_of", "trend_of_records"]
 
@@ -189,6 +198,17 @@ class History:
         }
         return of_element(Note(key, values), self.now.diagnosis.element)
 
+    @property
+    def complaint(self) -> str:
+        """Why there is no verdict; "" if there is one."""
+        return complaint_of(self)
+
+    def page(self) -> Document:
+        """Return what people read of it."""
+        from rolamento.pages.history import history_page
+
+        return history_page(self)
+
     def to_mapping(self) -> dict[str, Any]:
         """Return everything as plain data, in SI units and Hz."""
         return {
@@ -333,6 +353,8 @@ class Records:
         of the samples
     last
         diagnosis of the last group; None if it is too short
+    title
+        of the folder, or of the first record
     """
 
     names: tuple[str, ...]
@@ -342,6 +364,7 @@ class Records:
     depths: dict[Component, FloatArray]
     unit: str
     last: DiagnosisResult | None
+    title: str = ""
 
     @property
     def series(self) -> dict[str, FloatArray]:
@@ -373,6 +396,17 @@ class Records:
         if self.last is not None:
             notes += [Note("last_record"), *self.last.statement]
         return tuple(notes)
+
+    @property
+    def complaint(self) -> str:
+        """Nothing: what was measured is shown in any case."""
+        return ""
+
+    def page(self) -> Document:
+        """Return what people read of it."""
+        from rolamento.pages.history import records_page
+
+        return records_page(self, self.title)
 
     def to_mapping(self) -> dict[str, Any]:
         """Return everything as plain data."""
@@ -498,8 +532,9 @@ def trend_of_records(
         unit, place = joined.unit, place + len(group)
     depths = {part: np.array([_depth_of(one, part) for one in found]) for part in COMPONENTS}
     return Records(
-        tuple(names), tuple(counts), np.array(rms), np.array(kurtosis), depths, unit, found[-1]
-    )
+        tuple(names), tuple(counts), np.array(rms), np.array(kurtosis), depths, unit, found[-1],
+        os.fspath(paths[0]),
+    )  # fmt: skip
 
 
 _READING: Final = ("channel", "rate", "unit", "scale", "decimal_mark")

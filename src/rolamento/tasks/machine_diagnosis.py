@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from rolamento.case import case_of
 from rolamento.case.machine import Machine as ShaftsMachine
@@ -14,11 +14,20 @@ from rolamento.errors import InputError, arguments, nearest
 from rolamento.io.text import format_of_path, format_of_text, parse_mapping, read_text
 from rolamento.records import frozen
 from rolamento.tasks.bearing import BearingLike
-from rolamento.tasks.diagnosis import SCHEMA, Conclusion, DiagnosisResult, diagnose
+from rolamento.tasks.diagnosis import (
+    SCHEMA,
+    Conclusion,
+    DiagnosisResult,
+    complaint_of,
+    diagnose,
+)
 from rolamento.units import rpm_of
 from rolamento.vibration.diagnosis import Component, FaultOrders
 from rolamento.vibration.frequencies import nominal_frequencies
 from rolamento.words import Note, said
+
+if TYPE_CHECKING:
+    from rolamento.document import Document
 
 __all__ = ["Machine", "MachineDiagnosis", "Mounted", "diagnose_machine", "read_machine"]
 
@@ -295,6 +304,17 @@ class MachineDiagnosis:
                 continue
             notes += [Note("of_bearing", {"name": bearing.name}), *one.statement]
         return tuple(notes)
+
+    @property
+    def complaint(self) -> str:
+        """Why there is no verdict; "" if there is one."""
+        return complaint_of(self)
+
+    def page(self) -> Document:
+        """Return what people read of it."""
+        from rolamento.pages.history import machine_page
+
+        return machine_page(self)
 
     def to_mapping(self) -> dict[str, Any]:
         """Return everything as plain data, in SI units and Hz."""

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, Final, cast
 from rolamento.case import Case, parse_case
 from rolamento.case.bearing import Bearing
 from rolamento.case.fields import Field, changed, in_file_form, of_elements
+from rolamento.case.machine import Machine
 from rolamento.case.roller_bearing import RollerBearing
 from rolamento.case.rolling_bearing import BY_ELEMENT, element_named
 from rolamento.errors import InputError
@@ -21,7 +22,7 @@ from rolamento.words import marked, said
 if TYPE_CHECKING:
     from rolamento.catalogue import CatalogueBearing
 
-__all__ = ["TABLES", "case_template", "file_name", "machine_template"]
+__all__ = ["TABLES", "case_template", "file_name", "machine_template", "machine_workbook"]
 
 TABLES: Final = {
     "": marked("Every value has its unit. Lines that begin with # are optional: what they show is "
@@ -35,6 +36,8 @@ TABLES: Final = {
                         "tilt."),
     "duty.displacement": marked("Displacements that are imposed instead of loads. A tilt without "
                                 "a moment or a value is held at zero."),
+    "duty.oscillation": marked("A ring that swings to and fro in the place of speeds, for "
+                               "rolamento oscillation."),
     "model": marked("Hypotheses of the calculation."),
     "lubricant": marked("Oil or grease: for film, friction and modified life."),
     "surface": marked("Roughness, for the film parameter."),
@@ -42,8 +45,13 @@ TABLES: Final = {
     "mounting": marked("Fits: with this table the bearing is solved with the clearance that fits, "
                        "temperatures and speed leave."),
     "film": marked("How the film thickness is calculated."),
+    "grease": marked("The grease and how it is kept, for rolamento grease."),
     "heat": marked("Ways of the heat out of the bearing, for rolamento heat; conductances that "
                    "are not given are estimated."),
+    "static": marked("Demands on the static safety, for rolamento static; hardness of the "
+                     "raceways."),
+    "electrical": marked("Voltage and current across the bearing, for rolamento electrical."),
+    "losses": marked("Seals and oil bath, for the friction; seals are those of the designation."),
     "life": marked("Ratings, cleanliness and what is required of the life."),
     "report": marked("Title block of rolamento report."),
 }  # fmt: skip
@@ -119,6 +127,13 @@ def machine_template() -> str:
     """Return the text of a machine file to start from, which solves as it is."""
     file = resources.files("rolamento") / "data" / "machine_template.toml"
     return file.read_text(encoding="utf-8")
+
+
+def machine_workbook() -> bytes:
+    """Return the machine of `machine_template` as a workbook."""
+    from rolamento.exchange.workbook import machine_to_xlsx
+
+    return machine_to_xlsx(Machine.from_toml(machine_template()))
 
 
 def file_name(designation: str | None) -> str:

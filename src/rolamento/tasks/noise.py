@@ -9,15 +9,22 @@ from dataclasses import asdict
 from functools import cached_property
 from io import StringIO
 from math import isfinite, nan
-from typing import Any, Final, Literal, Unpack
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, Literal, Self
+
+from pydantic import model_validator
 
 from rolamento.errors import InputError, arguments
 from rolamento.io.json import csv_number
 from rolamento.records import frozen
-from rolamento.tasks.parameters import Progress, quietly, speed_of
+from rolamento.tasks.parameters import Progress, quietly
+from rolamento.tasks.request import Input, Product
 from rolamento.tasks.signals import (
-    Reading,
+    SIGNAL,
+    SignalRequest,
     blocks_at,
+    check_files,
+    files_of,
+    hours_of_files,
     require_calibrated,
 )
 from rolamento.vibration.anderon import (
@@ -32,13 +39,20 @@ from rolamento.vibration.anderon import (
 )
 from rolamento.vibration.anderon_trend import AnderonRecord, AnderonTrend, trend_of
 from rolamento.vibration.reading import SignalFile, open_signal
-from rolamento.words import Note, said
+from rolamento.words import Note, marked, said
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from rolamento.document import Document
+
+BEARING: Final = marked("Bearing")
+ACCEPTANCE: Final = marked("Acceptance")
 SCHEMA: Final = 2
 _MICRO: Final = 1e6
 _HIGHEST_RATE: Final = 2e7
-_MOST_HOURS: Final = 1e9
-_MOST_SIGNALS: Final = 500
+_SCALE_EXAMPLE: Final = arguments(full_scale="low=30")
+_MOST_SCALE: Final = 1e9
 _LONGEST_NAME: Final = 60
 
 NoiseVerdict = Literal["accepted", "rejected", "not_measured", "none"]
@@ -227,6 +241,32 @@ class NoiseResult:
             "notes": [note.to_mapping() for note in one.notes],
         }
 
+    @property
+    def complaint(self) -> str:
+        """What no band measures, or which fails; "" of a bearing that passes."""
+        if not (self.measures_nothing or "rejected" in self.verdicts):
+            return ""
+        from rolamento.pages.anderon import noise_statement
+
+        return noise_statement(self)
+
+    def page(self) -> Document:
+        """Return what people read of it."""
+        from rolamento.pages.anderon import anderon_page
+
+        return anderon_page(self)
+
+    def picture(self) -> Figure:
+        """Draw noise over frequency, or over the hours."""
+        from rolamento.plots.anderon import noise_figure, noise_trend_figure
+        from rolamento.weibull import parse_trend
+
+        one = self.measured[0]
+        limits = self.limits_of(one)
+        if len(self.measured) == 1:
+            return noise_figure(one.noise, limits=limits, title=one.title)
+        return noise_trend_figure(parse_trend(self.record()), limits=limits)
+
     def record(self) -> str:
         """Return the anderons over the hours as the CSV that `rolamento trend` reads.
 
@@ -242,101 +282,177 @@ class NoiseResult:
         return text.getvalue()
 
 
-def noise_level(
-    paths: str | os.PathLike[str] | Sequence[str | os.PathLike[str]],
-    *,
-    speed: str | float | None = None,
-    full_scale: Mapping[BandName, FullScale | float] | None = None,
-    accepted: float = ACCEPTED,
-    hours: Sequence[float] | None = None,
-    bearing: str = "1",
-    start: float = 0.0,
-    duration: float | None = None,
-    progress: Progress = quietly,
-    **reading: Unpack[Reading],
-) -> NoiseResult:
-    """Measure the noise of files of signals of one bearing, in bounded memory.
+class NoiseLevel(SignalRequest):
+    """Show the noise in anderons and µm/s, and whether it passes.
+
+    In the bands of an anderometer; for several signals, over the hours of a test.
 
     Parameters
     ----------
-    paths
-        A file or several.
+    signals
+        Signal files: WAV, CSV, NPY, MATLAB and others. Several are of one bearing.
     speed
-        Of the inner ring: text such as "1800 rpm", or rad/s; by default as a file gives it, or else
-        that of the standard.
-    full_scale
-        By band: anderons, or a `FullScale`; without one there is no verdict.
-    accepted
-        Part of the full scale up to which noise is accepted.
-    hours
-        Of the test after which each signal was recorded.
+        Speed of the inner ring; by default that of the file, or else 1800 rpm.
     bearing
-        What to call it.
-    start, duration
-        Of the part of each signal; s.
-    progress
-        Called with blocks of a file done and all.
-    reading
-        channel, rate, unit, scale and decimal_mark, as of `rolamento.vibration.open_signal`.
+        Name of the bearing in the record.
+    hours
+        Hours of the test at which the signals were recorded, such as 60,120,180.
+    full_scale
+        Full scale of a band, low, medium or high, in anderons or as a velocity such as '120 um/s'.
+        Repeatable.
+    accepted
+        Accepted fraction of the full scale, up to 1.
+    """
+
+    signals: Annotated[Any, Input("Signals", "files", essential=True, metavar="SIGNAL")]
+    speed: Annotated[
+        float | None,
+        Input("Shaft speed", "quantity", BEARING, example="1800 rpm", dimension="angular_speed"),
+    ] = None
+    bearing: Annotated[
+        str, Input("Name of the bearing", group=BEARING, example="9", default="1", metavar="NAME")
+    ] = "1"
+    hours: Annotated[
+        tuple[float, ...],
+        Input("Hours", "list", BEARING, example="60,120,180", separator=",", metavar="H,H,…"),
+    ] = ()
+    full_scale: Annotated[
+        Any,
+        Input(
+            "Full scale", "list", ACCEPTANCE, example="low=30", separator=",", metavar="BAND=VALUE"
+        ),
+    ] = ()
+    accepted: Annotated[
+        float,
+        Input("Accepted fraction", "fraction", ACCEPTANCE, example="0.4", default=str(ACCEPTED)),
+    ] = ACCEPTED
+
+    examples: ClassVar = (
+        "Examples: anderon noise.wav --unit um/s --full-scale low=30,medium=60,high=60; "
+        "anderon t060.csv t120.csv --hours 60,120 --plot trend.png."
+    )
+    waiting: ClassVar = marked("blocks of the signal")
+    headings: ClassVar = (SIGNAL, BEARING, ACCEPTANCE)
+
+    @model_validator(mode="after")
+    def _are_in_range(self) -> Self:
+        check_files(self.files)
+        name = self.bearing
+        if not name.strip() or len(name) > _LONGEST_NAME or not name.isprintable():
+            rule = said("must be one line of at most {most} characters", most=_LONGEST_NAME)
+            raise InputError(rule, field="bearing", value=name)
+        if not 0.0 < self.accepted <= 1.0:
+            rule = said("must be a fraction above 0 and at most 1")
+            raise InputError(rule, field="accepted", value=self.accepted)
+        if self.speed == 0.0:
+            rule = said("must not be 0: a stationary bearing makes no noise")
+            raise InputError(rule, field="speed")
+        return self
+
+    @property
+    def files(self) -> list[Any]:
+        """The files, also where a single one is given."""
+        return files_of(self.signals)
+
+    def _check_record(self) -> None:
+        if not self.hours:
+            rule = said("needs the hours of each signal")
+            raise InputError(rule, field="record", example=arguments(hours="60,120,180"))
+
+    def _check_picture(self) -> None:
+        if len(self.files) > 1 and not self.hours:
+            rule = said("needs the hours of each signal")
+            raise InputError(rule, field="plot", example=arguments(hours="60,120,180"))
+
+    def run(self, progress: Progress = quietly) -> NoiseResult:
+        """Measure the noise.
+
+        Raises
+        ------
+        FileError, InputError
+            If a file cannot be read, does not say what it measures or does not change, or what is
+            given contradicts itself.
+        """
+        given = self.full_scale
+        scales = given if isinstance(given, Mapping) else _full_scales_of(given)
+        full_scales = {
+            name: scale if isinstance(scale, FullScale) else FullScale(scale)
+            for name, scale in scales.items()
+        }
+        measured = []
+        for path, time in zip(self.files, hours_of_files(self.hours, self.files), strict=True):
+            opened = open_signal(path, start=self.start, duration=self.duration, **self.reading)
+            with opened as source:
+                noise = _noise_of(source, os.fspath(path), self.speed, progress)
+                scale = "" if self.scale is None else str(self.scale)
+                title, notes, choices = source.path.name, source.notes, source.choices
+                measured.append(MeasuredNoise(title, noise, time, scale, notes, choices))
+        found = NoiseResult(tuple(measured), full_scales, self.accepted, self.bearing)
+        _check_speeds(found)
+        return found
+
+    products: ClassVar = {
+        "plot": Product(
+            marked("Draw noise over frequency, or over the hours: a .png, .svg or .pdf file."),
+            lambda asked, found: found.picture(),
+            check=_check_picture,
+        ),
+        "record": Product(
+            marked("Write the levels over the hours, as rolamento trend reads them."),
+            lambda asked, found: found.record(),
+            is_picture=False,
+            check=_check_record,
+        ),
+    }
+
+
+def _full_scales_of(given: Sequence[str]) -> dict[BandName, FullScale]:
+    """Return the full scales of texts ``BAND=VALUE``.
 
     Raises
     ------
-    FileError, InputError
-        If a file cannot be read, does not say what it measures or does not change, or a parameter
-        is out of range.
+    InputError
+        If one is none, or given twice.
     """
-    files = [paths] if isinstance(paths, str | os.PathLike) else list(paths)
-    if not 1 <= len(files) <= _MOST_SIGNALS:
-        raise InputError(
-            said("must be 1 to {most} files", most=_MOST_SIGNALS), field="signals", value=len(files)
-        )
-    if not bearing.strip() or len(bearing) > _LONGEST_NAME or not bearing.isprintable():
-        rule = said("must be one line of at most {most} characters", most=_LONGEST_NAME)
-        raise InputError(rule, field="bearing", value=bearing, example=arguments(bearing="9"))
-    if not 0.0 < accepted <= 1.0:
-        rule = said("must be a fraction above 0 and at most 1")
-        raise InputError(rule, field="accepted", value=accepted, example=arguments(accepted=0.4))
-    times = [nan] * len(files) if hours is None else list(hours)
-    if hours is not None and (
-        len(times) != len(files) or not all(0.0 <= time <= _MOST_HOURS for time in times)
-    ):
-        rule = said(
-            "must be a number of hours, not negative, for each signal, here {count}",
-            count=len(files),
-        )
-        raise InputError(
-            rule,
-            field="hours",
-            value=", ".join(map(str, times)),
-            example=arguments(hours=[60, 120, 180]),
-        )
-    inner_speed = speed_of(speed, "speed")
-    if inner_speed == 0.0:
-        rule = said("must not be 0: a stationary bearing makes no noise")
-        raise InputError(rule, field="speed", example=arguments(speed="1800 rpm"))
-    measured = []
-    for path, time in zip(files, times, strict=True):
-        opened = open_signal(path, start=start, duration=duration, **reading)
-        with opened as source:
-            noise = _noise_of(source, os.fspath(path), inner_speed, progress)
-            scale = reading.get("scale")
-            measured.append(
-                MeasuredNoise(
-                    title=source.path.name,
-                    noise=noise,
-                    hours=time,
-                    sensitivity="" if scale is None else str(scale),
-                    reading_notes=source.notes,
-                    choices=source.choices,
-                )
+    found: dict[BandName, FullScale] = {}
+    for setting in given:
+        key, equals, text = setting.partition("=")
+        name = next((band for band in BANDS if band == key.strip().casefold()), None)
+        if name is None or not equals:
+            raise InputError(
+                said("must be BAND=VALUE; BAND is one of {bands}", bands=", ".join(BANDS)),
+                field="full_scale",
+                value=setting,
+                example=_SCALE_EXAMPLE,
             )
-    scales = {
-        name: scale if isinstance(scale, FullScale) else FullScale(scale)
-        for name, scale in (full_scale or {}).items()
-    }
-    found = NoiseResult(tuple(measured), scales, accepted, bearing)
-    _check_speeds(found)
+        if name in found:
+            raise InputError(said("is given twice"), field="full_scale", value=name)
+        found[name] = _full_scale(text.strip(), name)
     return found
+
+
+def _full_scale(text: str, name: BandName) -> FullScale:
+    """Read a number of anderons, or a velocity with its unit."""
+    from rolamento.vibration.signal import unit_scale
+
+    number, _, unit = text.partition(" ")
+    unit = unit.strip().replace("µ", "u").replace("μ", "u")
+    scale = 1.0
+    try:
+        is_velocity = unit not in ("", "An", "anderon", "anderons")
+        if is_velocity:
+            scale = unit_scale("velocity", unit)
+        value = float(number) * scale
+    except ValueError:  # an InputError of the unit is one too
+        value = nan
+    if not (isfinite(value) and 0.0 < value / scale <= _MOST_SCALE):
+        raise InputError(
+            said("must be a positive number of anderons, or a velocity in um/s, mm/s, m/s or in/s"),
+            field="full_scale",
+            value=f"{name}={text}",
+            example=_SCALE_EXAMPLE,
+        )
+    return FullScale(value, is_velocity)
 
 
 def _noise_of(source: SignalFile, path: str, speed: float | None, progress: Progress) -> Noise:

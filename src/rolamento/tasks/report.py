@@ -39,7 +39,9 @@ from rolamento.units import Dimension
 from rolamento.words import said
 
 if TYPE_CHECKING:
+    from rolamento.electrical import BearingElectrics
     from rolamento.heat import HeatBalance
+    from rolamento.safety import StaticSafety
 
 __all__ = [
     "MOST_CASES",
@@ -72,7 +74,7 @@ _UNITS: Final[Mapping[str, str]] = {
     "mm": "mm", "um": "µm", "m": "m", "deg": "°", "rpm": "rpm", "N": "N", "kN": "kN",
     "N m": "N·m", "N mm": "N·mm", "GPa": "GPa", "MPa": "MPa", "kg/m^3": "kg/m³",
     "degC": "°C", "mm^2/s": "mm²/s", "1/GPa": "1/GPa", "W/m/K": "W/(m·K)", "1/K": "10⁻⁶/K",
-    "h": "h",
+    "h": "h", "Hz": "Hz",
 }  # fmt: skip
 """How a reader's unit is written, by how a case file writes it."""
 _OF_DIMENSION: Final[Mapping[Dimension, str]] = {"length": "mm", "angle": "°", "force": "N"}
@@ -182,6 +184,34 @@ class CaseReport:
         return mounted_clearance(self.case).rows[0]
 
     @cached_property
+    def static_safety(self) -> StaticSafety | None:
+        """Static safety of a case that asks for it with [static], and has a result; else None."""
+        if self.case.static is None or not self.converged:
+            return None
+        from rolamento.safety import static_safety_of
+
+        return static_safety_of(self.analysis.solved)
+
+    @cached_property
+    def electrics(self) -> BearingElectrics | None:
+        """The bearing as an electrical part, of a case with [electrical] and a film; else None."""
+        if self.case.electrical is None or self.analysis.film is None:
+            return None
+        from rolamento.electrical import electrics_of
+
+        return electrics_of(self.analysis.solved, self.analysis.film)
+
+    @cached_property
+    def service_life(self) -> Any:
+        """What ends it first (`ServiceLife`), where that may be another thing than fatigue."""
+        from rolamento.tasks.time_line import service_life_of
+
+        if not self.converged:
+            return None
+        found = service_life_of(self.analysis)
+        return found if found.beside_fatigue else None
+
+    @cached_property
     def heat(self) -> HeatBalance | None:
         """The heat balance of a case with a [heat] table; else None."""
         if self.case.heat is None:
@@ -214,6 +244,7 @@ class CaseReport:
             "extremes": _extremes(self.analysis) if self.converged else None,
             "checks": [{**asdict(one), "met": one.met} for one in self.checks],
             "clearance": self._chain,
+            **self._ends,
             "analysis": analysis,
             "case": self.case.to_mapping(),
         }
@@ -270,6 +301,11 @@ class CaseReport:
     @cached_property
     def _chain(self) -> Any:
         return None if self.clearance is None else self.clearance.to_mapping()
+
+    @cached_property
+    def _ends(self) -> Mapping[str, Any]:
+        found = self.service_life
+        return {} if found is None else {"service_life": plain(found.to_mapping())}
 
     @cached_property
     def _brief(self) -> Mapping[str, Any]:

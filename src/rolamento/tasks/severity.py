@@ -4,24 +4,29 @@ from __future__ import annotations
 
 import csv
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from io import StringIO
 from math import isfinite, nan
-from typing import Any, Final, Unpack
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, Self, cast
 
 import numpy as np
+from pydantic import model_validator
 
 from rolamento.errors import InputError, arguments
-from rolamento.io.columns import folded_name
 from rolamento.io.dates import dates_of, days_between, moment_after, moment_said
 from rolamento.io.json import csv_number
 from rolamento.numerics.growth import Forecast, Law, forecast
 from rolamento.records import frozen
-from rolamento.tasks.parameters import Progress, quietly, speed_of
+from rolamento.tasks.parameters import Progress, quietly
+from rolamento.tasks.request import Input, Product
 from rolamento.tasks.signals import (
-    Reading,
+    SIGNAL,
+    SignalRequest,
     blocks_at,
+    check_files,
+    files_of,
+    hours_of_files,
     require_calibrated,
 )
 from rolamento.vibration.reading import open_signal
@@ -34,16 +39,19 @@ from rolamento.vibration.severity import (
     classes_of,
     measure_severity,
 )
-from rolamento.words import Note, said
+from rolamento.words import Note, marked, said
 
-__all__ = ["MeasuredSeverity", "SeverityResult", "vibration_severity"]
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from rolamento.document import Document
+
+__all__ = ["MeasuredSeverity", "SeverityResult", "VibrationSeverity"]
 
 SCHEMA: Final = 1
-_MOST_SIGNALS: Final = 500
-_MOST_HOURS: Final = 1e9
 _MILLI: Final = 1e-3
-_SUPPORTS: Final = {"rigido": "rigid", "rigida": "rigid", "flexivel": "flexible"}
-"""As a Brazilian calls them."""
+MACHINE: Final = marked("Machine")
+TREND: Final = marked("Alarm and trend")
 _DAY: Final = 24.0
 """h."""
 
@@ -186,6 +194,13 @@ class SeverityResult:
         )
 
     @property
+    def complaint(self) -> str:
+        """Why there is no zone; "" if any signal was measured."""
+        from rolamento.pages.severity import severity_statement
+
+        return "" if self.worst is not None else severity_statement(self)
+
+    @property
     def notes(self) -> tuple[Note, ...]:
         """What is to be known of the whole."""
         notes = [Note("severity_not_bearings")]
@@ -238,6 +253,18 @@ class SeverityResult:
             "notes": [note.to_mapping() for note in one.notes],
         }
 
+    def picture(self) -> Figure:
+        """Draw the velocity on the zones, or over the hours."""
+        from rolamento.pages.severity import trend_picture, zones_picture
+
+        return zones_picture(self) if self.forecast is None else trend_picture(self)
+
+    def page(self) -> Document:
+        """Return what people read of it."""
+        from rolamento.pages.severity import severity_page
+
+        return severity_page(self)
+
     def record(self) -> str:
         """Return velocity over hours as the CSV that `rolamento trend` reads."""
         text = StringIO(newline="")
@@ -252,154 +279,247 @@ class SeverityResult:
         return text.getvalue()
 
 
-def vibration_severity(
-    paths: str | os.PathLike[str] | Sequence[str | os.PathLike[str]],
-    *,
-    speed: str | float | None = None,
-    group: int | None = None,
-    support: str | None = None,
-    power: str | float | None = None,
-    machine_class: str | None = None,
-    baseline: str | float | None = None,
-    limit: str | float | None = None,
-    law: Law | None = None,
-    confidence: float = 0.9,
-    hours: Sequence[float] | None = None,
-    dates: Sequence[str] | None = None,
-    start: float = 0.0,
-    duration: float | None = None,
-    progress: Progress = quietly,
-    **reading: Unpack[Reading],
-) -> SeverityResult:
-    """Measure the severity of files of signals of one machine, in bounded memory.
+def _supports() -> Mapping[str, str]:
+    return {"rigid": marked("rigid"), "flexible": marked("flexible")}
+
+
+def _laws() -> Mapping[str, str]:
+    return {"linear": marked("linear"), "exponential": marked("exponential")}
+
+
+class VibrationSeverity(SignalRequest):
+    """Show the vibration severity in mm/s and its zone.
+
+    Broadband RMS velocity and zones A to D of ISO 20816-3; for several signals, over time.
 
     Parameters
     ----------
-    paths
-        A file or several: of several places, or of one over time.
+    signals
+        Signal files: WAV, CSV, NPY, MATLAB and others. Several are of one machine.
     speed
-        Of the shaft: text such as "1480 rpm", or rad/s; by default as a file gives it.
-    group, support, power, machine_class
-        Of the machine, as of `rolamento.vibration.severity.classes_of`; the power as text such as
-        "45 kW", or in W.
+        Speed of the shaft, such as '1480 rpm'; below 600 rpm the band begins at 2 Hz.
+    power
+        Rated power of the machine, such as '45 kW' or '60 cv': gives its group.
+    support
+        Support: rigid or flexible.
+    group
+        Group of ISO 20816-3, 1 or 2, instead.
+    machine_class
+        Class of ISO 10816-1, I to IV, instead of a group.
     baseline
-        Its usual velocity: text such as "1.2 mm/s", or m/s. It sets the alarm.
+        Usual RMS velocity of the machine, such as '1.2 mm/s': sets the alarm.
+    hours
+        Running hours at which the signals were recorded, such as 0,500,1000.
+    dates
+        Dates of the signals instead, such as 2026-01-31,2026-02-28.
     limit
-        To which a trend is followed, likewise; by default the alarm.
+        Limit of the trend, such as '4.5 mm/s'; by default the alarm.
     law
-        "linear" or "exponential", of that trend; by default the likelier one.
+        Law of growth: linear or exponential; by default the likelier one.
     confidence
-        Of the interval of the time to the limit.
-    hours, dates
-        At which the signals were recorded: running hours, or days such as "2026-01-31".
-    start, duration
-        Of the part of each signal; s.
-    progress
-        Called with blocks of a file done and all.
-    reading
-        channel, rate, unit, scale and decimal_mark, as of `rolamento.vibration.open_signal`.
-
-    Raises
-    ------
-    FileError, InputError
-        If a file cannot be read, does not say what it measures or does not change, or a parameter
-        is out of range.
+        Confidence of the time to the limit, such as 0.9.
     """
-    files = [paths] if isinstance(paths, str | os.PathLike) else list(paths)
-    if not 1 <= len(files) <= _MOST_SIGNALS:
-        raise InputError(
-            said("must be 1 to {most} files", most=_MOST_SIGNALS), field="signals", value=len(files)
-        )
-    if not 0.0 < confidence < 1.0:
-        rule = said("must be between 0 and 1, exclusive")
-        raise InputError(
-            rule, field="confidence", value=confidence, example=arguments(confidence=0.9)
-        )
-    if support is not None:
-        support = _SUPPORTS.get(folded_name(support), support)
-    classes = classes_of(
-        group=group, support=support, power=_power(power), machine_class=machine_class
+
+    signals: Annotated[Any, Input("Signals", "files", essential=True, metavar="SIGNAL")]
+    speed: Annotated[
+        float | None,
+        Input("Shaft speed", "quantity", MACHINE, example="1480 rpm", dimension="angular_speed"),
+    ] = None
+    power: Annotated[
+        float | None,
+        Input(
+            "Rated power", "quantity", MACHINE, example="45 kW", dimension="power", essential=True
+        ),
+    ] = None
+    support: Annotated[
+        str | None,
+        Input(
+            "Support",
+            "choice",
+            MACHINE,
+            example="rigid",
+            choices=_supports,
+            aliases={"rigido": "rigid", "rigida": "rigid", "flexivel": "flexible"},
+            essential=True,
+        ),
+    ] = None
+    group: Annotated[
+        str | int | None,
+        Input(
+            "Group of ISO 20816-3",
+            "choice",
+            MACHINE,
+            example="2",
+            choices=lambda: {"1": "", "2": ""},
+            metavar="N",
+        ),
+    ] = None
+    machine_class: Annotated[
+        str | None,
+        Input(
+            "Class of ISO 10816-1",
+            "choice",
+            MACHINE,
+            example="II",
+            choices=lambda: {"I": "", "II": "", "III": "", "IV": ""},
+            option="--class",
+            metavar="CLASS",
+        ),
+    ] = None
+    baseline: Annotated[
+        float | None,
+        Input(
+            "Usual velocity",
+            "quantity",
+            MACHINE,
+            example="1.2 mm/s",
+            dimension="velocity",
+            metavar="VELOCITY",
+        ),
+    ] = None
+    hours: Annotated[
+        tuple[float, ...],
+        Input("Running hours", "list", TREND, example="0,500,1000", separator=",", metavar="H,H,…"),
+    ] = ()
+    dates: Annotated[
+        tuple[str, ...],
+        Input(
+            "Dates",
+            "list",
+            TREND,
+            example="2026-01-31,2026-02-28",
+            separator=",",
+            metavar="DATE,DATE,…",
+        ),
+    ] = ()
+    limit: Annotated[
+        float | None,
+        Input(
+            "Limit", "quantity", TREND, example="4.5 mm/s", dimension="velocity", metavar="VELOCITY"
+        ),
+    ] = None
+    law: Annotated[
+        str | None,
+        Input(
+            "Law of growth",
+            "choice",
+            TREND,
+            example="linear",
+            choices=_laws,
+            option="--growth",
+            metavar="LAW",
+        ),
+    ] = None
+    confidence: Annotated[
+        float, Input("Confidence", "fraction", TREND, example="0.9", default="0.9", metavar="C")
+    ] = 0.9
+
+    examples: ClassVar = (
+        "Examples: severity motor.csv --unit g --speed '1480 rpm' --power '45 kW' --support "
+        "rigid; severity jan.wav feb.wav mar.wav --unit mm/s --hours 0,700,1400 --plot "
+        "trend.png."
     )
-    usual, goal = _velocity(baseline, "baseline"), _velocity(limit, "limit")
-    times, first = _hours(hours, len(files)), ""
-    dated: tuple[Note, ...] = ()
-    if dates is not None:
-        if hours is not None:
+    waiting: ClassVar = marked("blocks of the signal")
+    headings: ClassVar = (MACHINE, SIGNAL, TREND)
+
+    @model_validator(mode="after")
+    def _goes_together(self) -> Self:
+        check_files(self.files)
+        if not 0.0 < self.confidence < 1.0:
+            rule = said("must be between 0 and 1, exclusive")
+            raise InputError(rule, field="confidence", value=self.confidence)
+        for name in ("baseline", "limit"):
+            value = getattr(self, name)
+            if value is not None and not 0.0 < value <= 1e3:
+                rule = said("must be a positive velocity")
+                raise InputError(rule, field=name, value=value)
+        if self.hours and self.dates:
             raise InputError(said("cannot be combined with hours"), field="dates")
-        times, first, dated = _days(dates, len(files))
-    shaft = speed_of(speed, "speed")
-    measured: list[MeasuredSeverity] = []
-    for path, time in zip(files, times, strict=True):
-        opened = open_signal(path, start=start, duration=duration, **reading)
+        for name in ("limit", "law"):
+            if getattr(self, name) is not None:
+                self.check_times(name)
+        return self
+
+    @property
+    def files(self) -> list[Any]:
+        """The files, also where a single one is given."""
+        return files_of(self.signals)
+
+    def check_times(self, field: str = "record") -> None:
+        """Refuse what needs times where there are none; field: what needs them.
+
+        Raises
+        ------
+        InputError
+            If neither hours nor dates are given.
+        """
+        if not (self.hours or self.dates):
+            rule = said("needs the hours or dates of each signal")
+            raise InputError(rule, field=field, example=arguments(hours="0,500"))
+
+    def run(self, progress: Progress = quietly) -> SeverityResult:
+        """Measure the severity.
+
+        Raises
+        ------
+        FileError, InputError
+            If a file cannot be read, does not say what it measures or does not change, or what is
+            given contradicts itself.
+        """
+        classes = classes_of(
+            group=None if self.group is None else int(self.group),
+            support=self.support,
+            power=self.power,
+            machine_class=self.machine_class,
+        )
+        files = self.files
+        times, first = hours_of_files(self.hours, files), ""
+        dated: tuple[Note, ...] = ()
+        if self.dates:
+            times, first, dated = _days(self.dates, len(files))
+        measured: list[MeasuredSeverity] = []
+        for path, time in zip(files, times, strict=True):
+            found = self._measured(path, time, () if measured else dated, progress)
+            measured.append(found)
+        if self.hours or self.dates:
+            measured.sort(key=lambda one: one.hours)
+        return SeverityResult(
+            tuple(measured), classes, self.baseline, self.limit, cast("Law | None", self.law),
+            self.confidence, first,
+        )  # fmt: skip
+
+    def _measured(
+        self, path: Any, time: float, notes: tuple[Note, ...], progress: Progress
+    ) -> MeasuredSeverity:
+        opened = open_signal(path, start=self.start, duration=self.duration, **self.reading)
         with opened as source:
             name = os.fspath(path)
             require_calibrated(source, name)
-            at = source.speed if shaft is None else shaft
+            at = source.speed if self.speed is None else self.speed
             try:
                 found = measure_severity(
-                    blocks_at(source, shaft, progress),
+                    blocks_at(source, self.speed, progress),
                     duration=source.duration,
                     speed=nan if at is None else at,
                 )
             except InputError as error:
                 raise error.with_details(source=name) from None
-            scale = reading.get("scale")
-            measured.append(
-                MeasuredSeverity(
-                    source.path.name,
-                    found,
-                    time,
-                    "" if scale is None else str(scale),
-                    source.notes,
-                    (*source.choices, *(() if measured else dated)),
-                )
-            )
-    if hours is not None or dates is not None:
-        measured.sort(key=lambda one: one.hours)
-    return SeverityResult(tuple(measured), classes, usual, goal, law, confidence, first)
+            scale = "" if self.scale is None else str(self.scale)
+            choices = (*source.choices, *notes)
+            return MeasuredSeverity(source.path.name, found, time, scale, source.notes, choices)
 
-
-def _power(given: str | float | None) -> float | None:
-    from rolamento.units import to_si
-
-    if not isinstance(given, str):
-        return given
-    try:
-        return to_si(given, "power")
-    except InputError as error:
-        raise error.with_details(field="power", example=arguments(power="45 kW")) from None
-
-
-def _velocity(given: str | float | None, field: str) -> float | None:
-    from rolamento.units import to_si
-
-    example = f'{field}="1.8 mm/s"'
-    if isinstance(given, str):
-        try:
-            given = to_si(given, "velocity")
-        except InputError as error:
-            raise error.with_details(field=field, example=example) from None
-    if given is not None and not 0.0 < given <= 1e3:
-        rule = said("must be a positive velocity")
-        raise InputError(rule, field=field, value=given, example=example)
-    return given
-
-
-def _hours(hours: Sequence[float] | None, count: int) -> list[float]:
-    if hours is None:
-        return [nan] * count
-    times = list(hours)
-    if len(times) != count or not all(0.0 <= time <= _MOST_HOURS for time in times):
-        rule = said(
-            "must be a number of hours, not negative, for each signal, here {count}", count=count
-        )
-        raise InputError(
-            rule,
-            field="hours",
-            value=", ".join(map(str, times)),
-            example=arguments(hours=[60, 120, 180]),
-        )
-    return times
+    products: ClassVar = {
+        "plot": Product(
+            marked("Draw the velocity on the zones, or over the hours: a .png, .svg or .pdf file."),
+            lambda asked, found: found.picture(),
+        ),
+        "record": Product(
+            marked("Write the velocities over the hours, as rolamento trend reads them."),
+            lambda asked, found: found.record(),
+            is_picture=False,
+            check=check_times,
+        ),
+    }
 
 
 def _days(given: Sequence[str], count: int) -> tuple[list[float], str, tuple[Note, ...]]:

@@ -2,21 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+import os
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain, islice
-from typing import Final, TypedDict
+from math import nan
+from typing import Annotated, Any, Final, TypedDict
 
 import numpy as np
 
 from rolamento.errors import InputError, arguments, phrase
 from rolamento.tasks.parameters import Progress
+from rolamento.tasks.request import DECIMAL_MARK, Input, Request
 from rolamento.vibration.reading import SignalFile
 from rolamento.vibration.signal import Signal
 from rolamento.words import marked, said
 
+SIGNAL: Final = marked("Signal")
 PIECE: Final = 2**20
 """Samples that are read at a time."""
+_MOST_SIGNALS: Final = 500
+_MOST_HOURS: Final = 1e9
 _WHOLE: Final = 8
 """Pieces up to which a signal is taken as one."""
 
@@ -32,6 +38,55 @@ class Reading(TypedDict, total=False):
     unit: str | None
     scale: float | str | None
     decimal_mark: str | None
+
+
+class SignalRequest(Request):
+    """A use case that reads a signal, or a part of one: what its file may not say.
+
+    Parameters
+    ----------
+    unit
+        Unit of the samples: m/s^2, g, mm/s, um …; V or counts if they are not calibrated.
+    rate
+        Sampling rate, such as '50 kHz', instead of that in the file.
+    channel
+        Channel, by name or by number from 1.
+    scale
+        Sensitivity of the sensor, such as '100 mV/g'.
+    start
+        Start of the part to analyse, such as '2 s'.
+    duration
+        Duration of the part to analyse; by default to the end.
+    decimal_mark
+        Decimal mark, point or comma, for a table in which 12.500 may be 12.5 or 12500.
+    """
+
+    unit: Annotated[
+        str | None, Input("Unit of the samples", group=SIGNAL, example="m/s^2", essential=True)
+    ] = None
+    rate: Annotated[
+        float | None,
+        Input(
+            "Sampling rate", "frequency", SIGNAL, example="50 kHz", essential=True, metavar="RATE"
+        ),
+    ] = None
+    channel: Annotated[
+        str | int | None, Input("Channel or variable", group=SIGNAL, example="1", essential=True)
+    ] = None
+    scale: Annotated[
+        float | str | None, Input("Sensitivity of the sensor", group=SIGNAL, example="100 mV/g")
+    ] = None
+    start: Annotated[float, Input("Start", "time", SIGNAL, example="2 s")] = 0.0
+    duration: Annotated[float | None, Input("Duration", "time", SIGNAL, example="10 s")] = None
+    decimal_mark: Annotated[str | None, DECIMAL_MARK.below(SIGNAL)] = None
+
+    @property
+    def reading(self) -> Reading:
+        """What the file may not say, as `rolamento.vibration.open_signal` takes it."""
+        return {
+            "channel": self.channel, "rate": self.rate, "unit": self.unit, "scale": self.scale,
+            "decimal_mark": self.decimal_mark,
+        }  # fmt: skip
 
 
 @dataclass(slots=True)
@@ -137,6 +192,55 @@ def _joined(pieces: list[Signal]) -> Signal:
         speed = np.concatenate([piece.speed for piece in pieces if piece.speed is not None])
     samples = np.concatenate([piece.samples for piece in pieces])
     return replace(pieces[0], samples=samples, speed=speed)
+
+
+# --- several files ---------------------------------------------------------------------------
+
+
+def files_of(signals: Any) -> list[Any]:
+    """Return the files of a use case that takes one or several."""
+    return [signals] if isinstance(signals, str | os.PathLike) else list(signals)
+
+
+def check_files(files: Sequence[Any]) -> None:
+    """Refuse none, and too many.
+
+    Raises
+    ------
+    InputError
+        With how many there may be.
+    """
+    if not 1 <= len(files) <= _MOST_SIGNALS:
+        rule = said("must be 1 to {most} files", most=_MOST_SIGNALS)
+        raise InputError(rule, field="signals", value=len(files))
+
+
+def hours_of_files(hours: Sequence[Any], files: Sequence[Any]) -> list[float]:
+    """Return the hours at which each of some files was recorded; NaN if they are not given.
+
+    Raises
+    ------
+    InputError
+        If they are no hours, or not as many.
+    """
+    count = len(files)
+    if not hours:
+        return [nan] * count
+    try:
+        times = [float(time) for time in hours]
+    except ValueError:
+        times = [nan]
+    if len(times) != count or not all(0.0 <= time <= _MOST_HOURS for time in times):
+        rule = said(
+            "must be a number of hours, not negative, for each signal, here {count}", count=count
+        )
+        raise InputError(
+            rule,
+            field="hours",
+            value=", ".join(map(str, hours)),
+            example=arguments(hours=[60, 120, 180]),
+        )
+    return times
 
 
 # --- signals whose size counts ---------------------------------------------------------------

@@ -26,9 +26,11 @@ from rolamento.ratings import (
     static_rating,
 )
 from rolamento.records import frozen
+from rolamento.solution import solve
 from rolamento.speeds import (
     SpeedFactor,
     ceramic_factor,
+    general_minimum_shares,
     heat_shares,
     minimum_axial_load,
     minimum_axial_load_of_thrust,
@@ -148,7 +150,8 @@ class MinimumLoad:
     Attributes
     ----------
     name
-        "share" (P ≥ 0.01 C of balls), "radial", "axial" or "thrust"
+        "share" (P ≥ 0.01 C of balls), "radial", "axial" or "thrust"; "general" of a maker's rule
+        for all bearings
     load
         that is needed; N
     given
@@ -166,6 +169,16 @@ class MinimumLoad:
     def enough(self) -> bool:
         """Whether the case has it."""
         return self.given >= self.load
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Give it as plain values in SI."""
+        return {
+            "name": self.name,
+            "load": plain(self.load),
+            "given": plain(self.given),
+            "enough": self.enough,
+            "source": self.source.to_mapping(),
+        }
 
 
 @frozen
@@ -190,6 +203,11 @@ class SpeedLimits:
         of the oil at its temperature; m²/s, None where the case does not say
     minimum_loads
         what the rolling elements need at this speed
+    general_loads
+        what makers ask of all bearings, side by side
+    cage_slip
+        how far the cage lags behind outer raceway control's, by the equilibrium of a case whose
+        elements friction moves; None of others
     notes
         what is missing, and what to know
     """
@@ -202,6 +220,8 @@ class SpeedLimits:
     shares: HeatShares | None
     viscosity: float | None
     minimum_loads: tuple[MinimumLoad, ...]
+    general_loads: tuple[MinimumLoad, ...]
+    cage_slip: float | None
     notes: tuple[Note, ...]
 
     @property
@@ -235,16 +255,9 @@ class SpeedLimits:
             ],
             "heat_shares": None if self.shares is None else self.shares._asdict(),
             "viscosity": self.viscosity,
-            "minimum_loads": [
-                {
-                    "name": one.name,
-                    "load": plain(one.load),
-                    "given": plain(one.given),
-                    "enough": one.enough,
-                    "source": one.source.to_mapping(),
-                }
-                for one in self.minimum_loads
-            ],
+            "minimum_loads": [one.to_mapping() for one in self.minimum_loads],
+            "general_minimum_loads": [one.to_mapping() for one in self.general_loads],
+            "cage_slip": self.cage_slip,
             "notes": [note.to_mapping() for note in self.notes],
         }
 
@@ -451,7 +464,8 @@ class _Asked:
         notes += self._excess(limits, loads)
         return SpeedLimits(
             title, self.boundary, self.speed, self.mean_diameter, tuple(limits), shares,
-            self.viscosity, loads, tuple(sorted(notes, key=_weight)),
+            self.viscosity, loads, self._general_loads(), self._cage_slip(),
+            tuple(sorted(notes, key=_weight)),
         )  # fmt: skip
 
     def _limit(self, name: LimitName, speed: float, source: Note) -> SpeedLimit:
@@ -673,6 +687,37 @@ class _Asked:
         if unchecked:
             notes.append(Note("minimum_load_factors_unchecked"))
         return found
+
+    def _general_loads(self) -> tuple[MinimumLoad, ...]:
+        """What makers ask of all bearings: of balls of P, of rollers of F_r."""
+        given, bearing = self.boundary, self.case.bearing
+        if bearing.bearing_type.washers:
+            return ()
+        is_full = bearing.published is not None and bearing.published.is_full_complement
+        balls = self.element == "ball"
+        load = self._equivalent_load() if balls else self.loads[0]
+        found = []
+        for rule in general_minimum_shares(self.element, is_full):
+            static = rule.of == "static"
+            rating = given.static_rating if static else given.dynamic_rating
+            power = 1.0 if static or not balls else _ROW_SHARE
+            if isfinite(rating):
+                key = f"source_minimum_general_{rule.of}"
+                source = Note(key, rule._asdict())
+                needed = rule.share * rating * given.rows**power
+                found.append(MinimumLoad("general", needed, load, source))
+        return tuple(found)
+
+    def _cage_slip(self) -> float | None:
+        """Slip of the cage where friction moves the elements, of a case with a load; else None."""
+        case = self.case
+        if case.model.raceway_control != "friction" or not self.speed or not any(self.loads):
+            return None
+        solved = solve(case)
+        if solved.rolling is None or not solved.converged[0]:
+            return None
+        slip = float(solved.rolling.skid[0])
+        return slip if isfinite(slip) else None
 
     def _excess(self, limits: Sequence[SpeedLimit], loads: Sequence[MinimumLoad]) -> list[Note]:
         """What the case exceeds, and what its load does not reach."""

@@ -4,16 +4,20 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict
-from typing import TYPE_CHECKING, Any, Final, TypedDict, Unpack, cast
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, Self, TypedDict, Unpack, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
+from pydantic import model_validator
 
-from rolamento.errors import InputError
+from rolamento.errors import InputError, arguments, phrase
 from rolamento.numerics.growth import Forecast, Law, forecast
 from rolamento.records import frozen
+from rolamento.tasks.life_tables import DATA, SHIPPED, LifeTable
+from rolamento.tasks.parameters import Progress, quietly
+from rolamento.tasks.request import PICTURE, Input, Product, Request
 from rolamento.vibration.reading.units import spelled
 from rolamento.weibull import (
     METHODS,
@@ -29,34 +33,40 @@ from rolamento.weibull import (
     Sides,
     Trend,
     alternatives,
+    bands_of,
     demonstrate,
     plan_for_ratio,
     plan_of,
     plans_for_ratio,
+    published_life_test,
+    published_text,
     read_life_test,
     read_trend,
+    regions_of,
     summarise,
     wear_of_each,
 )
 from rolamento.weibull.life_test import BLANK_GROUP, UNKNOWN_MODE
 from rolamento.weibull.life_units import life_in, life_with_unit
-from rolamento.words import Note, said
+from rolamento.words import Note, marked, said
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from rolamento.clearance.wear import WearFit, WearLaw
+    from rolamento.document import Document
 
 __all__ = [
     "DemonstrationStudy",
+    "DemonstrationTest",
+    "LifeTestEvaluation",
     "PrecisionStudy",
     "TrendLimit",
     "TrendStudy",
-    "demonstration_study",
     "life_test_study",
     "precision_study",
     "trend_study",
 ]
-
-Progress = Callable[[int, int], None]
 
 FITS: Final[Mapping[str, FitMethod]] = {
     "ml": "maximum_likelihood",
@@ -76,6 +86,7 @@ _OTHER_FAILURES: Final = (0, 1, 2)
 _LIMIT: Final = re.compile(r"([+-]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][+-]?\d{1,3})?)\s*(.{0,20})")
 _PRIOR: Final = re.compile(r"(?:(lognormal|uniform):)?([^:]{1,30})\.\.([^:]{1,30})")
 _MOST_CALCULATED: Final = 8
+_PLAN: Final = marked("Plan a test")
 _SAMPLES, _FEWEST_SAMPLES = 10_000, 1000
 _MAXIMUM_DRAWN: Final = 5_000_000
 """Bearings in all drawn tests together, if it is left to the program."""
@@ -297,6 +308,336 @@ def lives_named(texts: Sequence[str]) -> dict[str, str]:
     return lives
 
 
+# --- as a request ----------------------------------------------------------------------------
+
+RESULTS: Final = marked("Results")
+BOUNDS: Final = marked("Bounds")
+FIT: Final = marked("Fit")
+
+
+def _sides() -> Mapping[str, str]:
+    return {
+        "two": marked("lower and upper"),
+        "lower": marked("lower only"),
+        "upper": marked("upper only"),
+    }
+
+
+def _bounds() -> Mapping[str, str]:
+    from rolamento.pages.weibull import BOUND_METHODS
+
+    return {name: BOUND_METHODS[name.replace("-", "_")] for name in bounds_known()}
+
+
+def _fits() -> Mapping[str, str]:
+    from rolamento.pages.weibull import FITS as LABELS
+
+    return {name: LABELS[method] for name, method in FITS.items()}
+
+
+_JOINED: Final = {name.replace("-", "_"): name for name in bounds_known()}
+
+
+class LifeTestEvaluation(LifeTable):
+    """Fit a Weibull distribution to a life test, with bounds.
+
+    What the test shows, and what it does not.
+
+    Parameters
+    ----------
+    data
+        Life test: columns time, status and, if any, group, rig, count and more; - for
+        standard input.
+    reliabilities
+        Reliability to give lives for, 0.9 for L10. Repeatable; by default 0.9 and 0.5.
+    times
+        Time to give the reliability at, such as '100 h'. Repeatable.
+    calculated
+        Calculated life to compare with the data, such as 'ISO 281=58 h', for the first
+        reliability. Repeatable.
+    confidence
+        Confidence of the bounds, such as 0.9.
+    sides
+        Sides of the bounds: two, lower or upper.
+    bounds
+        Bounds: pivotal, calibrated-likelihood-ratio, likelihood-ratio, fisher,
+        bootstrap-bca, …; by default a method that is exact with few failures.
+    samples
+        Tests to simulate, 100 to a million; 10 000 by default, fewer for large tests.
+    seed
+        Seed of the random numbers.
+    method
+        Fitting method: ml, unbiased, rrx, rry, three-parameter. Repeatable; by default the
+        first four.
+    three_parameter
+        Fit a failure-free time as well.
+    models
+        Fit other distributions beside, with their likelihoods; by default where the data
+        contradict Weibull's.
+    shape
+        Shape from experience: only the scale is fitted (Weibayes).
+    prior
+        90 % range of the shape: gives a posterior as well.
+    by_group
+        Each group by itself, and compared; or all together.
+    by_mode
+        Each failure mode by itself, the others as suspensions, and all of them put
+        together; or all failures alike.
+    only_mode
+        Only this failure mode: failures by others are suspensions.
+    only
+        Only this group. Repeatable.
+    example
+        A shipped life test: campanha-2008 or lieblein-zelen-1956.
+    contour_of
+        Quantity of the contours, over the shape: L10, L1, scale …
+
+    >>> found = LifeTestEvaluation(data=[55.2, 81.0, 104.5], samples=1000).run()
+    >>> f"{found.groups[0].main.shape:.2f}"
+    '4.64'
+    """
+
+    data: Annotated[Any, Input("Life test", "file", metavar="DATA.csv")] = None
+    reliabilities: Annotated[
+        tuple[float, ...],
+        Input(
+            "Reliabilities",
+            "numbers",
+            RESULTS,
+            example="0.9; 0.5",
+            default="0.9; 0.5",
+            essential=True,
+            option="--reliability",
+            metavar="R",
+        ),
+    ] = (0.9, 0.5)
+    times: Annotated[
+        tuple[float | str, ...],
+        Input(
+            "Times",
+            "list",
+            RESULTS,
+            example="100 h; 500 h",
+            essential=True,
+            option="--time",
+            metavar="TIME",
+        ),
+    ] = ()
+    calculated: Annotated[
+        tuple[str, ...],
+        Input(
+            "Calculated life",
+            "list",
+            RESULTS,
+            example="ISO 281=58 h",
+            essential=True,
+            option="--calculated-life",
+            metavar="[NAME=]LIFE",
+        ),
+    ] = ()
+    confidence: Annotated[
+        float,
+        Input(
+            "Confidence of bounds",
+            "fraction",
+            BOUNDS,
+            example="0.9",
+            default="0.9",
+            essential=True,
+            metavar="C",
+        ),
+    ] = 0.9
+    sides: Annotated[
+        str,
+        Input(
+            "Sides of the bounds", "choice", BOUNDS, choices=_sides, default="two", example="lower"
+        ),
+    ] = "two"
+    bounds: Annotated[
+        str | None,
+        Input(
+            "Method of the bounds",
+            "choice",
+            BOUNDS,
+            choices=_bounds,
+            aliases=_JOINED,
+            on_page=marked("Left empty, a method that is exact with few failures."),
+            metavar="METHOD",
+            example="pivotal",
+        ),
+    ] = None
+    samples: Annotated[
+        int | None, Input("Tests to simulate", "count", BOUNDS, example="10000", at_computer=True)
+    ] = None
+    seed: Annotated[
+        int, Input("Seed", "count", BOUNDS, example="0", default="0", at_computer=True)
+    ] = 0
+    method: Annotated[
+        tuple[str, ...],
+        Input(
+            "Methods of fitting",
+            "choices",
+            FIT,
+            choices=_fits,
+            on_page=marked("By default the first four; the bounds refer to the first one chosen."),
+            metavar="METHOD",
+        ),
+    ] = ()
+    three_parameter: Annotated[
+        bool, Input("Failure-free time", "switch", FIT, at_computer=True)
+    ] = False
+    models: Annotated[
+        bool | None,
+        Input("Other distributions beside", "switch", FIT, option="--models/--no-models"),
+    ] = None
+    shape: Annotated[
+        float | None, Input("Shape from experience", "number", FIT, example="1.5", metavar="BETA")
+    ] = None
+    prior: Annotated[
+        str | None,
+        Input(
+            "Range of the shape", group=FIT, example="1..2.5", option="--bayes", metavar="LOW..HIGH"
+        ),
+    ] = None
+    by_group: Annotated[
+        bool,
+        Input(
+            "Compare the groups",
+            "switch",
+            DATA,
+            default="true",
+            essential=True,
+            option="--by-group/--pooled",
+        ),
+    ] = True
+    by_mode: Annotated[
+        bool,
+        Input(
+            "Separate the failure modes",
+            "switch",
+            DATA,
+            default="true",
+            essential=True,
+            option="--by-mode/--modes-pooled",
+        ),
+    ] = True
+    only_mode: Annotated[
+        str | None,
+        Input(
+            "Only this failure mode", group=DATA, example="fatigue", option="--mode", metavar="MODE"
+        ),
+    ] = None
+    only: Annotated[
+        tuple[str, ...], Input("Only these groups", "list", DATA, example="I; II", metavar="GROUP")
+    ] = ()
+    example: Annotated[
+        str | None,
+        Input(
+            "Example", "shipped", DATA, choices=lambda: dict.fromkeys(SHIPPED, ""), metavar="NAME"
+        ),
+    ] = None
+    contour_of: Annotated[
+        str,
+        Input(
+            "Quantity of the contours",
+            group=RESULTS,
+            example="L10",
+            default="L10",
+            metavar="LIFE",
+            at_computer=True,
+        ),
+    ] = "L10"
+
+    examples: ClassVar = (
+        "Examples: weibull tests.csv --plot paper.png; weibull tests.csv --shape 1.5; weibull "
+        "--example campanha-2008 --calculated-life 'ISO 281=58 h'."
+    )
+    waiting: ClassVar = marked("Simulating tests and fitting them …")
+    headings: ClassVar = (DATA, FIT, BOUNDS, RESULTS)
+    ships: ClassVar = True
+
+    @model_validator(mode="after")
+    def _goes_together(self) -> Self:
+        if self.bounds is not None and self.shape is not None:
+            rule = phrase(
+                marked("cannot be combined with {shape}, which has its own bounds"),
+                shape=arguments(shape=...),
+            )
+            raise InputError(rule, field="bounds", value=self.bounds)
+        return self
+
+    def run(self, progress: Progress = quietly) -> LifeTestSummary:
+        """Evaluate the test.
+
+        Raises
+        ------
+        FileError, InputError
+            If the data are no life test, or something is asked for that does not exist.
+        """
+        columns = self.reading
+        data = self.data
+        if self.example is not None:
+            data = published_life_test(self.example.replace("-", "_"), **columns)
+        return life_test_study(
+            data,
+            only=self.only,
+            only_mode=self.only_mode,
+            by_group=self.by_group,
+            by_mode=self.by_mode,
+            times=self.times,
+            calculated=lives_named(self.calculated),
+            samples=self.samples,
+            columns=columns,
+            progress=progress,
+            methods=fits_named(self.method, three_parameter=self.three_parameter),
+            bounds=None if self.bounds is None else bounds_named(self.bounds),
+            confidence=self.confidence,
+            sides=cast("Sides", self.sides),
+            reliabilities=tuple(self.reliabilities),
+            shape=self.shape,
+            prior=None if self.prior is None else prior_of(self.prior),
+            models=self.models,
+            seed=self.seed,
+        )
+
+    @classmethod
+    def shipped_text(cls, name: str) -> str:
+        """Return a shipped life test as CSV."""
+        return published_text(name.replace("-", "_"))
+
+    def page(self, found: LifeTestSummary) -> Document:
+        """Return what people read of it."""
+        from rolamento.pages.weibull import weibull_page
+
+        return weibull_page(found)
+
+    def complaint(self, found: LifeTestSummary) -> str:
+        """Return why there is no result; "" if there is one."""
+        return "" if found.has_result else str(found.groups[0].main.advice)
+
+    def paper(self, found: LifeTestSummary) -> Figure:
+        """Draw probability paper."""
+        from rolamento.plots.weibull import weibull_figure
+
+        return weibull_figure(found, bands_of(found))
+
+    def contours(self, found: LifeTestSummary) -> Figure:
+        """Draw the likelihood contours of a life over the shape."""
+        from rolamento.plots.weibull import contour_figure
+
+        try:
+            regions = regions_of(found, self.contour_of)
+        except InputError as error:
+            field = "contour_of" if error.field == "quantity" else error.field
+            raise error.with_details(field=field) from None
+        return contour_figure(found, regions)
+
+    products: ClassVar = {
+        "plot": Product(marked("Draw probability paper: a .png, .svg or .pdf file."), paper),
+        "contour": Product(marked("Draw the likelihood contours, likewise."), contours),
+    }
+
+
 # --- planned tests ---------------------------------------------------------------------------
 
 
@@ -327,6 +668,23 @@ class DemonstrationStudy:
     chances: tuple[tuple[float, float, float], ...]
     confidences: tuple[tuple[float, float], ...]
 
+    @property
+    def complaint(self) -> str:
+        """Why there is no plan; "" if there is one."""
+        return "" if self.plan.planned else str(self.plan.advice)
+
+    def page(self) -> Document:
+        """Return what people read of the plan."""
+        from rolamento.pages.weibull_plan import demonstration_page
+
+        return demonstration_page(self)
+
+    def picture(self) -> Figure:
+        """Draw the probability of passing the test over the true life."""
+        from rolamento.plots.weibull_plan import chance_figure
+
+        return chance_figure([self.plan, *self.beside], self.unit)
+
     def to_mapping(self) -> dict[str, Any]:
         """Give the plan as plain values; times in the unit that it names."""
         return {
@@ -345,57 +703,124 @@ class DemonstrationStudy:
         }
 
 
-def demonstration_study(
-    life: float | str,
-    *,
-    bearings: int | None = None,
-    time: float | str | None = None,
-    shape: float = 1.5,
-    reliability: float = 0.9,
-    confidence: float = 0.9,
-    failures_allowed: int = 0,
-) -> DemonstrationStudy:
-    """Plan to show a life with few failures or none: bearings against time.
+class DemonstrationTest(Request):
+    """Plan to demonstrate a life with few failures or none.
+
+    Number of bearings against test time.
 
     Parameters
     ----------
     life
-        To be shown: a number, or a text with its unit such as "1000 h".
+        Life to demonstrate, such as '1000 h'.
+    bearings
+        Available bearings: the test time is calculated.
     time
-        For each bearing, in the unit of the life, or as text with another. Without bearings and
-        time each runs as long as the life, where the shape does not matter.
-    bearings, shape, reliability, confidence, failures_allowed
-        As of `demonstrate`.
+        Test time of each bearing: their number is calculated.
+    failures_allowed
+        Failures with which the test is still passed.
+    shape
+        Expected shape of the Weibull distribution.
+    reliability
+        Reliability of the life: 0.9 for L10.
+    confidence
+        Confidence level, such as 0.9.
 
-    Raises
-    ------
-    InputError
-        For a number or a unit that cannot be.
+    >>> found = DemonstrationTest(life="1000 h", bearings=10).run()
+    >>> f"{found.plan.time:.0f} {found.unit}"
+    '1684 h'
     """
-    wanted, unit = _life_and_unit(life)
-    each = None if time is None else life_in(time, unit, "time")
-    plan = demonstrate(
-        wanted,
-        shape=shape,
-        bearings=bearings,
-        time=wanted if bearings is None and each is None else each,
-        reliability=reliability,
-        confidence=confidence,
-        failures_allowed=failures_allowed,
-    )
-    others = [k for k in _OTHER_FAILURES if k != failures_allowed]
-    chances, confidences = plan.chance_of_passing(RATIOS), plan.confidence_at(SHAPES)
-    return DemonstrationStudy(
-        plan,
-        alternatives(plan),
-        alternatives(plan, [plan.bearings], others) if plan.planned else (),
-        unit,
-        tuple(
-            (ratio, chance, plan.expected_time(ratio))
-            for ratio, chance in zip(RATIOS, chances.tolist(), strict=True)
+
+    life: Annotated[
+        float | str, Input("Life to demonstrate", group=_PLAN, example="1000 h", essential=True)
+    ]
+    bearings: Annotated[
+        int | None, Input("Bearings", "count", _PLAN, example="10", essential=True)
+    ] = None
+    time: Annotated[
+        float | str | None, Input("Test time", group=_PLAN, example="500 h", essential=True)
+    ] = None
+    failures_allowed: Annotated[
+        int,
+        Input(
+            "Failures allowed",
+            "count",
+            _PLAN,
+            example="0",
+            default="0",
+            essential=True,
+            metavar="K",
         ),
-        tuple(zip(SHAPES, confidences.tolist(), strict=True)),
+    ] = 0
+    shape: Annotated[
+        float,
+        Input(
+            "Shape", "number", _PLAN, example="1.5", default="1.5", essential=True, metavar="BETA"
+        ),
+    ] = 1.5
+    reliability: Annotated[
+        float,
+        Input(
+            "Reliability",
+            "fraction",
+            _PLAN,
+            example="0.9",
+            default="0.9",
+            essential=True,
+            metavar="R",
+        ),
+    ] = 0.9
+    confidence: Annotated[
+        float,
+        Input(
+            "Confidence",
+            "fraction",
+            _PLAN,
+            example="0.9",
+            default="0.9",
+            essential=True,
+            metavar="C",
+        ),
+    ] = 0.9
+
+    examples: ClassVar = (
+        "Examples: weibull-plan demonstration --life '1000 h' --bearings 10; weibull-plan "
+        "demonstration --life '1000 h' --time '500 h' --failures-allowed 1."
     )
+
+    def run(self, progress: Progress = quietly) -> DemonstrationStudy:
+        """Plan the test.
+
+        Raises
+        ------
+        InputError
+            For a number or a unit that cannot be.
+        """
+        life, unit = _life_and_unit(self.life)
+        each = None if self.time is None else life_in(self.time, unit, "time")
+        plan = demonstrate(
+            life,
+            shape=self.shape,
+            bearings=self.bearings,
+            time=life if self.bearings is None and each is None else each,
+            reliability=self.reliability,
+            confidence=self.confidence,
+            failures_allowed=self.failures_allowed,
+        )
+        others = [k for k in _OTHER_FAILURES if k != self.failures_allowed]
+        chances, confidences = plan.chance_of_passing(RATIOS), plan.confidence_at(SHAPES)
+        return DemonstrationStudy(
+            plan,
+            alternatives(plan),
+            alternatives(plan, [plan.bearings], others) if plan.planned else (),
+            unit,
+            tuple(
+                (ratio, chance, plan.expected_time(ratio))
+                for ratio, chance in zip(RATIOS, chances.tolist(), strict=True)
+            ),
+            tuple(zip(SHAPES, confidences.tolist(), strict=True)),
+        )
+
+    products: ClassVar = {"plot": Product(PICTURE, lambda asked, found: found.picture())}
 
 
 @frozen

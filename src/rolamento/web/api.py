@@ -18,9 +18,10 @@ from rolamento.case.record import Record
 from rolamento.errors import InputError, UnknownKeyError, arguments, guess
 from rolamento.io.json import dumps
 from rolamento.records import frozen
-from rolamento.tasks.inputs import SIGNAL, Group, Input
+from rolamento.tasks.request import Input
+from rolamento.tasks.vibration_diagnosis import VibrationDiagnosis
 from rolamento.web.answers import MOST_COLUMNS, MOST_JSON, answer, read_json, received
-from rolamento.web.drops import LARGEST, SEARCH, ending_of, file_of, label_of, response_of
+from rolamento.web.drops import LARGEST, ending_of, file_of, label_of, response_of
 from rolamento.web.limits import by_weight, slow
 from rolamento.web.requests import (
     EXAMPLE_MACHINE,
@@ -42,8 +43,6 @@ __all__ = ["OPERATIONS", "PREFIX", "ROUTES", "Operation", "Parameter"]
 PREFIX: Final = "/api/v1"
 _MOST_FOUND: Final = 1000
 _LONGEST: Final = 300
-_MACHINE: Final = "Machine"
-"""What a signal's form asks for its severity, which is not diagnosed here."""
 _LOAD: Final = {"duty.load.fz": "5 kN", "duty.inner_speed": "1480 rpm"}
 _DESIGNATION: Final = {"designation": "6310/C3", "settings": _LOAD}
 _OIL: Final = {"lubricant": "ISO VG 68", "temperature.lubricant": "70 degC"}
@@ -281,20 +280,16 @@ def _version(_: Mapping[str, str]) -> str:
 
 def _diagnosed(path: str, label: str, given: Mapping[str, str]) -> str:
     """Diagnose a record; what runs in a process."""
-    from rolamento.tasks import diagnose
-    from rolamento.tasks.inputs import given as read
-    from rolamento.vibration.diagnosis import DiagnosisSettings
-
     asked = dict(given)
     case = CaseRequest(
         designation=asked.pop("bearing", None),
         case=_tables(asked.pop("case", "")),
         settings=_tables(asked.pop("settings", "")) or {},
     )
-    told = read(_SIGNAL, {name: [text] for name, text in asked.items()})
-    search = DiagnosisSettings(**{name: told.pop(name) for name in SEARCH})
+    typed = {name: [text] for name, text in asked.items()}
     try:
-        found = diagnose(path, case.to_case(needs_load=False), search=search, **told)
+        bearing = case.to_case(needs_load=False)
+        found = VibrationDiagnosis.read(typed, signal=path, bearing=bearing).run()
     except InputError as error:
         source = label if error.source == path else error.source
         rule = error.rule.replace(path, label)
@@ -312,24 +307,17 @@ def _tables(text: str) -> dict[str, Any] | None:
     return parse_mapping(text, "json", "case")
 
 
-_SIGNAL: Final[tuple[Group, ...]] = tuple(
-    (heading, tuple(one for one in many if one.name != "bearing"))
-    for heading, many in SIGNAL
-    if heading != _MACHINE
-)
-
-
 # --- what there is --------------------------------------------------------------------------------
 
 
-def _of_asked(one: Input) -> Parameter:
+def _of_asked(name: str, one: Input, meaning: str) -> Parameter:
     """Return what may be typed beside a signal as a parameter of the address."""
     schema: dict[str, Any] = {"type": "string", "maxLength": _LONGEST}
     if one.kind == "switch":
         schema = {"type": "string", "enum": ["true", "false"]}
     elif one.choices is not None:
         schema = {"type": "string", "enum": list(one.choices())}
-    return Parameter(one.name, one.meaning, schema, one.example)
+    return Parameter(name, one.on_page or meaning, schema, one.example)
 
 
 _TEXT: Final = MappingProxyType({"type": "string", "minLength": 1, "maxLength": _LONGEST})
@@ -555,7 +543,11 @@ DIAGNOSE: Final = Operation(
         Parameter("bearing", marked("Designation of the bearing, or case instead."), _TEXT, "6205"),
         Parameter("case", marked("The tables of a case file, as JSON."), {"type": "string"}),
         Parameter("settings", marked("Values over the case, as JSON."), {"type": "string"}),
-        *(_of_asked(one) for _, many in _SIGNAL for one in many),
+        *(
+            _of_asked(name, one, VibrationDiagnosis.meanings()[name])
+            for name, one in VibrationDiagnosis.inputs().items()
+            if not one.is_local and name != "bearing"
+        ),
     ),
     has=("schema", "kind"),
     seconds=120.0,
@@ -584,7 +576,7 @@ def _route(operation: Operation) -> Route:
         else:
             given = await read_json(request, operation.most)
         found = await by_weight(
-            _done, operation.path, given, asked=given, seconds=operation.seconds
+            _done, operation.path, given, asked=given, seconds=operation.seconds, for_program=True
         )
         return answer(found) if isinstance(found, str) else response_of(found)
 

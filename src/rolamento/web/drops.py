@@ -1,9 +1,9 @@
 """Files that are dropped on the page, and reports that are taken from it.
 
-What is asked for beside a file stands in `rolamento.tasks.inputs`. The work is done by functions
-that a process of its own can be sent (`signal_page`, `life_test_page`, `plan_page`, `report_file`):
-they take texts and the name of a private file, and give back plain data. What the user calls the
-file is only said; it is never part of a path.
+What is asked for beside a file stands in the requests of `rolamento.tasks`. The work is done by
+functions that a process of its own can be sent (`signal_page`, `life_test_page`, `plan_page`,
+`report_file`): they take texts and the name of a private file, and give back plain data. What the
+user calls the file is only said; it is never part of a path.
 """
 
 from __future__ import annotations
@@ -28,7 +28,11 @@ from starlette.routing import Route
 from rolamento.document import Document, Figure, Section, Statement
 from rolamento.errors import InputError
 from rolamento.records import frozen
-from rolamento.tasks.inputs import DEMONSTRATION, LIFE_TEST, SIGNAL, Group, by_name, given
+from rolamento.tasks.bearing import designated
+from rolamento.tasks.request import Request as UseCase
+from rolamento.tasks.severity import MACHINE, VibrationSeverity
+from rolamento.tasks.vibration_diagnosis import VibrationDiagnosis
+from rolamento.tasks.weibull import DemonstrationTest, LifeTestEvaluation
 from rolamento.vibration.reading.formats import ENDINGS
 from rolamento.web.answers import answer, read_json, received
 from rolamento.web.limits import slow
@@ -39,9 +43,7 @@ if TYPE_CHECKING:
     from rolamento.tasks.severity import SeverityResult
 
 __all__ = [
-    "KINDS",
     "LARGEST",
-    "SEARCH",
     "WORDS",
     "as_data",
     "described",
@@ -60,31 +62,11 @@ __all__ = [
 Typed = Mapping[str, Sequence[str]]
 """What was typed, by names; more than one text where several may be given."""
 
-KINDS: Final[Mapping[str, tuple[Group, ...]]] = {
-    "signal": SIGNAL, "weibull": LIFE_TEST, "plan": DEMONSTRATION,
-}  # fmt: skip
 LARGEST: Final[Mapping[str, int]] = {"signal": 256 * 2**20, "weibull": 5_000_000}
 """Bytes of an upload."""
 _CASE: Final = "case"
-_COMMAND_SAYS: Final = {
-    "tolerance": "slip", "machine_class": "class", "prior": "bayes", "times": "time",
-}  # fmt: skip
-"""What the commands call otherwise than their tasks."""
-_SEVERITY: Final[tuple[str, ...]] = ("power", "support", "group", "machine_class", "baseline")
-SEARCH: Final = ("tolerance", "speed_tolerance", "false_alarm")
-_READING: Final[tuple[str, ...]] = (
-    "channel",
-    "rate",
-    "unit",
-    "scale",
-    "start",
-    "duration",
-    "decimal_mark",
-)
-_COLUMNS: Final = (
-    "unit", "time", "status", "count", "group", "mode", "decimal_mark", "start", "end",
-    "use_per_day", "as_of", "date_order",
-)  # fmt: skip
+_OF_MACHINE: Final = tuple(VibrationSeverity.groups()[MACHINE][1:])
+"""What is asked for of the machine, beside its speed."""
 _ENDINGS: Final = tuple(ending for many in ENDINGS.values() for ending in many)
 _LONGEST_NAME: Final = 100
 _SECONDS: Final[Mapping[str, float]] = {"signal": 120.0, "weibull": 60.0}
@@ -175,13 +157,9 @@ _EXAMPLES: Final[Mapping[str, Mapping[str, _Example]]] = {
 def described() -> dict[str, Any]:
     """Return what the page makes its forms of, in the language that is spoken."""
     return {
-        **{
-            kind: [
-                {"label": said(heading), "options": [one.described() for one in many]}
-                for heading, many in groups
-            ]
-            for kind, groups in KINDS.items()
-        },
+        "signal": _signal_form(),
+        "weibull": LifeTestEvaluation.described(),
+        "plan": DemonstrationTest.described(),
         "examples": {
             kind: [
                 {"name": name, "label": said(one.label), "file": one.file, "typed": one.typed}
@@ -197,6 +175,14 @@ def described() -> dict[str, Any]:
     }
 
 
+def _signal_form() -> list[dict[str, Any]]:
+    """Return the form of a record: of its diagnosis, and, before the search, of the machine."""
+    (machine,) = VibrationSeverity.described(MACHINE)
+    machine["options"] = [one for one in machine["options"] if one["name"] in _OF_MACHINE]
+    *groups, search = VibrationDiagnosis.described()
+    return [*groups, machine, search]
+
+
 # --- the work, each in a process of its own ----------------------------------------------------
 
 
@@ -210,7 +196,7 @@ def signal_page(path: str, label: str, typed: Typed, form: str = "") -> dict[str
     label
         What the user calls it.
     typed
-        As of `SIGNAL`; ``case`` is the case on the page, as JSON.
+        By the names of the form; ``case`` is the case on the page, as JSON.
     form
         "" for what the page shows; or the kind of a file.
 
@@ -219,88 +205,50 @@ def signal_page(path: str, label: str, typed: Typed, form: str = "") -> dict[str
     InputError
         By the name of what was typed; of the file, by its label.
     """
-    from rolamento import tasks
-    from rolamento.pages.diagnosis import diagnosis_page
-    from rolamento.pages.severity import severity_page
-    from rolamento.vibration.diagnosis import DiagnosisSettings
-
     typed = dict(typed)
     page_case = typed.pop(_CASE, ())
-    with _told(SIGNAL, path, label):
-        told = given(SIGNAL, typed)
-        bearing = _bearing(told.pop("bearing", ""), page_case[-1] if page_case else "")
-        machine = {name: told.pop(name) for name in _SEVERITY if name in told}
-        search = DiagnosisSettings(**{name: told.pop(name) for name in SEARCH})
-        reading = {name: told[name] for name in _READING if name in told}
-        found = tasks.diagnose(path, bearing, search=search, **told)
+    machine = {name: typed.pop(name) for name in _OF_MACHINE if name in typed}
+    shared = {name: texts for name, texts in typed.items() if name in VibrationSeverity.inputs()}
+    if not any(text.strip() for text in typed.get("bearing", ())):
+        typed["bearing"] = ()
+        own = {"bearing": _case_on_page(page_case[-1] if page_case else "")}
+    else:
+        own = {}
+    with _labelled((VibrationDiagnosis, VibrationSeverity), path, label):
+        asked = VibrationDiagnosis.read(typed, signal=path, **own)
+        found: Any = asked.run()
         found = replace(found, title=_named(found.title, path, label))
-        document = diagnosis_page(found)
         mapping = found.to_mapping()
-        severity = _severity(path, told.get("speed"), machine, reading)
+        severity = _severity(path, {**machine, **shared}, any(map(any, machine.values())))
+        pages = [asked.page(found)]
         if severity is not None:
             measured = [replace(one, title=label) for one in severity.measured]
             severity = replace(severity, measured=tuple(measured))
             mapping["severity"] = severity.to_mapping()
-        more = () if severity is None else (severity_page(severity),)
-        return _answer((document, *more), mapping, found.verdict, form)
+            pages.append(severity.page())
+        return _answer(pages, mapping, found.verdict, form)
 
 
 def life_test_page(path: str, label: str, typed: Typed, form: str = "") -> dict[str, Any]:
-    """Say what a life test says; parameters as of `signal_page`."""
+    """Evaluate a life test; parameters as of `signal_page`."""
     from rolamento.io.tables import table_text
-    from rolamento.pages.weibull import weibull_page
-    from rolamento.tasks.inputs import number_in
-    from rolamento.tasks.weibull import (
-        bounds_named,
-        fits_named,
-        life_test_study,
-        lives_named,
-        prior_of,
-    )
     from rolamento.weibull import parse_life_test
 
-    with _told(LIFE_TEST, path, label):
-        told = given(LIFE_TEST, typed)
-        bounds, prior = told.get("bounds"), told.get("prior")
-        if bounds is not None and "shape" in told:
-            rule = said("cannot be combined with a shape from experience, which has its own bounds")
-            raise InputError(rule, field="bounds", value=bounds)
-        columns: dict[str, Any] = {name: told.get(name) for name in _COLUMNS}
-        found = life_test_study(
-            parse_life_test(table_text(path)[0], label, **columns),
-            only=told.get("only", ()),
-            only_mode=told.get("only_mode"),
-            by_group=told.get("by_group", False),
-            by_mode=told.get("by_mode", False),
-            models=True if told.get("models") else None,
-            times=told.get("times", ()),
-            calculated=lives_named(told.get("calculated", ())),
-            methods=fits_named(told.get("method", ())),
-            bounds=None if bounds is None else bounds_named(bounds),
-            prior=None if prior is None else prior_of(prior),
-            reliabilities=tuple(
-                number_in(text, "reliabilities", "0.9") for text in told["reliabilities"]
-            ),
-            shape=told.get("shape"),
-            confidence=told["confidence"],
-            sides=told["sides"],
-        )
+    with _labelled((LifeTestEvaluation,), path, label):
+        asked = LifeTestEvaluation.read(typed)
+        test = parse_life_test(table_text(path)[0], label, **asked.reading)
+        asked = asked.replace(data=test)
+        found = asked.run()
         verdict = "result" if found.has_result else "no_result"
-        return _answer((weibull_page(found),), found.to_mapping(), verdict, form)
+        return _answer((asked.page(found),), found.to_mapping(), verdict, form)
 
 
 def plan_page(typed: Typed, form: str = "") -> dict[str, Any]:
     """Plan a test that demonstrates a life; parameters as of `signal_page`."""
-    from rolamento.pages.weibull_plan import demonstration_page
-    from rolamento.tasks.weibull import demonstration_study
-
-    with _told(DEMONSTRATION):
-        told = given(DEMONSTRATION, typed)
-        if "life" not in told:
-            raise InputError(said("is missing"), field="life", example="1000 h")
-        found = demonstration_study(told.pop("life"), **told)
+    with _labelled((DemonstrationTest,)):
+        found = DemonstrationTest.read(typed).run()
         verdict = "result" if found.plan.planned else "no_result"
-        return _answer((demonstration_page(found),), found.to_mapping(), verdict, form)
+        return _answer((found.page(),), found.to_mapping(), verdict, form)
 
 
 def report_file(
@@ -363,7 +311,7 @@ def _synthesise(path: Path, *, damaged: bool) -> None:
     from rolamento.vibration.synthesis import Fault, Noise
 
     tasks.synthesise(
-        _of_designation("6205"),
+        designated("6205"),
         path,
         speed="1797 rpm",
         faults=[Fault(kind="outer_race", jitter=0.01)] if damaged else [],
@@ -378,53 +326,33 @@ def _synthesise(path: Path, *, damaged: bool) -> None:
 # --- parts of the work -------------------------------------------------------------------------
 
 
-def _bearing(designation: str, page_case: str) -> Case:
-    """Return the bearing of a designation, or else the case on the page."""
-    if designation:
-        return _of_designation(designation)
-    if not page_case:
+def _case_on_page(text: str) -> Case:
+    """Return the case on the page."""
+    if not text:
         raise InputError(said("is missing"), field="bearing", example="6205")
     from rolamento.case import Case
     from rolamento.io.text import parse_mapping
 
-    return Case.from_mapping(parse_mapping(page_case, "json", ""))
+    return Case.from_mapping(parse_mapping(text, "json", ""))
 
 
-def _of_designation(designation: str) -> Case:
-    """Return the bearing of a designation without a load; no file is looked for by its name."""
-    from rolamento.case import Case
-
-    try:
-        case = Case.from_mapping({"bearing": {"designation": designation}, "duty": {}})
-    except InputError as error:
-        raise error.with_details(field="bearing", value=designation, example="6205") from None
-    return case if case.title else case.replace(title=designation)
-
-
-def _severity(
-    path: str, speed: str | None, machine: dict[str, Any], reading: dict[str, Any]
-) -> SeverityResult | None:
+def _severity(path: str, typed: Typed, was_asked: bool) -> SeverityResult | None:
     """Measure the severity; None of samples that are not calibrated, if it was not asked for."""
-    from rolamento import tasks
-
-    if "group" in machine:
-        machine["group"] = int(machine["group"])
     try:
-        return tasks.vibration_severity(path, speed=speed, **machine, **reading)
+        return VibrationSeverity.read(typed, signals=path).run()
     except InputError:
-        if machine:
+        if was_asked:
             raise
         return None
 
 
 @contextmanager
-def _told(groups: Sequence[Group], path: str = "", label: str = "") -> Iterator[None]:
-    """Call what is said as the page does: options by their labels, the file by its own name."""
-    known = by_name(groups)
+def _labelled(requests: Sequence[type[UseCase]], path: str = "", label: str = "") -> Iterator[None]:
+    """Call what is said as the page does: fields by their labels, the file by its own name."""
+    known = {name: one for request in requests for name, one in request.inputs().items()}
     labels = {name: said(one.label) for name, one in known.items()}
     names = {
-        f"--{_COMMAND_SAYS.get(name, name.replace('_', '-'))}": said("“{label}”", label=label)
-        for name, label in labels.items()
+        one.long_option(name): said("“{label}”", label=labels[name]) for name, one in known.items()
     }
     try:
         with calling({**names, "--set ": "", "rolamento diagnose": said("the diagnosis")}):

@@ -51,8 +51,8 @@ FIRST: Final = (
 """The fields that an engineer asks for first; the others of their group stand behind them."""
 
 _GROUPS: Final = (
-    "bearing", "duty", "lubricant", "temperature", "surface", "mounting", "heat", "life", "film",
-    "model",
+    "bearing", "duty", "lubricant", "temperature", "surface", "mounting", "heat", "grease",
+    "static", "electrical", "losses", "life", "film", "model",
 )  # fmt: skip
 """Tables of a case, those first that an engineer fills in first."""
 _CUSTOMARY: Final[Mapping[Dimension, tuple[str, ...]]] = {

@@ -1,6 +1,8 @@
 """How much is done at once, and for how long: threads for what is fast, processes for the rest.
 
-What is fast runs in threads of the server, as many as there are processors. What is slow runs in
+What is fast runs in threads of the server: as many as there are processors for the page, whose
+answers follow a hand, and one less for the API, whose requests take up to a second and would hold
+them up. What is slow runs in
 worker processes, which a time limit or a visitor's leaving ends, with a lower priority: so it never
 holds up what is fast.
 """
@@ -44,6 +46,7 @@ __all__ = [
 R = TypeVar("R")
 
 FAST_AT_ONCE: Final = max(2, os.cpu_count() or 1)
+PROGRAMS_AT_ONCE: Final = FAST_AT_ONCE - 1
 SLOW_AT_ONCE: Final = max(1, os.cpu_count() or 1)
 _MOST_WAITING: Final = {"fast": 100, "slow": 8}
 """Requests of a kind that may wait for their turn."""
@@ -137,9 +140,10 @@ class Turns:
 
 
 @cache
-def _queue(_thread: int) -> Limits:
+def _queue(_thread: int, for_program: bool = False) -> Limits:
     """The queue of what is fast, of an event loop, which is one to a thread."""
-    return Limits(FAST_AT_ONCE, _MOST_WAITING["fast"])
+    at_once = PROGRAMS_AT_ONCE if for_program else FAST_AT_ONCE
+    return Limits(at_once, _MOST_WAITING["fast"])
 
 
 @cache
@@ -289,7 +293,11 @@ def check_machine(tables: Any) -> None:
 
 
 async def by_weight(
-    function: Callable[..., R], *args: Any, asked: Mapping[str, Any], seconds: float = 0.0
+    function: Callable[..., R],
+    *args: Any,
+    asked: Mapping[str, Any],
+    seconds: float = 0.0,
+    for_program: bool = False,
 ) -> R:
     """Run what a request asks where it belongs: as slow work if it is, else as fast.
 
@@ -301,21 +309,25 @@ async def by_weight(
         The request: what is usually fast is slow where a case of it is heavy.
     seconds
         That it may take where it is always slow; 0 of what is usually fast.
+    for_program
+        Whether no hand waits for it, as of `fast`.
     """
     if seconds or _is_heavy(asked):
         return await slow(function, *args, seconds=seconds or SECONDS)
-    return await fast(function, *args)
+    return await fast(function, *args, for_program=for_program)
 
 
-async def fast(function: Callable[..., R], *args: Any) -> R:
+async def fast(function: Callable[..., R], *args: Any, for_program: bool = False) -> R:
     """Run what takes milliseconds, in a thread, in the language that is spoken.
+
+    for_program: whether no hand waits for it: then fewer are run at once.
 
     Raises
     ------
     RequestError
         503, if too many wait.
     """
-    queue = _queue(threading.get_ident())
+    queue = _queue(threading.get_ident(), for_program)
     queue.check()
     return await anyio.to_thread.run_sync(function, *args, limiter=queue.limiter)
 

@@ -44,11 +44,17 @@ REMARKS: Final = frozenset(
         "open_grooves", "close_grooves", "factors_of_the_user", "theory_of_balls",
         "no_temperature", "l_able_without_viscosity", "edge_factor_left_out",
         "without_friction_models", "without_stress_volume", "without_preload_loss",
+        # of an oscillation: what its number contains
+        "oscillation_without_lubrication", "oscillation_without_frequency",
+        "oscillation_as_own_loads",
         # of speeds: a limit that is not given
         "no_reference_speed_of_thrust", "no_boundary_dimensions", "no_static_rating_for_speed",
         "no_permissible_speed", "no_permissible_speed_under_axial_load", "no_load_to_compare",
         # of the heat balance: what it found anew
         "temperatures_of_balance",
+        # of a grease or an oil: how it was found
+        "grease_sealed_by_designation", "grease_open_by_designation", "oil_index_assumed",
+        "grease_limit_of_class",
         # of life tests: how the numbers were found
         "location_at_zero", "censoring_modelled", "inspected_without_ranks",
         "inspected_groups_not_compared", "too_many_for_ranks", "group_without_failures",

@@ -76,6 +76,12 @@ UNITS: Final[dict[str, tuple[float, float]]] = {
     "K": (1.0, 0.0),
     "W/K": (1.0, 0.0),
     "l/min": (60e3, 0.0),
+    "V": (1.0, 0.0),
+    "A": (1.0, 0.0),
+    "pF": (1e12, 0.0),
+    "nJ": (1e9, 0.0),
+    "A/mm²": (1e-6, 0.0),
+    "V/µm": (1e-6, 0.0),
     "J/K": (1.0, 0.0),
     "mm²/s": (1e6, 0.0),
     "mPa·s": (1e3, 0.0),
@@ -93,6 +99,8 @@ UNITS: Final[dict[str, tuple[float, float]]] = {
     "h": (1.0 / 3600.0, 0.0),
     "rev": (1.0, 0.0),
     "10⁶ rev": (1e-6, 0.0),
+    "osc.": (1.0, 0.0),
+    "10⁶ osc.": (1e-6, 0.0),
     "dB": (1.0, 0.0),
 }
 """Factor and offset from SI to every unit that a page writes."""

@@ -45,6 +45,7 @@ _LONGEST_TEXT: Final = 200
 _MOST_ATTRIBUTES: Final = 100
 _NUMBER_AS_TEXT: Final = re.compile(r"[+-]?[\d.,]*[.,][\d.,]*")
 _MOST_NAMED: Final = 6
+_MOST_CELLS_OF_ROW: Final = 1000
 _LINES_LOOKED_AT: Final = 1000
 """Number of lines of a sheet, to see whether it holds anything."""
 
@@ -331,6 +332,30 @@ class WorkbookSheets:
                 raise FileError(said("is larger than {most} MB", most=most // 1_000_000))
             lines.append(line)
         return np.frombuffer("\n".join(lines).encode("utf-8"), np.uint8)
+
+    def cells(self, name: str, most_rows: int, most: int) -> list[list[str | float | bool | None]]:
+        """One sheet as it holds its cells: texts, numbers and truths; None of what is empty.
+
+        most_rows: of rows that are looked at; most: characters of all texts.
+        """
+        sheet = self._book[name]
+        sheet.reset_dimensions()  # what a file declares may be far more than it holds
+        found: list[list[str | float | bool | None]] = []
+        written = 0
+        for number, row in enumerate(sheet.values):
+            if number >= most_rows:
+                raise FileError(said("has more than {most} rows", most=most_rows))
+            if len(row) > _MOST_CELLS_OF_ROW:
+                raise FileError(said("has more than {most} columns", most=_MOST_CELLS_OF_ROW))
+            cells = [
+                one if one is None or isinstance(one, bool | int | float) else str(one)
+                for one in row
+            ]
+            written += 8 * len(cells) + sum(len(one) for one in cells if isinstance(one, str))
+            if written > most:
+                raise FileError(said("is larger than {most} MB", most=most // 1_000_000))
+            found.append(cells)
+        return found
 
 
 def _cell_text(cell: Any) -> str:

@@ -87,6 +87,11 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "At the centre distance of {distance:.6g mm} the gears mesh at α_n = {pressure:.4g °} and"
         " β = {helix:.4g °}; the module is that of the operating pitch circles."
     ),
+    "rexs_bevel": marked(
+        "{power:.6g W} flow through its mesh, as the loads and other meshes of its shaft leave"
+        " them: it acts at the mean pitch circle of {diameter:.6g mm} of a cone of {cone:.4g °},"
+        " whose apex is where the axes cross."
+    ),
     "rexs_hand": marked("A positive helix angle is taken as right-handed."),
     "rexs_usual_density": marked(
         "No density is given; it is taken as 880 kg/m³, as of mineral oils."
@@ -149,5 +154,22 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "rexs_as_loads": marked("{part}: other programs see a load with its forces."),
     "rexs_without_type": marked("{part}: REXS has no word for its type, {type}."),
     "rexs_unsolved": marked("Without results: {reason}"),
+    # for simulations
+    "fmu_between_points": marked(
+        "Between its points the stiffness is linear: off by at most {apart:.2g %} of the greatest"
+        " of its kind halfway between them; --points takes more."
+    ),
+    # for ROSS
+    "coupled_by_housing": marked(
+        "{bearing}: its housing couples it to other bearings by up to {stiffness:.3g N/µm}, which"
+        " is left out: an element of ROSS is of one bearing."
+    ),
+    "ross_no_lever": marked(
+        "{bearing}: one element: it resists no tilt about any place of its shaft."
+    ),
+    "ross_lever_off_shaft": marked(
+        "{bearing}: one element: two of them would have to stand {lever:.4g mm} from their middle,"
+        " beyond the end of the shaft."
+    ),
     "rexs_not_the_same": marked("Read back, it is not the same machine. {reason}"),
 }

@@ -68,8 +68,8 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "A lubricant film separates the surfaces: the coefficient of friction stands for its shear."
     ),
     "rating_of_steel": marked(
-        "The static load rating is that of the bearing with steel balls: the standards have none"
-        " of hybrid bearings."
+        "C_0 is taken as that of the bearing with steel balls, for which the constants of the model"
+        " hold."
     ),
     "coefficient_by_regime": marked(
         "No coefficient of friction is given (lubricant.friction_coefficient): it is taken by the"

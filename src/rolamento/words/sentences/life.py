@@ -212,17 +212,17 @@ SENTENCES: Final[dict[str, Sentence]] = {
     ),
     "ceramic_balls": _of_element(
         marked(
-            "The balls are not of steel. With silicon nitride the dynamic load rating is that"
-            " of steel"
-            " balls (ISO 20056-1); the static load rating is not, and has to be given."
+            "The balls are not of steel. With silicon nitride the dynamic load rating is that of"
+            " steel balls; C_0 and C_u, if not given, are those of steel balls at the same"
+            " pressure, times (E'_steel/E')² (Hertz)."
         ),
         marked(
-            "The rollers are not of steel, and there is no standard for their load ratings: those"
-            " found from the geometry are those of steel rollers."
+            "The rollers are not of steel: C is taken as that of steel rollers; C_0 and C_u, if not"
+            " given, as theirs at the same pressure, times E'_steel/E' (Hertz)."
         ),
         marked(
-            "The rolling elements are not of steel: load ratings found from the geometry are those"
-            " of steel elements."
+            "The rolling elements are not of steel: C is taken as that of steel elements; C_0 and"
+            " C_u, if not given, as theirs at the same pressure (Hertz)."
         ),
     ),
     "no_static_rating": marked(

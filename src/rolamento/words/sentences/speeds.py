@@ -114,6 +114,15 @@ def _below(values: Mapping[str, Any]) -> str:
     )
 
 
+def _general(values: Mapping[str, Any], rating: str) -> str:
+    source = values["source"]
+    if not values["checked"]:
+        source = said("{source}; general knowledge", source=source)
+    return said(
+        "{share:.3} {rating}; {source}", share=values["share"], rating=rating, source=source
+    )
+
+
 SENTENCES: Final[dict[str, Sentence]] = {
     "source_listed_speed": lambda values: str(values["source"]),
     "source_minimum_of_maker": marked(
@@ -136,6 +145,8 @@ SENTENCES: Final[dict[str, Sentence]] = {
     "source_minimum_axial": marked(
         "k_a C_0/1000 (n d_m/100 000)², k_a {factor:.3}; SKF catalogue 10000 EN"
     ),
+    "source_minimum_general_dynamic": lambda values: _general(values, "C"),
+    "source_minimum_general_static": lambda values: _general(values, "C_0"),
     "source_minimum_thrust": marked("A (n/1000)², A {factor:.4 N} as given"),
     "no_reference_speed_of_thrust": marked(
         "ISO 15312 excludes thrust ball bearings: they have no thermal reference speed."

@@ -1,0 +1,223 @@
+"""Commands made of requests: the options, their help, and what is written are the request's."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from importlib import import_module
+from typing import TYPE_CHECKING, Annotated, Any, Final
+
+import typer
+
+from rolamento.cli.case_options import CASE_OPTIONS, NOTHING_GIVEN, CaseOptions, with_case
+from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings
+from rolamento.cli.option_names import in_names
+from rolamento.cli.optional_value import JsonCommand
+from rolamento.cli.options import JsonOption, LanguageOption
+from rolamento.cli.outputs import NOWHERE, OUTPUT_OPTIONS, Outputs, with_outputs
+from rolamento.cli.shipped_data import check_one_given, data_and_json
+from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put, put_json
+from rolamento.errors import InputError
+from rolamento.io.writing import write_text
+from rolamento.words import marked, said
+
+if TYPE_CHECKING:
+    from rolamento.tasks.request import Input, Request
+
+__all__ = ["add_command", "options_of", "program_of"]
+
+_METAVARS: Final = {
+    "number": "NUMBER", "count": "N", "fraction": "FRACTION", "frequency": "FREQUENCY",
+    "time": "TIME",
+}  # fmt: skip
+_NOT_ITSELF: Final = marked("is one of the input files; choose another name")
+
+
+def add_command(app: typer.Typer, request: type[Request], name: str) -> None:
+    """Give a program the command of a request.
+
+    Parameters
+    ----------
+    app
+        The program.
+    request
+        Whose fields become arguments and options.
+    name
+        What the command is called.
+    """
+
+    def command(
+        given: CaseOptions = NOTHING_GIVEN,
+        json: JsonOption = None,
+        outputs: Outputs = NOWHERE,
+        lang: LanguageOption = None,
+        **typed: Any,
+    ) -> None:
+        with plain_endings(lang), given.in_force(), _in_options(request):
+            files = {f"--{one}": typed.pop(one) for one in request.products}
+            if request.ships:
+                json = _shipped(request, name, typed, json)
+            read = [
+                path
+                for field, one in request.inputs().items()
+                if (one.names_files or one.kind == "bearing") and typed[field]
+                for path in (typed[field] if one.is_many else [typed[field]])
+            ]
+            outputs.check({"--json": json, **files}, *read, rule=_NOT_ITSELF)
+            asked = _asked(request, typed, given)
+            for option, path in files.items():
+                check = request.products[option.removeprefix("--")].check
+                if path is not None and check is not None:
+                    check(asked)
+            from rolamento.cli.waiting import progress_of
+
+            with progress_of(said(request.waiting)) as progress:
+                found = asked.run(progress)
+            _write(asked, found, files)
+            if json is not None:
+                put_json(found.to_mapping(), json)
+            outputs.show(lambda: asked.page(found), json, *files.values())
+            complaint = asked.complaint(found)
+            if complaint and STANDARD_STREAM in (json, outputs.csv, *files.values()):
+                complain(complaint)
+        raise typer.Exit(NO_RESULT if complaint else SOLVED)
+
+    command.__signature__ = _signature(command, request)  # type: ignore[attr-defined]
+    command.__name__, command.__doc__ = name, request.summary()
+    spoken = with_outputs(command)
+    groups: dict[str, tuple[str, ...]] = {
+        **request.groups(),
+        marked("Output"): (*request.products, "json", *OUTPUT_OPTIONS, "lang", "help"),
+    }
+    if request.takes_case:
+        spoken = with_case(spoken)
+        first = next(iter(groups))
+        groups[first] = (*groups[first], *CASE_OPTIONS)
+    shown = type("RequestedCommand", (JsonCommand,), {"groups": groups})
+    app.command(name, cls=shown, epilog=request.examples)(spoken)
+
+
+def program_of(path: str, name: str) -> typer.Typer:
+    """Return a program with one command; path: of its request, ``module:Class`` in the tasks."""
+    module, _, request = path.partition(":")
+    app = typer.Typer()
+    add_command(app, getattr(import_module(f"rolamento.tasks.{module}"), request), name)
+    return app
+
+
+def options_of(request: type[Request]) -> dict[str, inspect.Parameter]:
+    """Return the parameters of a command by the names of a request's fields."""
+    inputs, means = request.inputs(), request.meanings()
+    arguments_first = sorted(inputs, key=lambda name: not inputs[name].is_argument)
+    return {name: _parameter(name, inputs[name], means[name]) for name in arguments_first}
+
+
+def _signature(command: Callable[..., None], request: type[Request]) -> inspect.Signature:
+    own = dict(inspect.signature(command, eval_str=True).parameters)
+    own.pop("typed")
+    if not request.takes_case:
+        own.pop("given")
+    products = {name: _product(name, one.meaning) for name, one in request.products.items()}
+    if request.ships:
+        products["write"] = _product("write", "Write the example as CSV instead.")
+    return inspect.Signature(list({**options_of(request), **products, **own}.values()))
+
+
+def _parameter(name: str, one: Input, meaning: str) -> inspect.Parameter:
+    """Return the parameter of a command for a field: a text, whatever the request makes of it."""
+    metavar = one.metavar or _METAVARS.get(one.kind) or name.upper().replace("_", "-")
+    default: Any = None if one.is_many else one.default or None
+    if one.kind == "switch":
+        made = typer.Option(one.option or one.long_option(name), help=meaning)
+        has_opposite = "/" in one.option
+        default = {"true": True, "": None if has_opposite else False}[one.default]
+        kind: Any = bool | None if default is None else bool
+    elif one.is_argument:
+        made = typer.Argument(metavar=metavar, help=meaning)
+        kind = list[str] if one.is_many else str
+        if one.essential:
+            default = inspect.Parameter.empty
+        else:
+            kind = kind | None
+    else:
+        made = typer.Option(one.long_option(name), metavar=metavar, help=meaning)
+        kind = list[str] | None if one.is_many else str | None
+    return _with(name, Annotated[kind, made], default)
+
+
+def _product(name: str, meaning: str) -> inspect.Parameter:
+    made = typer.Option(f"--{name}", metavar="FILE", help=meaning)
+    return _with(name, Annotated[str | None, made], None)
+
+
+def _with(name: str, annotation: Any, default: Any) -> inspect.Parameter:
+    kind = inspect.Parameter.POSITIONAL_OR_KEYWORD
+    return inspect.Parameter(name, kind, default=default, annotation=annotation)
+
+
+@contextmanager
+def _in_options(request: type[Request]) -> Iterator[None]:
+    """Say which option gave what is refused; of a table, a column is called as it is there."""
+    options = {
+        name: one.metavar if one.is_argument else one.long_option(name)
+        for name, one in request.inputs().items()
+    } | {name: f"--{name}" for name in request.products}
+    try:
+        yield
+    except InputError as error:
+        of_column = error.field in request.columns and error.source not in ("", *options)
+        named = {**options, error.field: error.field} if of_column else options
+        with in_names(named):
+            raise
+
+
+def _shipped(
+    request: type[Request], command: str, typed: dict[str, Any], json: str | None
+) -> str | None:
+    """Take an example in the place of a file, or write it and end; return where JSON goes.
+
+    Raises
+    ------
+    InputError
+        For neither or both of a file and an example.
+    """
+    field = next(name for name, one in request.inputs().items() if one.is_argument)
+    example, path = typed["example"], typed.pop("write")
+    if example is not None:
+        example = request.inputs()["example"].value(example)
+    typed[field], json = data_and_json(typed[field], example, json)
+    if path is not None:
+        if example is None or typed[field] is not None:
+            raise InputError(said("goes with --example alone"), source="--write", value=path)
+        write_text(request.shipped_text(example), path, new=True)
+        print_text(said("Wrote {path}", path=path) + "\n")
+        raise typer.Exit(SOLVED)
+    known = request.inputs()["example"].choices
+    check_one_given(typed[field], example, command, list(known() if known else ()))
+    return json
+
+
+def _asked(request: type[Request], typed: Mapping[str, Any], given: CaseOptions) -> Request:
+    own = {name: value for name, value in typed.items() if value is not None and value != []}
+    for name, value in own.items():
+        if value in ("", [""]):
+            raise InputError(said("is missing"), field=name)
+    if request.takes_case:
+        own["changes"] = given.settings
+    return request(**own)
+
+
+def _write(asked: Request, found: Any, files: Mapping[str, str | None]) -> None:
+    """Write the files that the request has beside its page."""
+    for option, path in files.items():
+        product = asked.products[option.removeprefix("--")]
+        made = None if path is None else product.make(asked, found)
+        if path is None or made is None:
+            continue
+        if product.is_picture:
+            from rolamento.plots.saving import save_figure
+
+            save_figure(made, path)
+        else:
+            put(made, path)

@@ -1,0 +1,230 @@
+"""The page of `electrical`: capacitance, current density beside published bands, breakdown."""
+
+from __future__ import annotations
+
+from math import isfinite
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from rolamento.document import (
+    Block,
+    CellContent,
+    Column,
+    Document,
+    Entry,
+    KeyValues,
+    Number,
+    Section,
+    Statement,
+    Table,
+    Tone,
+)
+from rolamento.io.data import toml_of
+from rolamento.pages.given import head, untitled
+from rolamento.pages.notes import cautions_section, notes_section, remarks_of
+from rolamento.solved import RACES
+from rolamento.words import marked, said
+from rolamento.words.sentences.electrical import BREAKDOWNS, DENSITIES
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from rolamento.electrical import Band, BearingElectrics
+    from rolamento.numerics import FloatArray
+
+__all__ = ["electrical_page", "electrical_sections"]
+
+_RACES: Final = {"inner": marked("inner race"), "outer": marked("outer race")}
+
+
+def electrical_page(found: BearingElectrics) -> Document:
+    """Return the page of a bearing as an electrical part, of one case.
+
+    Parameters
+    ----------
+    found
+        What `rolamento.electrical.electrics_of` gives, of a single case.
+    """
+    solved = found.solved
+    notes = (*solved.notes[0], *found.notes)
+    sections = [head(solved), *cautions_section(notes)]
+    if solved.converged[0]:
+        sections += electrical_sections(found)
+    sections += notes_section(remarks_of(notes))
+    title = solved.title or untitled(solved.case)
+    return Document(title, tuple(sections), kind="electrical", main="electrical_races")
+
+
+def electrical_sections(found: BearingElectrics, level: int = 2) -> list[Section]:
+    """Return the tables of one case, for a page of its own or a report.
+
+    Parameters
+    ----------
+    found
+        As of `electrical_page`.
+    level
+        Of their headings.
+    """
+    return [
+        Section(said("Bearing as a capacitor"), _headline(found), "electrical", level=level),
+        Section("", (_races(found),), key="electrical_contacts", level=level),
+        *_density(found, level),
+        Section(said("Breakdown of the film"), _breakdown(found), "electrical_breakdown",
+                level=level),
+    ]  # fmt: skip
+
+
+def _headline(found: BearingElectrics) -> tuple[Block, ...]:
+    entries = [
+        Entry(said("capacitance"), Number(float(found.capacitance[0]), ".3 pF")),
+        Entry(
+            said("of the ellipses alone"), Number(float(found.capacitance_of_ellipses[0]), ".3 pF")
+        ),
+        Entry(
+            said("with ceramic elements"),
+            said("about {value:.2 pF}", value=float(found.ceramic_capacitance[0])),
+        ),
+    ]
+    if isfinite(found.current_density[0]):
+        value = float(found.current_density[0])
+        entries.append(Entry(said("current density"), Number(value, ".3 A/mm²")))
+    if isfinite(found.field[0]):
+        entries.append(Entry(said("field"), Number(float(found.field[0]), ".3 V/µm")))
+        entries.append(
+            Entry(said("energy of a discharge"), Number(float(found.energy[0]), ".3 nJ"))
+        )
+    return (KeyValues(tuple(entries)),)
+
+
+def _most(values: FloatArray, places: FloatArray) -> float:
+    known = values[0][places[0] > 0.0]
+    known = known[np.isfinite(known)]
+    return float(known.max()) if known.size else float("nan")
+
+
+def _races(found: BearingElectrics) -> Table:
+    own = [found.of(race) for race in RACES]
+    columns = [
+        Column(head="", values=[said(_RACES[race]) for race in RACES], key="race"),
+        Column(
+            head="ΣA", values=[float(one.total_area[0]) for one in own], unit="mm²", key="area",
+            figures=3, most=3,
+        ),
+        Column(
+            head="h_c",
+            values=[-_most(-one.thickness, one.area) for one in own],
+            unit="µm",
+            key="thickness",
+            figures=3,
+            most=3,
+        ),
+        Column(
+            head="C", values=[_most(one.capacitance, one.area) for one in own], unit="pF",
+            key="capacitance", figures=3,
+        ),
+    ]  # fmt: skip
+    legends = [said("ΣA area of all contacts; h_c minimum central film; C maximum of a contact")]
+    if found.given.current is not None:
+        columns.append(
+            Column(
+                head="J",
+                values=[float(one.current_density[0]) for one in own],
+                unit="A/mm²",
+                key="current_density",
+                figures=3,
+                most=4,
+            )
+        )
+        legends.append(said("J apparent current density: amplitude over ΣA"))
+    if found.given.voltage is not None:
+        columns += [
+            Column(head="V", values=[_most(one.voltage, one.area) for one in own], unit="V",
+                   key="voltage", figures=3),
+            Column(head="E", values=[_most(one.field, one.area) for one in own], unit="V/µm",
+                   key="field", figures=3),
+        ]  # fmt: skip
+        legends.append(said("V maximum voltage across a contact; E maximum V/h_c"))
+    return Table(columns=tuple(columns), key="electrical_races", legends=tuple(legends), rule=True)
+
+
+def _marks(bands: Sequence[Band]) -> list[str]:
+    return [f"[{number}]" for number, _ in enumerate(bands, start=1)]
+
+
+def _sources(bands: Sequence[Band]) -> list[Statement]:
+    """Sources by number, below their table."""
+    texts = map(_source, bands)
+    return [
+        Statement(text, "faint", indent=2, mark=mark)
+        for text, mark in zip(texts, _marks(bands), strict=True)
+    ]
+
+
+def _source(band: Band) -> str:
+    return band.source if band.checked else said("{source}; general knowledge", source=band.source)
+
+
+def _density(found: BearingElectrics, level: int) -> list[Section]:
+    """Put the current density beside the published bands."""
+    value = float(found.current_density[0])
+    if not isfinite(value):
+        return []
+    bands = found.density
+    inside = [band.low <= value and (value < band.high or band is bands[-1]) for band in bands]
+    tones: list[Tone] = ["strong" if one else "" for one in inside]
+    limits: list[CellContent] = [
+        said("{low:.3 [A/mm²]} to {high:.3 [A/mm²]}", low=band.low, high=band.high)
+        if band.low
+        else said("below {high:.3 [A/mm²]}", high=band.high)
+        for band in bands
+    ]
+    columns = (
+        Column(head=said("current density"), values=limits, unit="A/mm²", key="band", tones=tones),
+        Column(head="", values=["▸" if one else "" for one in inside], key="here"),
+        Column(head="", values=[said(DENSITIES[band.key]) for band in bands], key="meaning",
+               tones=tones),
+        Column(head="", values=_marks(bands), key="mark", tone="faint"),
+        Column(head=said("source"), values=[_source(band) for band in bands], key="source",
+               only_in_files=True),
+    )  # fmt: skip
+    legend = said("▸ bands in which this bearing is; published experience, no limits")
+    table = Table(columns=columns, key="electrical_bands", legends=(legend,), rule=True)
+    blocks: tuple[Block, ...] = (table, *_sources(bands))
+    return [Section(said("Published bands"), blocks, key="electrical_density", level=level)]
+
+
+def _breakdown(found: BearingElectrics) -> tuple[Block, ...]:
+    bands = found.breakdown
+    voltages: list[CellContent] = []
+    fields: list[CellContent] = []
+    for band, (low, high) in zip(bands, found.breakdown_voltage[:, :, 0].tolist(), strict=True):
+        one = low == high
+        voltages.append(
+            said("{low:.3 [V]}", low=low)
+            if one
+            else said("{low:.3 [V]} to {high:.3 [V]}", low=low, high=high)
+        )
+        fields.append(
+            said("{low:.3 [V/µm]}", low=band.low)
+            if one
+            else said("{low:.3 [V/µm]} to {high:.3 [V/µm]}", low=band.low, high=band.high)
+        )
+    columns = (
+        Column(head="", values=[said(BREAKDOWNS[band.key]) for band in bands], key="lubricant"),
+        Column(head=said("field"), values=fields, unit="V/µm", key="field", align="right"),
+        Column(head=said("between the rings"), values=voltages, unit="V", key="voltage",
+               align="right"),
+        Column(head="", values=_marks(bands), key="mark", tone="faint"),
+        Column(head=said("source"), values=[_source(band) for band in bands], key="source",
+               only_in_files=True),
+    )  # fmt: skip
+    data = toml_of("electrical")["threshold"]
+    text = said(
+        "Motor bearings were seen to discharge between {low:.2 V} and {high:.2 V} ({source}).",
+        low=data["low"],
+        high=data["high"],
+        source=data["source"],
+    )
+    table = Table(columns=columns, key="electrical_breakdown", rule=True)
+    return (table, *_sources(bands), Statement(text, indent=2))

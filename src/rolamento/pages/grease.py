@@ -1,0 +1,343 @@
+"""The page of `grease`: lives by every law, intervals, amounts, limits, and which grease."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import isfinite, isnan
+from typing import TYPE_CHECKING
+
+from rolamento.document import (
+    Block,
+    CellContent,
+    Column,
+    Document,
+    Entry,
+    Figure,
+    KeyValues,
+    Number,
+    Section,
+    Statement,
+    Table,
+    Tone,
+)
+from rolamento.pages.given import head, untitled
+from rolamento.pages.notes import cautions, notes_section, remarks_of
+from rolamento.units import HOUR
+from rolamento.words import ABSENT, said
+from rolamento.words.sentences.grease import BASE_OILS, FACTORS, LAWS, SETS, THICKENERS
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Picture
+
+    from rolamento.lubrication.oil_choice import OilChoice
+    from rolamento.tasks.grease import GreaseCase
+
+__all__ = ["grease_page", "grease_statement", "oil_page", "oil_section"]
+
+_HOURS = ".3r [h]"
+
+
+def grease_page(found: GreaseCase) -> Document:
+    """Return the grease of one case.
+
+    Parameters
+    ----------
+    found
+        What `rolamento.tasks.grease_of_case` gives.
+    """
+    solved = found.solved
+    title = solved.title or untitled(solved.case)
+    blocks = (*grease_statement(found), *cautions(found.notes))
+    sections = [head(solved), Section(said("Grease"), blocks, key="grease")]
+    if found.lives:
+        sections.append(_lives(found))
+        figure = Figure(
+            caption=said("Life of the grease over the temperature"),
+            draw=lambda: _picture(found),
+            key="grease",
+        )
+        sections.append(Section("", (figure,), key="figure"))
+    if found.intervals:
+        sections.append(_intervals(found))
+    sections.append(_limits(found))
+    if found.oil is not None:
+        sections.append(_which(found))
+    sections += notes_section(remarks_of(found.notes))
+    return Document(title, tuple(sections), kind="grease", main="lives")
+
+
+def _picture(found: GreaseCase) -> Picture:
+    from rolamento.plots.grease import grease_figure
+
+    return grease_figure(found)
+
+
+def grease_statement(found: GreaseCase) -> Iterator[Block]:
+    """Yield how long the grease lives or when it wants renewing, in a sentence."""
+    low, high = found.spread
+    if isfinite(found.hours):
+        values = {"hours": HOUR * found.hours, "low": HOUR * low, "high": HOUR * high}
+        text = said(
+            "The grease lives {hours:.2r h} on average, by {count} laws from {low:.2r [h]} to"
+            " {high:.2r h}; 90 % of the bearings reach {l10:.2r h}.",
+            **values,
+            count=sum(one.valid for one in found.lives),
+            l10=HOUR * found.l10,
+        )
+        yield Statement(text, "strong", indent=2)
+        return
+    if found.intervals:
+        low, high = found.interval
+        text = said(
+            "Relubricate every {low:.2r [h]} to {high:.2r h}, by whose factors are taken.",
+            low=HOUR * low,
+            high=HOUR * high,
+        )
+        if isfinite(found.amount_side):
+            text = said(
+                "Relubricate every {low:.2r [h]} to {high:.2r h}, by whose factors are taken, with"
+                " {amount:.2} g from the side.",
+                low=HOUR * low,
+                high=HOUR * high,
+                amount=1e3 * found.amount_side,
+            )
+        yield Statement(text, "strong", indent=2)
+        return
+    text = said("No law gives a life of the grease or an interval for this case.")
+    yield Statement(text, "warning", indent=2)
+
+
+def _lives(found: GreaseCase) -> Section:
+    tones: list[Tone] = ["" if one.valid else "warning" for one in found.lives]
+    hours: list[CellContent] = [Number(HOUR * one.hours, _HOURS) for one in found.lives]
+    notes = ["; ".join(note.text for note in one.notes) or ABSENT for one in found.lives]
+    columns = (
+        Column(
+            head="", values=[said(LAWS[one.name]) for one in found.lives], key="law", tones=tones
+        ),
+        Column(
+            head=said("mean life"), values=hours, unit="h", key="hours", align="right", tones=tones
+        ),
+        Column(head=said("range"), values=notes, key="notes", tone="faint"),
+        Column(
+            head=said("source"), values=[one.source for one in found.lives], key="source",
+            only_in_files=True,
+        ),
+    )  # fmt: skip
+    duty = found.duty
+    legend = said(
+        "at {temperature:.4 °C}, n/N = {ratio:.3}, n d_m = {product:.3r}, P/C = {load:.3}",
+        temperature=duty.temperature,
+        ratio=duty.speed_ratio,
+        product=duty.speed_factor,
+        load=duty.load_ratio,
+    )
+    table = Table(columns=columns, key="lives", legends=(legend,), rule=True, fixed=1)
+    return Section(said("Life of the grease"), (table,), key="lives")
+
+
+def _intervals(found: GreaseCase) -> Section:
+    acting = (
+        name
+        for one in found.intervals
+        for name, pair in one.factors.items()
+        if pair != (1.0, 1.0) or name == "temperature"
+    )
+    names = list(dict.fromkeys(acting))
+    columns = [
+        Column(head="", values=[said(SETS[one.name]) for one in found.intervals], key="set"),
+    ]
+    for end, head_ in (("low", said("from")), ("high", said("to"))):
+        values: list[CellContent] = [
+            Number(HOUR * getattr(one, end), _HOURS) for one in found.intervals
+        ]
+        columns.append(Column(head=head_, values=values, unit="h", key=end, align="right"))
+    for name in names:
+        texts = [_factor(one.factors.get(name)) for one in found.intervals]
+        columns.append(Column(head=said(FACTORS[name]), values=texts, key=name, align="right"))
+    columns.append(
+        Column(
+            head=said("source"), values=[one.source for one in found.intervals], key="source",
+            only_in_files=True,
+        )
+    )  # fmt: skip
+    legend = said(
+        "factors on K (14·10⁶/(n √d) − 4 d) = {base:.3r h}; FAG's are ranges, from general"
+        " knowledge of its publication",
+        base=HOUR * found.base,
+    )
+    table = Table(columns=tuple(columns), key="intervals", legends=(legend,), rule=True, fixed=1)
+    blocks: list[Block] = [table]
+    if isfinite(found.amount_side):
+        entries = [
+            Entry(said("SKF, from the side"), _grams(found.amount_side)),
+            Entry(said("SKF, through the outer ring"), _grams(found.amount_middle)),
+        ]
+        if isfinite(found.amount_fag):
+            entries.append(Entry(said("FAG, by the interval"), _grams(found.amount_fag)))
+        blocks.append(Statement(said("Amount of each relubrication"), indent=2))
+        blocks.append(KeyValues(tuple(entries), indent=4))
+    return Section(said("Relubrication"), tuple(blocks), key="intervals")
+
+
+def _grams(kilograms: float) -> str:
+    return said("{amount:.3} g", amount=1e3 * kilograms)
+
+
+def _factor(pair: tuple[float, float] | None) -> str:
+    if pair is None:
+        return ABSENT
+    low, high = pair
+    if low == high:
+        return said("{value:.3}", value=low)
+    return said("{low:.3}–{high:.3}", low=low, high=high)
+
+
+def _limits(found: GreaseCase) -> Section:
+    duty, (low, high) = found.duty, found.usable
+    hot = not low <= duty.temperature <= high
+    fast = duty.speed_ratio > 1.0
+    entries = [
+        Entry(
+            said("temperature"),
+            said(
+                "{temperature:.4 °C}; the grease may be used from {low:.4 [°C]} to {high:.4 °C}",
+                temperature=duty.temperature,
+                low=low,
+                high=high,
+            ),
+            "warning" if hot else "",
+        )
+    ]
+    if isnan(duty.speed_ratio):
+        text = said("{speed:.5 rpm}; n d_m = {product:.3r}", speed=duty.speed,
+                    product=duty.speed_factor)  # fmt: skip
+    else:
+        text = said(
+            "{speed:.5 rpm}, {ratio:.3} of N = {limit:.3 rpm}; n d_m = {product:.3r}",
+            speed=duty.speed,
+            ratio=duty.speed_ratio,
+            limit=duty.limiting_speed,
+            product=duty.speed_factor,
+        )
+    entries.append(Entry(said("speed"), text, "warning" if fast else ""))
+    return Section(said("Limits"), (KeyValues(tuple(entries), indent=2),), key="limits")
+
+
+def _which(found: GreaseCase) -> Section:
+    oil, duty = found.oil, found.duty
+    assert oil is not None
+    entries = [
+        Entry(
+            said("base oil for κ = {kappa:.3}", kappa=oil.wanted),
+            said(
+                "{needed:.3 mm²/s} at 40 °C, {at:.3 mm²/s} at {temperature:.4 °C}",
+                needed=oil.needed_40,
+                at=oil.wanted * oil.reference,
+                temperature=duty.temperature,
+            ),
+        ),
+        Entry(
+            said("thickener and base oil"),
+            said(
+                "{thickener} with {base_oil}",
+                thickener=said(THICKENERS[duty.thickener]),
+                base_oil=said(BASE_OILS[duty.base_oil]),
+            ),
+        ),
+        Entry(said("consistency"), _nlgi(found)),
+    ]
+    return Section(said("Which grease"), (KeyValues(tuple(entries), indent=2),), key="which")
+
+
+def _nlgi(found: GreaseCase) -> str:
+    if found.vertical:
+        return said("NLGI {grade}: a softer one runs out of a vertical shaft", grade=found.nlgi)
+    if found.nlgi == 1:
+        return said("NLGI {grade}: a stiffer one does not start in the cold", grade=found.nlgi)
+    return said("NLGI {grade}, as a rule", grade=found.nlgi)
+
+
+# --- an oil ---------------------------------------------------------------------------------------
+
+
+def oil_page(found: OilChoice, title: str) -> Document:
+    """Return the ISO viscosity grades for a wanted κ over a range of temperatures.
+
+    Parameters
+    ----------
+    found
+        What `rolamento.tasks.choose_oil_of_case` gives.
+    title
+        Of the page.
+    """
+    from rolamento.document import Title
+
+    if found.chosen is None:
+        text = said("No ISO grade gives κ = {kappa:.3}.", kappa=found.wanted)
+        statement = Statement(text, "bad-strong", indent=2)
+    else:
+        chosen = found[found.chosen]
+        text = said(
+            "{name}: κ = {hot:.3} at {hottest:.4 °C} and {cold:.3} at {coldest:.4 °C}.",
+            name=chosen.name,
+            hot=chosen.ratio_hot,
+            cold=chosen.ratio_cold,
+            hottest=found.hottest,
+            coldest=found.coldest,
+        )
+        statement = Statement(text, "strong", indent=2)
+    sections = [
+        Section("", (Title(title), statement, *cautions(found.notes)), key="head"),
+        oil_section(found),
+        *notes_section(remarks_of(found.notes)),
+    ]
+    return Document(title, tuple(sections), kind="oil", main="grades")
+
+
+def oil_section(found: OilChoice) -> Section:
+    """Return the grades side by side, the one to take in front."""
+    grades = found.grades
+    tones: list[Tone] = [
+        "strong" if one.name == found.chosen else "faint" if one.ratio_hot < found.wanted else ""
+        for one in grades
+    ]
+    columns = [
+        Column(
+            head="", values=["▸" if one.name == found.chosen else "" for one in grades],
+            key="leads", tone="good-strong",
+        ),
+        Column(head=said("grade"), values=[one.name for one in grades], key="grade", tones=tones),
+    ]  # fmt: skip
+    for end, temperature in (("cold", found.coldest), ("hot", found.hottest)):
+        where = said("{temperature:.4 °C}", temperature=temperature)
+        ratios = [getattr(one, f"ratio_{end}") for one in grades]
+        columns += [
+            Column(
+                head=said("ν at {where}", where=where),
+                values=[getattr(one, f"viscosity_{end}") for one in grades],
+                unit="mm²/s",
+                form=".3 [mm²/s]",
+                key=f"viscosity_{end}",
+                tones=tones,
+            ),
+            Column(
+                head=said("κ at {where}", where=where),
+                values=ratios,
+                form=".3",
+                key=f"ratio_{end}",
+                tones=tones,
+            ),
+        ]
+        if found.coldest == found.hottest:
+            break
+    legend = said(
+        "ν_1 = {reference:.3 mm²/s} at {speed:.5 rpm} (ISO 281); κ = {kappa:.3} wants"
+        " {needed:.3 mm²/s} at 40 °C",
+        reference=found.reference,
+        speed=found.speed,
+        kappa=found.wanted,
+        needed=found.needed_40,
+    )
+    table = Table(columns=tuple(columns), key="grades", legends=(legend,), rule=True, fixed=2)
+    return Section(said("Grades"), (table,), key="grades")

@@ -1,0 +1,244 @@
+"""The pages of `oscillation`: lives in oscillations, of one angle or of a histogram of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from math import isfinite, isinf
+from typing import TYPE_CHECKING, Final
+
+from rolamento.document import (
+    Block,
+    Column,
+    Document,
+    Entry,
+    Figure,
+    KeyValues,
+    Number,
+    Section,
+    Statement,
+    Table,
+    Title,
+    Tone,
+)
+from rolamento.pages.given import head, untitled
+from rolamento.pages.notes import cautions, cautions_section, notes_section, remarks_of
+from rolamento.units import HOUR
+from rolamento.words import marked, said
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Picture
+
+    from rolamento.life.oscillation import OscillationLife
+    from rolamento.tasks.oscillation import OscillationCase, OscillationSpectrum
+
+__all__ = ["oscillation_page", "oscillation_spectrum_page", "oscillation_statement"]
+
+_MILLION: Final = 1e6
+_RACES: Final = {"inner": marked("inner race"), "outer": marked("outer race")}
+_LIFE: Final = ".3r"
+_UNIT: Final = "10⁶ osc."
+
+
+def oscillation_page(found: OscillationCase) -> Document:
+    """Return the life of one case in oscillations: the life, its races, other forms, all angles.
+
+    Parameters
+    ----------
+    found
+        What `rolamento.tasks.life_in_oscillation` gives.
+    """
+    solved, life = found.solved, found.life
+    title = solved.title or untitled(solved.case)
+    sections = [head(solved), *cautions_section(solved.notes[0])]
+    notes = list(solved.notes[0])
+    if life is not None:
+        blocks = (*oscillation_statement(life), *cautions(life.notes))
+        sections.append(Section(said("Life in oscillations"), blocks, key="life"))
+        sections += [_races(life), _forms(life)]
+        figure = Figure(
+            caption=said("Life over the angle of oscillation"),
+            draw=lambda: _picture(found),
+            key="oscillation",
+        )
+        sections.append(Section("", (figure,), key="figure"))
+        notes = [*remarks_of(life.notes), *remarks_of(notes)]
+    sections += notes_section(remarks_of(notes))
+    return Document(title, tuple(sections), kind="oscillation", main="races")
+
+
+def _picture(found: OscillationCase) -> Picture:
+    from rolamento.plots.oscillation import oscillation_figure
+
+    return oscillation_figure(found)
+
+
+def oscillation_statement(life: OscillationLife) -> Iterator[Block]:
+    """Yield the life in oscillations and hours, or why there is none."""
+    values = {
+        "reliability": life.reliability,
+        "angle": life.angle,
+        "life": _MILLION * life.life,
+        "hours": HOUR * life.hours,
+    }
+    if life.fretting:
+        text = said("No fatigue life: swinging by {angle:.4 °}, it frets first.", **values)
+        yield Statement(text, "bad-strong", indent=2)
+        return
+    if not isfinite(life.life):
+        endless = isinf(life.life)
+        text = said("Fatigue does not end it.") if endless else said("There is no life.")
+        yield Statement(text, "strong", indent=2)
+        return
+    text = said(
+        "{reliability:.7 %} of such bearings survive {life:.3r [10⁶ osc.]} million oscillations of"
+        " {angle:.4 °}.",
+        **values,
+    )
+    if isfinite(life.hours):
+        text = said(
+            "{reliability:.7 %} of such bearings survive {life:.3r [10⁶ osc.]} million oscillations"
+            " of {angle:.4 °}: {hours:.3r h}.",
+            **values,
+        )
+    yield Statement(text, "strong", indent=2)
+    limiting = life.limiting
+    yield Statement(
+        said("The inner race limits it.") if limiting == "inner" else
+        said("The outer race limits it."), indent=2,
+    )  # fmt: skip
+
+
+def _races(life: OscillationLife) -> Section:
+    """Critical angle, lost averaging and life of each race."""
+    rows = len(life.inner)
+    races, places, critical, window, lives = [], [], [], [], []
+    tones: list[Tone] = []
+    for row in range(rows):
+        for race in ("inner", "outer"):
+            own = float(getattr(life, f"critical_{race}")[row])
+            races.append(said(_RACES[race]))
+            places.append(row)
+            critical.append(own)
+            window.append(float(life.window[row]) if race == life.moving else 1.0)
+            lives.append(_MILLION * float(getattr(life, race)[row]))
+            tones.append("warning" if life.angle < own else "")
+    columns = [Column(head="", values=races, key="race", tones=tones)]
+    if rows > 1:
+        columns.append(Column(head=said("row"), values=places, key="row"))
+    columns += [
+        Column(
+            head=said("critical angle"),
+            values=[Number(value, ".4 [°]") for value in critical],
+            unit="°",
+            key="critical",
+            align="right",
+            tones=tones,
+        ),
+        Column(
+            head=said("lost averaging"),
+            values=window,
+            unit="–",
+            form=".4",
+            key="window",
+            tones=tones,
+        ),
+        Column(
+            head=said("life"),
+            values=[Number(value, f"{_LIFE} [{_UNIT}]") for value in lives],
+            unit=_UNIT,
+            key="life",
+            align="right",
+            tones=tones,
+        ),
+    ]
+    legend = said(
+        "critical angle between the end points, at which neighbouring arcs meet; lost averaging by"
+        " which the life of the race that moves against the load falls"
+    )
+    table = Table(columns=tuple(columns), key="races", legends=(legend,), rule=True, fixed=1)
+    return Section(said("Races"), (table,), key="races")
+
+
+def _forms(life: OscillationLife) -> Section:
+    """The life beside what simpler forms make of it."""
+    harris = said("Harris, (90°/θ) L_rot with θ = φ/2: without the lost averaging")
+    makers = said("makers of robot gears, (180°/φ) (C/P)^p: of the catalogue's load")
+    rows = (
+        (said("race by race, as above"), life.life),
+        (harris, life.harris),
+        (makers, life.makers),
+    )
+    entries = [
+        Entry(name, Number(_MILLION * value, f"{_LIFE} [{_UNIT}]"), "") for name, value in rows
+    ]
+    entries.append(
+        Entry(
+            said("reference life in rotation, million revolutions"),
+            Number(_MILLION * life.rotation, f"{_LIFE} [{_UNIT}]"),
+        )
+    )
+    return Section(
+        said("Other forms, million oscillations"), (KeyValues(tuple(entries), indent=2),),
+        key="forms",
+    )  # fmt: skip
+
+
+# --- of a histogram -------------------------------------------------------------------------------
+
+
+def oscillation_spectrum_page(found: OscillationSpectrum) -> Document:
+    """Return the life under a histogram of oscillations, and what each step takes of it.
+
+    Parameters
+    ----------
+    found
+        What `rolamento.tasks.life_under_oscillations` gives.
+    """
+    title = found.case.title or untitled(found.case)
+    values = {
+        "reliability": found.reliability,
+        "life": _MILLION * found.life,
+        "hours": HOUR * found.hours,
+    }
+    if found.converged:
+        text = said(
+            "{reliability:.7 %} of such bearings survive {life:.3r [10⁶ osc.]} million oscillations"
+            " of this duty.",
+            **values,
+        )
+        if isfinite(found.hours):
+            text = said(
+                "{reliability:.7 %} of such bearings survive {life:.3r [10⁶ osc.]} million"
+                " oscillations of this duty: {hours:.3r h}.",
+                **values,
+            )
+        statement = Statement(text, "strong", indent=2)
+    else:
+        text = said("No fatigue life: at least one step frets, or has no life.")
+        statement = Statement(text, "bad-strong", indent=2)
+    tones: list[Tone] = ["warning" if one.fretting else "" for one in found.lives]
+    columns = (
+        _percent(said("share"), "share", found.steps.shares.tolist(), tones),
+        Column(
+            head=said("angle"), values=[Number(one.angle, ".4 [°]") for one in found.lives],
+            unit="°", key="angle", align="right", tones=tones,
+        ),
+        Column(
+            head=said("life of the step alone"),
+            values=[Number(_MILLION * one.life, f"{_LIFE} [{_UNIT}]") for one in found.lives],
+            unit=_UNIT, key="life", align="right", tones=tones,
+        ),
+        _percent(said("share of the damage"), "damage", found.damage.tolist(), tones),
+    )  # fmt: skip
+    table = Table(columns=columns, key="steps", rule=True)
+    sections = [
+        Section("", (Title(title), statement, *cautions(found.notes)), key="head"),
+        Section(said("Steps"), (table,), key="steps"),
+        *notes_section(remarks_of(found.notes)),
+    ]
+    return Document(title, tuple(sections), kind="oscillation", main="steps")
+
+
+def _percent(head: str, key: str, shares: Sequence[float], tones: Sequence[Tone]) -> Column:
+    values = [Number(share, ".3 [%]") for share in shares]
+    return Column(head=head, values=values, unit="%", key=key, align="right", tones=tones)

@@ -1,0 +1,146 @@
+"""The page of `seek`: the input that gives an output its value, on the curve that leads there."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rolamento.document import Column, Document, Figure, Section, Statement, Table, Title, Tone
+from rolamento.pages.across import field_column, read_text
+from rolamento.pages.given import untitled
+from rolamento.pages.notes import cautions
+from rolamento.plots.axes_units import read_values, readable_unit
+from rolamento.plots.texts import capitalised
+from rolamento.words import ABSENT, UNITS, manner, said
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Picture
+
+    from rolamento.tasks.seek import Goal
+
+__all__ = ["seek_page", "seek_picture", "seek_statement"]
+
+
+def seek_page(found: Goal) -> Document:
+    """Return the page of a goal that was sought.
+
+    Parameters
+    ----------
+    found
+        Of `rolamento.tasks.seek.GoalSeek`.
+    """
+    case = found.curve.case
+    title = case.title or untitled(case)
+    tone: Tone = "good-strong" if found.found else "warning-strong"
+    statements = [Statement(seek_statement(found), tone)]
+    for at in found.jumps:
+        text = said(
+            "At {value} {output} jumps, or ends: no solution lies there.",
+            value=_value(found, at),
+            output=found.output.label,
+        )
+        statements.append(Statement(text, "warning"))
+    if found.curve.present is not None:
+        statements.append(Statement(_now(found), "faint"))
+    head = Section("", (*statements, *cautions(found.notes), Title(title)), key="verdict")
+    caption = said("{output} over {field}", output=found.output.label, field=found.field.label)
+    figure = Figure(caption=caption, draw=lambda: seek_picture(found), key="curve")
+    table = Section("", (figure, _table(found)), key="curve")
+    return Document(title, (head, table), kind="seek", main="curve")
+
+
+def seek_statement(found: Goal) -> str:
+    """Return what gives the output its value, or that nothing in the range does."""
+    names = {"field": found.field.label, "output": found.output.label}
+    goal = _number(found, found.target)
+    if found.found:
+        values = said(" or ").join(_value(found, at) for at in found.found)
+        return capitalised(
+            said("{field} of {values}: {output} of {goal}.", values=values, goal=goal, **names)
+        )
+    numbers = found.curve.numbers
+    first, last = (_value(found, float(one)) for one in found.curve.values[[0, -1]])
+    if not np.isfinite(numbers).any():
+        reasons = "; ".join(note.text for note in found.curve.reasons)
+        return said(
+            "No result from {first} to {last}: {reasons}",
+            first=first, last=last, reasons=reasons or ABSENT,
+        )  # fmt: skip
+    return said(
+        "Nowhere from {first} to {last} is there {output} of {goal}: it lies between {least} and"
+        " {most}. Give a wider range.",
+        first=first,
+        last=last,
+        least=_number(found, float(np.nanmin(numbers))),
+        most=_number(found, float(np.nanmax(numbers))),
+        goal=goal,
+        output=names["output"],
+    )
+
+
+def seek_picture(found: Goal) -> Picture:
+    """Draw the output over the field, its goal, and where it is met."""
+    from rolamento.plots.frame import label_y, legend_above
+    from rolamento.plots.over_field import across
+    from rolamento.plots.style import INNER, OUTER, new_figure, styled
+
+    with styled():
+        figure, axes = new_figure()
+        field, values = found.field, found.curve.values
+        unit = readable_unit(found.output.unit, found.curve.numbers, found.output.name)
+        read = read_values(field, np.append(values, found.found))[0]
+        x, marks = read[: len(values)], read[len(values) :]
+        axes.plot(x, unit.of(found.curve.numbers), color=INNER.color)
+        goal = float(unit.of(found.target))
+        axes.axhline(goal, color=OUTER.color, linestyle="--", label=said("goal"))
+        if len(marks):
+            axes.plot(
+                marks, np.full(len(marks), goal), linestyle="", marker=OUTER.marker,
+                color=OUTER.color, label=said("found"), zorder=4.0,
+            )  # fmt: skip
+        across(axes, field, values)
+        label_y(axes, unit.label(capitalised(found.output.label)))
+        legend_above(axes)
+    return figure
+
+
+def _table(found: Goal) -> Table:
+    """Set the curve in a table, what was found among it."""
+    curve = found.curve
+    values = np.concatenate([curve.values, found.found])
+    numbers = np.concatenate([curve.numbers, np.full(len(found.found), found.target)])
+    order = np.argsort(values, kind="stable")
+    unit = readable_unit(found.output.unit, numbers, found.output.name)
+    tones: list[Tone] = ["good-strong" if place >= len(curve.values) else "" for place in order]
+    shown = [float(one) if np.isfinite(one) else ABSENT for one in numbers[order]]
+    column = Column(
+        head=found.output.label,
+        values=shown,
+        unit=unit.symbol if unit.symbol in UNITS else "",
+        key=found.output.name,
+        figures=4,
+        tones=tones,
+    )
+    return Table(columns=(field_column(found.field, values[order]), column), key="curve")
+
+
+def _now(found: Goal) -> str:
+    curve = found.curve
+    assert curve.present is not None
+    at, number = float(curve.values[curve.present]), float(curve.numbers[curve.present])
+    if not np.isfinite(number):
+        return said("Now, at {value}, it has no result.", value=_value(found, at))
+    return said(
+        "Now, at {value}, it is {number}.", value=_value(found, at), number=_number(found, number)
+    )
+
+
+def _value(found: Goal, at: float) -> str:
+    return read_text(found.field, np.append(found.curve.values, at), at)
+
+
+def _number(found: Goal, number: float) -> str:
+    unit = readable_unit(found.output.unit, [number], found.output.name)
+    text = manner().short(float(unit.of(number)), 4)
+    return text if unit.symbol == "–" else f"{text} {unit.symbol}"

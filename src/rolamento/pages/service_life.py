@@ -1,0 +1,170 @@
+"""The page of `service-life`: what ends a bearing first, and everything else on one time line."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import isfinite, isinf
+from typing import TYPE_CHECKING
+
+from rolamento.document import (
+    Block,
+    CellContent,
+    Column,
+    Document,
+    Figure,
+    Number,
+    Section,
+    Statement,
+    Table,
+    Tone,
+)
+from rolamento.pages.given import head, untitled
+from rolamento.pages.notes import cautions, notes_section, remarks_of
+from rolamento.units import HOUR
+from rolamento.words import said
+from rolamento.words.naming import listed
+from rolamento.words.sentences.service_life import BASES, ENDING_NAMES
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Picture
+
+    from rolamento.tasks.endings import Ending
+    from rolamento.tasks.time_line import ServiceLife
+
+__all__ = ["endings_section", "service_life_page", "service_life_statement", "time_line"]
+
+_HOURS = ".2r [h]"
+
+
+def service_life_page(found: ServiceLife) -> Document:
+    """Return what ends a case first, all endings side by side, and their time line.
+
+    Parameters
+    ----------
+    found
+        What `rolamento.tasks.service_life` gives.
+    """
+    solved = found.solved
+    title = solved.title or untitled(solved.case)
+    blocks = (*service_life_statement(found), *cautions((*found.notes, *solved.notes[0])))
+    sections = [head(solved), Section(said("What ends it first"), blocks, key="first")]
+    if found.endings:
+        sections += [endings_section(found), Section("", (time_line(found),), key="figure")]
+    sections += notes_section(remarks_of((*found.notes, *solved.notes[0])))
+    return Document(title, tuple(sections), kind="service_life", main="endings")
+
+
+def time_line(found: ServiceLife) -> Figure:
+    """Return the picture of all endings on one time line."""
+    return Figure(
+        caption=said("What ends it, on one time line"),
+        draw=lambda: _picture(found),
+        key="service_life",
+    )
+
+
+def _picture(found: ServiceLife) -> Picture:
+    from rolamento.plots.service_life import service_life_figure
+
+    return service_life_figure(found)
+
+
+def service_life_statement(found: ServiceLife) -> Iterator[Block]:
+    """Yield what ends it first and when, what may come before it, and what is not known."""
+    first = found.first
+    if not found.converged:
+        yield Statement(said("There is no result, and nothing to say of its end."), "bad-strong")
+        return
+    if first is None:
+        yield Statement(said("Nothing says when this bearing ends."), "warning", indent=2)
+    else:
+        yield Statement(_first(first), "strong", indent=2)
+    if first is not None and found.rivals:
+        names = listed([said(ENDING_NAMES[one.name]) for one in found.rivals])
+        text = said("Within the spread another may come before it: {names}.", names=names)
+        yield Statement(text, indent=2)
+    if found.unknown:
+        names = listed([said(ENDING_NAMES[one.name]) for one in found.unknown])
+        yield Statement(said("Not known: {names}.", names=names), "warning", indent=2)
+    for one in found.endings:
+        if one.kind == "upkeep" and one.known:
+            text = said(
+                "Relubricate every {hours:.2r h} ({low:.2r [h]} to {high:.2r h}); without it the"
+                " grease ends it.",
+                hours=HOUR * one.hours,
+                low=HOUR * one.low,
+                high=HOUR * one.high,
+            )
+            yield Statement(text, indent=2)
+    yield from _required(found)
+
+
+def _first(first: Ending) -> str:
+    name = said(ENDING_NAMES[first.name])
+    values = {"hours": HOUR * first.hours, "low": HOUR * first.low, "high": HOUR * first.high}
+    if first.acting:
+        return said("First comes {name}: no law says when, and it is at work.", name=name)
+    if first.hours == 0.0:
+        return said("It ends at once: {name}.", name=name)
+    if isinf(first.hours):
+        return said("Nothing that is known ends it: {name} never does.", name=name)
+    if first.bound:
+        return said("First comes {name}, after less than {hours:.2r h}.", name=name, **values)
+    return said(
+        "First comes {name}: 90 % of such bearings reach {hours:.2r h} ({low:.2r [h]} to"
+        " {high:.2r h}).",
+        name=name,
+        **values,
+    )
+
+
+def _required(found: ServiceLife) -> Iterator[Block]:
+    if found.required is None:
+        return
+    required = HOUR * found.required
+    reaches = found.reaches_required
+    if reaches is None:
+        text = said("Whether it reaches the required {required:.4 h} is open.", required=required)
+        yield Statement(text, "warning", indent=2)
+    elif reaches:
+        text = said("It reaches the required {required:.4 h}.", required=required)
+        yield Statement(text, "good", indent=2)
+    else:
+        text = said("It does not reach the required {required:.4 h}.", required=required)
+        yield Statement(text, "bad-strong", indent=2)
+
+
+def endings_section(found: ServiceLife) -> Section:
+    """Return all endings side by side: when, from when to when, and what the hours are."""
+    ordered = found.endings
+    tones: list[Tone] = ["strong" if one is found.first else "" for one in ordered]
+    columns = [
+        Column(
+            head="", values=["▸" if one is found.first else "" for one in ordered], key="first",
+            tone="good-strong",
+        ),
+        Column(
+            head="", values=[said(ENDING_NAMES[one.name]) for one in ordered], key="ending",
+            tones=tones,
+        ),
+    ]  # fmt: skip
+    for key, text in (("hours", said("10 %")), ("low", said("from")), ("high", said("to"))):
+        values: list[CellContent] = [_hours(getattr(one, key)) for one in ordered]
+        columns.append(
+            Column(head=text, values=values, unit="h", key=key, align="right", tones=tones)
+        )
+    columns.append(
+        Column(
+            head="", values=[said(BASES[one.basis]) if one.basis else "" for one in ordered],
+            key="basis", tone="faint",
+        )
+    )  # fmt: skip
+    legend = said(
+        "10 % of such bearings have ended by then; from 1 % to half of them, by all laws together"
+    )
+    table = Table(columns=tuple(columns), key="endings", legends=(legend,), rule=True, fixed=2)
+    return Section(said("All endings"), (table,), key="endings")
+
+
+def _hours(value: float) -> Number:
+    return Number(HOUR * value if isfinite(value) else value, _HOURS)

@@ -1,0 +1,348 @@
+"""The page of `static`: safeties, what makers recommend, hardness, launch loads and gaps."""
+
+from __future__ import annotations
+
+from math import isfinite, isinf
+from typing import TYPE_CHECKING, Final
+
+import numpy as np
+
+from rolamento.document import (
+    Block,
+    CellContent,
+    Column,
+    Document,
+    Entry,
+    KeyValues,
+    Number,
+    Section,
+    Statement,
+    Table,
+    Tone,
+)
+from rolamento.pages.given import head, untitled
+from rolamento.pages.notes import cautions_section, notes_section, remarks_of
+from rolamento.safety import rockwell_of_vickers
+from rolamento.solved import RACES
+from rolamento.words import ENDLESS, marked, said
+from rolamento.words.sentences.static import OPERATIONS, REQUIREMENTS
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from rolamento.safety import StaticSafety
+
+__all__ = ["static_page", "static_sections"]
+
+_RACES: Final = {"inner": marked("inner race"), "outer": marked("outer race")}
+_ALLOWED: Final = {
+    "quiet": marked("mean pressure, has to run quietly afterwards"),
+    "other": marked("mean pressure, need not run quietly"),
+    "own": marked("maximum pressure, of the case"),
+}
+_MANY: Final = 1000.0
+"""A safety from which on its size means nothing."""
+
+
+def static_page(found: StaticSafety) -> Document:
+    """Return the static safety of one case.
+
+    Parameters
+    ----------
+    found
+        What `rolamento.safety.static_safety_of` gives, of a single case.
+    """
+    solved = found.solved
+    notes = (*solved.notes[0], *found.notes)
+    sections = [head(solved), *cautions_section(notes)]
+    if solved.converged[0]:
+        sections += static_sections(found)
+    sections += notes_section(remarks_of(notes))
+    title = solved.title or untitled(solved.case)
+    return Document(title, tuple(sections), kind="static", main="static_safety")
+
+
+def static_sections(found: StaticSafety, level: int = 2) -> list[Section]:
+    """Return the tables of the static safety of one case, for a page of its own or a report.
+
+    Parameters
+    ----------
+    found
+        As of `static_page`.
+    level
+        Of their headings.
+    """
+    return [
+        Section(said("Static safety"), _headline(found), key="static", level=level),
+        Section("", (_contacts(found),), key="static_contacts", level=level),
+        *_bearings(found, level),
+        _recommended(found, level),
+        _launch(found, level),
+        _hardening(found, level),
+    ]
+
+
+def _headline(found: StaticSafety) -> tuple[Block, ...]:
+    """State the minimum safety and where it is, beside what is recommended."""
+    lowest = {by: float(found.minimum(by)[0]) for by in ("stress", "load")}
+    row, race = _where(found)
+    wanted = _wanted(found)
+    tone: Tone = "" if wanted is None else "good" if lowest["stress"] >= wanted else "warning"
+    place = said(_RACES[race])
+    if len(found.limit) > 1:
+        place = said("{race}, row {row}", race=place, row=row)
+    entries = [
+        Entry(
+            said("by stress"),
+            said("{safety} ({place})", safety=_safety_text(lowest["stress"]), place=place),
+            tone,
+        )
+    ]
+    if isfinite(lowest["load"]):
+        entries.append(Entry(said("by load"), _safety_text(lowest["load"])))
+    known = found.safety[0][np.isfinite(found.safety[0])]
+    if known.size:
+        entries.append(Entry("C_0/P_0", _safety_text(float(known.min()))))
+    if wanted is not None:
+        name = next(one.maker for one in found.recommended if one.safety is not None)
+        text = said(
+            "{safety:.2} ({maker}: {operation}, {requirement})",
+            safety=wanted,
+            maker=name,
+            operation=said(OPERATIONS[found.demands.operation]),
+            requirement=said(REQUIREMENTS[found.demands.requirement]),
+        )
+        entries.append(Entry(said("recommended"), text))
+    if found.demands.load_factor != 1.0:
+        factor = Number(found.demands.load_factor, ".4")
+        entries.append(Entry(said("load factor"), factor))
+    return (KeyValues(tuple(entries)),)
+
+
+def _wanted(found: StaticSafety) -> float | None:
+    """Return the safety that the first maker recommends, of the kind that needs the most."""
+    known = [one for one in found.recommended if one.safety is not None]
+    first = [one.safety for one in known if one.maker == known[0].maker]
+    return max((value for value in first if value is not None), default=None)
+
+
+def _where(found: StaticSafety) -> tuple[int, str]:
+    places = [
+        (float(found.of_rows(race, "stress")[0, row]), row, race)
+        for race in RACES
+        for row in range(len(found.limit))
+    ]
+    _, row, race = min(places)
+    return row, race
+
+
+def _safety_text(value: float) -> str:
+    if isinf(value):
+        return ENDLESS
+    return said("{value:.3}", value=value) if value < _MANY else said("more than 1000")
+
+
+def _safety_cell(value: float) -> CellContent:
+    if isinf(value):
+        return ENDLESS
+    return Number(value, ".3") if value < _MANY else Number(_MANY, ".4", before="> ")
+
+
+def _contacts(found: StaticSafety) -> Table:
+    rows = len(found.limit)
+    lines = [(row, race) for row in range(rows) for race in RACES]
+    hardening = found.hardening
+    columns = []
+    if rows > 1:
+        columns.append(Column(head=said("row"), values=[row for row, _ in lines], key="row"))
+    columns += [
+        Column(head="", values=[said(_RACES[race]) for _, race in lines], key="race"),
+        Column(
+            head="p",
+            values=[float(hardening[race].max_pressure[0, row]) for row, race in lines],
+            unit="MPa",
+            key="max_pressure",
+        ),
+        Column(
+            head="p_lim", values=[float(found.limit[row]) for row, _ in lines], unit="MPa",
+            key="pressure_limit",
+        ),
+        Column(
+            head="S_p",
+            values=[_safety_cell(float(found.of_rows(r, "stress")[0, row])) for row, r in lines],
+            key="safety_by_stress",
+            align="right",
+        ),
+        Column(
+            head="Q_0", values=[float(found.load_limit[0, row]) for row, _ in lines], unit="N",
+            key="load_limit",
+        ),
+        Column(
+            head="S_Q",
+            values=[_safety_cell(float(found.of_rows(r, "load")[0, row])) for row, r in lines],
+            key="safety_by_load",
+            align="right",
+        ),
+    ]  # fmt: skip
+    legends = (
+        said("p_lim maximum pressure under C_0 (ISO 76:2006); S_p by stress: (p_lim/p)³, of lines"
+             " (p_lim/p)²"),
+        said("Q_0 load of the contact with the most load under C_0; S_Q by load: Q_0/Q"),
+    )  # fmt: skip
+    return Table(columns=tuple(columns), key="static_safety", legends=legends, rule=True)
+
+
+def _bearings(found: StaticSafety, level: int) -> list[Section]:
+    known = np.isfinite(found.safety[0])
+    if not known.any():
+        return []
+    bearings = np.flatnonzero(known)
+    columns = []
+    if len(found.safety[0]) > 1:
+        columns.append(Column(head=said("bearing"), values=bearings.tolist(), key="bearing"))
+    columns += [
+        Column(head="C_0", values=found.rating[0][bearings].tolist(), unit="N", key="rating"),
+        Column(
+            head="P_0", values=found.equivalent_load[0][bearings].tolist(), unit="N",
+            key="equivalent_load",
+        ),
+        Column(
+            head="S_0",
+            values=[_safety_cell(value) for value in found.safety[0][bearings].tolist()],
+            key="safety",
+            align="right",
+        ),
+    ]  # fmt: skip
+    table = Table(columns=tuple(columns), key="static_bearings", rule=True)
+    return [Section(said("Bearing as a whole"), (table,), key="static_bearings", level=level)]
+
+
+def _recommended(found: StaticSafety, level: int) -> Section:
+    ones = found.recommended
+    values: list[CellContent] = [
+        None
+        if one.safety is None
+        else Number(one.safety, ".2", before="≥ " if one.at_least else "")
+        for one in ones
+    ]
+    sources = [
+        one.source if one.checked else said("{source}; general knowledge", source=one.source)
+        for one in ones
+    ]
+    columns = (
+        Column(head="", values=[one.maker for one in ones], key="maker"),
+        Column(head="S_0", values=values, key="safety", align="right"),
+        Column(head=said("source"), values=sources, key="source", tone="faint"),
+    )
+    text = said(
+        "{operation}, {requirement}",
+        operation=said(OPERATIONS[found.demands.operation]),
+        requirement=said(REQUIREMENTS[found.demands.requirement]),
+    )
+    blocks = (
+        Statement(text, indent=2),
+        Table(columns=columns, key="static_recommended", rule=True),
+    )
+    return Section(said("Recommended by makers"), blocks, key="static_recommended", level=level)
+
+
+def _launch(found: StaticSafety, level: int) -> Section:
+    launch = found.launch
+    blocks: list[Block] = []
+    if launch.allowables:
+        ones = launch.allowables
+        margins = [float(one.margin[0]) for one in ones]
+        tones: list[Tone] = ["good" if margin >= 0.0 else "bad" for margin in margins]
+        pressures = [
+            float((launch.max_pressure if one.key == "own" else launch.mean_pressure)[0])
+            for one in ones
+        ]
+        columns = (
+            Column(head="", values=[said(_ALLOWED[one.key]) for one in ones], key="limit"),
+            Column(head=said("pressure"), values=pressures, unit="MPa", key="pressure"),
+            Column(head=said("allowable"), values=[one.pressure for one in ones], unit="MPa",
+                   key="allowable"),
+            Column(head="MoS", values=[Number(margin, "+.2f") for margin in margins], key="margin",
+                   align="right", tones=tones),
+        )  # fmt: skip
+        legends = [said("MoS margin of safety: allowable/pressure − 1")]
+        if any(one.key != "own" for one in ones):
+            legends.append(launch.source)
+        blocks.append(
+            Table(columns=columns, key="static_launch", legends=tuple(legends), rule=True)
+        )
+    blocks += _gaps(found)
+    if not blocks:
+        text = said("No allowable pressure is on file for this ring material; give"
+                    " static.allowable_pressure.")  # fmt: skip
+        blocks.append(Statement(text, "faint", indent=2))
+    return Section(
+        said("Allowable pressure and gaps"), tuple(blocks), key="static_launch", level=level
+    )
+
+
+def _gaps(found: StaticSafety) -> list[Block]:
+    """Gaps of the rows, and at which multiple of the load a preloaded set opens."""
+    solved, launch = found.solved, found.launch
+    if len(found.limit) < 2:
+        return []
+    gaps: Sequence[float] = launch.gap[0].tolist()
+    lost = [said("yes") if one else said("no") for one in launch.lost[0].tolist()]
+    columns = (
+        Column(head=said("row"), values=list(range(len(gaps))), key="row"),
+        Column(head=said("gap"), values=list(gaps), unit="µm", key="gap", figures=3),
+        Column(head=said("all contact lost"), values=lost, key="lost"),
+    )
+    legend = said("gap the maximum distance between a rolling element and its inner race")
+    blocks: list[Block] = [Table(columns=columns, key="static_gaps", legends=(legend,), rule=True)]
+    preload = solved.preload
+    if preload is not None and preload.lift_factor is not None and isfinite(preload.lift_factor):
+        text = said(
+            "A rolling element first lifts off at {factor:.3} times this load.",
+            factor=preload.lift_factor,
+        )
+        blocks.append(Statement(text, indent=2))
+    if preload is not None and preload.loss_factor is not None and isfinite(preload.loss_factor):
+        text = said(
+            "Row {row} loses all contact at {factor:.3} times this load.",
+            row=preload.lost_row,
+            factor=preload.loss_factor,
+        )
+        blocks.append(Statement(text, indent=2))
+    return blocks
+
+
+def _hardening(found: StaticSafety, level: int) -> Section:
+    lines = [(row, race) for row in range(len(found.limit)) for race in RACES]
+    own = found.hardening
+
+    def column(name: str) -> list[float]:
+        return [float(getattr(own[race], name)[0, row]) for row, race in lines]
+
+    hardness = column("hardness")
+    rockwell: list[CellContent] = [
+        value if isfinite(value) else None for value in rockwell_of_vickers(hardness).tolist()
+    ]
+    columns = []
+    if len(found.limit) > 1:
+        columns.append(Column(head=said("row"), values=[row for row, _ in lines], key="row"))
+    columns += [
+        Column(head="", values=[said(_RACES[race]) for _, race in lines], key="race"),
+        Column(head="τ_max", values=column("shear"), unit="MPa", key="max_shear"),
+        Column(head=said("depth"), values=column("depth"), unit="mm", key="max_shear_depth",
+               figures=3, most=3),
+        Column(head="HV", values=hardness, key="hardness", figures=3),
+        Column(head="HRC", values=rockwell, key="rockwell", figures=3),
+        Column(head=said("case depth"), values=column("case_depth"), unit="mm", key="case_depth",
+               figures=3, most=3),
+    ]  # fmt: skip
+    legends = (
+        said("HV, HRC hardness at which nothing yields at the depth of τ_max: 6 τ (Tabor, 1951;"
+             " Tresca)"),
+        said("case depth: there a core of {core:.3r} HV bears the stresses",
+             core=own["inner"].core_hardness),
+    )  # fmt: skip
+    table = Table(columns=tuple(columns), key="static_hardening", legends=legends, rule=True)
+    return Section(
+        said("Hardness below the surface"), (table,), key="static_hardening", level=level
+    )

@@ -1,0 +1,440 @@
+"""A use case as a record: what it asks for is described once, and every face is made of it.
+
+A `Request` has a field for everything that may be given, each with an `Input` that says what it is
+called, what it means and what it may be. The command line makes its options of them, the page its
+form, the HTTP API the parameters of an address; `read` takes what was typed in any of them. An
+error names the field; each face writes that in its own spelling.
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from math import isfinite
+from typing import TYPE_CHECKING, Any, ClassVar, Final, Literal, Protocol, Self
+
+from pydantic import GetCoreSchemaHandler
+from pydantic_core import CoreSchema, core_schema
+
+from rolamento.case.record import Record, meanings
+from rolamento.errors import InputError, arguments
+from rolamento.io.columns import folded_name
+from rolamento.records import frozen
+from rolamento.tasks.bearing import designated
+from rolamento.tasks.parameters import Progress, quietly
+from rolamento.units import Dimension, refuse_thousands, to_si
+from rolamento.words import marked, said
+
+if TYPE_CHECKING:
+    from rolamento.document import Document
+
+__all__ = ["DECIMAL_MARK", "PICTURE", "Input", "Product", "Request", "Result", "number_in"]
+
+Kind = Literal[
+    "text", "number", "count", "fraction", "frequency", "time", "quantity", "switch", "choice",
+    "choices", "list", "numbers", "bearing", "shipped", "file", "files", "path", "paths",
+]  # fmt: skip
+"""Kind of a value: text with or without a unit, a number, one of several, several of them.
+
+A bearing is a designation, or a case; at the computer itself also the name of a case file. Files
+are the arguments of a command, and a path is an option with the name of a file: no page and no
+program elsewhere may name one. What is shipped may be read in the place of a file.
+"""
+PICTURE: Final = marked("Draw the result: a .png, .svg or .pdf file.")
+_LONGEST: Final = 300
+_MOST: Final = 50
+
+
+@frozen
+class Product:
+    """A file that a use case may write beside its page, by an option of its own.
+
+    Attributes
+    ----------
+    meaning
+        marked
+    make
+        returns a text, or a picture, of a request and its result; None of one that has none
+    is_picture
+        whether it is one
+    check
+        refuses a request that cannot have it, before any work
+    """
+
+    meaning: str
+    make: Callable[[Any, Any], Any]
+    is_picture: bool = True
+    check: Callable[[Any], None] | None = None
+
+
+@frozen
+class Input:
+    """One thing that may be given: the annotation of a field of a `Request`.
+
+    Attributes
+    ----------
+    label
+        in English; what the field means stands in the docstring of its request
+    kind
+        what is typed
+    group
+        heading below which it stands, marked
+    example
+        of a value, as it is typed
+    choices
+        returns the values that it may have, with their labels, marked; those that are no words of
+        a language are their own labels
+    aliases
+        what else may be typed for one of them, in lower case without accents
+    dimension
+        of a quantity
+    separator
+        between the values of a list
+    default
+        as it is typed; empty where the task or the file decides
+    essential
+        whether it is seen at once
+    on_page
+        the meaning on a page, where that is another; marked
+    at_computer
+        whether no page asks for it
+    option, metavar
+        of the command line: its long name, or both of a switch with its opposite, where that is
+        not the name of the field; and what stands for its value
+    """
+
+    label: str
+    kind: Kind = "text"
+    group: str = ""
+    example: str = ""
+    choices: Callable[[], Mapping[str, str]] | None = None
+    aliases: Mapping[str, str] | None = None
+    dimension: Dimension | None = None
+    separator: str = ";"
+    default: str = ""
+    essential: bool = False
+    on_page: str = ""
+    at_computer: bool = False
+    option: str = ""
+    metavar: str = ""
+
+    @property
+    def is_many(self) -> bool:
+        """Whether it takes several values."""
+        return self.kind in ("list", "numbers", "choices", "files", "paths")
+
+    @property
+    def is_argument(self) -> bool:
+        """Whether it is no option of a command, but what that reads."""
+        return self.kind in ("file", "files")
+
+    @property
+    def is_local(self) -> bool:
+        """Whether only who sits at the computer is asked for it."""
+        return self.names_files or self.at_computer or self.kind == "shipped"
+
+    @property
+    def names_files(self) -> bool:
+        """Whether it is read from the disk."""
+        return self.kind in ("file", "files", "path", "paths")
+
+    def long_option(self, name: str) -> str:
+        """Return the long name of its option, the first of a switch; name: of its field."""
+        return self.option.partition("/")[0] or f"--{name.replace('_', '-')}"
+
+    def below(self, group: str) -> Input:
+        """Return it below another heading."""
+        return replace(self, group=group)
+
+    def described(self, name: str, meaning: str) -> dict[str, Any]:
+        """Return it as plain data, in the language that is spoken; name, meaning: of its field."""
+        choices = {} if self.choices is None else self.choices()
+        meaning = self.on_page or meaning
+        return {
+            "name": name,
+            "label": said(self.label),
+            "meaning": said(meaning) if meaning else "",
+            "kind": "text" if self.kind in ("quantity", "bearing") else self.kind,
+            "example": self.example,
+            "choices": [
+                {"value": value, "label": said(label).strip() if label else value}
+                for value, label in choices.items()
+            ],
+            "default": self.default,
+            "essential": self.essential,
+        }
+
+    def value(self, given: Any) -> Any:
+        """Return what was given, a text as it is typed or a value, as the use case takes it.
+
+        SI units of frequencies, times and speeds, parts of one of fractions, a tuple of several.
+
+        Raises
+        ------
+        InputError
+            If it is not of its kind.
+        """
+        if self.names_files or self.kind == "bearing":
+            return given
+        if given is None or (isinstance(given, str) and not given.strip()):
+            return () if self.is_many else None
+        if isinstance(given, Mapping):
+            return given
+        if self.is_many:
+            return self._values((given,) if isinstance(given, str | int | float) else given)
+        if not isinstance(given, str):
+            return self._checked(given)
+        if len(given) > _LONGEST:
+            raise InputError(said("must be at most {most} characters long", most=_LONGEST))
+        return self._read(given.strip())
+
+    def _values(self, given: Sequence[Any]) -> tuple[Any, ...]:
+        if len(given) > _MOST:
+            raise InputError(said("may be given at most {most} times", most=_MOST))
+        if any(len(one) > _LONGEST for one in given if isinstance(one, str)):
+            raise InputError(said("must be at most {most} characters long", most=_LONGEST))
+        if self.kind == "choices":
+            return tuple(dict.fromkeys(self._chosen(one) for one in given))
+        parts = [
+            part.strip() if isinstance(part, str) else part
+            for one in given
+            for part in (one.split(self.separator) if isinstance(one, str) else (one,))
+        ]
+        given = [part for part in parts if part != ""]
+        if self.kind == "numbers":
+            read = (number_in(part) if isinstance(part, str) else part for part in given)
+            return tuple(dict.fromkeys(read))
+        return tuple(given)
+
+    def _checked(self, given: Any) -> Any:
+        """Return a value that is no text, if it is of the kind."""
+        if self.kind == "switch":
+            if not isinstance(given, bool):
+                raise InputError(said("must be true or false"), value=given)
+        elif isinstance(given, bool) or not isinstance(given, int | float):
+            raise InputError(said("must be a number or text"), value=given)
+        elif not isfinite(given) or (self.kind == "count" and given != int(given)):
+            rule = said("must be an integer") if self.kind == "count" else said("must be a number")
+            raise InputError(rule, value=given)
+        return str(given) if self.kind == "choice" else given
+
+    def _read(self, text: str) -> Any:
+        if self.kind == "choice":
+            return self._chosen(text)
+        if self.kind == "shipped":
+            return self._chosen(text.casefold().replace("_", "-"))
+        if self.kind == "switch":
+            if text not in ("true", "false"):
+                raise InputError(said("must be true or false"), value=text)
+            return text == "true"
+        if self.dimension is not None:
+            refuse_thousands(text)
+            return to_si(text, self.dimension)
+        if self.kind in ("frequency", "time"):
+            from rolamento.tasks.quantities import number_given
+
+            return number_given(_with_point(text), "", self.kind, "")
+        if self.kind == "fraction":
+            from rolamento.tasks.quantities import part_of_one
+
+            return part_of_one(_with_point(text), "", "")
+        if self.kind in ("number", "count"):
+            return number_in(text, whole=self.kind == "count")
+        return text
+
+    def _chosen(self, text: str) -> str:
+        known = {} if self.choices is None else self.choices()
+        text = (self.aliases or {}).get(folded_name(text), text)
+        if text not in known:
+            rule = said("must be one of {known}", known=", ".join(known))
+            raise InputError(rule, value=text)
+        return text
+
+    def __get_pydantic_core_schema__(
+        self, source: object, handler: GetCoreSchemaHandler
+    ) -> CoreSchema:
+        """Have pydantic read the field with this object."""
+        return core_schema.no_info_plain_validator_function(self.value)
+
+
+def _marks() -> Mapping[str, str]:
+    return {"point": marked("point: 12.5"), "comma": marked("comma: 12,5")}
+
+
+DECIMAL_MARK: Final = Input(
+    "Decimal mark", "choice", choices=_marks, example="comma", metavar="MARK"
+)
+
+
+class Result(Protocol):
+    """What a use case finds."""
+
+    def to_mapping(self) -> dict[str, Any]:
+        """Return everything as plain data."""
+        ...
+
+
+class Request(Record):
+    """A use case: everything that it may be given, and how it is run.
+
+    Raises
+    ------
+    InputError
+        From the constructor, naming the field, the value, the rule and an example.
+    """
+
+    products: ClassVar[Mapping[str, Product]] = {}
+    """Files beside the page, by the names of their options."""
+    examples: ClassVar[str] = ""
+    """Command lines, for its help."""
+    waiting: ClassVar[str] = marked("Calculating")
+    """What a progress bar says, marked."""
+    headings: ClassVar[tuple[str, ...]] = ()
+    """Order of the headings of the fields, marked; that of the fields by default."""
+    columns: ClassVar[frozenset[str]] = frozenset()
+    """Fields that name columns: what is said of a file may be of its column so called."""
+    ships: ClassVar[bool] = False
+    """Whether examples are shipped, which its field ``example`` names."""
+    takes_case: ClassVar[bool] = False
+    """Whether load, speed and any other field of a case may be given as well, as ``changes``."""
+
+    def __init__(self, /, **fields: Any) -> None:
+        try:
+            super().__init__(**fields)
+        except InputError as error:
+            raise self._with_example(error) from None
+
+    __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]
+
+    @classmethod
+    def inputs(cls) -> dict[str, Input]:
+        """Return what may be given, by the names of the fields, in their order."""
+        return {
+            name: mark
+            for name, field in cls.model_fields.items()
+            for mark in field.metadata
+            if isinstance(mark, Input)
+        }
+
+    @classmethod
+    def summary(cls) -> str:
+        """Return what it does: a line, and perhaps further paragraphs."""
+        return inspect.cleandoc(cls.__doc__ or "").partition("\n\nParameters")[0]
+
+    @classmethod
+    def meanings(cls) -> dict[str, str]:
+        """Return what each field means, from the docstrings of the request and of its bases."""
+        return {
+            name: meaning
+            for base in reversed(cls.__mro__)
+            if issubclass(base, Request)
+            for name, meaning in meanings(base).items()
+        }
+
+    @classmethod
+    def groups(cls) -> dict[str, tuple[str, ...]]:
+        """Return the names of the options below each heading, marked."""
+        found: dict[str, tuple[str, ...]] = dict.fromkeys(cls.headings, ())
+        for name, one in cls.inputs().items():
+            if not one.is_argument:
+                found[one.group] = (*found.get(one.group, ()), name)
+        return found
+
+    @classmethod
+    def described(cls, *headings: str) -> list[dict[str, Any]]:
+        """Return what a form is made of: the headings, or some of them, and what is below each."""
+        inputs, means = cls.inputs(), cls.meanings()
+        return [
+            {
+                "label": said(heading),
+                "options": [
+                    inputs[name].described(name, means[name])
+                    for name in names
+                    if not inputs[name].is_local
+                ],
+            }
+            for heading, names in cls.groups().items()
+            if not headings or heading in headings
+        ]
+
+    @classmethod
+    def read(cls, typed: Mapping[str, Sequence[str]], **own: Any) -> Self:
+        """Return the request that was typed; what is left empty has its default.
+
+        Parameters
+        ----------
+        typed
+            Texts by the names of fields; several only where several may be given.
+        own
+            Values of fields that nobody types.
+
+        Raises
+        ------
+        InputError
+            For a name that is not asked for, or a value that is not of its kind.
+        """
+        known = {name: one for name, one in cls.inputs().items() if not one.is_local}
+        for name in typed:
+            if name not in known:
+                rule = said("is not asked for here; known: {known}", known=", ".join(known))
+                raise InputError(rule, field=name)
+        found: dict[str, Any] = {}
+        for name, one in known.items():
+            texts = [text for text in typed.get(name, ()) if text.strip()]
+            if one.kind == "switch" and not one.default and texts == ["false"]:
+                continue  # as it stands on a page that nobody has touched
+            texts = texts or ([one.default] if one.default else [])
+            if texts and one.kind == "bearing":
+                found[name] = designated(texts[-1].strip(), name)
+            elif texts:
+                found[name] = texts if one.is_many else texts[-1]
+        return cls(**{**found, **own})
+
+    def run(self, progress: Progress = quietly) -> Result:
+        """Do it; progress: called with how much is done, and of how much."""
+        raise NotImplementedError
+
+    def page(self, found: Any) -> Document:
+        """Return what people read of a result."""
+        return found.page()  # type: ignore[no-any-return]
+
+    def complaint(self, found: Any) -> str:
+        """Return why there is no result, for who reads the data alone; "" if there is one."""
+        return str(found.complaint)
+
+    @classmethod
+    def shipped_text(cls, name: str) -> str:
+        """Return an example that is shipped, by its name, as a table."""
+        raise NotImplementedError
+
+    @classmethod
+    def _with_example(cls, error: InputError) -> InputError:
+        """Give an error about a field an example, written as an argument."""
+        one = cls.inputs().get(error.field)
+        if one is None or not one.example:
+            return error
+        return error.with_details(example=arguments(**{error.field: one.example}))
+
+
+def number_in(text: str, *, whole: bool = False) -> float | int:
+    """Return the number of a text, its decimal mark a point or a comma.
+
+    Raises
+    ------
+    InputError
+        If it is none.
+    """
+    try:
+        value = float(_with_point(text))
+    except ValueError:
+        value = float("nan")
+    if not isfinite(value) or (whole and (value != int(value) or abs(value) > 1e9)):
+        rule = said("must be an integer") if whole else said("must be a number")
+        raise InputError(rule, value=text)
+    return int(value) if whole else value
+
+
+def _with_point(text: str) -> str:
+    """Return a number with a decimal comma as one with a point."""
+    return text.replace(",", ".") if text.count(",") == 1 and "." not in text else text
