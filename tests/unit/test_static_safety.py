@@ -224,3 +224,23 @@ def test_the_picture_has_safety_and_gaps(language: str) -> None:
         figure = static_figure(static_over_load(load_case(PAIR), points=4))
     assert len(figure.axes) == 2
     assert len(figure.axes[1].lines) == 3  # two rows and the design load
+
+
+def test_many_cases_have_the_load_factor_too() -> None:
+    """What varies is multiplied where it is a load, and left alone where it is not."""
+    case = deep_groove(**{"static.load_factor": 1.5})
+    loads = static_safety_of(solve(case, {"duty.load.fz": np.array([10e3, 19e3])})).minimum()
+    alone = [static_safety_of(case.with_(fz=load)).minimum()[0] for load in (10e3, 19e3)]
+    assert loads == pytest.approx(alone)
+    play = {"bearing.diametral_clearance": np.array([0.0, 2e-5])}
+    found = static_safety_of(solve(case, play)).minimum()
+    tight = case.with_({"bearing.diametral_clearance": 0.0})
+    assert found[0] == pytest.approx(static_safety_of(tight).minimum()[0])
+    assert found[1] < found[0]
+
+
+def test_a_case_without_an_equilibrium_has_no_safety() -> None:
+    found = static_safety_of(deep_groove(**{"duty.load.fz": "4000 kN"}))
+    assert not found.solved.converged[0]
+    assert not np.isfinite(found.minimum()[0])
+    assert found.to_mapping()["safety_by_stress"] is None

@@ -49,12 +49,12 @@ class LoadCurve:
 
     @property
     def safety(self) -> FloatArray:
-        """By stress, the minimum of all contacts; (points,)."""
+        """Safety by stress, the minimum of all contacts; (points,)."""
         return np.where(self.found.solved.converged, self.found.minimum("stress"), np.nan)
 
     @property
     def gap(self) -> FloatArray:
-        """Of each row; (points, rows), m."""
+        """Gap of each row; (points, rows), m."""
         return self.found.launch.gap
 
 
