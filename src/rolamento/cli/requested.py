@@ -10,7 +10,13 @@ from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
 
-from rolamento.cli.case_options import CASE_OPTIONS, NOTHING_GIVEN, CaseOptions, with_case
+from rolamento.cli.case_options import (
+    CASE_OPTIONS,
+    NOTHING_GIVEN,
+    SPEED_OPTIONS,
+    CaseOptions,
+    with_case,
+)
 from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings
 from rolamento.cli.option_names import in_names
 from rolamento.cli.optional_value import JsonCommand
@@ -86,14 +92,14 @@ def add_command(app: typer.Typer, request: type[Request], name: str) -> None:
     command.__signature__ = _signature(command, request)  # type: ignore[attr-defined]
     command.__name__, command.__doc__ = name, request.summary()
     spoken = with_outputs(command)
-    groups: dict[str, tuple[str, ...]] = {
-        **request.options_by_heading(),
-        marked("Output"): (*request.products, "json", *OUTPUT_OPTIONS, "lang", "help"),
-    }
+    groups: dict[str, tuple[str, ...]] = request.options_by_heading()
+    written = (*request.products, *(("write",) if request.ships else ()))
+    groups[marked("Output")] = (*written, "json", *OUTPUT_OPTIONS, "lang", "help")
     if request.takes_case:
         spoken = with_case(spoken)
         first = next(iter(groups))
-        groups[first] = (*groups[first], *CASE_OPTIONS)
+        of_case = [name for name in (*SPEED_OPTIONS, *CASE_OPTIONS) if name not in request.inputs()]
+        groups[first] = (*groups[first], *of_case)
     shown = type("RequestedCommand", (JsonCommand,), {"groups": groups})
     app.command(name, cls=shown, epilog=request.examples)(spoken)
 
