@@ -65,7 +65,7 @@ def contact_tables(
     azimuth: Floats,
     rolling: Rolling | None = None,
 ) -> tuple[ContactTable, ContactTable]:
-    """The contacts of every ball with the inner and the outer race; arguments as of `ball_table`."""
+    """The contacts of every ball with inner and outer race; arguments as of `ball_table`."""
     column = p.over_balls()
     a1, a2 = groove_centres(p, displacement, azimuth)
     x1, x2 = position[..., 0], position[..., 1]

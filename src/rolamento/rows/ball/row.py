@@ -381,9 +381,7 @@ class BallAnswer:
     @cached_property
     def _contacts(self) -> tuple[ContactTable, ContactTable]:
         """Inner and outer."""
-        return contact_tables(
-            self.p, self.displacement, self.position, self._azimuth, self.motion
-        )
+        return contact_tables(self.p, self.displacement, self.position, self._azimuth, self.motion)
 
     def tables(self) -> Tables:
         """Evaluate every ball of every case."""
