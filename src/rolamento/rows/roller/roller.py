@@ -16,7 +16,7 @@ import numpy as np
 from rolamento.contact.coupled import coupled_slices
 from rolamento.contact.slices import independent_slices
 from rolamento.numerics import FloatArray as Array
-from rolamento.numerics.compiled import inline_exact, shared
+from rolamento.numerics.compiled import filling, inline_exact, shared
 from rolamento.numerics.newton import LEAST_DAMPING, LEAST_HELP, MUCH_SHORTER
 from rolamento.rows.roller import layout
 
@@ -75,7 +75,7 @@ def rib(p: Array, column: int, apart: float) -> tuple[float, float]:
     return 0.0, 0.0
 
 
-@shared
+@filling
 def press(
     p: Array, column: int, line: Line, ring: Array, shift: float, turn: float, found: Pressed
 ) -> Forces:
@@ -91,7 +91,7 @@ def press(
     return balance(p, column, ring, turn, sums)
 
 
-@shared
+@filling
 def press_contact(
     p: Array, column: int, line: Line, race: int, u: float, w: float, sums: Array, load: Array
 ) -> None:
@@ -190,7 +190,7 @@ def rounding(p: Array, column: int, ring: Array, slices: int, h00: float, h11: f
     return float(known * max(max(slope, couple), max(h00, h11 / (half * half))))
 
 
-@shared
+@filling
 def thrown_out(
     p: Array, column: int, ring: Array, place: Array, drop: Array
 ) -> tuple[float, float]:
@@ -265,7 +265,7 @@ def _lightened(
     return shift, turn, steps + more
 
 
-@shared
+@filling
 def _followed(
     p: Array,
     column: int,
@@ -349,7 +349,7 @@ def relax(
     return residual <= accepted, residual, size, steps
 
 
-@shared
+@filling
 def _by_newton(
     p: Array,
     column: int,
@@ -406,7 +406,7 @@ def _by_newton(
     return shift, turn, steps
 
 
-@shared
+@filling
 def condensed(
     p: Array,
     column: int,
