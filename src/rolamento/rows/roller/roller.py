@@ -298,7 +298,7 @@ def _followed(
     u, w = outer_line(p, column, ring, shift, turn)
     press_contact(p, column, line, OUTER, u, w, sums[OUTER], loads[OUTER])
     state[0], state[1] = shift, turn
-    return sums[OUTER, 0] > 0.0
+    return bool(sums[OUTER, 0] > 0.0)
 
 
 @shared
