@@ -9,15 +9,9 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from rolamento.friction.models import torque_model_name
-from rolamento.plots.axes_units import NONE, read_values, readable_unit
-from rolamento.plots.frame import add_title, empty_frame, label_y, legend_above, log_scale
-from rolamento.plots.over_field import (
-    across,
-    is_geometric,
-    judged_line,
-)
-from rolamento.plots.style import (
+from rolamento.charts.axes_units import NONE, read_values, readable_unit
+from rolamento.charts.frame import add_title, empty_frame, label_y, legend_above, log_scale
+from rolamento.charts.style import (
     INNER,
     OUTER,
     new_figure,
@@ -25,7 +19,13 @@ from rolamento.plots.style import (
     series,
     styled,
 )
-from rolamento.plots.texts import no_result
+from rolamento.charts.texts import no_result
+from rolamento.friction.models import torque_model_name
+from rolamento.plots.over_field import (
+    across,
+    is_geometric,
+    judged_line,
+)
 from rolamento.studies.names import setting_name
 from rolamento.words import said
 

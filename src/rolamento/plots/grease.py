@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.figure import Figure
 
-from rolamento.grease.models import MODELS
-from rolamento.plots.frame import (
+from rolamento.charts.frame import (
     add_title,
     empty_frame,
     label_x,
@@ -17,8 +16,9 @@ from rolamento.plots.frame import (
     legend_above,
     log_scale,
 )
-from rolamento.plots.style import new_figure, series, styled
-from rolamento.plots.texts import no_result
+from rolamento.charts.style import new_figure, series, styled
+from rolamento.charts.texts import no_result
+from rolamento.grease.models import MODELS
 from rolamento.units import ZERO_CELSIUS
 from rolamento.words import said
 from rolamento.words.sentences.grease import LAWS

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from matplotlib.figure import Figure
 
+from rolamento.charts.axes_units import read_values, readable_unit
+from rolamento.charts.frame import GREY, add_title, empty_frame, label_x, label_y, legend_above
+from rolamento.charts.style import new_figure, new_stacked_figure, series, styled
+from rolamento.charts.texts import no_result
 from rolamento.heat import NODES
 from rolamento.numerics import FloatArray
-from rolamento.plots.axes_units import read_values, readable_unit
-from rolamento.plots.frame import GREY, add_title, empty_frame, label_x, label_y, legend_above
 from rolamento.plots.over_field import across
-from rolamento.plots.style import new_figure, new_stacked_figure, series, styled
-from rolamento.plots.texts import no_result
 from rolamento.units import ZERO_CELSIUS
 from rolamento.words import said
 from rolamento.words.sentences.heat import PLACE_NAMES, VARIANT_NAMES

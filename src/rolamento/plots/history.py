@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from rolamento.charts.frame import GREY, label_x, label_y, legend_above
+from rolamento.charts.style import new_figure, series, styled
 from rolamento.numerics import FloatArray
-from rolamento.plots.frame import GREY, label_x, label_y, legend_above
-from rolamento.plots.style import new_figure, series, styled
 from rolamento.vibration.diagnosis import DAMAGE
 from rolamento.words import said
 from rolamento.words.naming import part_name

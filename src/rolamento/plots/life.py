@@ -12,11 +12,8 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import ArrayLike, NDArray
 
-from rolamento.life.iso281_modified import MAXIMUM_FACTOR, life_modification_factor
-from rolamento.life.iso16281 import THEORY as REFERENCE
-from rolamento.life.theories import BY_RANK, THEORIES
-from rolamento.plots.axes_units import MEGAPASCAL, read_values
-from rolamento.plots.frame import (
+from rolamento.charts.axes_units import MEGAPASCAL, read_values
+from rolamento.charts.frame import (
     GREY,
     add_title,
     empty_frame,
@@ -26,9 +23,12 @@ from rolamento.plots.frame import (
     legend_in_columns,
     log_scale,
 )
+from rolamento.charts.style import SERIES, new_figure, series, styled
+from rolamento.charts.texts import capitalised, no_result, no_result_count, number, theory_label
+from rolamento.life.iso281_modified import MAXIMUM_FACTOR, life_modification_factor
+from rolamento.life.iso16281 import THEORY as REFERENCE
+from rolamento.life.theories import BY_RANK, THEORIES
 from rolamento.plots.over_field import across, decades, judged_line
-from rolamento.plots.style import SERIES, new_figure, series, styled
-from rolamento.plots.texts import capitalised, no_result, no_result_count, number, theory_label
 from rolamento.studies.names import setting_name
 from rolamento.units import HOUR
 from rolamento.words import said

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from math import atan2
 from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
@@ -11,11 +12,11 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.projections.polar import PolarAxes
 
-from rolamento.errors import InputError
-from rolamento.plots.axes_units import ReadableUnit, readable_unit
-from rolamento.plots.balls import draw_rosette, number_circles
-from rolamento.plots.contacts import load_unit, race_name
-from rolamento.plots.frame import (
+from rolamento.charts.axes_units import ReadableUnit, readable_unit
+from rolamento.charts.contact_charts import rosette_chart
+from rolamento.charts.contacts import Shown, load_unit, race_name
+from rolamento.charts.drawing import draw
+from rolamento.charts.frame import (
     GREY,
     add_title,
     empty_frame,
@@ -25,6 +26,20 @@ from rolamento.plots.frame import (
     log_scale,
     require_axes,
 )
+from rolamento.charts.style import (
+    INNER,
+    MILLIMETRE,
+    OUTER,
+    SERIES,
+    WIDTH,
+    Series,
+    in_style,
+    new_figure,
+    series,
+    styled,
+)
+from rolamento.charts.texts import no_result, number, shown_text
+from rolamento.errors import InputError
 from rolamento.plots.machine_drawing import (
     LINE,
     LOAD,
@@ -40,19 +55,6 @@ from rolamento.plots.machine_drawing import (
     planned,
     title_of,
 )
-from rolamento.plots.style import (
-    INNER,
-    MILLIMETRE,
-    OUTER,
-    SERIES,
-    WIDTH,
-    Series,
-    in_style,
-    new_figure,
-    series,
-    styled,
-)
-from rolamento.plots.texts import no_result, number, shown_text
 from rolamento.solved import RACES
 from rolamento.words import said
 from rolamento.words.whirl import whirl_name
@@ -568,9 +570,9 @@ def draw_bearings_in_place(solved: SolvedMachine, *, step: int = 0) -> Figure:
         assert isinstance(axes, PolarAxes)
         lines = [shown_text(seated.name, 34)]
         if own.converged[0]:
-            draw_rosette(axes, own, unit)
-            axes.set_rlim(0.0, rim or 1.0)
-            number_circles(axes, own, unit)
+            chart = rosette_chart([Shown("", own)], unit=unit)
+            radius = replace(chart.y, limits=(0.0, rim or 1.0), hidden=True)
+            draw(replace(chart, y=radius), axes, legend=False)
             axes.tick_params(labelsize=7.0, pad=0.0)
             for line in axes.lines:
                 line.set_markersize(2.5)

@@ -8,9 +8,9 @@ import numpy as np
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from numpy.typing import NDArray
 
-from rolamento.plots.axes_units import NONE, read_values
-from rolamento.plots.frame import label_x, log_scale
-from rolamento.plots.texts import capitalised, numbers
+from rolamento.charts.axes_units import NONE, read_values
+from rolamento.charts.frame import label_x, log_scale
+from rolamento.charts.texts import capitalised, numbers
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -12,11 +12,12 @@ from matplotlib.figure import Figure
 from matplotlib.projections.polar import PolarAxes
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter, ScalarFormatter
 
+from rolamento.charts.palette import LIGHT
+from rolamento.charts.texts import marked_number, numbers, shown_text
 from rolamento.errors import InputError
-from rolamento.plots.texts import marked_number, numbers, shown_text
 from rolamento.words import manner, said
 
-GREY: Final = "#707070"
+GREY: Final = LIGHT["grey"]
 _UPRIGHT_WIDTH: Final = 45
 _TITLE_CHARACTERS_PER_INCH: Final = 13.0
 _CHARACTERS_PER_INCH: Final = 17.0
