@@ -175,3 +175,12 @@ def test_a_study_has_them() -> None:
     assert values[1] == found.current_density[0]
     assert values[2] == found.field[0]
     assert values[3] > 1.0
+
+
+def test_a_study_without_a_current_says_what_is_missing() -> None:
+    from rolamento.studies.outputs import outputs_of, refuse_missing
+
+    plain = motor(**{"electrical.current": None})
+    refuse_missing(outputs_of(["bearing_capacitance", "film_field"]), plain, ())
+    with pytest.raises(InputError, match="current"):
+        refuse_missing(outputs_of(["current_density"]), plain, ())

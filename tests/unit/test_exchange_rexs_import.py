@@ -548,6 +548,106 @@ def test_an_internal_gear_is_named() -> None:
     assert "rexs_internal_gear" in keys(found, "left")
 
 
+def bevel_pair(**pinion: object) -> Model:
+    """A pinion of 20 teeth on the shaft along x, a wheel of 30 on one that crosses it at 130."""
+    model = shaft_on_two().set(8, torque_around_u_axis=("50", "N m"), transmits_torque="true")
+    across = {"u_axis_vector": vector(0, 0, 1), "w_axis_vector": vector(1, 0, 0)}
+    model.add(20, "shaft", 1, "Quer", **{**at(1, 130, 0, 10), **across},
+              rotational_speed=("1000", "1 / min"))  # fmt: skip
+    model.add(21, "shaft_section", 20, "", length=("100", "mm"), outer_diameter_begin=("30", "mm"))
+    for number, place in ((22, 40), (23, 90)):
+        model.add(number, "rolling_bearing_with_catalog_geometry", None, f"Quer {place}",
+                  **at(20, place, 0, 0), catalogue_designation="6206")  # fmt: skip
+        model.relations.append(side(500 + number, number, 20, 2))
+    model.add(
+        30,
+        "bevel_gear",
+        3,
+        "Ritzel",
+        **at(3, 90, 0, 0),
+        number_of_teeth="20",
+        mean_normal_module=("2", "mm"),
+        normal_pressure_angle=("20", "deg"),
+        **pinion,
+    )
+    model.add(31, "bevel_gear", 20, "Rad", **at(20, 10, 0, 0), number_of_teeth="30",
+              mean_normal_module=("2", "mm"), normal_pressure_angle=("20", "deg"))  # fmt: skip
+    model.add(32, "bevel_stage", 1)
+    model.relations.append((600, "stage", {"stage": 32, "gear_1": 30, "gear_2": 31}))
+    return model
+
+
+def test_a_bevel_gear_has_the_forces_of_the_power_of_its_shaft() -> None:
+    found = read(bevel_pair())
+    (gear,) = found.machine.gears
+    assert (gear.kind, gear.apex, gear.drives) == ("bevel", "+x", True)
+    assert gear.position == pytest.approx(0.090)
+    assert gear.diameter == pytest.approx(0.040)
+    cone, pressed = math.atan2(20, 30), 2500.0 * math.tan(math.radians(20))
+    (force,) = [one.force for one in found.machine.forces() if "gears" in one.source]
+    moment = 0.02 * pressed * math.sin(cone)
+    assert force == pytest.approx(
+        (-pressed * math.sin(cone), 2500.0, -pressed * math.cos(cone), -50.0, -moment, 0.0)
+    )
+    assert "rexs_bevel" in keys(found, "inferred")
+    assert "rexs_not_parallel" in keys(found, "left")
+
+
+@pytest.mark.parametrize("spiral", [0.0, 35.0])
+def test_both_gears_of_a_bevel_stage_push_each_other(spiral: float) -> None:
+    def slanted(hand: str) -> dict[str, object]:
+        return {"mean_spiral_angle": (str(spiral), "deg"), "spiral_angle_pitch_direction": hand}
+
+    model = bevel_pair().set(30, **slanted("left_handed")).set(31, **slanted("right_handed"))
+    size = 40.0 / math.cos(math.radians(spiral))
+    for number, diameter in ((30, size), (31, 1.5 * size)):
+        model.set(number, mean_pitch_diameter=(repr(diameter), "mm"))
+    for one in (3, 20):  # room for the larger gears
+        model.set(4 if one == 3 else 21, length=("40" if one == 3 else "200", "mm"))
+    (pinion,) = [one.force for one in read(model).machine.forces() if "gears" in one.source]
+    # the same stage, and the other shaft the first one: x there is z here, y is -y, z is x
+    model.components = {20: model.components.pop(20), **model.components}
+    model.drop(8, "torque_around_u_axis", "transmits_torque")
+    model.add(33, "external_load", 20, "Last", u_coordinate_on_shaft=("100", "mm"),
+              torque_around_u_axis=("-75", "N m"))  # fmt: skip
+    found = read(model)
+    (wheel,) = [one.force for one in found.machine.forces() if "gears" in one.source]
+    assert not found.machine.gears[0].drives
+    assert (wheel[2], -wheel[1], wheel[0]) == pytest.approx(tuple(-one for one in pinion[:3]))
+
+
+def test_a_bevel_gear_without_torque_or_mate_is_named() -> None:
+    for model in (
+        bevel_pair().drop(8, "torque_around_u_axis"),
+bevel_pair().set(20, support_vector=vector(130, 20, 10)),  # axes that do not cross
+        bevel_pair().set(31, number_of_teeth="0").drop(31, "mean_normal_module"),
+    ):  # fmt: skip
+        found = read(model)
+        assert found.machine.gears == ()
+        assert "rexs_mesh_left" in keys(found, "left")
+    lonely = bevel_pair()
+    lonely.relations = [one for one in lonely.relations if one[1] != "stage"]
+    assert read(lonely).machine.gears == ()
+
+
+@pytest.mark.parametrize("kind", ["bevel_gear", "worm_gear", "worm_wheel", "ring_gear"])
+def test_forces_of_any_gear_count_where_they_are_given(kind: str) -> None:
+    model = bevel_pair()
+    model.components[30]["type"] = kind
+    model.set(30, force_acting_on_shaft_u=("-700", "N"), force_acting_on_shaft_v=("2500", "N"))
+    found = read(model)
+    load = next(one for one in found.machine.loads if one.name == "Ritzel")
+    assert load.forces()[:2] == (-700.0, 2500.0)
+
+
+@pytest.mark.parametrize("kind", ["worm_gear", "worm_wheel", "ring_gear"])
+def test_other_gears_without_forces_are_named(kind: str) -> None:
+    model = bevel_pair()
+    model.components[30]["type"] = kind
+    key = "rexs_internal_gear" if kind == "ring_gear" else "rexs_mesh_left"
+    assert key in keys(read(model), "left")
+
+
 # --- load cases -----------------------------------------------------------------------------------
 
 

@@ -117,6 +117,25 @@ def test_what_ross_cannot_take_is_refused(one: StiffnessMap, rule: str) -> None:
         ross_bearings([one])
 
 
+def over_speeds(*speeds: float) -> StiffnessMap:
+    k = np.arange(len(speeds) * 25.0).reshape(-1, 5, 5)
+    zero = np.zeros((len(speeds), 5))
+    axis = MapAxis("duty.inner_speed", "rad/s", np.array(speeds))
+    return StiffnessMap("A", (axis,), k, zero, zero, np.full(len(speeds), "converged"))
+
+
+def test_speeds_that_fall_are_turned_round() -> None:
+    (one,) = ross_bearings([over_speeds(60, 50, 40, 30, 20, 10, 0)])
+    assert one.speed.tolist() == [0, 10, 20, 30, 40, 50, 60]
+    assert one.stiffness[0, 2, 2] == 150.0
+
+
+@pytest.mark.parametrize("speeds", [(-30, -20, -10, 0, 10, 20, 30), (0, 1, 2, 3, 4, 4, 5)])
+def test_speeds_below_zero_or_twice_are_refused(speeds: tuple[float, ...]) -> None:
+    with pytest.raises(InputError, match="must rise from 0 or more"):
+        ross_bearings([over_speeds(*speeds)])
+
+
 def test_other_versions_are_refused() -> None:
     with pytest.raises(InputError, match="must be one of 2, 3"):
         bearing_file(ross_bearings([map_of(np.eye(5))]), 4)

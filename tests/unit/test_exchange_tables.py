@@ -161,6 +161,7 @@ def test_columns_are_in_the_order_of_the_degrees_of_freedom() -> None:
     [
         (["duty.load.fx=1..2kN"] * 2, "is given twice"),
         (["duty.load.fx=1..2kN", "duty.load.fz=1..2kN", "duty.load.fy=1..2kN"], "2 times at most"),
+        (["duty.load.fx=1..1kN"], "must have two different ends"),
         (["duty.load.fx"], "must be FIELD=FIRST..LAST"),
         (["duty.lod.fx=1..2kN"], "duty.lod.fx"),
         (["duty.load.fx=1..2rpm"], "rpm"),

@@ -182,6 +182,15 @@ def test_a_formula_without_its_value_is_empty(tmp_path: Path) -> None:
 # --- damaged and hostile --------------------------------------------------------------------------
 
 
+def test_a_workbook_that_is_none_is_called_so(tmp_path: Path) -> None:
+    path = tmp_path / "none.xlsx"
+    path.write_text("title = 'x'", encoding="utf-8")
+    with pytest.raises(InputError, match="is not a readable workbook"):
+        load_machine(path)
+    with pytest.raises(InputError, match="no such file"):
+        load_machine(tmp_path / "nothing.xlsx")
+
+
 def test_a_bomb_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "bomb.xlsx"
     with zipfile.ZipFile(io.BytesIO(machine_to_xlsx(load_machine(SPINDLE)))) as old:

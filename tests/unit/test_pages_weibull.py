@@ -14,7 +14,7 @@ from rolamento.document.terminal import terminal
 from rolamento.io.json import dumps
 from rolamento.pages.weibull import BOUND_METHODS, FITS, HYPOTHESES, SCHEMES, weibull_page
 from rolamento.pages.weibull_plan import demonstration_page, precision_page
-from rolamento.tasks.weibull import DemonstrationTest, precision_study
+from rolamento.tasks.weibull import DemonstrationTest, PrecisionTest
 from rolamento.weibull import (
     FIT_METHODS,
     METHODS,
@@ -189,8 +189,8 @@ def test_plans_fit_the_page(width: int, language: str) -> None:
     demonstrated = DemonstrationTest(
         life="12000 Mrev", shape=1.3, bearings=12, failures_allowed=1
     ).run()
-    known = precision_study(5.0, shape=1.1, life="25000 h", samples=SAMPLES)
-    told = precision_study(failures=6, groups=6, group_sizes=[4], samples=SAMPLES)
+    known = PrecisionTest(ratio=5.0, shape=1.1, life="25000 h", samples=SAMPLES).run()
+    told = PrecisionTest(failures=6, groups=6, group_sizes=[4], samples=SAMPLES).run()
     pages = [
         shown(demonstration_page, demonstrated, language, Medium(width)),
         shown(precision_page, known, language, Medium(width)),
@@ -207,13 +207,13 @@ def test_plans_without_result_give_advice(language: str) -> None:
     failed = DemonstrationTest(life="1000 h", bearings=2, time=10.0).run()
     page = " ".join(shown(demonstration_page, failed, language).split())
     assert advice("plan_not_shown", language) in page
-    unreachable = precision_study(1.5, groups=5, life="1000 h", samples=SAMPLES)
+    unreachable = PrecisionTest(ratio=1.5, groups=5, life="1000 h", samples=SAMPLES).run()
     page = " ".join(shown(precision_page, unreachable, language).split())
     assert advice("plan_not_reached", language) in page
 
 
 def test_sudden_death_is_weighed_against_the_full_test() -> None:
-    found = precision_study(5.0, life="1000 h", samples=SAMPLES)
+    found = PrecisionTest(ratio=5.0, life="1000 h", samples=SAMPLES).run()
     text = " ".join(shown(precision_page, found).split())
     plans, full = found.plans, found.plans[0]
     fastest = min((p for p in plans if p.group_size > 1), key=lambda p: p.duration.mean)  # type: ignore[union-attr]
@@ -228,6 +228,6 @@ def test_json_of_plans() -> None:
     chance = {one["life_ratio"]: one["chance"] for one in data["chance_of_passing"]}
     assert chance[2.0] == pytest.approx(0.1 ** (2.0**-1.5))
     assert len(data["alternatives"]) == 33
-    data = json.loads(dumps(precision_study(failures=1).to_mapping()))
+    data = json.loads(dumps(PrecisionTest(failures=1).run().to_mapping()))
     assert data["plans"][0]["ratio"] is None
     assert data["plans"][0]["duration"] is None

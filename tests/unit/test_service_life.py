@@ -49,7 +49,7 @@ def ends(*endings: Ending, required: float | None = None) -> ServiceLife:
 
 def test_the_grease_of_a_motor_ends_it() -> None:
     found = service_life(motor())
-    assert [one.name for one in found.endings] == ["fatigue", "grease"]
+    assert [one.name for one in found.endings] == ["fatigue", "grease", "overload"]
     assert found.first is found["grease"]
     grease = grease_of_case(motor())
     assert found["grease"].hours == pytest.approx(l10_of_mean(grease.hours))
@@ -68,14 +68,14 @@ def test_the_fatigue_is_that_of_the_headline() -> None:
 
 def test_an_open_bearing_wants_relubrication() -> None:
     found = service_life(motor(**{"bearing.designation": "6310/C3"}))
-    assert [one.name for one in found.endings] == ["fatigue", "relubrication"]
+    assert [one.name for one in found.endings] == ["fatigue", "relubrication", "overload"]
     assert found["relubrication"].kind == "upkeep"
     assert found.first is found["fatigue"]
 
 
 def test_oil_has_no_grease_to_end() -> None:
     found = service_life(motor(lubricant="ISO VG 100"))
-    assert [one.name for one in found.endings] == ["fatigue"]
+    assert [one.name for one in found.endings] == ["fatigue", "overload"]
     assert not found.beside_fatigue
 
 
@@ -89,6 +89,41 @@ def test_a_swing_ends_by_oscillation_or_by_fretting() -> None:
     assert small.first is small["fretting"]
     assert small.first.acting
     assert np.isnan(small.first.hours)
+
+
+OILED = {
+    "duty.load.fz": "5 kN",
+    "duty.inner_speed": "1480 rpm",
+    "lubricant": "ISO VG 68",
+    "temperature.lubricant": "70 degC",
+}
+
+
+@pytest.mark.parametrize(("load", "hours"), [("5 kN", np.inf), ("90 kN", 0.0)])
+def test_an_overload_ends_it_at_once(load: str, hours: float) -> None:
+    found = service_life(load_case("6310", {**OILED, "duty.load.fz": load}))
+    assert found["overload"].hours == hours
+    assert (found.first is not None and found.first.name == "overload") == (hours == 0.0)
+
+
+def test_a_current_is_at_work_from_the_band_of_fluting_on() -> None:
+    acting, never = [], []
+    for current in ("1 mA", "300 mA", "3 A"):
+        case = {**OILED, "duty.load.fz": "1 kN", "electrical.current": current}
+        ending = service_life(load_case("6205", case))["currents"]
+        acting.append(ending.acting)
+        never.append(np.isinf(ending.hours))
+    assert acting == [False, False, True]
+    assert never == [True, False, False]
+    with pytest.raises(KeyError):
+        service_life(load_case("6205", OILED))["currents"]
+
+
+def test_wear_is_at_work_below_a_tenth_of_the_viscosity() -> None:
+    slow = {**OILED, "duty.inner_speed": "2 rpm", "temperature.lubricant": "90 degC"}
+    found = service_life(load_case("6310", slow))
+    assert found["wear"].acting
+    assert "wear" not in [one.name for one in service_life(load_case("6310", OILED)).endings]
 
 
 def test_order_of_what_is_at_once_at_work_and_timed() -> None:
@@ -176,3 +211,28 @@ def test_the_command() -> None:
     found = json.loads(run(app, [*words, "--json", "-"]).output)
     assert found["service_life"]["first"] == "grease"
     assert run(app, ["service-life", "6205-2RS1"]).exit_code == 2
+
+
+def test_the_page_of_the_case_shows_it() -> None:
+    from rolamento.web.live import live
+
+    tables = {
+        "bearing": {"designation": "6309-2RS1/C3"},
+        "duty": {"inner_speed": "1460 rpm", "load": {"fz": "2.5 kN"}},
+        "temperature": {"lubricant": "85 degC"},
+    }
+    two = [{"case": tables}, {"case": tables, "changes": {"temperature.lubricant": "70 degC"}}]
+    shown = live({"cases": two, "sections": ["service_life"]})["sections"]["service_life"]
+    assert shown.count("First comes grease") == 2
+    oiled = {**tables, "bearing": {"designation": "6309/C3"}, "lubricant": "ISO VG 100"}
+    shown = live({"cases": [{"case": oiled}], "sections": ["service_life"]})
+    assert "grease" not in shown["sections"]["service_life"]
+
+
+def test_a_report_has_the_inputs_of_the_grease() -> None:
+    from rolamento.document.markdown import markdown
+    from rolamento.pages.report import report_page
+
+    text = markdown(report_page(report(motor(grease={"thickener": "urea"}))))
+    assert "What ends it first" in text
+    assert "urea" in text

@@ -181,7 +181,9 @@ class TestCommand:
         law = next(one for one in found["trend"]["laws"] if one["law"] == found["trend"]["law"])
         assert law["crossing"]["code"] == "reached"
         assert law["crossing"]["lower"] < law["crossing"]["time"] < law["crossing"]["upper"]
-        again = tasks.trend_study("record.csv", limits=["4.5 mm/s"]).limits[0].forecast
+        again = (
+            tasks.TrendEvaluation(data="record.csv", limits=["4.5 mm/s"]).run().limits[0].forecast
+        )
         assert again.crossing.time == pytest.approx(law["crossing"]["time"], rel=1e-6)
 
     @pytest.mark.parametrize(

@@ -192,3 +192,55 @@ def test_a_report_shows_it_where_the_case_asks_for_it() -> None:
     )
     assert "Hardness below the surface" not in plain
     assert "Hardness below the surface" in asked
+
+
+def test_over_the_load_the_safety_falls_and_the_gaps_open() -> None:
+    from rolamento.safety import static_over_load
+
+    case = load_case(PAIR, {"duty.load.fx": "4 kN", "duty.load.fz": "0 N", "duty.inner_speed": 0.0,
+                            "static.load_factor": 2.0})  # fmt: skip
+    curve = static_over_load(case, most=1.5, points=6)
+    assert curve.factor.tolist() == pytest.approx([0.25, 0.5, 0.75, 1.0, 1.25, 1.5])
+    assert np.all(np.diff(curve.safety) < 0.0)
+    assert np.all(np.diff(curve.gap[:, 1]) >= 0.0)
+    # at the design load it is what the page has
+    assert curve.safety[3] == pytest.approx(static_safety_of(case).minimum()[0])
+
+
+def test_without_a_load_there_is_nothing_to_vary() -> None:
+    from rolamento.safety import static_over_load
+
+    with pytest.raises(InputError, match="load"):
+        static_over_load(case_of("6310"))
+
+
+@pytest.mark.parametrize("language", ["en", "pt_BR"])
+def test_the_picture_has_safety_and_gaps(language: str) -> None:
+    from rolamento.plots import static_figure
+    from rolamento.safety import static_over_load
+    from rolamento.words import speaking
+
+    with speaking(language):
+        figure = static_figure(static_over_load(load_case(PAIR), points=4))
+    assert len(figure.axes) == 2
+    assert len(figure.axes[1].lines) == 3  # two rows and the design load
+
+
+def test_many_cases_have_the_load_factor_too() -> None:
+    """What varies is multiplied where it is a load, and left alone where it is not."""
+    case = deep_groove(**{"static.load_factor": 1.5})
+    loads = static_safety_of(solve(case, {"duty.load.fz": np.array([10e3, 19e3])})).minimum()
+    alone = [static_safety_of(case.with_(fz=load)).minimum()[0] for load in (10e3, 19e3)]
+    assert loads == pytest.approx(alone)
+    play = {"bearing.diametral_clearance": np.array([0.0, 2e-5])}
+    found = static_safety_of(solve(case, play)).minimum()
+    tight = case.with_({"bearing.diametral_clearance": 0.0})
+    assert found[0] == pytest.approx(static_safety_of(tight).minimum()[0])
+    assert found[1] < found[0]
+
+
+def test_a_case_without_an_equilibrium_has_no_safety() -> None:
+    found = static_safety_of(deep_groove(**{"duty.load.fz": "4000 kN"}))
+    assert not found.solved.converged[0]
+    assert not np.isfinite(found.minimum()[0])
+    assert found.to_mapping()["safety_by_stress"] is None

@@ -82,3 +82,15 @@ def test_a_lubricant_that_varies_keeps_its_temperature(pair: Case) -> None:
         alone = heat_balance(pair.with_({"temperature.lubricant": value}), look_for_speed=False)
         assert own.status == alone.status
         np.testing.assert_allclose(own.power, alone.power, rtol=1e-7)
+
+
+def test_what_is_warm_over_a_field_is_that_of_its_states(pair: Case) -> None:
+    found = heat_over(pair, read_range("duty.inner_speed=2000..6000rpm", 2))
+    alone = heat_balance(pair).warm
+    assert alone is not None
+    assert found.axial_stiffness[1] == pytest.approx(alone.axial_stiffness, rel=1e-6)
+    assert found.contact_angle[1] == pytest.approx(alone.contact_angle[0], rel=1e-6)
+    assert found.viscosity_ratio[1] == pytest.approx(alone.viscosity_ratio, rel=1e-6)
+    assert alone.analysis.solved.stiffness.array[0, 0, 0] == pytest.approx(
+        alone.axial_stiffness, rel=1e-6
+    )

@@ -17,7 +17,7 @@ from rolamento.document.terminal import terminal
 from rolamento.errors import InputError
 from rolamento.pages.trend import trend_page
 from rolamento.plots.trend import trend_figure, trend_lines
-from rolamento.tasks.weibull import TrendStudy, trend_study
+from rolamento.tasks.weibull import TrendEvaluation, TrendStudy
 from rolamento.weibull import (
     PUBLISHED_TRENDS,
     parse_trend,
@@ -110,7 +110,7 @@ def test_hostile_records_end_with_one_line(run: Run, text: str) -> None:
 @pytest.mark.parametrize("language", ["en", "pt"])
 @pytest.mark.parametrize("name", PUBLISHED_TRENDS)
 def test_pages(name: str, language: str) -> None:
-    found = trend_study(published_trend(name))
+    found = TrendEvaluation(data=published_trend(name)).run()
     with speaking(language):
         document = trend_page(found)
     assert bool(found.fits) == name.endswith("clearance")

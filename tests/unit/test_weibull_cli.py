@@ -444,7 +444,7 @@ def test_precision_out_of_reach(run: Run) -> None:
                 "--group-size",
                 "3",
             ),
-            "goes with a single --group-size",
+            "goes with a single group size",
         ),
     ],
 )

@@ -13,9 +13,9 @@ import pytest
 from rolamento.errors import InputError
 from rolamento.tasks.weibull import (
     DemonstrationTest,
+    PrecisionTest,
+    TrendEvaluation,
     life_test_study,
-    precision_study,
-    trend_study,
 )
 from rolamento.weibull import (
     LifeTest,
@@ -85,17 +85,20 @@ def test_a_demonstration_as_long_as_its_life() -> None:
 
 
 def test_a_precision_without_a_life_is_in_multiples() -> None:
-    found = precision_study(failures=6, group_sizes=[1, 4], samples=200)
+    found = PrecisionTest(failures=6, group_sizes=[1, 4], samples=200).run()
     assert (found.unit, len(found.plans), found.planned) == ("", 2, True)
     assert found.plans[0].life == 1.0
 
 
 def test_noise_has_no_law_of_wear() -> None:
     noise = published_trend("campanha_2008_anderon")
-    assert not trend_study(noise).fits
+    assert not TrendEvaluation(data=noise).run().fits
     with pytest.raises(InputError):
-        trend_study(noise, law="power")
-    assert set(trend_study(published_trend("campanha_2008_clearance")).fits) == {"9", "10"}
+        TrendEvaluation(data=noise, law="power").run()
+    assert set(TrendEvaluation(data=published_trend("campanha_2008_clearance")).run().fits) == {
+        "9",
+        "10",
+    }
 
 
 @pytest.mark.parametrize(
@@ -107,8 +110,8 @@ def test_noise_has_no_law_of_wear() -> None:
         (lambda: life_test_study(TIMES, methods="maximum_likelihood"), "methods"),
         (lambda: DemonstrationTest(life="1000").run(), "life"),
         (lambda: DemonstrationTest(life="1000 h", time="1 Mrev").run(), "time"),
-        (lambda: precision_study(), "ratio"),
-        (lambda: precision_study(5.0, groups=4, group_sizes=[2, 3]), "groups"),
+        (lambda: PrecisionTest().run(), "ratio"),
+        (lambda: PrecisionTest(ratio=5.0, groups=4, group_sizes=[2, 3]).run(), "groups"),
     ],
 )
 def test_what_a_task_refuses(call: Callable[[], object], field: str) -> None:

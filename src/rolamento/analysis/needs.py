@@ -10,6 +10,7 @@ from rolamento.case import Case
 from rolamento.solved import Solved
 
 if TYPE_CHECKING:
+    from rolamento.case.rolling_bearing import RollingBearing
     from rolamento.friction import MachineBearing
     from rolamento.lubrication import Film
 
@@ -52,5 +53,13 @@ def machines_known(solved: Solved, found: Film | None) -> tuple[MachineBearing, 
     # the constants of the models are for the C_0 of steel bearings: it stands for their geometry
     shares = [static_share(one) for one in bearings_of(case.bearing)]
     if rating.shape[1] == len(shares) and any(share != 1.0 for share in shares):
-        rating = np.where(np.array(shares) == 1.0, rating, np.nan)
+        listed = [_lists_static_rating(one) for one in bearings_of(case.bearing)]
+        of_steel = np.where(listed, np.nan, rating / np.array(shares))  # the list's goes before
+        rating = np.where(np.array(shares) == 1.0, rating, of_steel)
     return machines_of(case, found, rating, load)
+
+
+def _lists_static_rating(bearing: RollingBearing) -> bool:
+    """Whether the catalogue has the C_0 of the bearing with elements of steel."""
+    published = bearing.published
+    return published is not None and published.static_rating is not None

@@ -73,7 +73,7 @@ from rolamento.case.machine_loads import (
     Speed,
     mirrored,
 )
-from rolamento.case.machine_sheets import read_sheets
+from rolamento.case.machine_sheets import holds_sheets, read_sheets
 from rolamento.case.material import Material
 from rolamento.case.model import Model
 from rolamento.case.quantity import AT_THE_BORDER, Line, Quantity, Ratio, Replaces, at_the_border
@@ -82,7 +82,6 @@ from rolamento.case.rolling_bearing import Designation
 from rolamento.case.surface import Surface
 from rolamento.case.temperature import Temperature
 from rolamento.errors import ABSENT, InputError, guess
-from rolamento.io.sheets import is_workbook
 from rolamento.io.text import (
     TextFormat,
     format_of_path,
@@ -1215,7 +1214,7 @@ def machine_reader(path: str | os.PathLike[str]) -> MachineReader:
 
     Parameters and errors as of `load_machine`; beside settings also values as of `with_values`.
     """
-    if is_workbook(path):
+    if holds_sheets(path):
         return _workbook_reader(path)
     text, source = read_text(path)
     folder = "" if os.fspath(path) == "-" else os.path.dirname(os.fspath(path))

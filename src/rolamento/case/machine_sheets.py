@@ -20,11 +20,11 @@ from typing import Any, Final
 
 from rolamento.case.case import Case
 from rolamento.errors import ABSENT, FileError, InputError, guess
-from rolamento.io.sheets import Cell, cells_of_workbook
+from rolamento.io.sheets import Cell, cells_of_workbook, is_workbook
 from rolamento.records import frozen
 from rolamento.words import said
 
-__all__ = ["PARTS", "Sheet", "read_sheets", "sheets_of_tables", "tables_of_sheets"]
+__all__ = ["PARTS", "Sheet", "holds_sheets", "read_sheets", "sheets_of_tables", "tables_of_sheets"]
 
 PARTS: Final = (
     "shafts", "bearings", "housings", "springs", "loads", "gears", "belts", "masses", "spectrum",
@@ -158,6 +158,11 @@ def _cell(value: Any, unit: str = "") -> Cell:
 
 
 # --- from tables ----------------------------------------------------------------------------------
+
+
+def holds_sheets(path: str | os.PathLike[str]) -> bool:
+    """Return whether a file is a workbook, or is called one."""
+    return os.fspath(path).lower().endswith(".xlsx") or is_workbook(path)
 
 
 def read_sheets(path: str | os.PathLike[str]) -> dict[str, Any]:

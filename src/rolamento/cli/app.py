@@ -48,6 +48,7 @@ _REQUESTS: Final = {
     "diagnose": "vibration_diagnosis:VibrationDiagnosis",
     "seek": "seek:GoalSeek",
     "severity": "severity:VibrationSeverity",
+    "trend": "weibull:TrendEvaluation",
     "weibull": "weibull:LifeTestEvaluation",
 }
 """Commands that are made of a request."""

@@ -87,7 +87,7 @@ def add_command(app: typer.Typer, request: type[Request], name: str) -> None:
     command.__name__, command.__doc__ = name, request.summary()
     spoken = with_outputs(command)
     groups: dict[str, tuple[str, ...]] = {
-        **request.groups(),
+        **request.options_by_heading(),
         marked("Output"): (*request.products, "json", *OUTPUT_OPTIONS, "lang", "help"),
     }
     if request.takes_case:

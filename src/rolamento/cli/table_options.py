@@ -17,12 +17,10 @@ from rolamento.tasks.life_tables import LifeTable
 __all__ = [
     "ALL_COLUMNS",
     "COLUMN_OPTIONS",
-    "BearingColumnOption",
     "DateOrderOption",
     "DecimalMarkOption",
     "LifeColumns",
     "TimeColumnOption",
-    "ValueColumnOption",
     "told_in_options",
     "with_life_columns",
 ]
@@ -33,7 +31,6 @@ _OPTIONS: Final = {
     "date_order": "--date-order",
     "time": "--time-column",
     "status": "--status-column",
-    "bearing": "--bearing-column",
     "group": "--group",
     "count": "--count-column",
     "mode": "--mode-column",
@@ -42,7 +39,6 @@ _OPTIONS: Final = {
     "end": "--end-column",
     "use_per_day": "--use-per-day",
     "as_of": "--as-of",
-    "values": "--value-column",
     "ignored": "--ignore-column",
 }
 DecimalMarkOption = Annotated[
@@ -56,20 +52,6 @@ DecimalMarkOption = Annotated[
 TimeColumnOption = Annotated[
     str | None,
     typer.Option("--time-column", metavar="COLUMN", help=_ASKED["time"]),
-]
-BearingColumnOption = Annotated[
-    str | None,
-    typer.Option(
-        "--bearing-column", metavar="COLUMN", help="Column of the bearings, if named otherwise."
-    ),
-]
-ValueColumnOption = Annotated[
-    list[str] | None,
-    typer.Option(
-        "--value-column",
-        metavar="COLUMN",
-        help="Column of a quantity. Repeatable; by default all with a unit in brackets.",
-    ),
 ]
 DateOrderOption = Annotated[
     str | None,

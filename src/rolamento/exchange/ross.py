@@ -115,10 +115,11 @@ def ross_bearings(
         If a map is not over speed, has fewer speeds than 7, or a speed without equilibrium.
     """
     found: list[RossBearing] = []
-    for one in maps:
-        _check(one)
+    for given in maps:
+        _check(given)
+        one = given.rising()
         shaft, position = "", 0.0
-        own = float(one.axes[0].values[-1])
+        own = float(given.axes[0].values[-1])
         if machine is not None:
             seat = machine.bearing(one.name)
             shaft, position = seat.shaft, seat.position
@@ -166,6 +167,13 @@ def _check(one: StiffnessMap) -> None:
             said("must be at least {at_least}", at_least=FEWEST_SPEEDS),
             field="--points", value=len(axis.values),
         )  # fmt: skip
+    if axis.values.min() < 0.0 or not np.diff(np.sort(axis.values)).all():
+        raise InputError(
+            said("must rise from 0 or more"),
+            field="--over",
+            value=axis.field,
+            example="--over duty.inner_speed=0..6000rpm",
+        )
     lost = np.flatnonzero(one.status != "converged")
     if len(lost):
         raise InputError(
@@ -262,9 +270,12 @@ def _said_of(bearings: Sequence[RossBearing], mark: str) -> str:
         " and tilts, of tilts:",
     ]
     for name, parts in groupby(bearings, key=lambda one: one.of):
-        first = next(parts)
-        cross, mixed, tilt = first.left_out
+        own = list(parts)
+        cross, mixed, tilt = own[0].left_out
         lines.append(f"  {name}: {cross:.4g} N/m, {mixed:.4g} N/rad, {tilt:.4g} N m/rad")
+        for one in own if len(own) > 1 or own[0].shaft else ():
+            where = f"shaft {one.shaft}" if one.shaft else "from its middle"
+            lines.append(f"    {one.name}: {where}, {one.position:.6g} m")
     return "".join(f"{mark} {_plain(line)}\n" for line in lines) + "\n"
 
 

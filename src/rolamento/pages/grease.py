@@ -126,7 +126,7 @@ def _lives(found: GreaseCase) -> Section:
     )  # fmt: skip
     duty = found.duty
     legend = said(
-        "at {temperature:.4 °C}, n/N = {ratio:.3}, n d_m = {product:.6}, P/C = {load:.3}",
+        "at {temperature:.4 °C}, n/N = {ratio:.3}, n d_m = {product:.3r}, P/C = {load:.3}",
         temperature=duty.temperature,
         ratio=duty.speed_ratio,
         product=duty.speed_factor,
@@ -210,11 +210,11 @@ def _limits(found: GreaseCase) -> Section:
         )
     ]
     if isnan(duty.speed_ratio):
-        text = said("{speed:.5 rpm}; n d_m = {product:.6}", speed=duty.speed,
+        text = said("{speed:.5 rpm}; n d_m = {product:.3r}", speed=duty.speed,
                     product=duty.speed_factor)  # fmt: skip
     else:
         text = said(
-            "{speed:.5 rpm}, {ratio:.3} of N = {limit:.5 rpm}; n d_m = {product:.6}",
+            "{speed:.5 rpm}, {ratio:.3} of N = {limit:.3 rpm}; n d_m = {product:.3r}",
             speed=duty.speed,
             ratio=duty.speed_ratio,
             limit=duty.limiting_speed,

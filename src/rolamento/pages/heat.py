@@ -302,6 +302,14 @@ def heat_over_page(found: HeatOver) -> Document:
     columns += [
         Column(head="p", values=found.max_pressure.tolist(), unit="MPa", key="max_pressure"),
         Column(head="dF/dP", values=found.slope.tolist(), unit="–", key="slope", figures=3),
+        *(
+            Column(head=head, values=values.tolist(), unit=unit, key=key, only_in_files=True)
+            for head, values, unit, key in (
+                (said("axial stiffness"), found.axial_stiffness, "N/µm", "axial_stiffness"),
+                (said("free contact angle"), found.contact_angle, "°", "contact_angle"),
+                (said("viscosity ratio κ"), found.viscosity_ratio, "", "viscosity_ratio"),
+            )
+        ),
         Column(head=said("status"), values=found.status.tolist(), key="status", only_in_files=True),
     ]
     legend = said(

@@ -55,6 +55,7 @@ from rolamento.words.theories import theory_name
 if TYPE_CHECKING:
     from rolamento.geometry import Race
     from rolamento.tasks.report import CaseReport, Input, Report
+    from rolamento.tasks.time_line import ServiceLife
 
 __all__ = [
     "ORIGINS",
@@ -575,6 +576,7 @@ TABLES: Final = {
     "mounting": marked("Mounting"),
     "film": marked("Film"),
     "heat": marked("Heat"),
+    "grease": marked("Grease"),
     "static": marked("Static safety"),
     "electrical": marked("Electricity"),
     "losses": marked("Seals and oil bath"),
@@ -937,8 +939,7 @@ def _lives(report: Report) -> list[Table | Statement]:
 
 def _service_lives(report: Report) -> list[Section]:
     """What ends each case first, where that may be another thing than fatigue."""
-    from rolamento.pages.notes import cautions
-    from rolamento.pages.service_life import endings_section, service_life_statement, time_line
+    from rolamento.pages.service_life import time_line
 
     sections = []
     for case in report.cases:
@@ -949,11 +950,34 @@ def _service_lives(report: Report) -> list[Section]:
         if len(report.cases) > 1:
             heading = said("{what}, case {name}", what=heading, name=case.name)
         figure = replace(time_line(found), key=f"service_life_{case.name}")
-        table = endings_section(found).blocks
-        notes = [note for one in found.endings if one.name != "fatigue" for note in one.notes]
-        blocks = (*service_life_statement(found), *cautions(notes), *table, figure)
+        blocks = (*_endings(found), figure)
         sections.append(Section(heading, blocks, f"service_life_{case.name}", level=3))
     return sections
+
+
+def _endings(found: ServiceLife) -> Iterator[Block]:
+    """Yield what ends a case first, what qualifies it, and all endings side by side."""
+    from rolamento.pages.notes import cautions
+    from rolamento.pages.service_life import endings_section, service_life_statement
+
+    yield from service_life_statement(found)
+    yield from cautions(
+        [note for one in found.endings if one.name != "fatigue" for note in one.notes]
+    )
+    yield from endings_section(found).blocks
+
+
+def _all_endings(report: Report) -> list[Block]:
+    """What ends every case first, without pictures."""
+    return [
+        block
+        for case in report.cases
+        if case.service_life is not None
+        for block in (
+            *([Title(said("case {name}", name=case.name))] if len(report.cases) > 1 else []),
+            *_endings(case.service_life),
+        )
+    ]
 
 
 def _hours_row(report: Report, label: str, path: str) -> _Row:
@@ -1734,6 +1758,7 @@ class Part:
 PARTS: Final[Mapping[str, Part]] = {
     "loads": Part(marked("Loads and ratings"), _loads),
     "lives": Part(marked("Lives by theory"), _lives),
+    "service_life": Part(marked("What ends it first"), _all_endings),
     "clearance": Part(marked("Clearance in operation"), _clearance),
     "ring": Part(marked("Inner ring"), _ring),
     "rows": Part(marked("Rows and preload"), _rows),

@@ -615,9 +615,10 @@ def _what_follows(solved: Solved, analysis: Analysis, notes: list[Note]) -> list
         sections += film_sections(analysis.film)
         notes += remarks_of(analysis.film.notes_of())
     if analysis.friction is not None:
-        from rolamento.pages.friction import friction_sections
+        from rolamento.pages.friction import beside_sections, friction_sections
 
         sections += friction_sections(solved, analysis.friction)
+        sections += beside_sections(analysis)
     if analysis.life is not None:
         from rolamento.pages.life import life_notes, life_section
 

@@ -52,7 +52,7 @@ def trend_page(found: TrendStudy) -> Document:
     Parameters
     ----------
     found
-        Of `rolamento.tasks.weibull.trend_study`.
+        Of `rolamento.tasks.TrendEvaluation`.
     """
     trend = found.trend
     title = one_line(trend.title) or said("Measurements")

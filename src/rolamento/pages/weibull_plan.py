@@ -214,7 +214,7 @@ def precision_page(found: PrecisionStudy) -> Document:
     Parameters
     ----------
     found
-        Of `rolamento.tasks.weibull.precision_study`.
+        Of `rolamento.tasks.PrecisionTest`.
     """
     plans, ratio, unit = found.plans, found.ratio, one_line(found.unit)
     first = plans[0]

@@ -47,6 +47,7 @@ _NAMES_OF_MODULES: Final = {
     "saving": ("save_figure",),
     "severity": ("severity_figure", "severity_trend_figure", "zone_bars"),
     "slip": ("slip_map", "slip_maps"),
+    "static": ("static_figure",),
     "sweep": (
         "compared_histograms",
         "compared_lines",

@@ -108,9 +108,13 @@ def _bar(axes: Axes, place: int, one: Ending, is_first: bool, ends: tuple[float,
             else said("never") if one.hours == np.inf
             else said("not known")
         )  # fmt: skip
+        at, side = {0.0: (1.05 * ends[0], "left"), np.inf: (0.95 * ends[1], "right")}.get(
+            one.hours, (middle, "center")
+        )
         axes.text(
-            middle, place, text, ha="center", va="center", fontsize=8.0, parse_math=False,
+            at, place, text, ha=side, va="center", fontsize=8.0, parse_math=False,
             color=look.color if is_first else "#606060",
+            bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.5},
         )  # fmt: skip
         return
     low = one.low if np.isfinite(one.low) else one.hours

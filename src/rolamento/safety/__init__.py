@@ -9,6 +9,7 @@ from rolamento.safety.hardening import (
     vickers_of_rockwell,
 )
 from rolamento.safety.launch import Allowable, Launch, launch_of
+from rolamento.safety.load_curve import LoadCurve, static_over_load
 from rolamento.safety.static_safety import (
     RaceSafety,
     Recommended,
@@ -24,6 +25,7 @@ __all__ = [
     "Allowable",
     "Hardening",
     "Launch",
+    "LoadCurve",
     "RaceSafety",
     "Recommended",
     "StaticSafety",
@@ -35,6 +37,7 @@ __all__ = [
     "pressure_limit",
     "recommended_safety",
     "rockwell_of_vickers",
+    "static_over_load",
     "static_safety_of",
     "stress_safety",
     "vickers_of_rockwell",

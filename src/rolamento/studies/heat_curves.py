@@ -87,6 +87,28 @@ class HeatOver:
         )
 
     @property
+    def axial_stiffness(self) -> FloatArray:
+        """Stiffness along the shaft in the warm state, NaN without one; (points,), N/m."""
+        return np.array(
+            [np.nan if one.warm is None else one.warm.axial_stiffness for one in self.balances]
+        )
+
+    @property
+    def contact_angle(self) -> FloatArray:
+        """Free contact angle of the first row in the warm state, likewise; (points,), rad."""
+        return np.array(
+            [np.nan if one.warm is None else one.warm.contact_angle[0] for one in self.balances]
+        )
+
+    @property
+    def viscosity_ratio(self) -> FloatArray:
+        """The ratio κ in the warm state, NaN without one or without an oil; (points,)."""
+        return np.array(
+            [_number(None if one.warm is None else one.warm.viscosity_ratio)
+             for one in self.balances]
+        )  # fmt: skip
+
+    @property
     def slope(self) -> FloatArray:
         """Slope d friction/dP in the warm state, NaN without one; (points,)."""
         return np.array(
@@ -123,6 +145,9 @@ class HeatOver:
             "cold_preload": self.cold_preload,
             "warm_preload": self.warm_preload,
             "max_pressure": self.max_pressure,
+            "axial_stiffness": self.axial_stiffness,
+            "contact_angle": self.contact_angle,
+            "viscosity_ratio": self.viscosity_ratio,
         }
 
 

@@ -192,6 +192,14 @@ _MISSING: Final[Mapping[str, tuple[str, str]]] = {
         marked("a [heat] table"),
         '[heat] with housing_ambient = "5 W/K" in the case',
     ),
+    "electrical.current": (
+        marked("the current through the bearing"),
+        '[electrical] with current = "0.5 A" in the case',
+    ),
+    "electrical.voltage": (
+        marked("the voltage across the bearing"),
+        '[electrical] with voltage = "10 V" in the case',
+    ),
     "balls": (marked("balls"), "friction_torque_roller_sliding"),
     "rollers": (marked("rollers"), 'element = "cylindrical" in [bearing]'),
     "life": (
@@ -266,4 +274,7 @@ def _has(case: Case, need: str, varied: frozenset[str]) -> bool:
         return case.heat is not None
     if need == "surface":
         return case.surface is not None
+    if need.startswith("electrical."):
+        name = need.partition(".")[2]
+        return case.electrical is not None and getattr(case.electrical, name) is not None
     return case.model.raceway_control == "friction" or "model.raceway_control" in varied

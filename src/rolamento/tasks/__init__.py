@@ -64,10 +64,10 @@ if TYPE_CHECKING:
         DemonstrationTest,
         LifeTestEvaluation,
         PrecisionStudy,
+        PrecisionTest,
+        TrendEvaluation,
         TrendStudy,
         life_test_study,
-        precision_study,
-        trend_study,
     )
 
 _NAMES_OF_MODULES: Final = {
@@ -109,10 +109,10 @@ _NAMES_OF_MODULES: Final = {
         "DemonstrationTest",
         "LifeTestEvaluation",
         "PrecisionStudy",
+        "PrecisionTest",
+        "TrendEvaluation",
         "TrendStudy",
         "life_test_study",
-        "precision_study",
-        "trend_study",
     ),
 }
 _MODULE_OF_NAME: Final = {
@@ -145,6 +145,7 @@ __all__ = [
     "OscillationCase",
     "OscillationSpectrum",
     "PrecisionStudy",
+    "PrecisionTest",
     "Records",
     "RemainingStudy",
     "ReplacementStudy",
@@ -157,6 +158,7 @@ __all__ = [
     "Sweep",
     "SynthesisResult",
     "TooShort",
+    "TrendEvaluation",
     "TrendStudy",
     "UnknownResult",
     "VibrationDiagnosis",
@@ -179,7 +181,6 @@ __all__ = [
     "life_of_shaft",
     "life_test_study",
     "life_under_oscillations",
-    "precision_study",
     "rank_bearings",
     "read_machine",
     "read_spectrum",
@@ -190,7 +191,6 @@ __all__ = [
     "synthesise",
     "tolerance",
     "trend_of_records",
-    "trend_study",
     "write_example",
 ]
 

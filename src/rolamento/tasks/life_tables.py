@@ -8,7 +8,7 @@ from typing import Annotated, Any, ClassVar, Final
 from rolamento.tasks.request import DECIMAL_MARK, Input, Request
 from rolamento.words import marked
 
-__all__ = ["DATA", "SHIPPED", "LifeTable"]
+__all__ = ["DATA", "DATE_ORDER", "SHIPPED", "LifeTable"]
 
 DATA: Final = marked("Data")
 SHIPPED: Final = ("campanha-2008", "lieblein-zelen-1956")
@@ -21,6 +21,11 @@ _COLUMNS: Final = (
 
 def _orders() -> Mapping[str, str]:
     return {"day_first": marked("day first"), "month_first": marked("month first")}
+
+
+DATE_ORDER: Final = Input(
+    "Order of the dates", "choice", DATA, choices=_orders, metavar="ORDER", example="day_first"
+)
 
 
 class LifeTable(Request):
@@ -144,17 +149,7 @@ class LifeTable(Request):
     as_of: Annotated[
         str | None, Input("Day of the data", group=DATA, example="2026-12-31", metavar="DATE")
     ] = None
-    date_order: Annotated[
-        str | None,
-        Input(
-            "Order of the dates",
-            "choice",
-            DATA,
-            choices=_orders,
-            metavar="ORDER",
-            example="day_first",
-        ),
-    ] = None
+    date_order: Annotated[str | None, DATE_ORDER] = None
     decimal_mark: Annotated[str | None, DECIMAL_MARK.below(DATA)] = None
 
     columns: ClassVar = frozenset({"time", "status", "count", "group", "mode", "unit"})

@@ -23,8 +23,8 @@ from rolamento.case.machine import (
     with_values,
 )
 from rolamento.case.machine_fields import place_of_key
+from rolamento.case.machine_sheets import holds_sheets
 from rolamento.errors import InputError, guess
-from rolamento.io.sheets import is_workbook
 from rolamento.io.text import format_of_path, format_of_text, parse_mapping, read_text
 from rolamento.machines import acts_alone, solve_machines
 from rolamento.numerics import FloatArray
@@ -83,10 +83,10 @@ def read_subject(source: str | os.PathLike[str], settings: Sequence[str] = ()) -
     InputError, FileError
         As `rolamento.load_machine` or `rolamento.load_case`.
     """
+    if holds_sheets(source):
+        return load_machine(source, settings)
     if is_designation(source):
         return load_case(source, settings)
-    if is_workbook(source):
-        return load_machine(source, settings)
     text, name = read_text(source)
     form = format_of_path(source) or format_of_text(text)
     if "shafts" in parse_mapping(text, form, name):
@@ -136,6 +136,11 @@ def mapped(
         )  # fmt: skip
     check_points(points, min(MOST_POINTS, int(MOST_MACHINES ** (1.0 / len(texts)))))
     ranges = [read_range(one, points, of_machine=isinstance(subject, Machine)) for one in texts]
+    for one in ranges:
+        if one.values[0] == one.values[-1]:
+            raise InputError(
+                said("must have two different ends"), field="--over", value=one.field.name
+            )
     names = [one.field.name for one in ranges]
     if len(set(names)) < len(names):
         raise InputError(said("is given twice"), field="--over", value=names[0])

@@ -333,7 +333,7 @@ class Request(Record):
         }
 
     @classmethod
-    def groups(cls) -> dict[str, tuple[str, ...]]:
+    def options_by_heading(cls) -> dict[str, tuple[str, ...]]:
         """Return the names of the options below each heading, marked."""
         found: dict[str, tuple[str, ...]] = dict.fromkeys(cls.headings, ())
         for name, one in cls.inputs().items():
@@ -354,7 +354,7 @@ class Request(Record):
                     if not inputs[name].is_local
                 ],
             }
-            for heading, names in cls.groups().items()
+            for heading, names in cls.options_by_heading().items()
             if not headings or heading in headings
         ]
 

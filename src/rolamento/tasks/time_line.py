@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from math import isinf
 from typing import Any, Final
 
 from rolamento.analysis import Analysis, analyse
@@ -71,7 +72,7 @@ class ServiceLife:
     @property
     def beside_fatigue(self) -> bool:
         """Whether anything but fatigue in rotation is known of its end."""
-        return any(one.name != "fatigue" for one in self.endings)
+        return any(one.name != "fatigue" and not isinf(one.hours) for one in self.endings)
 
     @property
     def rivals(self) -> tuple[Ending, ...]:

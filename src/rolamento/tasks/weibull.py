@@ -15,9 +15,9 @@ from pydantic import model_validator
 from rolamento.errors import InputError, arguments, phrase
 from rolamento.numerics.growth import Forecast, Law, forecast
 from rolamento.records import frozen
-from rolamento.tasks.life_tables import DATA, SHIPPED, LifeTable
+from rolamento.tasks.life_tables import DATA, DATE_ORDER, SHIPPED, LifeTable
 from rolamento.tasks.parameters import Progress, quietly
-from rolamento.tasks.request import PICTURE, Input, Product, Request
+from rolamento.tasks.request import DECIMAL_MARK, PICTURE, Input, Product, Request
 from rolamento.vibration.reading.units import spelled
 from rolamento.weibull import (
     METHODS,
@@ -40,6 +40,7 @@ from rolamento.weibull import (
     plans_for_ratio,
     published_life_test,
     published_text,
+    published_trend,
     read_life_test,
     read_trend,
     regions_of,
@@ -48,6 +49,7 @@ from rolamento.weibull import (
 )
 from rolamento.weibull.life_test import BLANK_GROUP, UNKNOWN_MODE
 from rolamento.weibull.life_units import life_in, life_with_unit
+from rolamento.weibull.trend import published_trend_text
 from rolamento.words import Note, marked, said
 
 if TYPE_CHECKING:
@@ -61,11 +63,11 @@ __all__ = [
     "DemonstrationTest",
     "LifeTestEvaluation",
     "PrecisionStudy",
+    "PrecisionTest",
+    "TrendEvaluation",
     "TrendLimit",
     "TrendStudy",
     "life_test_study",
-    "precision_study",
-    "trend_study",
 ]
 
 FITS: Final[Mapping[str, FitMethod]] = {
@@ -87,6 +89,23 @@ _LIMIT: Final = re.compile(r"([+-]?(?:\d+[.,]?\d*|[.,]\d+)(?:[eE][+-]?\d{1,3})?)
 _PRIOR: Final = re.compile(r"(?:(lognormal|uniform):)?([^:]{1,30})\.\.([^:]{1,30})")
 _MOST_CALCULATED: Final = 8
 _PLAN: Final = marked("Plan a test")
+_SHAPE: Final = Input(
+    "Shape", "number", _PLAN, example="1.5", default="1.5", essential=True, metavar="BETA"
+)
+_RELIABILITY: Final = Input(
+    "Reliability", "fraction", _PLAN, example="0.9", default="0.9", essential=True, metavar="R"
+)
+_CONFIDENCE: Final = Input(
+    "Confidence", "fraction", _PLAN, example="0.9", default="0.9", essential=True, metavar="C"
+)
+_MOST_SIZES: Final = 20
+TREND: Final = marked("Alarm and trend")
+WEAR_LAWS: Final[Mapping[str, WearLaw]] = {
+    "running-in": "running_in",
+    "running-in-and-steady": "running_in_and_steady",
+    "power": "power",
+}
+_TRENDS: Final = ("campanha-2008-clearance", "campanha-2008-anderon")
 _SAMPLES, _FEWEST_SAMPLES = 10_000, 1000
 _MAXIMUM_DRAWN: Final = 5_000_000
 """Bearings in all drawn tests together, if it is left to the program."""
@@ -751,36 +770,9 @@ class DemonstrationTest(Request):
             metavar="K",
         ),
     ] = 0
-    shape: Annotated[
-        float,
-        Input(
-            "Shape", "number", _PLAN, example="1.5", default="1.5", essential=True, metavar="BETA"
-        ),
-    ] = 1.5
-    reliability: Annotated[
-        float,
-        Input(
-            "Reliability",
-            "fraction",
-            _PLAN,
-            example="0.9",
-            default="0.9",
-            essential=True,
-            metavar="R",
-        ),
-    ] = 0.9
-    confidence: Annotated[
-        float,
-        Input(
-            "Confidence",
-            "fraction",
-            _PLAN,
-            example="0.9",
-            default="0.9",
-            essential=True,
-            metavar="C",
-        ),
-    ] = 0.9
+    shape: Annotated[float, _SHAPE] = 1.5
+    reliability: Annotated[float, _RELIABILITY] = 0.9
+    confidence: Annotated[float, _CONFIDENCE] = 0.9
 
     examples: ClassVar = (
         "Examples: weibull-plan demonstration --life '1000 h' --bearings 10; weibull-plan "
@@ -851,6 +843,23 @@ class PrecisionStudy:
         """Whether there is any plan."""
         return any(plan.planned for plan in self.plans)
 
+    @property
+    def complaint(self) -> str:
+        """Why there is no plan; "" if there is one."""
+        return "" if self.planned else str(self.plans[0].advice)
+
+    def page(self) -> Document:
+        """Return what people read of it."""
+        from rolamento.pages.weibull_plan import precision_page
+
+        return precision_page(self)
+
+    def picture(self) -> Figure:
+        """Draw what a narrower estimate costs."""
+        from rolamento.plots.weibull_plan import cost_figure
+
+        return cost_figure(self.plans, self.time_label)
+
     def to_mapping(self) -> dict[str, Any]:
         """Give the plans as plain values; times in the unit that they name."""
         return {
@@ -862,60 +871,109 @@ class PrecisionStudy:
         }
 
 
-def precision_study(
-    ratio: float | None = None,
-    *,
-    failures: int | None = None,
-    groups: int | None = None,
-    group_sizes: Sequence[int] = (),
-    life: float | str | None = None,
-    shape: float = 1.5,
-    reliability: float = 0.9,
-    confidence: float = 0.9,
-    samples: int = 10_000,
-    seed: int = 0,
-    progress: Progress | None = None,
-) -> PrecisionStudy:
-    """Plan to know a life within bounds: how many failures, how many bearings, how long.
+class PrecisionTest(Request):
+    """Plan the precision of an estimated life.
+
+    How many failures narrow the bounds, and how long that takes.
 
     Parameters
     ----------
-    ratio, failures
-        Required ratio of upper to lower bound, for which tests are planned; or failures of a test,
-        of which the expected ratio is returned. One of the two.
-    groups, group_sizes
-        Of that test, or of the one that is sought; several sizes for several tests.
+    ratio
+        Required ratio of upper to lower bound, such as 5.
+    failures
+        Failures of a given test, instead: which precision it gives.
+    groups
+        Bearings of that test, or rigs with several each.
+    group_sizes
+        Bearings per rig of a sudden-death test. Repeatable.
     life
-        Expected: a number, or a text with its unit. Without it times are multiples of it.
-    shape, reliability, confidence, samples, seed
-        As of `plan_of`.
-    progress
-        Called with plans made and plans in all.
-
-    Raises
-    ------
-    InputError
-        For neither or both of ratio and failures, or a number that cannot be.
+        Expected life, such as '1000 h'; without it times are multiples of it.
+    shape
+        Expected shape of the Weibull distribution.
+    reliability
+        Reliability of the life: 0.9 for L10.
+    confidence
+        Confidence level, such as 0.9.
+    samples
+        Tests to simulate, 100 to a million.
+    seed
+        Seed of the random numbers.
     """
-    if (ratio is None) == (failures is None):
-        raise InputError(said("or failures must be given"), field="ratio", example="5.0")
-    if ratio is not None and groups is not None and len(group_sizes) > 1:
-        raise InputError(said("goes with a single group size"), field="groups", value=groups)
-    expected, unit = (1.0, "") if life is None else _life_and_unit(life)
-    keywords: dict[str, Any] = {
-        "shape": shape, "life": expected, "reliability": reliability,
-        "confidence": confidence, "samples": samples, "seed": seed,
-    }  # fmt: skip
-    if failures is not None:
-        plans = tuple(plan_of(failures, groups, size, **keywords) for size in group_sizes or [1])
-    elif ratio is not None and groups is not None:
-        size = group_sizes[0] if group_sizes else 1
-        plans = (plan_for_ratio(ratio, groups=groups, group_size=size, **keywords),)
-    elif ratio is not None:
-        if group_sizes:
-            keywords["group_sizes"] = [size for size in group_sizes if size != 1]
-        plans = plans_for_ratio(ratio, progress=progress, **keywords)
-    return PrecisionStudy(plans, ratio, unit)
+
+    ratio: Annotated[float | None, Input("Ratio of the bounds", "number", _PLAN, example="5")] = (
+        None
+    )
+    failures: Annotated[int | None, Input("Failures", "count", _PLAN, example="6", metavar="R")] = (
+        None
+    )
+    groups: Annotated[int | None, Input("Rigs", "count", _PLAN, example="8", metavar="G")] = None
+    group_sizes: Annotated[
+        tuple[int, ...],
+        Input(
+            "Bearings per rig", "numbers", _PLAN, example="4", option="--group-size", metavar="M"
+        ),
+    ] = ()
+    life: Annotated[float | str | None, Input("Expected life", group=_PLAN, example="1000 h")] = (
+        None
+    )
+    shape: Annotated[float, _SHAPE] = 1.5
+    reliability: Annotated[float, _RELIABILITY] = 0.9
+    confidence: Annotated[float, _CONFIDENCE] = 0.9
+    samples: Annotated[
+        int, Input("Tests to simulate", "count", _PLAN, example="1000", default="10000")
+    ] = 10_000
+    seed: Annotated[int, Input("Seed", "count", _PLAN, example="1", default="0")] = 0
+
+    examples: ClassVar = (
+        "Examples: weibull-plan precision --ratio 5 --life '1000 h'; weibull-plan precision"
+        " --failures 6 --groups 6 --group-size 4."
+    )
+    waiting: ClassVar = marked("Simulating tests …")
+
+    @model_validator(mode="after")
+    def _goes_together(self) -> Self:
+        if (self.ratio is None) == (self.failures is None):
+            either = marked("give {ratio} or {failures}")
+            rule: str = phrase(either, ratio=arguments(ratio=...), failures=arguments(failures=...))
+            raise InputError(rule, field="ratio")
+        if self.ratio is not None and self.groups is not None and len(self.group_sizes) > 1:
+            rule = said("goes with a single group size")
+            raise InputError(rule, field="groups", value=self.groups)
+        if len(self.group_sizes) > _MOST_SIZES:
+            rule = said("may be given at most {most} times", most=_MOST_SIZES)
+            raise InputError(rule, field="group_sizes")
+        return self
+
+    def run(self, progress: Progress = quietly) -> PrecisionStudy:
+        """Plan the test.
+
+        Raises
+        ------
+        InputError
+            For a number that cannot be.
+        """
+        life, unit = (1.0, "") if self.life is None else _life_and_unit(self.life)
+        sizes = [int(size) if size == int(size) else size for size in self.group_sizes]
+        keywords: dict[str, Any] = {
+            "shape": self.shape, "life": life, "reliability": self.reliability,
+            "confidence": self.confidence, "samples": self.samples, "seed": self.seed,
+        }  # fmt: skip
+        if self.failures is not None:
+            plans = tuple(
+                plan_of(self.failures, self.groups, size, **keywords) for size in sizes or [1]
+            )
+            return PrecisionStudy(plans, self.ratio, unit)
+        assert self.ratio is not None
+        if self.groups is not None:
+            size = sizes[0] if sizes else 1
+            plan = plan_for_ratio(self.ratio, groups=self.groups, group_size=size, **keywords)
+            return PrecisionStudy((plan,), self.ratio, unit)
+        if sizes:
+            keywords["group_sizes"] = [size for size in sizes if size != 1]
+        plans = plans_for_ratio(self.ratio, progress=progress, **keywords)
+        return PrecisionStudy(plans, self.ratio, unit)
+
+    products: ClassVar = {"plot": Product(PICTURE, lambda asked, found: found.picture())}
 
 
 def _life_and_unit(life: float | str) -> tuple[float, str]:
@@ -962,6 +1020,23 @@ class TrendStudy:
     fits: Mapping[str, WearFit]
     limits: tuple[TrendLimit, ...] = ()
 
+    @property
+    def complaint(self) -> str:
+        """Nothing: what was measured is shown in any case."""
+        return ""
+
+    def page(self) -> Document:
+        """Return what people read of it."""
+        from rolamento.pages.trend import trend_page
+
+        return trend_page(self)
+
+    def picture(self) -> Figure:
+        """Draw what was measured, with the laws."""
+        from rolamento.pages.trend import trend_picture
+
+        return trend_picture(self)
+
     def to_mapping(self) -> dict[str, Any]:
         """Give the record as plain values; the fits in SI units."""
         return {
@@ -980,59 +1055,159 @@ class TrendStudy:
         }
 
 
-def trend_study(
-    data: Trend | str | os.PathLike[str],
-    *,
-    law: WearLaw | None = None,
-    limits: Sequence[float | str] = (),
-    growth: Law | None = None,
-    confidence: float = 0.9,
-    columns: Mapping[str, Any] | None = None,
-) -> TrendStudy:
-    """Read what grew while bearings ran, and fit a law of wear where it is a clearance.
+def _wear_laws() -> Mapping[str, str]:
+    return dict.fromkeys(WEAR_LAWS, "")
+
+
+def _growth_laws() -> Mapping[str, str]:
+    return {"linear": marked("linear"), "exponential": marked("exponential")}
+
+
+class TrendEvaluation(Request):
+    """Show what changed in operation, and when it reaches a limit.
+
+    Clearance, with a wear law; noise, vibration and other quantities.
 
     Parameters
     ----------
     data
-        A CSV file, "-" for standard input; or a `Trend`.
+        Columns of time or date, bearing and quantities, units in brackets; - for standard input.
+    example
+        Shipped: campanha-2008-clearance or campanha-2008-anderon.
     law
-        Of wear. By default running-in, and none where the first quantity is no length or was
-        measured too seldom.
+        Law of wear, fitted to the clearance: running-in, running-in-and-steady, power; running-in
+        by default where the first quantity is a length.
     limits
-        Of quantities, of which the time until they are reached is sought: a number, in the unit of
-        the only quantity; or a text such as "4.5 mm/s" or "velocity = 4.5 mm/s".
+        Limit of a quantity, such as '4.5 mm/s': when it is reached. Repeatable.
     growth
-        "linear" or "exponential", to those limits; by default the likelier law.
+        Law of growth: linear or exponential; by default the likelier one.
     confidence
-        Of the intervals of those times.
-    columns
-        Of a file, as of `read_trend`.
+        Confidence of the time to the limit, such as 0.9.
+    time
+        Column of the times, if named otherwise.
+    bearing
+        Column of the bearings, if named otherwise.
+    values
+        Column of a quantity. Repeatable; by default all with a unit in brackets.
+    decimal_mark
+        Decimal mark, point or comma, for a table in which 12.500 may be 12.5 or 12500.
+    date_order
+        Order of dates, day_first or month_first, for a table in which 03/04/2024 may be either.
 
-    Raises
-    ------
-    FileError, InputError
-        If the data are no such record, the law that was asked for cannot be fitted, or a limit is
-        none.
+    >>> found = TrendEvaluation(example="campanha-2008-clearance").run()
+    >>> sorted(found.fits)
+    ['10', '9']
     """
-    if not 0.0 < confidence < 1.0:
-        rule = said("must be between 0 and 1, exclusive")
-        raise InputError(rule, field="confidence", value=confidence, example="0.9")
-    trend = data if isinstance(data, Trend) else read_trend(data, **(columns or {}))
-    try:
-        fits = wear_of_each(trend, law or "running_in")
-    except InputError:
-        if law is not None:
-            raise
-        fits = {}
-    found = []
-    for given in limits:
-        place, limit = _limit_of(trend, given)
-        for name in trend.names:
-            times, values = trend.of_bearing(name, place)
-            if len(times):
-                when = forecast(times, values, limit, confidence=confidence, law=growth)
-                found.append(TrendLimit(name if len(trend.names) > 1 else "", place, when))
-    return TrendStudy(trend, fits, tuple(found))
+
+    data: Annotated[Any, Input("Measurements", "file", metavar="DATA.csv")] = None
+    example: Annotated[
+        str | None,
+        Input(
+            "Example", "shipped", DATA, choices=lambda: dict.fromkeys(_TRENDS, ""), metavar="NAME"
+        ),
+    ] = None
+    law: Annotated[
+        str | None,
+        Input(
+            "Law of wear", "choice", TREND, example="running-in", choices=_wear_laws,
+            aliases={name.replace("-", "_"): name for name in WEAR_LAWS}, metavar="LAW",
+        ),
+    ] = None  # fmt: skip
+    limits: Annotated[
+        tuple[float | str, ...],
+        Input(
+            "Limits", "list", TREND, example="4.5 mm/s", option="--limit",
+            metavar="[COLUMN=]VALUE",
+        ),
+    ] = ()  # fmt: skip
+    growth: Annotated[
+        str | None,
+        Input(
+            "Law of growth", "choice", TREND, example="linear", choices=_growth_laws, metavar="LAW"
+        ),
+    ] = None
+    confidence: Annotated[
+        float, Input("Confidence", "fraction", TREND, example="0.9", default="0.9", metavar="C")
+    ] = 0.9
+    time: Annotated[
+        str | None,
+        Input(
+            "Column of the times", group=DATA, example="hours", option="--time-column",
+            metavar="COLUMN",
+        ),
+    ] = None  # fmt: skip
+    bearing: Annotated[
+        str | None,
+        Input(
+            "Column of the bearings", group=DATA, example="bearing", option="--bearing-column",
+            metavar="COLUMN",
+        ),
+    ] = None  # fmt: skip
+    values: Annotated[
+        tuple[str, ...],
+        Input(
+            "Columns of quantities", "list", DATA, example="noise", option="--value-column",
+            metavar="COLUMN",
+        ),
+    ] = ()  # fmt: skip
+    decimal_mark: Annotated[str | None, DECIMAL_MARK.below(DATA)] = None
+    date_order: Annotated[str | None, DATE_ORDER] = None
+
+    examples: ClassVar = "Example: trend --example campanha-2008-clearance --plot clearance.png."
+    waiting: ClassVar = marked("Fitting …")
+    headings: ClassVar = (DATA, TREND)
+    columns: ClassVar = frozenset({"time", "bearing", "values"})
+    ships: ClassVar = True
+
+    @model_validator(mode="after")
+    def _is_in_range(self) -> Self:
+        if not 0.0 < self.confidence < 1.0:
+            rule = said("must be between 0 and 1, exclusive")
+            raise InputError(rule, field="confidence", value=self.confidence)
+        return self
+
+    @classmethod
+    def shipped_text(cls, name: str) -> str:
+        """Return a shipped record as CSV."""
+        return published_trend_text(name.replace("-", "_"))
+
+    def run(self, progress: Progress = quietly) -> TrendStudy:
+        """Read the record, and fit what is asked for.
+
+        Raises
+        ------
+        FileError, InputError
+            If the data are no such record, the law that was asked for cannot be fitted, or a limit
+            is none.
+        """
+        trend = self._record()
+        law = None if self.law is None else WEAR_LAWS[self.law]
+        try:
+            fits = wear_of_each(trend, law or "running_in")
+        except InputError:
+            if law is not None:
+                raise
+            fits = {}
+        growth = cast("Law | None", self.growth)
+        found = []
+        for given in self.limits:
+            place, limit = _limit_of(trend, given)
+            for name in trend.names:
+                times, values = trend.of_bearing(name, place)
+                if len(times):
+                    when = forecast(times, values, limit, confidence=self.confidence, law=growth)
+                    found.append(TrendLimit(name if len(trend.names) > 1 else "", place, when))
+        return TrendStudy(trend, fits, tuple(found))
+
+    def _record(self) -> Trend:
+        if self.example is not None:
+            return published_trend(self.example.replace("-", "_"))
+        if isinstance(self.data, Trend):
+            return self.data
+        names = ("time", "bearing", "values", "decimal_mark", "date_order")
+        return read_trend(self.data, **{name: getattr(self, name) for name in names})
+
+    products: ClassVar = {"plot": Product(PICTURE, lambda asked, found: found.picture())}
 
 
 def _limit_of(trend: Trend, given: float | str) -> tuple[int, float]:

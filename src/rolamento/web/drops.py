@@ -65,7 +65,7 @@ Typed = Mapping[str, Sequence[str]]
 LARGEST: Final[Mapping[str, int]] = {"signal": 256 * 2**20, "weibull": 5_000_000}
 """Bytes of an upload."""
 _CASE: Final = "case"
-_OF_MACHINE: Final = tuple(VibrationSeverity.groups()[MACHINE][1:])
+_OF_MACHINE: Final = tuple(VibrationSeverity.options_by_heading()[MACHINE][1:])
 """What is asked for of the machine, beside its speed."""
 _ENDINGS: Final = tuple(ending for many in ENDINGS.values() for ending in many)
 _LONGEST_NAME: Final = 100

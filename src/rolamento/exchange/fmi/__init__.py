@@ -1,8 +1,8 @@
 """FMI: a bearing as a force element in C, which simulation programs compile; 2.0 and 3.0.
 
-Functional Mock-up Interface for Model Exchange and Co-Simulation, versions 2.0.4 (2022) and 3.0.2
-(2024), Modelica Association. The headers are those of the standard, under its 2-clause BSD licence,
-which stands in each of them; the other sources are ours.
+Functional Mock-up Interface for Model Exchange and Co-Simulation 2.0 (2014) and Functional Mock-up
+Interface 3.0 (2022), Modelica Association. The headers are those of the standard, under its
+2-clause BSD licence, which stands in each of them; the other sources are ours.
 """
 
 from __future__ import annotations

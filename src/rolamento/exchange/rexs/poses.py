@@ -11,7 +11,7 @@ from rolamento.exchange.rexs.model import Component, RexsModel
 from rolamento.exchange.rexs.values import numbers_of, placed
 from rolamento.words import said
 
-__all__ = ["HOME", "Pose", "Vector", "dot", "poses_of"]
+__all__ = ["HOME", "Pose", "Vector", "crossing", "dot", "poses_of"]
 
 Vector = tuple[float, float, float]
 _PERPENDICULAR: Final = 1e-4
@@ -67,6 +67,22 @@ def _cross(one: Vector, other: Vector) -> Vector:
         one[2] * other[0] - one[0] * other[2],
         one[0] * other[1] - one[1] * other[0],
     )
+
+
+def crossing(one: Pose, other: Pose) -> tuple[float, float, float] | None:
+    """Return where the u axes of two poses are nearest, along each of them, and how near; m.
+
+    None of parallel ones.
+    """
+    across = _cross(one.u, other.u)
+    size = dot(across, across)
+    if size < _PERPENDICULAR:
+        return None
+    x, y, z = (b - a for a, b in zip(one.origin, other.origin, strict=True))
+    between = (x, y, z)
+    here = dot(_cross(between, other.u), across) / size
+    there = dot(_cross(between, one.u), across) / size
+    return here, there, abs(dot(between, across)) / math.sqrt(size)
 
 
 def poses_of(

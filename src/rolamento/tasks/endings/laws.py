@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Final
 
-from rolamento.tasks.endings import fatigue, grease, oscillation
+from rolamento.tasks.endings import currents, fatigue, grease, oscillation, overload, wear
 from rolamento.tasks.endings.ending import EndingLaw
 
 __all__ = ["ENDINGS"]
@@ -22,6 +22,9 @@ ENDINGS: Final[Mapping[str, EndingLaw]] = {
         oscillation.FRETTING,
         grease.LAW,
         grease.RENEWAL,
+        wear.LAW,
+        currents.LAW,
+        overload.LAW,
     )
 }
 """By name."""

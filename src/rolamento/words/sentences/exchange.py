@@ -87,6 +87,11 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "At the centre distance of {distance:.6g mm} the gears mesh at α_n = {pressure:.4g °} and"
         " β = {helix:.4g °}; the module is that of the operating pitch circles."
     ),
+    "rexs_bevel": marked(
+        "{power:.6g W} flow through its mesh, as the loads and other meshes of its shaft leave"
+        " them: it acts at the mean pitch circle of {diameter:.6g mm} of a cone of {cone:.4g °},"
+        " whose apex is where the axes cross."
+    ),
     "rexs_hand": marked("A positive helix angle is taken as right-handed."),
     "rexs_usual_density": marked(
         "No density is given; it is taken as 880 kg/m³, as of mineral oils."

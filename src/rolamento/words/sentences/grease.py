@@ -108,7 +108,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "No temperature is given: {temperature:.4 °C} is assumed. 15 K more halve the life."
     ),
     "grease_limit_of_class": marked(
-        "N = {speed:.5 rpm} is the mean of the maker's class of such open bearings with grease"
+        "N = {speed:.3 rpm} is the mean of the maker's class of such open bearings with grease"
         " (NSK, E1102); contact seals lower it: give grease.limiting_speed."
     ),
     "grease_limit_missing": marked(

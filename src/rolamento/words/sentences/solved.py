@@ -350,7 +350,8 @@ def _designation_without_effect(values: Values) -> str:
         for part, meaning in values["parts"]
     ]
     return said(
-        "Parts of {designation} that are understood and have no effect on the results: {parts}.",
+        "Parts of {designation} that are understood and have no effect on loads, film and life:"
+        " {parts}.",
         designation=values["designation"],
         parts="; ".join(parts),
     )
