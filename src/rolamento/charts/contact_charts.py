@@ -53,7 +53,8 @@ _TURN: Final = 360.0
 _MARGIN: Final = 8.0
 _NEAR: Final = 0.5
 """Fraction of a limit: from there on it is drawn."""
-_DIRECTIONS: Final = (247.5, 112.5, 202.5, 157.5, 292.5, 67.5, 337.5, 22.5)
+_DIRECTIONS: Final = (112.5, 67.5, 157.5, 22.5, 202.5, 247.5, 292.5, 337.5)
+"""Azimuths for the numbers of circles, on the right first: there the page writes them upright."""
 _LITTLE: Final = 0.3
 """Fraction of the greatest circle."""
 

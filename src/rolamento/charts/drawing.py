@@ -38,7 +38,7 @@ from rolamento.charts.texts import number
 from rolamento.errors import InputError
 from rolamento.words import said
 
-__all__ = ["draw", "draw_series"]
+__all__ = ["draw", "draw_series", "frame"]
 
 Floats = NDArray[np.float64]
 
@@ -95,8 +95,9 @@ def draw(chart: Chart, axes: Axes | None = None, *, legend: bool = True, title: 
         axes.set_rlim(0.0, None if chart.y.limits is None else chart.y.limits[1])
         axes.set_xlabel("" if chart.y.hidden else chart.y.title, labelpad=6.0)
     else:
-        _frame(axes, "x", chart.x)
-        _frame(axes, "y", chart.y)
+        frame(axes, "x", chart.x)
+        frame(axes, "y", chart.y)
+        _zones(axes, chart)
     if legend:
         legend_above(axes, title=title)
     if isinstance(axes, PolarAxes):
@@ -106,15 +107,6 @@ def draw(chart: Chart, axes: Axes | None = None, *, legend: bool = True, title: 
 
 def draw_series(chart: Chart, axes: Axes) -> None:
     """Draw what a chart shows, without its axes and its legend."""
-    for zone in chart.zones:
-        low, high = axes.get_ylim() if chart.y.limits is None else chart.y.limits
-        bottom, top = max(zone.low, low), min(zone.high, high)
-        if bottom < top:
-            axes.axhspan(bottom, top, color=LIGHT[zone.color], alpha=_BODY, linewidth=0.0)
-            axes.annotate(
-                zone.name, (1.0, top), (-3, -3), ha="right", va="top", fontsize=_TEXT,
-                xycoords=("axes fraction", "data"), textcoords="offset points",
-            )  # fmt: skip
     groups = [one for one in chart.series if isinstance(one, Bars)]
     for one in chart.series:
         if isinstance(one, Line):
@@ -131,6 +123,25 @@ def draw_series(chart: Chart, axes: Axes) -> None:
     _bars(axes, chart, groups)
     for mark in chart.marks:
         _mark(axes, mark)
+
+
+def _zones(axes: Axes, chart: Chart) -> None:
+    """Draw bands below all, those of the axis across named by the legend."""
+    for zone in chart.zones:
+        across = zone.axis == "x"
+        ends = axes.get_xlim() if across else axes.get_ylim()
+        low, high = max(zone.low, ends[0]), min(zone.high, ends[1])
+        if low >= high:
+            continue
+        look: dict[str, Any] = {"color": LIGHT[zone.color], "alpha": _BODY, "linewidth": 0.0}
+        if across:
+            axes.axvspan(low, high, label=zone.name, **look)
+            continue
+        axes.axhspan(low, high, **look)
+        axes.annotate(
+            zone.name, (1.0, high), (-3, -3), ha="right", va="top", fontsize=_TEXT,
+            xycoords=("axes fraction", "data"), textcoords="offset points",
+        )  # fmt: skip
 
 
 def _line(axes: Axes, chart: Chart, line: Line) -> None:
@@ -204,7 +215,7 @@ def _mark(axes: Axes, mark: Mark) -> None:
 # --- axes -----------------------------------------------------------------------------------------
 
 
-def _frame(axes: Axes, which: str, own: Axis) -> None:
+def frame(axes: Axes, which: str, own: Axis) -> None:
     """Give an axis its label, limits, scale and ticks."""
     axis = axes.xaxis if which == "x" else axes.yaxis
     if own.hidden:
@@ -214,9 +225,11 @@ def _frame(axes: Axes, which: str, own: Axis) -> None:
     set_limits = getattr(axes, f"set_{which}lim")
     if own.log:
         log_scale(axes, which)
+    if own.log and own.limits is not None:
+        set_limits(*own.limits)
         if limits()[1] > _DECADES * limits()[0] > 0.0:
             axis.set_major_locator(LogLocator())
-    if own.limits is not None:
+    elif own.limits is not None:
         set_limits(*own.limits)
     elif own.zero and not own.log and limits()[1] > 0.0 and _least(axes, which) >= 0.0:
         set_limits(0.0, None)

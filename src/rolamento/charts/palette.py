@@ -17,13 +17,15 @@ __all__ = ["DARK", "LIGHT", "SERIES", "Look", "case_look", "race_look", "series_
 
 LIGHT: Final[Mapping[str, str]] = {
     "inner": "#0072B2", "outer": "#D55E00", "inner2": "#009E73", "outer2": "#CC79A7",
-    "fifth": "#E69F00", "sixth": "#56B4E9", "ink": "#000000", "grey": "#707070",
+    "fifth": "#E69F00", "sixth": "#56B4E9", "seventh": "#6A3D9A",
+    "ink": "#000000", "grey": "#707070",
     "good": "#17692F", "fair": "#855300", "bad": "#B3201B",
 }  # fmt: skip
 """Colours on white paper, by part; "inner2" and "outer2" are those of a second case."""
 DARK: Final[Mapping[str, str]] = {
     "inner": "#56B4E9", "outer": "#F08A3C", "inner2": "#3FCF9F", "outer2": "#E59BC6",
-    "fifth": "#F0C04F", "sixth": "#8FD3FF", "ink": "#DFE4E7", "grey": "#98A4AC",
+    "fifth": "#F0C04F", "sixth": "#8FD3FF", "seventh": "#B79BE6",
+    "ink": "#DFE4E7", "grey": "#98A4AC",
     "good": "#74CF8B", "fair": "#EAB95A", "bad": "#FF8F86",
 }  # fmt: skip
 """Colours on a dark page, by the same names."""

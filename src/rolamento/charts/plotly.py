@@ -6,7 +6,7 @@ turns into those of its theme; what is alike in all pictures (fonts, margins, gr
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from math import isfinite
 from typing import Any, Final, TypedDict
 
@@ -26,6 +26,7 @@ from rolamento.charts.record import (
     Labels,
     Line,
     Mark,
+    Side,
     Spread,
     widened,
 )
@@ -42,6 +43,8 @@ _DOWN: Final = ([0.54, 1.0], [0.0, 0.46])
 """Where panels below one another lie."""
 _NAMED: Final = 0.07
 """Part of the frame from which on a zone has room for its name."""
+_CLEAR: Final = "\u2003"
+"""A space as wide as a letter is high."""
 _THIN_SPACE: Final = "\u2009"
 _MODES: Final = {"line": "lines", "points": "markers", "both": "lines+markers"}
 _DASHES: Final = {"dashdotdot": "10px,2px,2px,2px,2px,2px", "fine": "2px,2px"}
@@ -118,7 +121,7 @@ def _in_panels(panels: Sequence[Chart], down: bool) -> tuple[list[dict[str, Any]
     if down and count > 1:
         layout["xaxis"] |= {"anchor": f"y{count}", "constrain": "domain"}
     if first.zones:
-        layout |= _zones(first, upright)
+        layout |= _zones(first, {"x": across, "y": upright})
     return data, layout
 
 
@@ -190,21 +193,26 @@ def _polar_axes(chart: Chart) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _zones(chart: Chart, limits: tuple[float, float]) -> dict[str, Any]:
+def _zones(chart: Chart, limits: Mapping[str, tuple[float, float]]) -> dict[str, Any]:
     """Return bands below all, each with its name where there is room for it."""
     bands, names = [], []
     for zone in chart.zones:
-        low, high = max(zone.low, limits[0]), min(zone.high, limits[1])
+        own, other = ("x", "y") if zone.axis == "x" else ("y", "x")
+        first, last = limits[own]
+        low, high = max(zone.low, first), min(zone.high, last)
         if low >= high:
             continue
         bands.append(
-            {"type": "rect", "xref": "paper", "x0": 0, "x1": 1, "y0": low, "y1": high,
-             "layer": "below", "line": {"width": 0}, "fillcolor": f"{zone.color}-band"}
+            {"type": "rect", f"{other}ref": "paper", f"{other}0": 0, f"{other}1": 1,
+             f"{own}0": low, f"{own}1": high, "layer": "below", "line": {"width": 0},
+             "fillcolor": f"{zone.color}-band"}
         )  # fmt: skip
-        if high - low > _NAMED * (limits[1] - limits[0]):
+        axis = chart.x if zone.axis == "x" else chart.y
+        if high - low > _NAMED * (last - first) or axis.log:
+            end = float(np.log10(high)) if axis.log else high
             names.append(
-                {"text": zone.name, "xref": "paper", "x": 1, "xanchor": "right",
-                 "y": high, "yanchor": "top", "showarrow": False}
+                {"text": zone.name, f"{other}ref": "paper", other: 1, own: end, "xanchor": "right",
+                 "yanchor": "top", "showarrow": False}
             )  # fmt: skip
     return {"shapes": bands, "annotations": names}
 
@@ -374,9 +382,15 @@ def _labels(labels: Labels) -> dict[str, Any]:
     return {
         "type": "scatter", "mode": "text", "hoverinfo": "skip",
         "x": _numbers(labels.x), "y": _numbers(labels.y),
-        "text": [text.replace("\n", "<br>") for text in labels.texts],
+        "text": [_aside(text, side) for text, side in zip(labels.texts, labels.sides, strict=True)],
         "textposition": [_SIDES[side] for side in labels.sides],
     }  # fmt: skip
+
+
+def _aside(text: str, side: Side) -> str:
+    """Return a label, its lines clear of what it stands beside."""
+    before, after = {"right": (_CLEAR, ""), "left": ("", _CLEAR)}.get(side, ("", ""))
+    return "<br>".join(f"{before}{line}{after}" for line in text.split("\n"))
 
 
 def _mark(chart: Chart, mark: Mark, limits: Sequence[tuple[float, float]]) -> dict[str, Any]:

@@ -170,12 +170,13 @@ class Mark:
 
 @frozen
 class Zone:
-    """A band through the whole frame, from one height to another; infinite: to the end."""
+    """A band through the whole frame, from one number of an axis to another; infinite: its end."""
 
     low: float
     high: float
     name: str
     color: str
+    axis: Literal["x", "y"] = "y"
 
 
 @frozen(eq=False)

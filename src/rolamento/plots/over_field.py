@@ -8,21 +8,20 @@ import numpy as np
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from numpy.typing import NDArray
 
-from rolamento.charts.axes_units import NONE, read_values
-from rolamento.charts.frame import label_x, log_scale
-from rolamento.charts.texts import capitalised, numbers
+from rolamento.charts.drawing import frame
+from rolamento.charts.field_axis import field_axis
+from rolamento.charts.record import FAINT, widened
+from rolamento.charts.texts import numbers
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from rolamento.studies.fields import Field
 
-__all__ = ["across", "decades", "is_geometric", "judged_line"]
+__all__ = ["across", "decades", "judged_line"]
 
 Floats = NDArray[np.float64]
 
-_FAINT: Final = 0.3
-"""Opacity of a line where its model does not hold."""
 _DECADES: Final = 100.0
 """Greatest over least value from which on there is room for whole decades only."""
 _NARROW: Final = 10.0
@@ -36,14 +35,7 @@ _RAISED: Final = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 def across(axes: Axes, field: Field, values: Floats) -> None:
     """Label the axis across with a field, its limits those of the values."""
-    x, symbol = read_values(field, values)
-    known = capitalised(field.label)
-    label_x(axes, known if symbol == NONE.symbol else f"{known} ({symbol})")
-    if is_geometric(values):
-        log_scale(axes, "x")
-        if x.max() > _DECADES * x.min() > 0.0:
-            axes.xaxis.set_major_locator(LogLocator())
-    axes.set_xlim(float(x.min()), float(x.max()))
+    frame(axes, "x", field_axis(field, values))
 
 
 def decades(axes: Axes, axis: str, limits: tuple[float, float]) -> None:
@@ -71,21 +63,8 @@ def judged_line(
     axes: Axes, x: Floats, y: Floats, holds: NDArray[np.bool_], name: str, look: dict[str, Any]
 ) -> bool:
     """Draw a line, faintly where its model does not hold; return whether that is anywhere."""
-    axes.plot(x, np.where(_widened(holds), y, np.nan), label=name, **look)
+    axes.plot(x, np.where(widened(holds), y, np.nan), label=name, **look)
     fails = np.isfinite(y) & ~holds
     if fails.any():
-        axes.plot(x, np.where(_widened(fails), y, np.nan), alpha=_FAINT, **look)
+        axes.plot(x, np.where(widened(fails), y, np.nan), alpha=FAINT, **look)
     return bool(fails.any())
-
-
-def is_geometric(values: Floats) -> bool:
-    """Whether the points have equal ratios, as after ``--log``."""
-    if len(values) < 3 or not np.all(values * values[0] > 0.0):
-        return False
-    ratios = np.diff(np.log(np.abs(values)))
-    return bool(np.ptp(ratios) < 1e-6 * np.abs(ratios).max())
-
-
-def _widened(where: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Reach from single points to their neighbours before, so that pieces of a line meet."""
-    return np.asarray(where | np.append(where[1:], False)) if where.any() else where
