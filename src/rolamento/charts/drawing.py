@@ -8,11 +8,12 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import EllipseCollection
 from matplotlib.projections.polar import PolarAxes
-from matplotlib.ticker import LogLocator, MaxNLocator, MultipleLocator
+from matplotlib.ticker import MaxNLocator, MultipleLocator
 from numpy.typing import NDArray
 
 from rolamento.charts.contacts import AROUND
 from rolamento.charts.frame import (
+    decades,
     empty_frame,
     label_x,
     label_y,
@@ -50,8 +51,6 @@ _BAND: Final = 0.18
 """Opacity of what lies between two lines."""
 _BODY: Final = 0.12
 """Opacity of a zone, and of a body within its outline."""
-_DECADES: Final = 100.0
-"""Greatest over least limit from which on there is room for whole decades only."""
 _TEXT: Final = 8.0
 _SIDES: Final[dict[str, dict[str, Any]]] = {
     "left": {"xytext": (-4, 0), "ha": "right", "va": "center"},
@@ -223,15 +222,13 @@ def frame(axes: Axes, which: str, own: Axis) -> None:
     (label_x if which == "x" else label_y)(axes, own.title)
     limits = getattr(axes, f"get_{which}lim")
     set_limits = getattr(axes, f"set_{which}lim")
-    if own.log:
-        log_scale(axes, which)
     if own.log and own.limits is not None:
-        set_limits(*own.limits)
-        if limits()[1] > _DECADES * limits()[0] > 0.0:
-            axis.set_major_locator(LogLocator())
+        decades(axes, which, own.limits)
+    elif own.log:
+        log_scale(axes, which)
     elif own.limits is not None:
         set_limits(*own.limits)
-    elif own.zero and not own.log and limits()[1] > 0.0 and _least(axes, which) >= 0.0:
+    elif own.zero and limits()[1] > 0.0 and _least(axes, which) >= 0.0:
         set_limits(0.0, None)
     if own.categories:
         axis.set_ticks(range(len(own.categories)), own.categories)
@@ -276,5 +273,7 @@ def _number_circles(axes: PolarAxes, chart: Chart) -> None:
     ]
     clear = 2.0 * float(np.max(np.concatenate(near), initial=0.0)) if near else 0.0
     names = [number(circle) if circle > clear else "" for circle in circles]
-    axes.set_rgrids(circles, names if any(names) else [number(one) for one in circles])
+    inward = "right" if 0.0 < chart.numbers_at % 360.0 < 180.0 else "left"
+    shown = names if any(names) else [number(one) for one in circles]
+    axes.set_rgrids(circles, shown, ha=inward)
     axes.set_rlabel_position(chart.numbers_at % 360.0)
