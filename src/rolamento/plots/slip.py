@@ -159,6 +159,7 @@ def _draw(axes: Axes, contact: _Contact, quantity: Quantity) -> None:
     values = factor * _values(contact, quantity, u, v)
     edge = Ellipse((0.0, 0.0), 2.0 * a, 2.0 * b, fill=False, linewidth=0.9, zorder=3.0)
     drawn = axes.contourf(a * u, b * v, values, levels=_LEVELS)
+    drawn.set_gid("colour-map")  # pages in the dark leave it as it is
     axes.add_patch(edge)
     drawn.set_clip_path(edge)
     bar = figure_of(axes).colorbar(drawn, ax=axes, format=PlainNumbers())
