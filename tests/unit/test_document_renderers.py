@@ -59,7 +59,7 @@ EXAMPLE = Path(rolamento.__file__).parent / "examples" / "218_combined.toml"
 
 
 def picture() -> Any:
-    from rolamento.plots.style import new_figure
+    from rolamento.charts.style import new_figure
 
     figure, axes = new_figure()
     axes.plot([0.0, 1.0], [0.0, 1.0], label="line")

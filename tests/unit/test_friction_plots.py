@@ -10,6 +10,7 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 import rolamento as ro
+from rolamento.charts.frame import figure_of
 from rolamento.errors import InputError
 from rolamento.friction.slip import (
     Patch,
@@ -17,7 +18,6 @@ from rolamento.friction.slip import (
     rolling_lines,
     solved_motion,
 )
-from rolamento.plots.frame import figure_of
 from rolamento.plots.slip import QUANTITIES, slip_map, slip_maps
 from rolamento.solution import solve
 from rolamento.solved import Solved

@@ -20,8 +20,9 @@ from rolamento import (
     Load,
     override,
 )
+from rolamento.charts.frame import decades, figure_of
+from rolamento.charts.style import new_figure
 from rolamento.life import Change, LifeConditions, life, sensitivity
-from rolamento.plots.frame import figure_of
 from rolamento.plots.life import (
     BearingTests,
     aiso_chart,
@@ -35,8 +36,6 @@ from rolamento.plots.life import (
     theory_look,
     what_helps,
 )
-from rolamento.plots.over_field import decades
-from rolamento.plots.style import new_figure
 from rolamento.solution import solve
 from rolamento.solved import Solved
 from rolamento.studies.names import setting_name

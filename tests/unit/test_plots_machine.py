@@ -15,6 +15,7 @@ from typer.testing import CliRunner
 
 import rolamento as ro
 from rolamento.case.machine import Machine
+from rolamento.charts.frame import figure_of
 from rolamento.cli.app import app
 from rolamento.errors import InputError
 from rolamento.plots import (
@@ -26,7 +27,6 @@ from rolamento.plots import (
     machine_figure,
     modes_figure,
 )
-from rolamento.plots.frame import figure_of
 from rolamento.plots.machine_drawing import levels
 from rolamento.rotors import campbell, natural_modes
 from rolamento.solved.machine import SolvedMachine

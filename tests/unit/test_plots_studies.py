@@ -15,9 +15,9 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 from scipy.stats.mstats import mquantiles
 
+from rolamento.charts.frame import figure_of
 from rolamento.errors import InputError
 from rolamento.numerics.percentiles import percentile
-from rolamento.plots.frame import figure_of
 from rolamento.plots.saving import save_figure
 from rolamento.plots.study import has_result, most_telling, outputs
 from rolamento.plots.sweep import (

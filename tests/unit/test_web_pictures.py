@@ -14,8 +14,8 @@ import pytest
 import rolamento
 from rolamento import Analysis, analyse
 from rolamento.case import Case, case_of
+from rolamento.charts.limits import decades, reach, rounded_up
 from rolamento.tasks.report import analysis_of
-from rolamento.web.drawing import decades, reach, rounded_up
 from rolamento.web.pictures import PICTURES, described, figures
 from rolamento.words import speaking
 

@@ -16,7 +16,7 @@ from matplotlib.patches import Circle
 from matplotlib.ticker import Formatter, MaxNLocator, MultipleLocator
 from PIL import Image
 
-from rolamento.plots.style import INNER, OUTER, new_figure, new_stacked_figure, series, styled
+from rolamento.charts.style import INNER, OUTER, new_figure, new_stacked_figure, series, styled
 from rolamento.words import manner
 from rolamento_reproductions.record import (
     Curves,

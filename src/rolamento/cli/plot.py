@@ -82,8 +82,8 @@ def plot(
     """
     with plain_endings(lang):
         from rolamento.case.variant import read_variants
+        from rolamento.charts.texts import no_result
         from rolamento.plots.saving import check_name, save_figure
-        from rolamento.plots.texts import no_result
 
         target = _default_name(results[0]) if output is None else output
         check_name(target)

@@ -15,8 +15,8 @@ from pathlib import Path
 import numpy as np
 
 from rolamento import Bearing, Case, Duty, Load, solve
+from rolamento.charts.style import in_style, new_figure, series
 from rolamento.plots.saving import save_figure
-from rolamento.plots.style import in_style, new_figure, series
 
 BEARING = Bearing(
     ball_count=16,

@@ -14,9 +14,9 @@ from pathlib import Path
 import numpy as np
 
 from rolamento import Case, solve
+from rolamento.charts.style import in_style, new_figure, series
 from rolamento.lubrication import film
 from rolamento.plots.saving import save_figure
-from rolamento.plots.style import in_style, new_figure, series
 
 
 @in_style

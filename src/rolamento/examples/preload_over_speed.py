@@ -19,8 +19,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento import Bearing, Case, Duty, solve
+from rolamento.charts.style import in_style, new_stacked_figure, series
 from rolamento.plots.saving import save_figure
-from rolamento.plots.style import in_style, new_stacked_figure, series
 from rolamento.records import frozen
 
 Floats = NDArray[np.float64]

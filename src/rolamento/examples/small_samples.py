@@ -13,8 +13,8 @@ from pathlib import Path
 
 import numpy as np
 
+from rolamento.charts.style import in_style, new_figure
 from rolamento.plots.saving import save_figure
-from rolamento.plots.style import in_style, new_figure
 from rolamento.weibull import LifeTest, maximum_likelihood
 
 SHAPE = 1.5

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from rolamento.charts.axes_units import read_values
 from rolamento.document import Column, Notes, Remark
-from rolamento.plots.axes_units import read_values
 from rolamento.words import UNITS, Note, manner, said
 
 if TYPE_CHECKING:

@@ -615,14 +615,14 @@ def roller_pictures(solved: Solved) -> list[Section]:
 
 
 def _along_picture(solved: Solved) -> Picture:
-    from rolamento.plots.frame import figure_of
+    from rolamento.charts.frame import figure_of
     from rolamento.plots.roller import pressures_of_both_races
 
     return figure_of(pressures_of_both_races(solved)[0])
 
 
 def _between_picture(solved: Solved) -> Picture:
-    from rolamento.plots.frame import figure_of
+    from rolamento.charts.frame import figure_of
     from rolamento.plots.roller import roller_between_races
 
     return figure_of(roller_between_races(solved))

@@ -145,7 +145,7 @@ def _charts(summary: LifeSummary) -> Iterator[Figure]:
         return
 
     def draw() -> Picture:
-        from rolamento.plots.frame import figure_of
+        from rolamento.charts.frame import figure_of
         from rolamento.plots.life import aiso_chart
 
         return figure_of(aiso_chart(summary))

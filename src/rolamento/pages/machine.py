@@ -219,8 +219,8 @@ def machine_picture(solved: SolvedMachine, key: str, step: int) -> Figure:
     """
 
     def draw() -> Picture:
+        from rolamento.charts.frame import figure_of
         from rolamento.plots import machine
-        from rolamento.plots.frame import figure_of
 
         if key == "deflection":
             return figure_of(machine.draw_deflection(solved, step=step))

@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from rolamento.charts import Chart, Line, Look, Mark
+from rolamento.charts.axes_units import read_values, readable_unit
+from rolamento.charts.curve_charts import curve_chart
+from rolamento.charts.texts import capitalised
 from rolamento.document import Column, Document, Figure, Section, Statement, Table, Title, Tone
 from rolamento.pages.across import field_column, read_text
 from rolamento.pages.given import untitled
 from rolamento.pages.notes import cautions
-from rolamento.plots.axes_units import read_values, readable_unit
-from rolamento.plots.texts import capitalised
 from rolamento.words import ABSENT, UNITS, manner, said
 
 if TYPE_CHECKING:
@@ -81,28 +84,25 @@ def seek_statement(found: Goal) -> str:
 
 def seek_picture(found: Goal) -> Picture:
     """Draw the output over the field, its goal, and where it is met."""
-    from rolamento.plots.frame import label_y, legend_above
-    from rolamento.plots.over_field import across
-    from rolamento.plots.style import INNER, OUTER, new_figure, styled
+    from rolamento.charts.drawing import draw
+    from rolamento.charts.frame import figure_of
 
-    with styled():
-        figure, axes = new_figure()
-        field, values = found.field, found.curve.values
-        unit = readable_unit(found.output.unit, found.curve.numbers, found.output.name)
-        read = read_values(field, np.append(values, found.found))[0]
-        x, marks = read[: len(values)], read[len(values) :]
-        axes.plot(x, unit.of(found.curve.numbers), color=INNER.color)
-        goal = float(unit.of(found.target))
-        axes.axhline(goal, color=OUTER.color, linestyle="--", label=said("goal"))
-        if len(marks):
-            axes.plot(
-                marks, np.full(len(marks), goal), linestyle="", marker=OUTER.marker,
-                color=OUTER.color, label=said("found"), zorder=4.0,
-            )  # fmt: skip
-        across(axes, field, values)
-        label_y(axes, unit.label(capitalised(found.output.label)))
-        legend_above(axes)
-    return figure
+    return figure_of(draw(seek_chart(found)))
+
+
+def seek_chart(found: Goal) -> Chart:
+    """Return the curve of the output over the field, its goal, and where it is met."""
+    chart = curve_chart([found.curve])
+    unit = readable_unit(found.output.unit, found.curve.numbers, found.output.name)
+    goal = float(unit.of(found.target))
+    marks = (Mark(goal, said("goal"), Look("outer", "dash")),)
+    if not len(found.found):
+        return replace(chart, marks=marks)
+    values = np.append(found.curve.values, found.found)
+    at = read_values(found.field, values)[0][len(found.curve.values) :]
+    look = Look("outer", mark="square")
+    met = Line(at, np.full(len(at), goal), said("found"), look, "points")
+    return replace(chart, series=(*chart.series, met), marks=marks)
 
 
 def _table(found: Goal) -> Table:

@@ -226,8 +226,8 @@ def rosette_section(solved: Solved) -> Section:
 
 
 def _picture(solved: Solved) -> Picture:
+    from rolamento.charts.frame import figure_of
     from rolamento.plots.balls import load_rosette
-    from rolamento.plots.frame import figure_of
 
     return figure_of(load_rosette(solved))
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
+from rolamento.charts.axes_units import ANGLES
 from rolamento.document import (
     Block,
     CellContent,
@@ -20,7 +21,6 @@ from rolamento.document import (
     Statement,
     Table,
 )
-from rolamento.plots.axes_units import ANGLES
 from rolamento.words import decimals_for, in_unit, said
 from rolamento.words.reasons import reason
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
+from rolamento.charts.axes_units import ReadableUnit, readable_unit
 from rolamento.document import (
     CellContent,
     Column,
@@ -22,7 +23,6 @@ from rolamento.document import (
 )
 from rolamento.errors import InputError
 from rolamento.pages.study import in_row
-from rolamento.plots.axes_units import ReadableUnit, readable_unit
 from rolamento.studies.sensitivity import RankCorrelations, SobolIndices, ToleranceStudy
 from rolamento.studies.tolerance import Samples, ToleranceBand
 from rolamento.words import UNITS, manner, said

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from matplotlib.figure import Figure
 
-from rolamento.plots.frame import (
+from rolamento.charts.frame import (
     GREY,
     add_title,
     empty_frame,
@@ -19,7 +19,7 @@ from rolamento.plots.frame import (
     legend_above,
     log_scale,
 )
-from rolamento.plots.style import INNER, OUTER, new_figure, styled
+from rolamento.charts.style import INNER, OUTER, new_figure, styled
 from rolamento.words import said
 from rolamento.words.sentences.noise import band_name
 

@@ -9,9 +9,9 @@ from matplotlib.figure import Figure
 from matplotlib.projections.polar import PolarAxes
 from numpy.typing import NDArray
 
-from rolamento.plots.axes_units import PERCENT, ReadableUnit
-from rolamento.plots.contacts import race_name
-from rolamento.plots.frame import (
+from rolamento.charts.axes_units import PERCENT, ReadableUnit
+from rolamento.charts.contacts import race_name
+from rolamento.charts.frame import (
     GREY,
     PlainNumbers,
     add_title,
@@ -20,8 +20,8 @@ from rolamento.plots.frame import (
     label_y,
     legend_above,
 )
-from rolamento.plots.style import INNER, MILLIMETRE, OUTER, WIDTH, Series, series, styled
-from rolamento.plots.texts import number
+from rolamento.charts.style import INNER, MILLIMETRE, OUTER, WIDTH, Series, series, styled
+from rolamento.charts.texts import number
 from rolamento.words import said, worded
 
 if TYPE_CHECKING:

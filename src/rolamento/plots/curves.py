@@ -5,20 +5,21 @@ They take plain arrays in SI units: columns of a `Solved`, or variables of a stu
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Any, Final
+from collections.abc import Sequence
+from typing import Final
 
 import numpy as np
 from matplotlib.axes import Axes
 from numpy.typing import ArrayLike, NDArray
 
+from rolamento.charts import Axis, Chart, Line, Spread, nothing, race_look, series_look
+from rolamento.charts.axes_units import DEGREE, RPM, readable_unit
+from rolamento.charts.contacts import race_word
+from rolamento.charts.drawing import draw
+from rolamento.charts.record import Form
+from rolamento.charts.texts import capitalised, no_result
 from rolamento.errors import InputError
 from rolamento.geometry import Race
-from rolamento.plots.axes_units import DEGREE, RPM, readable_unit
-from rolamento.plots.contacts import race_word
-from rolamento.plots.frame import empty_frame, label_x, label_y, legend_above
-from rolamento.plots.style import INNER, OUTER, in_style, new_figure, series
-from rolamento.plots.texts import capitalised, no_result
 from rolamento.solved import RACES
 from rolamento.studies.names import variable_name
 from rolamento.words import said
@@ -34,7 +35,6 @@ _LOWEST_CEILING: Final = 1.4
 """Where the least value is above the greatest over this, the axis does not begin at zero."""
 
 
-@in_style
 def load_displacement(
     displacement: ArrayLike,
     load: ArrayLike,
@@ -76,22 +76,21 @@ def load_displacement(
         raise InputError(
             said("must be one for each of {count} curves", count=len(across)), field="labels"
         )
-    axes = new_figure()[1] if axes is None else axes
     if not np.isfinite(across + up).any():
-        return empty_frame(axes, no_result())
+        return draw(nothing(no_result()), axes)
     tilt = position > 2
     unit_x = readable_unit("rad" if tilt else "m", across)
     unit_y = readable_unit("N*m" if tilt else "N", up)
-    for index, name in enumerate(names):
-        look = series(index).keywords(markers=across.shape[1] <= MOST_MARKERS)
-        axes.plot(unit_x.of(across[index]), unit_y.of(up[index]), label=name or None, **look)
-    label_x(axes, unit_x.label(capitalised(variable_name(direction))))
-    label_y(axes, unit_y.label(capitalised(variable_name(_LOADS[position]))))
-    legend_above(axes)
-    return axes
+    lines = (
+        Line(unit_x.of(across[index]), unit_y.of(up[index]), name, series_look(index),
+             _form(across.shape[1]))
+        for index, name in enumerate(names)
+    )  # fmt: skip
+    over = Axis(capitalised(variable_name(direction)), unit_x.symbol)
+    upright = Axis(capitalised(variable_name(_LOADS[position])), unit_y.symbol)
+    return draw(Chart(tuple(lines), over, upright), axes)
 
 
-@in_style
 def stiffness_over_speed(
     speed: ArrayLike,
     stiffness: ArrayLike,
@@ -144,21 +143,18 @@ def stiffness_over_speed(
             ),
             field="stiffness",
         )
-    axes = new_figure()[1] if axes is None else axes
     if not np.isfinite(up).any():
-        return empty_frame(axes, no_result())
+        return draw(nothing(no_result()), axes)
     unit = readable_unit("N*m/rad" if tilts == {True} else "N/m", up)
-    for index, direction in enumerate(directions):
-        look = series(index).keywords(markers=len(across) <= MOST_MARKERS)
-        axes.plot(RPM.of(across), unit.of(up[:, index]), label=f"{direction}–{direction}", **look)
-    _from_zero(axes, up)
-    label_x(axes, RPM.label(capitalised(variable_name("inner_speed"))))
-    label_y(axes, unit.label(said("Stiffness")))
-    legend_above(axes)
-    return axes
+    lines = (
+        Line(RPM.of(across), unit.of(up[:, index]), f"{direction}–{direction}",
+             series_look(index), _form(len(across)))
+        for index, direction in enumerate(directions)
+    )  # fmt: skip
+    upright = Axis(said("Stiffness"), unit.symbol, zero=_from_zero(up))
+    return draw(Chart(tuple(lines), _speed(), upright), axes)
 
 
-@in_style
 def contact_angle_over_speed(
     speed: ArrayLike,
     inner: ArrayLike,
@@ -199,39 +195,39 @@ def contact_angle_over_speed(
                 ),
                 field=name,
             )
-    axes = new_figure()[1] if axes is None else axes
     if not any(np.isfinite(values).any() for values in angles.values()):
-        return empty_frame(axes, no_result())
-    for race, look in zip(RACES, (INNER, OUTER), strict=True):
-        _band(axes, RPM.of(across), angles[race], race, look.keywords())
-    label_x(axes, RPM.label(capitalised(variable_name("inner_speed"))))
-    label_y(axes, DEGREE.label(said("Contact angle")))
-    legend_above(axes)
-    return axes
+        return draw(nothing(no_result()), axes)
+    series = [one for race in RACES for one in _band(RPM.of(across), angles[race], race)]
+    return draw(Chart(tuple(series), _speed(), Axis(said("Contact angle"), DEGREE.symbol)), axes)
 
 
-def _band(axes: Axes, x: Floats, values: Floats, race: Race, look: Mapping[str, Any]) -> None:
-    """Draw the middle of the balls' values, and how far they spread."""
-    name = race_word(race)
+def _speed() -> Axis:
+    return Axis(capitalised(variable_name("inner_speed")), RPM.symbol)
+
+
+def _form(points: int) -> Form:
+    return "both" if points <= MOST_MARKERS else "line"
+
+
+def _band(x: Floats, values: Floats, race: Race) -> list[Spread | Line]:
+    """Return how far the balls' values spread, and their middle."""
+    name, look = race_word(race), race_look(race)
     table = np.ma.masked_invalid(values.reshape(len(x), -1))
     least, middle, greatest = (
         np.ma.filled(found(table, axis=1).astype(np.float64), np.nan)
         for found in (np.ma.min, np.ma.median, np.ma.max)
     )
-    if table.shape[1] > 1:
-        spread = said("{race}, all balls", race=name)
-        axes.fill_between(
-            x, least, greatest, color=look["color"], alpha=0.18, linewidth=0.0, label=spread
-        )
-        name = said("{race}, median", race=name)
-    axes.plot(x, middle, label=name, **look)
+    if table.shape[1] == 1:
+        return [Line(x, middle, name, look)]
+    spread = said("{race}, all balls", race=name)
+    return [Spread(x, least, greatest, spread, look),
+            Line(x, middle, said("{race}, median", race=name), look)]  # fmt: skip
 
 
-def _from_zero(axes: Axes, values: Floats) -> None:
-    """Let the axis begin at zero, unless the values would then be squeezed together."""
+def _from_zero(values: Floats) -> bool:
+    """Whether the axis begins at zero: not where the values would be squeezed together."""
     finite = values[np.isfinite(values)]
-    if finite.min() >= 0.0 and finite.max() > _LOWEST_CEILING * finite.min():
-        axes.set_ylim(bottom=0.0)
+    return bool(finite.min() >= 0.0 and finite.max() > _LOWEST_CEILING * finite.min())
 
 
 def _position(direction: str) -> int:

@@ -10,23 +10,23 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from math import ceil, floor, log10
-from typing import Any, Final, NamedTuple
+from typing import Final, NamedTuple
 
 import numpy as np
-from matplotlib.artist import Artist
 from matplotlib.axes import Axes
-from matplotlib.collections import EllipseCollection
-from matplotlib.patches import Patch
 from numpy.typing import ArrayLike
 
+from rolamento.charts import Axis
+from rolamento.charts.axes_units import DEGREE
+from rolamento.charts.contacts import Shown, check_one_case, refuse_rollers, rows_in_order
+from rolamento.charts.drawing import draw
+from rolamento.charts.ellipse_charts import across_axis, ellipse_chart
+from rolamento.charts.frame import empty_frame, require_axes
+from rolamento.charts.groove import Slot, extent, slots_of
+from rolamento.charts.style import in_style, new_figure, new_stacked_figure
+from rolamento.charts.texts import no_result, number
 from rolamento.errors import InputError
 from rolamento.geometry import Race
-from rolamento.plots.axes_units import DEGREE, MILLIMETRE
-from rolamento.plots.contacts import check_one_case, refuse_rollers, rows_in_order
-from rolamento.plots.frame import GREY, empty_frame, label_y, legend_above, require_axes
-from rolamento.plots.groove import Slot, extent, slots_of
-from rolamento.plots.style import INNER, OUTER, in_style, new_figure, new_stacked_figure
-from rolamento.plots.texts import no_result, number
 from rolamento.solved import RACES, Solved
 from rolamento.words import said
 
@@ -87,7 +87,7 @@ def contact_ellipses(
     if not solved.converged[0]:
         return empty_frame(axes, no_result(str(solved.status.code[0])))
     groups = _groups(solved, race, balls)
-    return _draw(axes, groups, race, _scale(groups))
+    return _draw(axes, solved, groups, race, _scale(groups))
 
 
 @in_style
@@ -106,23 +106,38 @@ def ellipses_of_both_races(
         return empty_frame(inner, message), empty_frame(outer, message)
     groups = {race: _groups(solved, race, balls) for race in RACES}
     scale = _scale([*groups["inner"], *groups["outer"]], races=2)
-    _draw(inner, groups["inner"], "inner", scale)
-    _draw(outer, groups["outer"], "outer", scale)
+    _draw(inner, solved, groups["inner"], "inner", scale)
+    _draw(outer, solved, groups["outer"], "outer", scale)
     return inner, outer
 
 
-def _draw(axes: Axes, groups: Sequence[list[Slot]], race: Race, scale: _Scale) -> Axes:
+def _draw(
+    axes: Axes, solved: Solved, groups: Sequence[list[Slot]], race: Race, scale: _Scale
+) -> Axes:
     slots = _side_by_side(groups, scale.step)
-    _set_frame(axes, slots, scale)
-    handles = _draw_ellipses(axes, slots, race)
-    handles += _draw_edges(axes, slots)
+    name = said("Across inner groove") if race == "inner" else said("Across outer groove")
+    margin = 0.8 * scale.step
+    along = Axis(
+        limits=(-margin, slots[-1].along + margin), ticks=_ticks(slots),
+        label=said("Azimuth of the ball (°); ellipses to scale, balls side by side"),
+    )  # fmt: skip
+    across = across_axis(name, scale.low, scale.high)
+    cases = [(Shown("", solved), slots)]
+    draw(ellipse_chart(cases, race, across=across, along=along, margin=margin), axes)
+    axes.grid(False, axis="x")
+    _name_rows(axes, slots)
     _draw_bar(axes)
-    _label(axes, slots, race)
     radii = {slot.groove_radius for slot in slots}
     if len(radii) == 1:
         _angle_axis(axes, radii.pop(), slots[0].bottom)
-    legend_above(axes, handles=handles)
     return axes
+
+
+def _ticks(slots: Sequence[Slot]) -> tuple[tuple[float, str], ...]:
+    """Return the azimuths of the balls, as many as there is room for."""
+    names = [number(float(DEGREE.of(slot.azimuth)) % 360.0) for slot in slots]
+    every = ceil(sum(len(name) + 2 for name in names) / _LABEL_CHARACTERS)
+    return tuple(zip((slot.along for slot in slots), names, strict=True))[::every]
 
 
 def _groups(solved: Solved, race: Race, chosen: Sequence[int] | None) -> list[list[Slot]]:
@@ -166,59 +181,6 @@ def _picked(count: int, chosen: Sequence[int] | None) -> Sequence[int]:
     return chosen
 
 
-def _set_frame(axes: Axes, slots: Sequence[Slot], scale: _Scale) -> None:
-    axes.set_ylim(scale.low, scale.high)
-    axes.set_xlim(-0.8 * scale.step, slots[-1].along + 0.8 * scale.step)
-    axes.set_aspect("equal", adjustable="box")
-
-
-def _draw_ellipses(axes: Axes, slots: Sequence[Slot], race: Race) -> list[Artist]:
-    """Draw the ellipses, those over the edge hatched; return what the legend shows."""
-    color = (INNER if race == "inner" else OUTER).color
-    kinds: tuple[tuple[bool, dict[str, Any]], ...] = (
-        (False, {"facecolor": color, "label": said("contact ellipse")}),
-        (True, {"facecolor": "white", "hatch": "//////", "label": said("ellipse over the edge")}),
-    )
-    handles: list[Artist] = []
-    for over, look in kinds:
-        some = [slot for slot in slots if slot.touches and slot.over_edge is over]
-        if not some:
-            continue
-        ellipses = EllipseCollection(
-            [2.0 * slot.semi_minor for slot in some],
-            [2.0 * slot.semi_major for slot in some],
-            np.zeros(len(some)),
-            units="xy",
-            offsets=[(slot.along, slot.across) for slot in some],
-            offset_transform=axes.transData,
-            edgecolor=color,
-            linewidth=0.8,
-            zorder=3.0,
-            **look,
-        )
-        axes.add_collection(ellipses, autolim=False)
-        handles.append(Patch(edgecolor=color, linewidth=0.8, **look))
-    return handles
-
-
-def _draw_edges(axes: Axes, slots: Sequence[Slot]) -> list[Artist]:
-    """Draw the bottom of the groove, and its edges below and above each row of balls."""
-    axes.axhline(0.0, color=GREY, linewidth=0.8, linestyle=(0, (8, 2, 1, 2)), zorder=1.5)
-    margin = -axes.get_xlim()[0]
-    handles: list[Artist] = []
-    for row in sorted({slot.row for slot in slots}):
-        group = [slot for slot in slots if slot.row == row]
-        if not group[0].shoulder:
-            continue
-        edge = group[0].edge
-        ends = [group[0].along - margin, group[-1].along + margin]
-        for side in (-edge, edge):
-            handles += axes.plot(
-                ends, [side, side], color="black", linewidth=1.2, label=said("edge of the groove")
-            )
-    return handles[:1]
-
-
 def _draw_bar(axes: Axes) -> None:
     """Draw a scale bar of 1, 2 or 5 times a power of ten mm into the room below."""
     (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
@@ -241,15 +203,8 @@ def _draw_bar(axes: Axes) -> None:
     )
 
 
-def _label(axes: Axes, slots: Sequence[Slot], race: Race) -> None:
+def _name_rows(axes: Axes, slots: Sequence[Slot]) -> None:
     rows = sorted({slot.row for slot in slots})
-    names = [number(float(DEGREE.of(slot.azimuth)) % 360.0) for slot in slots]
-    every = ceil(sum(len(name) + 2 for name in names) / _LABEL_CHARACTERS)
-    axes.set_xticks([slot.along for slot in slots][::every], names[::every])
-    axes.grid(False, axis="x")
-    axes.set_xlabel(said("Azimuth of the ball (°); ellipses to scale, balls side by side"))
-    across = said("Across inner groove") if race == "inner" else said("Across outer groove")
-    label_y(axes, MILLIMETRE.label(across))
     for row in rows if len(rows) > 1 else ():
         begin = min(slot.along for slot in slots if slot.row == row)
         name = said("row {number}", number=row)

@@ -3,29 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from rolamento.charts import Axis, Chart, Line, Look, nothing, series_look
+from rolamento.charts.axes_units import read_values, readable_unit
+from rolamento.charts.drawing import draw
+from rolamento.charts.field_axis import field_axis, is_geometric
+from rolamento.charts.frame import add_title
+from rolamento.charts.style import new_figure, new_stacked_figure, styled
+from rolamento.charts.texts import no_result
 from rolamento.friction.models import torque_model_name
-from rolamento.plots.axes_units import NONE, read_values, readable_unit
-from rolamento.plots.frame import add_title, empty_frame, label_y, legend_above, log_scale
-from rolamento.plots.over_field import (
-    across,
-    is_geometric,
-    judged_line,
-)
-from rolamento.plots.style import (
-    INNER,
-    OUTER,
-    new_figure,
-    new_stacked_figure,
-    series,
-    styled,
-)
-from rolamento.plots.texts import no_result
 from rolamento.studies.names import setting_name
 from rolamento.words import said
 
@@ -41,11 +32,11 @@ Floats = NDArray[np.float64]
 _NO_SPIN: Final = 1e-9
 """Spin-to-roll ratio below which it is rounding."""
 _CONTROLLED: Final = "friction_control"
-_OF_CONTROL: Final = "#6a3d9a"
+_OF_CONTROL: Final = "seventh"
 """Colour of friction control: there are as many models as colours of series."""
 _WIDE: Final = 30.0
 """Maximum over minimum torque from which on both axes become logarithmic, not only the field's."""
-_VARIANTS: Final[tuple[Any, ...]] = ("-", "--", ":", "-.", (0, (5, 1, 1, 1)), (0, (7, 2)))
+_VARIANTS: Final = ("solid", "dash", "dot", "dashdot", "dashdotdot", "longdash")
 
 
 def friction_figure(curves: Sequence[FrictionCurve]) -> Figure:
@@ -81,25 +72,23 @@ def torque_by_model(curves: Sequence[FrictionCurve], axes: Axes | None = None) -
     axes
         To draw on; of a new figure if not given.
     """
-    with styled():
-        axes = new_figure()[1] if axes is None else axes
-        lines = list(_lines(curves))
-        values = np.concatenate([torque for torque, _, _, _ in lines])
-        if not np.isfinite(values).any():
-            return empty_frame(axes, no_result())
-        unit, x = readable_unit("N*m", values), _x(curves[0])
-        faint = False
-        for torque, valid, name, look in lines:
-            faint |= judged_line(axes, x, unit.of(torque), valid, name, look)
-        across(axes, curves[0].field, curves[0].values)
-        if _is_wide(values) and is_geometric(curves[0].values):
-            log_scale(axes, "y")
-            axes.set_ylabel(unit.label(said("Friction torque")), parse_math=False)
-        else:
-            axes.set_ylim(bottom=0.0)
-            label_y(axes, unit.label(said("Friction torque")))
-        legend_above(axes, title=said("faint: the model is not valid there") if faint else "")
-    return axes
+    chart = torque_chart(curves)
+    faint = any(line.valid is not None and not line.valid.all() for line in chart.lines)
+    return draw(chart, axes, title=said("faint: the model is not valid there") if faint else "")
+
+
+def torque_chart(curves: Sequence[FrictionCurve]) -> Chart:
+    """Return the running torque by every model, faint where it is not valid."""
+    lines = list(_lines(curves))
+    values = np.concatenate([torque for torque, _, _, _ in lines])
+    if not np.isfinite(values).any():
+        return nothing(no_result())
+    unit, x = readable_unit("N*m", values), _x(curves[0])
+    series = (Line(x, unit.of(torque), name, look, valid=valid | ~np.isfinite(torque))
+              for torque, valid, name, look in lines)  # fmt: skip
+    wide = _is_wide(values) and is_geometric(curves[0].values)
+    upright = Axis(said("Friction torque"), unit.symbol, log=wide, zero=True)
+    return Chart(tuple(series), field_axis(curves[0].field, curves[0].values), upright)
 
 
 def spin_to_roll(curves: Sequence[FrictionCurve], axes: Axes | None = None) -> Axes:
@@ -107,53 +96,48 @@ def spin_to_roll(curves: Sequence[FrictionCurve], axes: Axes | None = None) -> A
 
     Parameters as of `torque_by_model`.
     """
-    with styled():
-        axes = new_figure()[1] if axes is None else axes
-        drawn = False
-        for number, curve in enumerate(curves):
-            if curve.controlled is None:
-                continue
-            ratios = (
-                (said("inner contact"), INNER, curve.controlled.inner_spin_to_roll),
-                (said("outer contact"), OUTER, curve.controlled.outer_spin_to_roll),
+    return draw(spin_chart(curves), axes)
+
+
+def spin_chart(curves: Sequence[FrictionCurve]) -> Chart:
+    """Return the ratios of spin to roll of the most loaded ball, of each curve at both races."""
+    series = []
+    for number, curve in enumerate(curves):
+        if curve.controlled is None:
+            continue
+        for race, name, values in (
+            ("inner", said("inner contact"), curve.controlled.inner_spin_to_roll),
+            ("outer", said("outer contact"), curve.controlled.outer_spin_to_roll),
+        ):
+            own = ", ".join(part for part in (name, setting_name(curve.label)) if part)
+            ratio = np.where(np.abs(values) < _NO_SPIN, 0.0, np.abs(values))
+            series.append(
+                Line(_x(curve), ratio, own, Look(race, _VARIANTS[number % len(_VARIANTS)]))
             )
-            for name, look, values in ratios:
-                drawn |= bool(np.isfinite(values).any())
-                axes.plot(
-                    _x(curve),
-                    np.where(np.abs(values) < _NO_SPIN, 0.0, np.abs(values)),
-                    color=look.color,
-                    linestyle=_VARIANTS[number % len(_VARIANTS)],
-                    label=", ".join(part for part in (name, setting_name(curve.label)) if part),
-                )
-        if not drawn:
-            return empty_frame(axes, no_result())
-        across(axes, curves[0].field, curves[0].values)
-        axes.set_ylim(bottom=0.0)
-        label_y(axes, NONE.label(said("Spin-to-roll ratio")))
-        legend_above(axes)
-    return axes
+    if not any(np.isfinite(line.y).any() for line in series):
+        return nothing(no_result())
+    across = field_axis(curves[0].field, curves[0].values)
+    return Chart(tuple(series), across, Axis(said("Spin-to-roll ratio"), zero=True))
 
 
 def _lines(
     curves: Sequence[FrictionCurve],
-) -> list[tuple[Floats, NDArray[np.bool_], str, dict[str, Any]]]:
+) -> list[tuple[Floats, NDArray[np.bool_], str, Look]]:
     """Torque, where it is valid, name and look of every line."""
     own = curves[0]
-    lines: list[tuple[Floats, NDArray[np.bool_], str, dict[str, Any]]] = []
+    lines: list[tuple[Floats, NDArray[np.bool_], str, Look]] = []
     for index, found in enumerate(own.friction.judged):
         name = torque_model_name(found.model)
-        look = series(index).keywords()
+        look = series_look(index)
         lines.append((own.torque(found.model), found.valid, name, look))
     torque = own.controlled_torque
     controlled = bool(np.isfinite(torque).any())
     if controlled:
         name = torque_model_name(_CONTROLLED)
-        look = {"color": _OF_CONTROL, "linestyle": "-"}
+        look = Look(_OF_CONTROL)
         lines.append((torque, own.controlled_valid, name, look))
     for number, curve in enumerate(curves[1:], start=1):
-        colour = _OF_CONTROL if controlled else "#000000"
-        look = {"color": colour, "linestyle": _VARIANTS[number % len(_VARIANTS)]}
+        look = Look(_OF_CONTROL if controlled else "ink", _VARIANTS[number % len(_VARIANTS)])
         model = _CONTROLLED if controlled else curve.friction.model
         if controlled:
             torque, valid = curve.controlled_torque, curve.controlled_valid

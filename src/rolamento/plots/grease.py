@@ -8,17 +8,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.figure import Figure
 
+from rolamento.charts import Axis, Chart, Line, Look, Mark, nothing, series_look
+from rolamento.charts.drawing import draw
+from rolamento.charts.frame import add_title
+from rolamento.charts.style import new_figure, styled
+from rolamento.charts.texts import no_result
 from rolamento.grease.models import MODELS
-from rolamento.plots.frame import (
-    add_title,
-    empty_frame,
-    label_x,
-    label_y,
-    legend_above,
-    log_scale,
-)
-from rolamento.plots.style import new_figure, series, styled
-from rolamento.plots.texts import no_result
 from rolamento.units import ZERO_CELSIUS
 from rolamento.words import said
 from rolamento.words.sentences.grease import LAWS
@@ -59,30 +54,26 @@ def life_over_temperature(found: GreaseCase, axes: Axes | None = None) -> Axes:
     axes
         To draw on; of a new figure if not given.
     """
-    with styled():
-        axes = new_figure()[1] if axes is None else axes
-        warm = np.linspace(_COLDEST, _HOTTEST, _POINTS)
-        drawn = False
-        for index, law in enumerate(MODELS.values()):
-            lives = [
-                law.evaluate(replace(found.duty, temperature=float(one) + ZERO_CELSIUS))
-                for one in warm
-            ]
-            hours = np.array([one.hours for one in lives])
-            if np.isfinite(hours).any():
-                name = said(LAWS[lives[0].name])
-                axes.plot(warm, hours, label=name, **series(index).keywords())
-                drawn = True
-        if not drawn or not found.lives:
-            axes.clear()
-            return empty_frame(axes, no_result())
-        axes.axvline(
-            found.duty.temperature - ZERO_CELSIUS, color="#606060", linewidth=0.8, linestyle="--",
-            label=said("this case"),
-        )  # fmt: skip
-        label_x(axes, said("Temperature of the bearing (°C)"))
-        label_y(axes, said("Mean life of the grease (h)"))
-        log_scale(axes, "y")
-        axes.set_xlim(_COLDEST, _HOTTEST)
-        legend_above(axes)
-    return axes
+    return draw(temperature_chart(found), axes)
+
+
+def temperature_chart(found: GreaseCase) -> Chart:
+    """Return the mean life by each law within its range."""
+    warm = np.linspace(_COLDEST, _HOTTEST, _POINTS)
+    lines = []
+    for index, law in enumerate(MODELS.values()):
+        lives = [
+            law.evaluate(replace(found.duty, temperature=float(one) + ZERO_CELSIUS)) for one in warm
+        ]
+        hours = np.array([one.hours for one in lives])
+        if np.isfinite(hours).any():
+            lines.append(Line(warm, hours, said(LAWS[lives[0].name]), series_look(index)))
+    if not lines or not found.lives:
+        return nothing(no_result())
+    now = found.duty.temperature - ZERO_CELSIUS
+    return Chart(
+        tuple(lines),
+        Axis(unit="°C", limits=(_COLDEST, _HOTTEST), label=said("Temperature of the bearing (°C)")),
+        Axis(unit="h", log=True, label=said("Mean life of the grease (h)")),
+        marks=(Mark(now, said("this case"), Look("grey", "dash", width=0.6), "x"),),
+    )

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
-from rolamento.plots.frame import GREY, legend_above
-from rolamento.plots.style import INNER, OUTER
+from rolamento.charts.frame import GREY, legend_above
+from rolamento.charts.style import INNER, OUTER
 from rolamento.words import said
 
 if TYPE_CHECKING:

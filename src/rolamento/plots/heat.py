@@ -8,13 +8,15 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from matplotlib.figure import Figure
 
+from rolamento.charts import Axis, Chart, Line, Look, nothing, series_look
+from rolamento.charts.axes_units import read_values, readable_unit
+from rolamento.charts.drawing import draw
+from rolamento.charts.field_axis import field_axis
+from rolamento.charts.frame import add_title, empty_frame, label_x, label_y, legend_above
+from rolamento.charts.style import new_figure, new_stacked_figure, series, styled
+from rolamento.charts.texts import no_result
 from rolamento.heat import NODES
 from rolamento.numerics import FloatArray
-from rolamento.plots.axes_units import read_values, readable_unit
-from rolamento.plots.frame import GREY, add_title, empty_frame, label_x, label_y, legend_above
-from rolamento.plots.over_field import across
-from rolamento.plots.style import new_figure, new_stacked_figure, series, styled
-from rolamento.plots.texts import no_result
 from rolamento.units import ZERO_CELSIUS
 from rolamento.words import said
 from rolamento.words.sentences.heat import PLACE_NAMES, VARIANT_NAMES
@@ -61,31 +63,29 @@ def heat_balance_curves(found: HeatBalance, axes: Axes | None = None) -> Axes:
     axes
         To draw on; of a new figure if not given.
     """
-    with styled():
-        axes = new_figure()[1] if axes is None else axes
-        curve = found.curve
-        if not np.isfinite(curve.friction).any():
-            return empty_frame(axes, no_result())
-        warm = curve.temperatures.max(axis=0) - ZERO_CELSIUS
-        axes.plot(warm, curve.friction, label=said("friction"), **series(1).keywords())
-        axes.plot(warm, curve.power, label=said("heat removed"), **series(0).keywords())
-        for stable, name, face in (
-            (True, said("stable state"), "#000000"), (False, said("unstable state"), "#FFFFFF"),
-        ):  # fmt: skip
-            own = [root for root in found.roots if root.stable == stable]
-            if own:
-                hottest = [max(root.temperatures.values()) - ZERO_CELSIUS for root in own]
-                powers = [root.power for root in own]
-                axes.plot(
-                    hottest, powers, linestyle="none", marker="o", markersize=6.0, color="#000000",
-                    markerfacecolor=face, zorder=5, label=name,
-                )  # fmt: skip
-        axes.set_xlim(float(warm.min()), float(warm.max()))
-        axes.set_ylim(bottom=0.0)
-        label_x(axes, said("Temperature of the warmest part (°C)"))
-        label_y(axes, said("Power (W)"))
-        legend_above(axes)
-    return axes
+    return draw(balance_chart(found), axes)
+
+
+def balance_chart(found: HeatBalance) -> Chart:
+    """Return friction and the heat that is removed, with the states where they cross."""
+    curve = found.curve
+    if not np.isfinite(curve.friction).any():
+        return nothing(no_result())
+    warm = curve.temperatures.max(axis=0) - ZERO_CELSIUS
+    lines = [Line(warm, curve.friction, said("friction"), series_look(1)),
+             Line(warm, curve.power, said("heat removed"), series_look(0))]  # fmt: skip
+    for stable, name in ((True, said("stable state")), (False, said("unstable state"))):
+        own = [root for root in found.roots if root.stable == stable]
+        if own:
+            hottest = np.array([max(root.temperatures.values()) for root in own]) - ZERO_CELSIUS
+            powers = np.array([root.power for root in own])
+            lines.append(Line(hottest, powers, name, Look("ink", hollow=not stable), "points"))
+    return Chart(tuple(lines), _warmest(warm), Axis(label=said("Power (W)"), zero=True))
+
+
+def _warmest(warm: FloatArray) -> Axis:
+    limits = float(warm.min()), float(warm.max())
+    return Axis(unit="°C", limits=limits, label=said("Temperature of the warmest part (°C)"))
 
 
 def heat_over_figure(found: HeatOver) -> Figure:
@@ -116,25 +116,23 @@ def heat_over_figure(found: HeatOver) -> Figure:
 
 def _temperatures(found: HeatOver, axes: Axes) -> None:
     x = read_values(found.field, found.values)[0]
-    for index, (node, values) in enumerate(zip(NODES, found.temperatures, strict=True)):
-        look = series(index).keywords()
-        axes.plot(x, values - ZERO_CELSIUS, label=said(PLACE_NAMES[node]), **look)
-    across(axes, found.field, found.values)
+    lines = (
+        Line(x, values - ZERO_CELSIUS, said(PLACE_NAMES[node]), series_look(index))
+        for index, (node, values) in enumerate(zip(NODES, found.temperatures, strict=True))
+    )
+    across = field_axis(found.field, found.values)
+    draw(Chart(tuple(lines), across, Axis(label=said("Temperature (°C)"))), axes)
     axes.set_xlabel("")
-    label_y(axes, said("Temperature (°C)"))
-    legend_above(axes)
 
 
 def _line(found: HeatOver, axes: Axes, lines: dict[str, FloatArray], unit: str, name: str) -> None:
     x = read_values(found.field, found.values)[0]
     read = readable_unit(unit, np.concatenate(list(lines.values())))
-    for index, (label, values) in enumerate(lines.items()):
-        axes.plot(x, read.of(values), label=label, **series(index).keywords())
-    across(axes, found.field, found.values)
-    axes.set_ylim(bottom=0.0)
-    label_y(axes, read.label(name))
-    if len(lines) > 1:
-        legend_above(axes)
+    drawn = (Line(x, read.of(values), label, series_look(index))
+             for index, (label, values) in enumerate(lines.items()))  # fmt: skip
+    upright = Axis(name, read.symbol, zero=True)
+    chart = Chart(tuple(drawn), field_axis(found.field, found.values), upright)
+    draw(chart, axes, legend=len(lines) > 1)
 
 
 def heat_time_figure(courses: Sequence[tuple[str, HeatTransient]]) -> Figure:
@@ -205,27 +203,31 @@ def heat_variants_figure(variants: Sequence[HeatVariant]) -> Figure:
     """
     with styled():
         figure, axes = new_figure(height=95.0)
-        for index, one in enumerate(variants):
-            curve, look = one.balance.curve, series(index)
-            if not np.isfinite(curve.friction).any():
-                continue
-            warm = curve.temperatures.max(axis=0) - ZERO_CELSIUS
-            name = said(VARIANT_NAMES[one.name])
-            axes.plot(warm, curve.friction, label=name, **look.keywords())
-            if index == 0:
-                axes.plot(warm, curve.power, label=said("heat removed"), color=GREY, linewidth=1.0)
-                axes.set_xlim(float(warm.min()), float(warm.max()))
-            if one.balance.root is not None:
-                hottest = max(one.balance.temperatures.values()) - ZERO_CELSIUS
-                axes.plot(hottest, one.balance.power, linestyle="none", marker="o", markersize=5.0,
-                          color="#000000", zorder=5)  # fmt: skip
-        axes.set_ylim(bottom=0.0)
-        label_x(axes, said("Temperature of the warmest part (°C)"))
-        label_y(axes, said("Power (W)"))
-        legend_above(axes)
+        draw(variants_chart(variants), axes)
         if variants[0].balance.case.title:
             add_title(figure, variants[0].balance.case.title)
     return figure
+
+
+def variants_chart(variants: Sequence[HeatVariant]) -> Chart:
+    """Return the friction of each variant, and the heat that the first removes."""
+    lines: list[Line] = []
+    across = Axis(label=said("Temperature of the warmest part (°C)"))
+    for index, one in enumerate(variants):
+        curve = one.balance.curve
+        if not np.isfinite(curve.friction).any():
+            continue
+        warm = curve.temperatures.max(axis=0) - ZERO_CELSIUS
+        name = said(VARIANT_NAMES[one.name])
+        lines.append(Line(warm, curve.friction, name, series_look(index)))
+        if index == 0:
+            across, grey = _warmest(warm), Look("grey", width=0.7)
+            lines.append(Line(warm, curve.power, said("heat removed"), grey))
+        if one.balance.root is not None:
+            hottest = max(one.balance.temperatures.values()) - ZERO_CELSIUS
+            point = np.array([hottest]), np.array([one.balance.power])
+            lines.append(Line(*point, "", Look("ink"), "points"))
+    return Chart(tuple(lines), across, Axis(label=said("Power (W)"), zero=True))
 
 
 def machine_heat_figure(found: MachineHeat) -> Figure:

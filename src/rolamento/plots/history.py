@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from rolamento.charts import Axis, Chart, Line, Look, Mark, series_look
+from rolamento.charts.drawing import draw
+from rolamento.charts.frame import GREY, label_y, legend_above
+from rolamento.charts.style import new_figure, series, styled
 from rolamento.numerics import FloatArray
-from rolamento.plots.frame import GREY, label_x, label_y, legend_above
-from rolamento.plots.style import new_figure, series, styled
 from rolamento.vibration.diagnosis import DAMAGE
 from rolamento.words import said
 from rolamento.words.naming import part_name
@@ -66,17 +69,18 @@ def records_figure(
     """
     with styled():
         figure, axes = new_figure(height=80.0)
-        for number, (part, values) in enumerate(depths.items()):
-            look = series(number)
-            axes.plot(
-                np.arange(1, len(values) + 1), 100.0 * values, color=look.color, linewidth=0.9,
-                marker=look.marker, markersize=3.0, label=part_name(part),
-            )  # fmt: skip
-            for place in changes.get(part, ()):
-                axes.axvline(place + 1, color=look.color, linestyle=":", linewidth=0.9)
-        axes.axhline(100.0 * DAMAGE, color=GREY, linestyle="--", linewidth=0.9)
-        axes.set_ylim(bottom=0.0)
-        label_x(axes, said("Record"))
-        label_y(axes, said("Modulation depth (%)"))
-        legend_above(axes)
+        draw(records_chart(depths, changes), axes)
     return figure
+
+
+def records_chart(depths: Mapping[str, FloatArray], changes: Mapping[str, Sequence[int]]) -> Chart:
+    """Return the depth of each part over the records."""
+    lines, marks = [], [Mark(100.0 * DAMAGE, "", Look("grey", "dash", width=0.65))]
+    for number, (part, values) in enumerate(depths.items()):
+        look = replace(series_look(number), dash="solid", width=0.65)
+        records = np.arange(1.0, len(values) + 1.0)
+        lines.append(Line(records, 100.0 * values, part_name(part), look, "both"))
+        level = replace(look, dash="dot")
+        marks += [Mark(place + 1.0, "", level, "x") for place in changes.get(part, ())]
+    upright = Axis(unit="%", zero=True, label=said("Modulation depth (%)"))
+    return Chart(tuple(lines), Axis(said("Record")), upright, marks=tuple(marks))

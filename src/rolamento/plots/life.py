@@ -6,17 +6,18 @@ A theory has the same colour and line on all of them, by its rank.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple
 
 import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import ArrayLike, NDArray
 
-from rolamento.life.iso281_modified import MAXIMUM_FACTOR, life_modification_factor
-from rolamento.life.iso16281 import THEORY as REFERENCE
-from rolamento.life.theories import BY_RANK, THEORIES
-from rolamento.plots.axes_units import MEGAPASCAL, read_values
-from rolamento.plots.frame import (
+from rolamento.charts import Axis, Chart, Line, Look, Mark, nothing, series_look
+from rolamento.charts.axes_units import MEGAPASCAL, read_values
+from rolamento.charts.drawing import draw
+from rolamento.charts.field_axis import field_axis
+from rolamento.charts.frame import (
     GREY,
     add_title,
     empty_frame,
@@ -26,9 +27,11 @@ from rolamento.plots.frame import (
     legend_in_columns,
     log_scale,
 )
-from rolamento.plots.over_field import across, decades, judged_line
-from rolamento.plots.style import SERIES, new_figure, series, styled
-from rolamento.plots.texts import capitalised, no_result, no_result_count, number, theory_label
+from rolamento.charts.style import SERIES, in_style, new_figure, styled
+from rolamento.charts.texts import capitalised, no_result, no_result_count, number, theory_label
+from rolamento.life.iso281_modified import MAXIMUM_FACTOR, life_modification_factor
+from rolamento.life.iso16281 import THEORY as REFERENCE
+from rolamento.life.theories import BY_RANK, THEORIES
 from rolamento.studies.names import setting_name
 from rolamento.units import HOUR
 from rolamento.words import said
@@ -61,7 +64,7 @@ _BLACK: Final = "#000000"
 _ABOVE: Final = 10.0
 """How far an upper bound may lead the axis beyond the other theories."""
 _ROOM: Final = 1.5
-_VARIANTS: Final[tuple[Any, ...]] = ("-", "--", ":", "-.", (0, (5, 1, 1, 1)), (0, (7, 2)))
+_VARIANTS: Final = ("solid", "dash", "dot", "dashdot", "dashdotdot", "longdash")
 _RATIOS: Final = (0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.5, 2.0, 3.0, 4.0)
 """κ of the curves, as on the standard's charts."""
 _STRENGTH: Final = (0.005, 5.0)
@@ -106,37 +109,55 @@ def lives_by_theory(curves: Sequence[LifeCurve], axes: Axes | None = None) -> Ax
     axes
         To draw on; of a new figure if not given.
     """
-    with styled():
-        axes = new_figure(height=110.0)[1] if axes is None else axes
-        own = curves[0]
-        turns = own.in_hours
-        lines = list(_lines_of_theories(curves))
-        limits = _limits_of_lives((life, theory) for life, _, theory, _, _ in lines)
-        if limits is None:
-            endless = any(np.isposinf(life).any() for life, *_ in lines)
-            return empty_frame(axes, said("fatigue ends no life here") if endless else no_result())
-        x, faint = read_values(own.over.field, own.values)[0], False
-        for life, valid, _, name, look in lines:
-            beyond = not np.any(life < limits[1])
-            shown = said("{name}, above", name=name) if beyond else name
-            faint |= judged_line(axes, x, life, valid, shown, look)
-        if turns and own.case.life is not None and own.case.life.required_life is not None:
-            wanted = own.case.life.required_life / HOUR
-            axes.axhline(wanted, color=GREY, linewidth=0.9, label=said("required life"))
-            limits = min(limits[0], wanted / _ROOM), max(limits[1], wanted * _ROOM)
-        _mark_missing(axes, x, own)
-        across(axes, own.over.field, own.values)
-        decades(axes, "y", limits)
-        axes.set_ylabel(said("Life (h)") if turns else said("Life (10⁶ rev)"), parse_math=False)
+    axes = new_figure(height=110.0)[1] if axes is None else axes
+    return _draw_theories(lives_chart(curves), axes)
+
+
+@in_style
+def _draw_theories(chart: Chart, axes: Axes) -> Axes:
+    """Draw a chart of theories, its legend in columns; say what its faint lines are."""
+    draw(chart, axes, legend=False)
+    if chart.series:
+        faint = any(line.valid is not None and not line.valid.all() for line in chart.lines)
         legend_in_columns(axes, title=said("faint: the theory is not valid there") if faint else "")
     return axes
 
 
-def theory_look(theory: str) -> dict[str, Any]:
+def lives_chart(curves: Sequence[LifeCurve]) -> Chart:
+    """Return the life by every theory, and what is required."""
+    own = curves[0]
+    turns = own.in_hours
+    lines = list(_lines_of_theories(curves))
+    limits = _limits_of_lives((life, theory) for life, _, theory, _, _ in lines)
+    if limits is None:
+        endless = any(np.isposinf(life).any() for life, *_ in lines)
+        return nothing(said("fatigue ends no life here") if endless else no_result())
+    x = read_values(own.over.field, own.values)[0]
+    series = []
+    for life, valid, _, name, look in lines:
+        beyond = not np.any(life < limits[1])
+        shown = said("{name}, above", name=name) if beyond else name
+        series.append(Line(x, life, shown, look, valid=valid | ~np.isfinite(life)))
+    marks: tuple[Mark, ...] = ()
+    if turns and own.case.life is not None and own.case.life.required_life is not None:
+        wanted = own.case.life.required_life / HOUR
+        marks = (Mark(wanted, said("required life"), Look("grey", width=0.65)),)
+        limits = min(limits[0], wanted / _ROOM), max(limits[1], wanted * _ROOM)
+    missing = own.status != "converged"
+    if missing.any():
+        count = int(missing.sum())
+        why, look = no_result_count(count, len(missing)), Look("grey", mark="thin")
+        series.append(Line(x[missing], np.full(count, -np.inf), why, look, "points"))
+    upright = Axis(limits=limits, log=True, label=said("Life (h)") if turns
+                   else said("Life (10⁶ rev)"))  # fmt: skip
+    return Chart(tuple(series), field_axis(own.over.field, own.values), upright, marks=marks)
+
+
+def theory_look(theory: str) -> Look:
     """Return the colour and line of a theory, the same on every figure."""
     rank = THEORIES[theory].rank
-    again = {} if rank < len(SERIES) else {"linestyle": (0, (3, 1))}
-    return {**series(rank).keywords(), **again}
+    look = series_look(rank)
+    return look if rank < len(SERIES) else replace(look, dash="fine")
 
 
 def _limits_of_lives(lives: Iterable[tuple[Floats, str]]) -> tuple[float, float] | None:
@@ -162,7 +183,7 @@ def _limits_of_lives(lives: Iterable[tuple[Floats, str]]) -> tuple[float, float]
 
 def _lines_of_theories(
     curves: Sequence[LifeCurve],
-) -> Iterable[tuple[Floats, NDArray[np.bool_], str, str, dict[str, Any]]]:
+) -> Iterable[tuple[Floats, NDArray[np.bool_], str, str, Look]]:
     """Life, where it is valid, theory, name and look of every line."""
     first = curves[0]
     for theory in _by_rank(first.theories):
@@ -173,26 +194,12 @@ def _lines_of_theories(
     for place, curve in enumerate(curves[1:], start=1):
         leading = curve.headline
         names = dict.fromkeys(theory for theory in leading.theory.tolist() if theory)
-        look = {"color": "#000000", "linestyle": _VARIANTS[place % len(_VARIANTS)]}
+        look = Look("ink", _VARIANTS[place % len(_VARIANTS)])
         theories = " / ".join(map(theory_label, names))
         # in the unit of the first, whether this one turns or not
         led = leading.hours if first.in_hours else leading.life
         label = f"{theories}, {setting_name(curve.label)}"
         yield led, leading.valid, next(iter(names), REFERENCE.name), label, look
-
-
-def _mark_missing(axes: Axes, x: Floats, curve: LifeCurve) -> None:
-    missing = curve.status != "converged"
-    if missing.any():
-        axes.plot(
-            x[missing],
-            np.full(int(missing.sum()), 0.02),
-            transform=axes.get_xaxis_transform(),
-            color=GREY,
-            linestyle="",
-            marker="x",
-            label=no_result_count(int(missing.sum()), len(missing)),
-        )
 
 
 def _by_rank(theories: Iterable[str]) -> list[str]:
@@ -247,72 +254,55 @@ def load_over_life(
 
     A line is faint where its theory does not hold; the case itself has a mark on each.
     """
-    with styled():
-        axes = new_figure(height=115.0)[1] if axes is None else axes
-        upright = lives.load if by == "load" else MEGAPASCAL.of(lives.pressure)
-        found = {name: record.life for name, record in lives.theories.items()}
-        limits = _limits_of_lives((life, name) for name, life in found.items())
-        if limits is None or not np.isfinite(upright).any():
-            return empty_frame(axes, no_result())
-        faint = False
-        for theory in _by_rank(found):
-            if np.isnan(found[theory]).all():
-                continue  # it knows nothing of such a bearing
-            record, name = lives.theories[theory], theory_label(theory)
-            faint |= _draw_load(
-                axes, found[theory], upright, record.valid, name, theory_look(theory)
-            )
-        own = [life[lives.own] for life in found.values()]
-        axes.plot(
-            own, np.full(len(own), upright[lives.own]), label=said("this case"), color=_BLACK,
-            marker="o", markerfacecolor="white", linestyle="", zorder=3.0,
-        )  # fmt: skip
-        for place, one in enumerate(tests):
-            _draw_tests(axes, one, place, by)
-        if by == "load":
-            axes.axhline(
-                lives.fatigue_load, color=GREY, linewidth=0.9, label=said("fatigue load limit C_u")
-            )
-        ran = np.array(
-            [limits[0] * _LOAD_ROOM, *(n for one in tests for n in np.ravel(one.revolutions))]
-        )
-        least = float(ran[ran > 0.0].min()) / _LOAD_ROOM
-        decades(axes, "x", (least, limits[1]))
-        decades(axes, "y", _upright_limits(lives, upright, by))
-        axes.set_xlabel(said("Life (10⁶ rev)"), parse_math=False)
-        axes.set_ylabel(_upright_name(lives, by), parse_math=False)
-        legend_in_columns(axes, title=said("faint: the theory is not valid there") if faint else "")
-    return axes
+    axes = new_figure(height=115.0)[1] if axes is None else axes
+    return _draw_theories(load_chart(lives, by=by, tests=tests), axes)
 
 
-def _draw_load(
-    axes: Axes,
-    life: Floats,
-    upright: Floats,
-    valid: NDArray[np.bool_],
-    name: str,
-    look: dict[str, Any],
-) -> bool:
-    """Draw load over life; what is without an end lies beyond the frame."""
-    there = np.isfinite(life) & np.isfinite(upright)
-    return judged_line(axes, life[there], upright[there], valid[there], name, look)
+def load_chart(lives: LoadLives, *, by: By = "load", tests: Sequence[BearingTests] = ()) -> Chart:
+    """Return load over life; parameters as of `load_over_life`."""
+    upright = lives.load if by == "load" else MEGAPASCAL.of(lives.pressure)
+    found = {name: record.life for name, record in lives.theories.items()}
+    limits = _limits_of_lives((life, name) for name, life in found.items())
+    if limits is None or not np.isfinite(upright).any():
+        return nothing(no_result())
+    lines = []
+    for theory in _by_rank(found):
+        life, valid = found[theory], lives.theories[theory].valid
+        if np.isnan(life).all():
+            continue  # it knows nothing of such a bearing
+        there = np.isfinite(life) & np.isfinite(upright)  # without an end: beyond the frame
+        name, look = theory_label(theory), theory_look(theory)
+        lines.append(Line(life[there], upright[there], name, look, valid=valid[there]))
+    own = np.array([life[lives.own] for life in found.values()])
+    at = np.full(len(own), upright[lives.own])
+    lines.append(Line(own, at, said("this case"), Look("ink", hollow=True), "points"))
+    for place, one in enumerate(tests):
+        lines += _tested(one, place, by)
+    marks: tuple[Mark, ...] = ()
+    if by == "load":
+        name = said("fatigue load limit C_u")
+        marks = (Mark(lives.fatigue_load, name, Look("grey", width=0.65)),)
+    ran = np.array(
+        [limits[0] * _LOAD_ROOM, *(n for one in tests for n in np.ravel(one.revolutions))]
+    )
+    least = float(ran[ran > 0.0].min()) / _LOAD_ROOM
+    across = Axis(limits=(least, limits[1]), log=True, label=said("Life (10⁶ rev)"))
+    ends = _upright_limits(lives, upright, by)
+    return Chart(tuple(lines), across, Axis(limits=ends, log=True, label=_upright_name(lives, by)),
+                 marks=marks)  # fmt: skip
 
 
-def _draw_tests(axes: Axes, tests: BearingTests, place: int, by: By) -> None:
-    look = SERIES[(place + 1) % len(SERIES)]
+def _tested(tests: BearingTests, place: int, by: By) -> list[Line]:
+    look = series_look(place + 1)
     ran, load = np.asarray(tests.revolutions, np.float64), np.asarray(tests.load, np.float64)
     upright = load if by == "load" else MEGAPASCAL.of(load)
     failed = np.asarray(tests.failed, np.bool_)
-    for chosen, ended, face in (
-        (failed, said("failed"), look.color),
-        (~failed, said("suspended"), "white"),
-    ):
-        if chosen.any():
-            axes.plot(
-                ran[chosen], upright[chosen], label=f"{tests.label}: {ended}",
-                color=look.color, marker=look.marker, markerfacecolor=face, markersize=5.0,
-                linestyle="", zorder=2.5,
-            )  # fmt: skip
+    return [
+        Line(ran[chosen], upright[chosen], f"{tests.label}: {ended}",
+             replace(look, hollow=ended != said("failed")), "points")
+        for chosen, ended in ((failed, said("failed")), (~failed, said("suspended")))
+        if chosen.any()
+    ]  # fmt: skip
 
 
 def _upright_limits(lives: LoadLives, upright: Floats, by: By) -> tuple[float, float]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from math import atan2
 from typing import TYPE_CHECKING, Any, Final, NamedTuple
 
@@ -11,11 +12,12 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.projections.polar import PolarAxes
 
-from rolamento.errors import InputError
-from rolamento.plots.axes_units import ReadableUnit, readable_unit
-from rolamento.plots.balls import draw_rosette, number_circles
-from rolamento.plots.contacts import load_unit, race_name
-from rolamento.plots.frame import (
+from rolamento.charts import Axis, Chart, Labels, Line, Look, series_look
+from rolamento.charts.axes_units import ReadableUnit, readable_unit
+from rolamento.charts.contact_charts import rosette_chart
+from rolamento.charts.contacts import Shown, load_unit, race_name
+from rolamento.charts.drawing import draw
+from rolamento.charts.frame import (
     GREY,
     add_title,
     empty_frame,
@@ -25,6 +27,21 @@ from rolamento.plots.frame import (
     log_scale,
     require_axes,
 )
+from rolamento.charts.record import Side
+from rolamento.charts.style import (
+    INNER,
+    MILLIMETRE,
+    OUTER,
+    SERIES,
+    WIDTH,
+    Series,
+    in_style,
+    new_figure,
+    series,
+    styled,
+)
+from rolamento.charts.texts import no_result, number, shown_text
+from rolamento.errors import InputError
 from rolamento.plots.machine_drawing import (
     LINE,
     LOAD,
@@ -40,19 +57,6 @@ from rolamento.plots.machine_drawing import (
     planned,
     title_of,
 )
-from rolamento.plots.style import (
-    INNER,
-    MILLIMETRE,
-    OUTER,
-    SERIES,
-    WIDTH,
-    Series,
-    in_style,
-    new_figure,
-    series,
-    styled,
-)
-from rolamento.plots.texts import no_result, number, shown_text
 from rolamento.solved import RACES
 from rolamento.words import said
 from rolamento.words.whirl import whirl_name
@@ -568,9 +572,9 @@ def draw_bearings_in_place(solved: SolvedMachine, *, step: int = 0) -> Figure:
         assert isinstance(axes, PolarAxes)
         lines = [shown_text(seated.name, 34)]
         if own.converged[0]:
-            draw_rosette(axes, own, unit)
-            axes.set_rlim(0.0, rim or 1.0)
-            number_circles(axes, own, unit)
+            chart = rosette_chart([Shown("", own)], unit=unit)
+            radius = replace(chart.y, limits=(0.0, rim or 1.0), hidden=True)
+            draw(replace(chart, y=radius), axes, legend=False)
             axes.tick_params(labelsize=7.0, pad=0.0)
             for line in axes.lines:
                 line.set_markersize(2.5)
@@ -634,31 +638,38 @@ def campbell_figure(found: Campbell) -> Figure:
     """
     with styled():
         figure = Figure(figsize=(WIDTH * MILLIMETRE, 0.65 * WIDTH * MILLIMETRE))
-        axes = figure.add_subplot()
-        rpm, hertz = 30.0 / np.pi * np.abs(found.speed), found.frequency / (2.0 * np.pi)
-        looks = {"forward": SERIES[0], "backward": SERIES[1], "axial": SERIES[2]}
-        shown: set[str] = set()
-        for branch in range(hertz.shape[1]):
-            named = [str(one) for one in found.whirl[:, branch] if one]
-            kind = max(set(named), key=named.count) if named else ""
-            style = looks.get(kind, SERIES[6])
-            label = "_" if kind in shown else whirl_name(kind)
-            shown.add(kind)
-            axes.plot(rpm, hertz[:, branch], label=label, **style.keywords())
-        for order in sorted({one.order for one in found.critical} | {1.0}):
-            line = order * rpm / 60.0
-            axes.plot(rpm, line, color=GREY, linewidth=0.8)
-            axes.annotate(f"{number(order)}×", (rpm[-1], line[-1]), fontsize=7.5, color=GREY,
-                          xytext=(3, 0), textcoords="offset points", va="center")  # fmt: skip
-        for one in found.critical:
-            axes.plot(30.0 / np.pi * one.speed, one.frequency / (2.0 * np.pi), "o", color="black",
-                      markersize=4.0, zorder=5)  # fmt: skip
-        label_x(axes, said("Speed of {shaft} (rpm)", shaft=found.shaft))
-        label_y(axes, said("Natural frequency (Hz)"))
-        axes.set_ylim(bottom=0.0)
-        legend_above(axes)
+        draw(campbell_chart(found), figure.add_subplot())
         add_title(figure, found.machine.title or said("Machine without a title"))
     return figure
+
+
+def campbell_chart(found: Campbell) -> Chart:
+    """Return natural frequencies over speed, and the orders of rotation."""
+    rpm, hertz = 30.0 / np.pi * np.abs(found.speed), found.frequency / (2.0 * np.pi)
+    looks = {"forward": series_look(0), "backward": series_look(1), "axial": series_look(2)}
+    lines: list[Line] = []
+    shown: set[str] = set()
+    for branch in range(hertz.shape[1]):
+        named = [str(one) for one in found.whirl[:, branch] if one]
+        kind = max(set(named), key=named.count) if named else ""
+        name = "" if kind in shown else whirl_name(kind)
+        shown.add(kind)
+        lines.append(Line(rpm, hertz[:, branch], name, looks.get(kind, series_look(6))))
+    orders = sorted({one.order for one in found.critical} | {1.0})
+    lines += [Line(rpm, order * rpm / 60.0, "", Look("grey", width=0.6)) for order in orders]
+    met = np.array([(30.0 / np.pi * one.speed, one.frequency / (2.0 * np.pi))
+                    for one in found.critical]).reshape(-1, 2).T  # fmt: skip
+    lines.append(Line(met[0], met[1], "", Look("ink", width=0.7), "points"))
+    end = np.full(len(orders), rpm[-1])
+    names = tuple(f"{number(order)}×" for order in orders)
+    sides: list[Side] = ["right"] * len(orders)
+    labels = Labels(end, np.array(orders) * rpm[-1] / 60.0, names, tuple(sides))
+    return Chart((*lines, labels), _speed_of(found.shaft),
+                 Axis(unit="Hz", zero=True, label=said("Natural frequency (Hz)")))  # fmt: skip
+
+
+def _speed_of(shaft: str) -> Axis:
+    return Axis(unit="rpm", label=said("Speed of {shaft} (rpm)", shaft=shaft))
 
 
 def modes_figure(found: Modes, *, count: int = 4) -> Figure:
@@ -709,19 +720,17 @@ def response_figure(found: UnbalanceResponse) -> Figure:
     with styled():
         figure = Figure(figsize=(WIDTH * MILLIMETRE, 0.75 * WIDTH * MILLIMETRE))
         orbits, forces = figure.subplots(2, 1, sharex=True)
-        rpm = 30.0 / np.pi * np.abs(found.speed)
-        for number_, name in enumerate(found.displacement):
-            orbits.plot(rpm, 1e6 * found.amplitude(name).max(axis=1), label=name,
-                        **SERIES[number_ % len(SERIES)].keywords())  # fmt: skip
-        for number_, name in enumerate(found.force):
-            forces.plot(rpm, found.force_amplitude(name), label=name,
-                        **SERIES[number_ % len(SERIES)].keywords())  # fmt: skip
-        label_y(orbits, said("Greatest orbit (µm)"))
-        label_y(forces, said("Force at bearing (N)"))
-        label_x(forces, said("Speed of {shaft} (rpm)", shaft=found.shaft))
-        for axes in (orbits, forces):
-            log_scale(axes, "y")
-            legend_above(axes)
+        rpm, across = 30.0 / np.pi * np.abs(found.speed), _speed_of(found.shaft)
+        orbit = {name: 1e6 * found.amplitude(name).max(axis=1) for name in found.displacement}
+        force = {name: found.force_amplitude(name) for name in found.force}
+        for axes, own, label in (
+            (orbits, orbit, said("Greatest orbit (µm)")),
+            (forces, force, said("Force at bearing (N)")),
+        ):
+            lines = (Line(rpm, values, name, series_look(place))
+                     for place, (name, values) in enumerate(own.items()))  # fmt: skip
+            draw(Chart(tuple(lines), across, Axis(log=True, label=label)), axes)
+        orbits.set_xlabel("")
         add_title(figure, found.machine.title or said("Machine without a title"))
     return figure
 

@@ -14,10 +14,10 @@ from matplotlib.patches import Ellipse, PathPatch, Polygon, Rectangle
 from matplotlib.path import Path
 from matplotlib.ticker import MaxNLocator
 
+from rolamento.charts.frame import GREY, add_title, figure_of, label_x, require, require_axes
+from rolamento.charts.style import MILLIMETRE, OUTER, in_style, new_figure
+from rolamento.charts.texts import number, shown_text
 from rolamento.errors import InputError
-from rolamento.plots.frame import GREY, add_title, figure_of, label_x, require, require_axes
-from rolamento.plots.style import MILLIMETRE, OUTER, in_style, new_figure
-from rolamento.plots.texts import number, shown_text
 from rolamento.types import type_of_element
 from rolamento.words import said
 

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 
 from matplotlib.figure import Figure
 
-from rolamento.plots.frame import label_x
+from rolamento.charts.frame import label_x
+from rolamento.charts.style import MILLIMETRE, in_style
 from rolamento.plots.machine_drawing import (
     ACROSS,
     MM,
@@ -17,7 +18,6 @@ from rolamento.plots.machine_drawing import (
     place_of,
     planned,
 )
-from rolamento.plots.style import MILLIMETRE, in_style
 from rolamento.words import said
 
 if TYPE_CHECKING:

@@ -7,16 +7,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.figure import Figure
 
-from rolamento.plots.frame import (
-    add_title,
-    empty_frame,
-    label_x,
-    label_y,
-    legend_above,
-    log_scale,
-)
-from rolamento.plots.style import new_figure, series, styled
-from rolamento.plots.texts import no_result
+from rolamento.charts import Axis, Chart, Line, Look, Mark, Zone, nothing, series_look
+from rolamento.charts.drawing import draw
+from rolamento.charts.frame import add_title
+from rolamento.charts.style import new_figure, styled
+from rolamento.charts.texts import no_result
 from rolamento.units import DEGREES
 from rolamento.words import said
 
@@ -54,38 +49,33 @@ def life_over_angle(found: OscillationCase, axes: Axes | None = None) -> Axes:
     axes
         To draw on; of a new figure if not given.
     """
-    with styled():
-        axes = new_figure()[1] if axes is None else axes
-        life = found.life
-        if life is None or not np.isfinite(found.lives).any():
-            return empty_frame(axes, no_result())
-        angles = found.angles * DEGREES
-        axes.plot(angles, found.lives, label=said("race by race"), **series(0).keywords())
-        axes.plot(angles, found.simple, label=said("Harris"), **series(1).keywords())
-        frets = 0.5 * life.critical * DEGREES
-        axes.axvspan(
-            float(angles[0]), frets, color="#D55E00", alpha=0.15, linewidth=0.0,
-            label=said("fretting"),
-        )  # fmt: skip
-        for index, (values, name) in enumerate(
-            ((life.critical_inner, said("critical angle, inner race")),
-             (life.critical_outer, said("critical angle, outer race")))
-        ):  # fmt: skip
-            axes.axvline(
-                float(values.max()) * DEGREES, color="#606060", linewidth=0.8,
-                linestyle=("--", ":")[index], label=name,
-            )  # fmt: skip
-        if np.isfinite(life.life):
-            axes.plot(
-                [life.angle * DEGREES], [life.life], linestyle="none", marker="o", color="#000000",
-                zorder=5, label=said("this duty"),
-            )  # fmt: skip
-        log_scale(axes, "x")
-        log_scale(axes, "y")
-        axes.set_xlim(float(angles[0]), float(angles[-1]))
-        label_x(axes, said("Angle of oscillation between the end points (°)"))
-        label_y(axes, said("Life (million oscillations)"))
-        log_scale(axes, "x")
-        log_scale(axes, "y")
-        legend_above(axes)
-    return axes
+    return draw(angle_chart(found), axes)
+
+
+def angle_chart(found: OscillationCase) -> Chart:
+    """Return both lives over the angle, and where a bearing frets."""
+    life = found.life
+    if life is None or not np.isfinite(found.lives).any():
+        return nothing(no_result())
+    angles = found.angles * DEGREES
+    series = [Line(angles, found.lives, said("race by race"), series_look(0)),
+              Line(angles, found.simple, said("Harris"), series_look(1))]  # fmt: skip
+    frets = Zone(float(angles[0]), 0.5 * life.critical * DEGREES, said("fretting"), "fair", "x")
+    marks = [
+        Mark(float(values.max()) * DEGREES, name, Look("grey", dash, width=0.6), "x")
+        for values, name, dash in (
+            (life.critical_inner, said("critical angle, inner race"), "dash"),
+            (life.critical_outer, said("critical angle, outer race"), "dot"),
+        )
+    ]
+    if np.isfinite(life.life):
+        at = np.array([life.angle * DEGREES]), np.array([life.life])
+        series.append(Line(*at, said("this duty"), Look("ink"), "points"))
+    return Chart(
+        tuple(series),
+        Axis(unit="°", limits=(float(angles[0]), float(angles[-1])), log=True,
+             label=said("Angle of oscillation between the end points (°)")),
+        Axis(log=True, label=said("Life (million oscillations)")),
+        marks=tuple(marks),
+        zones=(frets,),
+    )  # fmt: skip

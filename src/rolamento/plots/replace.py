@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from matplotlib.figure import Figure
 
-from rolamento.plots.frame import GREY, label_x, label_y, legend_above
-from rolamento.plots.style import INNER, OUTER, new_figure, styled
-from rolamento.plots.texts import number, shown_text
+from rolamento.charts.frame import GREY, label_x, label_y, legend_above
+from rolamento.charts.style import INNER, OUTER, new_figure, styled
+from rolamento.charts.texts import number, shown_text
 from rolamento.words import said
 
 if TYPE_CHECKING:

@@ -6,40 +6,32 @@ Along a roller places are counted from its middle, toward +x; of a tapered one a
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from math import floor, log10
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.lines import Line2D
-from numpy.typing import NDArray
 
-from rolamento.errors import InputError
-from rolamento.geometry import Race
-from rolamento.plots.along_roller import (
+from rolamento.charts import Chart, Look, series_look
+from rolamento.charts.along_roller import (
     chosen_roller,
-    lying_roller,
     most_loaded_rollers,
-    place_name,
     pressure_along,
     pressure_name,
     roller_label,
     rollers_of,
-    tilted_name,
 )
-from rolamento.plots.axes_units import MEGAPASCAL, MILLIMETRE
-from rolamento.plots.contacts import check_one_case
-from rolamento.plots.frame import GREY, empty_frame, label_x, label_y, legend_above, require_axes
-from rolamento.plots.style import (
-    INNER,
-    OUTER,
-    SERIES,
-    in_style,
-    new_figure,
-    new_stacked_figure,
-    series,
-)
-from rolamento.plots.texts import no_result, number
+from rolamento.charts.contacts import Shown, check_one_case
+from rolamento.charts.drawing import draw
+from rolamento.charts.frame import empty_frame, require_axes
+from rolamento.charts.palette import SERIES
+from rolamento.charts.roller_charts import along_chart, between_chart, pressure_line
+from rolamento.charts.style import in_style, new_figure, new_stacked_figure
+from rolamento.charts.texts import no_result, number
+from rolamento.errors import InputError
+from rolamento.geometry import Race
+from rolamento.plots.balls import without_result
 from rolamento.solved import Solved
 from rolamento.words import said
 
@@ -53,11 +45,7 @@ __all__ = [
     "roller_between_races",
 ]
 
-Floats = NDArray[np.float64]
-
 _MOST_LINES: Final = len(SERIES)
-_FAINT: Final[dict[str, Any]] = {"color": "#A8A8A8", "linewidth": 0.7}
-_ROOM: Final = 1.08
 _STEPS: Final = (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0)
 _SHAPE: Final = 0.55
 """Height of the drawing of a roller over its length, on paper."""
@@ -96,26 +84,21 @@ def pressure_along_rollers(
     axes = new_figure()[1] if axes is None else require_axes(axes)
     if rollers is None:
         return empty_frame(axes, no_result(str(solved.status.code[0])))
-    place, pressure = rollers.slice_place[0], pressure_along(rollers, race)
-    loaded = [one for one in rollers_of(rollers) if np.nanmax(pressure[one]) > 0.0]
+    pressure = pressure_along(rollers, race)
     peaks = most_loaded_rollers(solved, race)
-    others = [one for one in loaded if one not in peaks]
-    for one in others:
-        axes.plot(MILLIMETRE.of(place[one]), pressure[one], zorder=2.0, **_FAINT)
-    handles = [Line2D([], [], label=said("the other rollers"), **_FAINT)] if others else []
+    others = [
+        one for one in rollers_of(rollers) if np.nanmax(pressure[one]) > 0.0 and one not in peaks
+    ]
+    grey = Look("grey", width=0.5)
+    lines = [
+        pressure_line(solved, one, race, "" if order else said("the other rollers"), grey,
+                      faint=True)
+        for order, one in enumerate(others)
+    ]  # fmt: skip
     for order, one in enumerate(peaks):
-        look = INNER if race == "inner" else OUTER
-        look = look if order == 0 else series(order + 1)
-        handles += axes.plot(
-            MILLIMETRE.of(place[one]),
-            pressure[one],
-            label=roller_label(solved, one),
-            zorder=3.0,
-            **{**look.keywords(), "linestyle": "-" if order == 0 else look.linestyle},
-        )
-    _frame_along(axes, solved, MEGAPASCAL.label(pressure_name(race)))
-    legend_above(axes, handles=handles)
-    return axes
+        look = series_look(order + 1) if order else Look(race)
+        lines.append(pressure_line(solved, one, race, roller_label(solved, one), look))
+    return draw(along_chart(lines, [solved], pressure_name(race)), axes)
 
 
 @in_style
@@ -169,19 +152,15 @@ def compared_rollers(
         )
     if all(rollers is None for rollers in found.values()):
         return empty_frame(axes, no_result(str(next(iter(states.values())).status.code[0])))
-    for order, (label, rollers) in enumerate(found.items()):
-        if rollers is None:
-            axes.plot([], [], label=f"{label}: {no_result()}", color=GREY, linestyle="")
-            continue
-        solved = states[label]
-        one = most_loaded_rollers(solved, race)[0]
-        x, y = MILLIMETRE.of(rollers.slice_place[0, one]), pressure_along(rollers, race)[one]
-        name = said("{name}, {roller}", name=label, roller=roller_label(solved, one))
-        axes.plot(x, y, label=name, **series(order).keywords())
-    shown = next(solved for label, solved in states.items() if found[label] is not None)
-    _frame_along(axes, shown, MEGAPASCAL.label(pressure_name(race)))
-    legend_above(axes)
-    return axes
+    lines = []
+    for order, (label, solved) in enumerate(states.items()):
+        if found[label] is not None:
+            one = most_loaded_rollers(solved, race)[0]
+            name = said("{name}, {roller}", name=label, roller=roller_label(solved, one))
+            lines.append(pressure_line(solved, one, race, name, series_look(order)))
+    shown = [solved for label, solved in states.items() if found[label] is not None]
+    missing = [label for label, rollers in found.items() if rollers is None]
+    return draw(without_result(along_chart(lines, shown, pressure_name(race)), missing), axes)
 
 
 def _rollers_of(solved: Solved, figure: str) -> Rollers | None:
@@ -202,18 +181,6 @@ def _rollers_of(solved: Solved, figure: str) -> Rollers | None:
             example='bearing.element = "cylindrical"',
         )
     return solved.rollers
-
-
-def _frame_along(axes: Axes, solved: Solved, label: str) -> None:
-    rollers = solved.rollers
-    assert rollers is not None
-    half = 0.5e3 * float(np.nanmax(solved.rows.effective_length[0]))
-    axes.set_xlim(-_ROOM * half, _ROOM * half)
-    axes.set_ylim(bottom=0.0)
-    for end in (-half, half):  # of the effective length
-        axes.axvline(end, color=GREY, linewidth=0.7, linestyle=(0, (2, 2)), zorder=1.5)
-    label_x(axes, MILLIMETRE.label(place_name(solved)))
-    label_y(axes, label)
 
 
 # --- a roller between the races -------------------------------------------------------------------
@@ -254,57 +221,22 @@ def roller_between_races(
     one = chosen_roller(solved, rollers, roller)
     if one is None:
         return empty_frame(axes, said("no roller is loaded"))
-    lies = lying_roller(solved, one)
-    x = lies.x
-    roller_line: dict[str, Any] = {"color": "black", "linewidth": 1.0, "zorder": 3.0}
-    name = tilted_name(roller_label(solved, one), lies.tilt)
-    axes.fill_between(x, lies.below, lies.above, color="#E4E4E4", linewidth=0.0, zorder=1.6)
-    axes.plot(x, lies.above, label=name, **roller_line)
-    axes.plot(x, lies.below, **roller_line)
-    for end in (0, -1):
-        axes.plot([x[end]] * 2, [lies.below[end], lies.above[end]], **roller_line)
-    axes.plot(x, lies.axis, color=GREY, linewidth=0.8, linestyle=(0, (8, 2, 1, 2)), zorder=2.5)
-    far = 10.0 * (lies.top - lies.bottom)
-    outer_name = said("outer race")
-    _draw_race(axes, x, lies.race_above, lies.above, lies.top + far, OUTER.color, outer_name)
-    inner_name = tilted_name(said("inner race"), lies.ring_tilt)
-    _draw_race(axes, x, lies.race_below, lies.below, lies.bottom - far, INNER.color, inner_name)
-    _set_exaggeration(axes, x, lies.bottom, lies.top)
-    label_x(axes, MILLIMETRE.label(place_name(solved)))
+    chart = between_chart(Shown("", solved), one)
+    draw(_exaggerated(chart), axes)
     axes.grid(False)
-    legend_above(axes)
+    axes.set_box_aspect(_SHAPE)
     return axes
 
 
-def _draw_race(
-    axes: Axes, x: Floats, race: Floats, roller: Floats, far: float, color: str, name: str
-) -> None:
-    """Draw the surface of a race, its body hatched, and where the roller presses into it."""
-    axes.fill_between(
-        x, race, far, facecolor="white", edgecolor="#B0B0B0", hatch="////", linewidth=0.0,
-        zorder=1.5,
-    )  # fmt: skip
-    pressed = (roller - race) * (far - race) > 0.0
-    axes.fill_between(
-        x, race, roller, where=pressed.tolist(), color=color, alpha=0.35, linewidth=0.0,
-        interpolate=True, zorder=2.0,
-    )  # fmt: skip
-    axes.plot(x, race, label=name, color=color, zorder=3.0)
-
-
-def _set_exaggeration(axes: Axes, x: Floats, low: float, high: float) -> None:
+def _exaggerated(chart: Chart) -> Chart:
     """Give heights a scale that is a round multiple of that of lengths, and say which."""
-    length, height = float(np.ptp(x)) * _ROOM, high - low
-    most = 1e3 * _SHAPE * length / height
+    assert chart.x.limits is not None
+    assert chart.y.limits is not None
+    length, (low, high) = chart.x.limits[1] - chart.x.limits[0], chart.y.limits
+    most = 1e3 * _SHAPE * length / (high - low)
     power = 10.0 ** floor(log10(most))
     times = max(step * power for step in _STEPS if step * power <= most)
-    middle = 0.5 * (low + high)
-    half = 0.5e3 * _SHAPE * length / times
-    axes.set_xlim(-0.5 * length, 0.5 * length)
-    axes.set_ylim(middle - half, middle + half)
-    axes.set_box_aspect(_SHAPE)
-    label_y(
-        axes,
-        said("Radial height (µm), {times} times exaggerated; the roller's body is cut",
-             times=number(times)),
-    )  # fmt: skip
+    middle, half = 0.5 * (low + high), 0.5e3 * _SHAPE * length / times
+    label = said("Radial height (µm), {times} times exaggerated; the roller's body is cut",
+                 times=number(times))  # fmt: skip
+    return replace(chart, y=replace(chart.y, limits=(middle - half, middle + half), label=label))

@@ -8,11 +8,11 @@ from typing import Final
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from rolamento.charts.frame import figure_of
+from rolamento.charts.style import in_style
 from rolamento.document.picture import picture_bytes
 from rolamento.errors import FileError
 from rolamento.io.writing import write_bytes
-from rolamento.plots.frame import figure_of
-from rolamento.plots.style import in_style
 from rolamento.words import said
 
 __all__ = ["FORMATS", "check_name", "save_figure"]

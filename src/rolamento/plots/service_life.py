@@ -9,15 +9,15 @@ import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator
 
-from rolamento.plots.frame import (
+from rolamento.charts.frame import (
     add_title,
     empty_frame,
     label_x,
     legend_above,
     log_scale,
 )
-from rolamento.plots.style import new_figure, series, styled
-from rolamento.plots.texts import no_result
+from rolamento.charts.style import new_figure, series, styled
+from rolamento.charts.texts import no_result
 from rolamento.words import said
 from rolamento.words.sentences.service_life import ENDING_NAMES
 

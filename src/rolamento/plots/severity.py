@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Final
 
 from matplotlib.figure import Figure
 
-from rolamento.plots.frame import GREY, add_title, label_x, label_y
+from rolamento.charts.frame import GREY, add_title, label_x, label_y
+from rolamento.charts.style import new_figure, styled
+from rolamento.charts.texts import shown_text
 from rolamento.plots.growth import growth_lines
-from rolamento.plots.style import new_figure, styled
-from rolamento.plots.texts import shown_text
 from rolamento.words import marked, said
 from rolamento.words.sentences.severity import class_name
 

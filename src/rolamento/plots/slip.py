@@ -10,6 +10,11 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Ellipse
 from numpy.typing import NDArray
 
+from rolamento.charts.axes_units import MILLIMETRE
+from rolamento.charts.contacts import refuse_rollers
+from rolamento.charts.frame import PlainNumbers, empty_frame, figure_of, label_x, label_y
+from rolamento.charts.style import in_style, new_figure, new_stacked_figure
+from rolamento.charts.texts import no_result, number
 from rolamento.errors import InputError
 from rolamento.friction.slip import (
     Patch,
@@ -21,11 +26,6 @@ from rolamento.friction.slip import (
     solved_motion,
 )
 from rolamento.geometry import Race
-from rolamento.plots.axes_units import MILLIMETRE
-from rolamento.plots.contacts import refuse_rollers
-from rolamento.plots.frame import PlainNumbers, empty_frame, figure_of, label_x, label_y
-from rolamento.plots.style import in_style, new_figure, new_stacked_figure
-from rolamento.plots.texts import no_result, number
 from rolamento.records import frozen
 from rolamento.solved import Solved
 from rolamento.words import said
@@ -159,6 +159,7 @@ def _draw(axes: Axes, contact: _Contact, quantity: Quantity) -> None:
     values = factor * _values(contact, quantity, u, v)
     edge = Ellipse((0.0, 0.0), 2.0 * a, 2.0 * b, fill=False, linewidth=0.9, zorder=3.0)
     drawn = axes.contourf(a * u, b * v, values, levels=_LEVELS)
+    drawn.set_gid("colour-map")  # pages in the dark leave it as it is
     axes.add_patch(edge)
     drawn.set_clip_path(edge)
     bar = figure_of(axes).colorbar(drawn, ax=axes, format=PlainNumbers())

@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from dataclasses import replace
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 from matplotlib.figure import Figure
 
-from rolamento.plots.axes_units import readable_unit
-from rolamento.plots.frame import add_title, empty_frame, label_x, label_y, legend_above
-from rolamento.plots.style import new_figure, new_stacked_figure, series, styled
-from rolamento.plots.texts import no_result
+from rolamento.charts import Axis, Chart, Line, Look, Mark, nothing, series_look
+from rolamento.charts.axes_units import readable_unit
+from rolamento.charts.drawing import draw
+from rolamento.charts.frame import add_title
+from rolamento.charts.style import new_figure, new_stacked_figure, styled
+from rolamento.charts.texts import no_result
 from rolamento.words import said
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
     from rolamento.safety import LoadCurve
 
 __all__ = ["static_figure"]
@@ -39,48 +40,48 @@ def static_figure(curve: LoadCurve) -> Figure:
         else:
             figure, one = new_figure(height=95.0)
             frames = (one,)
-        _safety(curve, frames[0])
+        draw(_safety(curve), frames[0])
         if rows > 1:
             frames[0].set_xlabel("")
-            _gaps(curve, frames[1])
+            draw(_gaps(curve), frames[1])
         if curve.case.title:
             add_title(figure, curve.case.title)
     return figure
 
 
-def _safety(curve: LoadCurve, axes: Axes) -> None:
+def _safety(curve: LoadCurve) -> Chart:
+    """Return the safety by stress and by load, beside what is recommended."""
     if not np.isfinite(curve.safety).any():
-        empty_frame(axes, no_result())
-        return
-    axes.plot(curve.factor, curve.safety, label=said("by stress"), **series(0).keywords())
+        return nothing(no_result())
+    lines = [Line(curve.factor, curve.safety, said("by stress"), series_look(0))]
     load = np.where(curve.found.solved.converged, curve.found.minimum("load"), np.nan)
     if np.isfinite(load).any():
-        axes.plot(curve.factor, load, label=said("by load"), **series(1).keywords())
+        lines.append(Line(curve.factor, load, said("by load"), series_look(1)))
     known = [one for one in curve.found.recommended if one.safety is not None]
+    upright, marks = Axis(said("Static safety")), [_DESIGN]
     if known:
-        wanted = known[0].safety
+        wanted = known[0].safety or 0.0
         name = said("recommended ({maker})", maker=known[0].maker)
-        axes.axhline(wanted or 0.0, color="#000000", linewidth=0.8, linestyle="--", label=name)
+        marks.insert(0, Mark(wanted, name, Look("ink", "dash", width=0.6)))
         design = float(np.interp(1.0, curve.factor, np.nan_to_num(curve.safety)))
         top = max(_ABOVE[0] * (wanted or 1.0), _ABOVE[1] * design)
-        axes.set_ylim(0.0, min(top, 1.05 * float(np.nanmax(curve.safety))))
-    _across(curve, axes)
-    label_y(axes, said("Static safety"))
-    legend_above(axes)
+        limits = 0.0, min(top, 1.05 * float(np.nanmax(curve.safety)))
+        upright = replace(upright, limits=limits)
+    return Chart(tuple(lines), _across(curve), upright, marks=tuple(marks))
 
 
-def _gaps(curve: LoadCurve, axes: Axes) -> None:
+def _gaps(curve: LoadCurve) -> Chart:
     read = readable_unit("m", curve.gap)
-    for row in range(curve.gap.shape[1]):
-        values = read.of(curve.gap[:, row])
-        axes.plot(curve.factor, values, label=said("row {row}", row=row), **series(row).keywords())
-    _across(curve, axes)
-    axes.set_ylim(bottom=0.0)
-    label_y(axes, read.label(said("Gap at the inner race")))
-    legend_above(axes)
+    lines = (
+        Line(curve.factor, read.of(curve.gap[:, row]), said("row {row}", row=row), series_look(row))
+        for row in range(curve.gap.shape[1])
+    )
+    upright = Axis(said("Gap at the inner race"), read.symbol, zero=True)
+    return Chart(tuple(lines), _across(curve), upright, marks=(_DESIGN,))
 
 
-def _across(curve: LoadCurve, axes: Axes) -> None:
-    axes.set_xlim(0.0, float(curve.factor[-1]))
-    axes.axvline(1.0, color="#888888", linewidth=0.6)
-    label_x(axes, said("Load over the design load"))
+_DESIGN: Final = Mark(1.0, "", Look("grey", width=0.45), "x")
+
+
+def _across(curve: LoadCurve) -> Axis:
+    return Axis(said("Load over the design load"), limits=(0.0, float(curve.factor[-1])))

@@ -14,9 +14,9 @@ from typing import Any, Final, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from rolamento.charts.axes_units import NONE, ReadableUnit, readable_unit
+from rolamento.charts.texts import capitalised, shown_text
 from rolamento.errors import InputError, nearest
-from rolamento.plots.axes_units import NONE, ReadableUnit, readable_unit
-from rolamento.plots.texts import capitalised, shown_text
 from rolamento.records import frozen
 from rolamento.studies.names import setting_name, variable_name
 from rolamento.studies.study import SAMPLE, VARIANT

@@ -14,11 +14,8 @@ from matplotlib.patches import Patch, Rectangle
 from matplotlib.ticker import MaxNLocator
 from numpy.typing import NDArray
 
-from rolamento.errors import InputError
-from rolamento.numerics.percentiles import percentile
-from rolamento.plots.axes_units import NONE, PERCENT, ReadableUnit
-from rolamento.plots.curves import MOST_MARKERS
-from rolamento.plots.frame import (
+from rolamento.charts.axes_units import NONE, PERCENT, ReadableUnit
+from rolamento.charts.frame import (
     GREY,
     PlainNumbers,
     empty_frame,
@@ -29,6 +26,11 @@ from rolamento.plots.frame import (
     legend_above,
     log_scale,
 )
+from rolamento.charts.style import SERIES, Series, in_style, new_figure, series
+from rolamento.charts.texts import no_result, no_result_count, number
+from rolamento.errors import InputError
+from rolamento.numerics.percentiles import percentile
+from rolamento.plots.curves import MOST_MARKERS
 from rolamento.plots.study import (
     PlottedVariable,
     StudyData,
@@ -40,8 +42,6 @@ from rolamento.plots.study import (
     most_telling,
     output_of,
 )
-from rolamento.plots.style import SERIES, Series, in_style, new_figure, series
-from rolamento.plots.texts import no_result, no_result_count, number
 from rolamento.studies.study import SAMPLE, VARIANT
 from rolamento.words import said
 

@@ -8,11 +8,11 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from rolamento.charts.axes_units import PERCENT, readable_unit
+from rolamento.charts.frame import GREY, empty_frame, label_x, label_y, require
+from rolamento.charts.style import MILLIMETRE, WIDTH, series, styled
+from rolamento.charts.texts import capitalised, number, shown_text
 from rolamento.errors import InputError
-from rolamento.plots.axes_units import PERCENT, readable_unit
-from rolamento.plots.frame import GREY, empty_frame, label_x, label_y, require
-from rolamento.plots.style import MILLIMETRE, WIDTH, series, styled
-from rolamento.plots.texts import capitalised, number, shown_text
 from rolamento.studies.names import variable_name
 from rolamento.studies.sensitivity import RankCorrelations, ToleranceStudy
 from rolamento.studies.tolerance import FINEST, FLAT, ToleranceBand, ToleranceBands

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, Any, Final
 import numpy as np
 from matplotlib.figure import Figure
 
-from rolamento.plots.frame import add_title, empty_frame, label_x, label_y, legend_above
-from rolamento.plots.style import new_figure, new_stacked_figure, series, styled
-from rolamento.plots.texts import capitalised, no_result, shown_text
+from rolamento.charts.frame import add_title, empty_frame, label_x, label_y, legend_above
+from rolamento.charts.style import new_figure, new_stacked_figure, series, styled
+from rolamento.charts.texts import capitalised, no_result, shown_text
 from rolamento.words import marked, said
 
 if TYPE_CHECKING:

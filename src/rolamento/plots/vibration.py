@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 from numpy.typing import NDArray
 
-from rolamento.plots.frame import (
+from rolamento.charts.frame import (
     GREY,
     add_title,
     empty_frame,
@@ -23,8 +23,8 @@ from rolamento.plots.frame import (
     legend_above,
     legend_in_columns,
 )
-from rolamento.plots.style import INNER, Series, new_figure, new_stacked_figure, series, styled
-from rolamento.plots.texts import number, numbers, shown_text
+from rolamento.charts.style import INNER, Series, new_figure, new_stacked_figure, series, styled
+from rolamento.charts.texts import number, numbers, shown_text
 from rolamento.vibration.diagnosis import COMPONENTS
 from rolamento.words import manner, marked, said
 from rolamento.words.naming import part_name

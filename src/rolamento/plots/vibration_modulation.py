@@ -8,8 +8,8 @@ import numpy as np
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from rolamento.plots.frame import add_title, label_x, label_y, legend_above
-from rolamento.plots.style import new_stacked_figure, series, styled
+from rolamento.charts.frame import add_title, label_x, label_y, legend_above
+from rolamento.charts.style import new_stacked_figure, series, styled
 from rolamento.words import said
 
 if TYPE_CHECKING:

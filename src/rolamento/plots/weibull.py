@@ -16,10 +16,9 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import MaxNLocator, NullLocator
 from numpy.typing import NDArray
 
-from rolamento.plots.frame import GREY, add_title, empty_frame, legend_in_columns
-from rolamento.plots.over_field import decades
-from rolamento.plots.style import Series, new_figure, series, styled
-from rolamento.plots.texts import no_result, number, shown_text
+from rolamento.charts.frame import GREY, add_title, decades, empty_frame, legend_in_columns
+from rolamento.charts.style import Series, new_figure, series, styled
+from rolamento.charts.texts import no_result, number, shown_text
 from rolamento.weibull import EXPONENTS, plot_ordinate, plotting_positions
 from rolamento.weibull.summary import has_ranks
 from rolamento.words import manner, marked, said, said_in

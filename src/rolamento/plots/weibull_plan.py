@@ -8,10 +8,17 @@ from typing import TYPE_CHECKING, Final
 import numpy as np
 from matplotlib.figure import Figure
 
-from rolamento.plots.frame import GREY, add_title, empty_frame, label_x, label_y, legend_above
-from rolamento.plots.over_field import decades
-from rolamento.plots.style import new_figure, series, styled
-from rolamento.plots.texts import no_result, number, shown_text
+from rolamento.charts.frame import (
+    GREY,
+    add_title,
+    decades,
+    empty_frame,
+    label_x,
+    label_y,
+    legend_above,
+)
+from rolamento.charts.style import new_figure, series, styled
+from rolamento.charts.texts import no_result, number, shown_text
 from rolamento.words import counted, said
 
 if TYPE_CHECKING:

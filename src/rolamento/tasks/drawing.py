@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from xarray import Dataset
 
     from rolamento.case.variant import Variant
-    from rolamento.plots.contacts import QuantityName
+    from rolamento.charts.contacts import QuantityName
     from rolamento.solved import Solved
 
 __all__ = ["Drawing", "Kind", "draw"]
@@ -113,7 +113,7 @@ def draw(
         If a file cannot be read, or does not hold what is to be drawn, or the results share no
         figure.
     """
-    from rolamento.plots.frame import add_title, figure_of
+    from rolamento.charts.frame import add_title, figure_of
 
     if kind is not None and kind not in list(Kind):
         raise InputError(
@@ -230,10 +230,10 @@ def _of_states(
 
 def _of_state(path: str, kind: Kind) -> tuple[Axes, str, str | None]:
     """Draw a state; return title and failure too."""
+    from rolamento.charts.frame import empty_frame
+    from rolamento.charts.style import new_figure
+    from rolamento.charts.texts import no_result
     from rolamento.plots import balls, ellipses, roller
-    from rolamento.plots.frame import empty_frame
-    from rolamento.plots.style import new_figure
-    from rolamento.plots.texts import no_result
     from rolamento.solved import Solved
 
     solved = Solved.read(path)

@@ -8,10 +8,10 @@ from typing import Annotated, Any, ClassVar, Final
 import numpy as np
 
 from rolamento.case import Case, case_of
+from rolamento.charts.axes_units import si_value
 from rolamento.errors import InputError
 from rolamento.io.json import plain
 from rolamento.numerics import FloatArray
-from rolamento.plots.axes_units import si_value
 from rolamento.records import frozen
 from rolamento.studies.fields import Field, read_field
 from rolamento.studies.outputs import Output

@@ -7,7 +7,7 @@ import { make, remember, remembered, say } from "./ask.js";
 
 const REST = 200; // ms without a new picture, after which Plotly draws what was only traced
 const BUDGET = 9; // ms of a frame for full drawings; what is left over waits for the next
-const DASHES = { dash: "6 4", dot: "2 3", dashdot: "7 3 2 3", longdash: "10 4" };
+const DASHES = { dash: "6 4", dot: "2 3", dashdot: "7 3 2 3", longdash: "10 4", longdashdot: "10 3 2 3" };
 const MARKS = { circle: "M12.5 6a3.5 3.5 0 1 0 7 0a3.5 3.5 0 1 0-7 0", square: "M13 3h6v6h-6z", diamond: "M16 2l4 4-4 4-4-4z",
   "triangle-up": "M16 2l4 7h-8z", cross: "M15 2h2v3h3v2h-3v3h-2v-3h-3v-2h3z", star: "M16 1l1.5 3.5 3.7.3-2.8 2.4.9 3.6-3.3-1.9-3.3 1.9.9-3.6-2.8-2.4 3.7-.3z",
   "line-ns": "M16 0v12", "x-thin": "M12 2l8 8M20 2l-8 8" };

@@ -8,9 +8,10 @@ from typing import Final, Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from rolamento.charts.axes_units import DEGREE, MEGAPASCAL, ReadableUnit, readable_unit
 from rolamento.errors import InputError
 from rolamento.geometry import Race
-from rolamento.plots.axes_units import DEGREE, MEGAPASCAL, ReadableUnit, readable_unit
+from rolamento.records import frozen
 from rolamento.solved import NO_LOAD, RACES, Solved, refuse_other
 from rolamento.words import said, said_in, worded
 
@@ -18,6 +19,7 @@ __all__ = [
     "AROUND",
     "ContactQuantity",
     "QuantityName",
+    "Shown",
     "azimuth_name",
     "check_one_case",
     "contact_quantity",
@@ -35,6 +37,29 @@ QuantityName = Literal["load", "contact_angle", "max_pressure"]
 
 AROUND: Final = ("0°, +z", "45°", "90°\n+y", "135°", "180°", "225°", "270°", "315°")
 """Directions around a bearing seen from +x: +z is up, azimuths run clockwise over +y."""
+
+
+@frozen(eq=False)
+class Shown:
+    """A case in a picture.
+
+    Attributes
+    ----------
+    name
+        what the legend calls it; empty if it is alone
+    solved
+        one case that has a result
+    place
+        among the cases, from 0; of two it decides how they are drawn
+    """
+
+    name: str
+    solved: Solved
+    place: int = 0
+
+    def named(self, what: str) -> str:
+        """Name a line of the case."""
+        return said("{case}: {what}", case=self.name, what=what) if self.name else what
 
 
 class ContactQuantity(NamedTuple):

@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Final, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from rolamento.charts.axes_units import DEGREE, MEGAPASCAL, MILLIMETRE, ReadableUnit
+from rolamento.charts.texts import number
 from rolamento.errors import InputError
 from rolamento.geometry import Race
-from rolamento.plots.axes_units import DEGREE, MEGAPASCAL, MILLIMETRE, ReadableUnit
-from rolamento.plots.texts import number
 from rolamento.solved import Solved
 from rolamento.solved.outline import roller_outline
 from rolamento.words import said

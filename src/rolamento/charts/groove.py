@@ -9,8 +9,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import acos, isfinite
 
+from rolamento.charts.contacts import touching
 from rolamento.geometry import Race, edge_cosine
-from rolamento.plots.contacts import touching
 from rolamento.records import frozen
 from rolamento.solved import Solved
 

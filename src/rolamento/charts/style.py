@@ -1,12 +1,8 @@
-"""How every figure looks: sizes for print, colours that colour-blind readers can distinguish.
-
-The colours are those of Okabe and Ito (2008), "Color Universal Design"; each comes with a line
-style and a marker of its own, so that a figure can be read in black and white.
-"""
+"""How figures of Matplotlib look: sizes for print, and the looks of the palette in its words."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from contextlib import AbstractContextManager
 from functools import wraps
 from typing import Any, Final, NamedTuple, ParamSpec, TypeVar
@@ -15,6 +11,9 @@ from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.projections.polar import PolarAxes
+
+from rolamento.charts import palette
+from rolamento.charts.palette import LIGHT, Look
 
 __all__ = [
     "INNER",
@@ -25,6 +24,7 @@ __all__ = [
     "new_figure",
     "new_polar_figure",
     "new_stacked_figure",
+    "of_look",
     "series",
     "styled",
 ]
@@ -50,15 +50,22 @@ class Series(NamedTuple):
         return {**drawn, "marker": self.marker} if markers else drawn
 
 
-SERIES: Final = (
-    Series("#0072B2", "-", "o"),
-    Series("#D55E00", "--", "s"),
-    Series("#009E73", "-.", "^"),
-    Series("#CC79A7", ":", "D"),
-    Series("#E69F00", (0, (5, 1, 1, 1, 1, 1)), "v"),
-    Series("#56B4E9", (0, (7, 2)), "P"),
-    Series("#000000", (0, (1, 1)), "X"),
-)
+_DASHES: Final[Mapping[str, Any]] = {
+    "solid": "-", "dash": "--", "dashdot": "-.", "dot": ":", "longdash": (0, (7, 2)),
+    "longdashdot": (0, (8, 2, 1, 2)), "dashdotdot": (0, (5, 1, 1, 1, 1, 1)), "fine": (0, (1, 1)),
+}  # fmt: skip
+_MARKS: Final[Mapping[str, str]] = {
+    "circle": "o", "square": "s", "triangle-up": "^", "diamond": "D", "triangle-down": "v",
+    "cross": "P", "x": "X", "star": "*", "tick": "|", "thin": "x",
+}  # fmt: skip
+
+
+def of_look(look: Look) -> Series:
+    """Return a look of the palette as Matplotlib has it, on white paper."""
+    return Series(LIGHT[look.color], _DASHES[look.dash], _MARKS[look.mark])
+
+
+SERIES: Final = tuple(map(of_look, palette.SERIES))
 INNER: Final = SERIES[0]
 OUTER: Final = SERIES[1]
 

@@ -6,23 +6,34 @@ import textwrap
 from collections.abc import Sequence
 from typing import Final
 
+import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.projections.polar import PolarAxes
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter, ScalarFormatter
 
+from rolamento.charts.palette import LIGHT
+from rolamento.charts.texts import marked_number, numbers, shown_text
 from rolamento.errors import InputError
-from rolamento.plots.texts import marked_number, numbers, shown_text
 from rolamento.words import manner, said
 
-GREY: Final = "#707070"
+GREY: Final = LIGHT["grey"]
 _UPRIGHT_WIDTH: Final = 45
 _TITLE_CHARACTERS_PER_INCH: Final = 13.0
 _CHARACTERS_PER_INCH: Final = 17.0
 _HANDLE_CHARACTERS: Final = 7
 _HALF_LINE: Final = 42
 """Characters of a label of which two stand side by side."""
+_DECADES: Final = 100.0
+"""Greatest over least value from which on there is room for whole decades only."""
+_NARROW: Final = 10.0
+_WHOLE, _FEW, _MANY = (1.0,), (1.0, 2.0, 5.0), (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 7.0)
+"""Ticks in a decade of a wide, a middling and a narrow axis."""
+_MOST_TICKS: Final = 9
+_LONG: Final = 1e6
+"""From here on a tick is written as a power of ten."""
+_RAISED: Final = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
 class PlainNumbers(ScalarFormatter):
@@ -62,6 +73,27 @@ def log_scale(axes: Axes, axis: str) -> None:
     scaled.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
     scaled.set_minor_formatter(NullFormatter())
     scaled.set_major_formatter(FuncFormatter(numbers()))
+
+
+def decades(axes: Axes, axis: str, limits: tuple[float, float]) -> None:
+    """Make an axis, "x" or "y", logarithmic between two limits, however many decades there are."""
+    getattr(axes, f"set_{axis}scale")("log")
+    getattr(axes, f"set_{axis}lim")(*limits)
+    span = limits[1] / limits[0]
+    scaled = getattr(axes, f"{axis}axis")
+    subs = _WHOLE if span > _DECADES else _FEW if span > _NARROW else _MANY
+    scaled.set_major_locator(LogLocator(subs=subs, numticks=_MOST_TICKS))
+    scaled.set_minor_locator(LogLocator(subs="auto", numticks=_MOST_TICKS))
+    scaled.set_minor_formatter(NullFormatter())
+    plain = numbers()
+
+    def written(value: float, place: object) -> str:
+        power = round(float(np.log10(value)))
+        if value >= _LONG and np.isclose(value, 10.0**power):
+            return "10" + str(power).translate(_RAISED)
+        return plain(value, place)
+
+    scaled.set_major_formatter(FuncFormatter(written))
 
 
 def legend_above(

@@ -1,0 +1,165 @@
+"""One record a picture: both renderers draw the same numbers, in the colours of one palette."""
+
+from __future__ import annotations
+
+import itertools
+import json
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from matplotlib.colors import to_rgb
+
+import rolamento
+from rolamento.charts import (
+    Axis,
+    Bars,
+    Chart,
+    Ellipses,
+    Labels,
+    Line,
+    Look,
+    Mark,
+    Spread,
+    Zone,
+    nothing,
+    race_look,
+    series_look,
+)
+from rolamento.charts.drawing import draw
+from rolamento.charts.frame import figure_of
+from rolamento.charts.palette import DARK, LIGHT, SERIES
+from rolamento.charts.plotly import picture
+
+STYLE = Path(rolamento.__file__).parent / "web" / "page" / "pictures.css"
+X = np.array([0.0, 1.0, 2.0, 3.0])
+HALF = np.array([True, True, False, False])
+EVERY = Chart(
+    (
+        Line(X, np.array([1.0, 2.0, np.nan, 4.0]), "line", Look("inner"), "both", (1, 1)),
+        Line(X, 2.0 * X, "judged", Look("outer", "dash"), valid=HALF),
+        Line(X[:2], np.full(2, -np.inf), "none", Look("bad", mark="thin"), "points",
+             texts=("why", "why not")),
+        Spread(X, X, X + 1.0, "band", Look("inner2")),
+        Ellipses(X[:2], X[:2], X[:2] + 0.1, X[:2] + 0.2, "ellipses", Look("outer2"), hatched=True),
+        Labels(X[:1], X[:1], ("here",), ("right",)),
+    ),
+    Axis("Speed", "rpm"),
+    Axis("Load", "N", zero=True),
+    "The load rises.",
+    "Load over speed",
+    marks=(Mark(3.0, "limit", Look("bad")), Mark(1.5, "now", Look("ink"), "x")),
+    zones=(Zone(2.0, np.inf, "much", "fair"),),
+)  # fmt: skip
+BARS = Chart(
+    (
+        Bars(np.array([1.0, np.inf]), (0, 1), "case A", Look("inner"), ("1", "∞"), (True, False)),
+        Bars(np.array([2.0, 3.0]), (0, 1), "case B", Look("inner2")),
+    ),
+    Axis("Life", "h", (0.0, 10.0)),
+    Axis(categories=("first", "second")),
+)
+
+
+def trace(chart: Chart, name: str) -> dict[str, object]:
+    return next(one for one in picture(chart)["data"] if one.get("name") == name)
+
+
+def luminance(color: str) -> float:
+    """Of WCAG 2.1."""
+    linear = [x / 12.92 if x <= 0.04045 else ((x + 0.055) / 1.055) ** 2.4 for x in to_rgb(color)]
+    return float(np.dot([0.2126, 0.7152, 0.0722], linear))
+
+
+def test_both_renderers_have_the_numbers_of_the_record() -> None:
+    axes = draw(EVERY)
+    drawn = {line.get_label(): line for line in axes.lines}
+    for name in ("line", "judged"):
+        upright = np.array(trace(EVERY, name)["y"], dtype=float)
+        np.testing.assert_array_equal(np.asarray(drawn[name].get_ydata(), dtype=float), upright)
+    assert axes.get_xlabel() == picture(EVERY)["layout"]["xaxis"]["title"]["text"] == "Speed (rpm)"
+    assert axes.get_ylabel() == picture(EVERY)["layout"]["yaxis"]["title"]["text"] == "Load (N)"
+    assert axes.get_ylim()[0] == picture(EVERY)["layout"]["yaxis"]["range"][0] == 0.0
+
+
+def test_names_are_the_same_on_paper_and_on_the_page() -> None:
+    for chart in (EVERY, BARS):
+        legend = draw(chart).get_legend()
+        assert legend is not None
+        names = {one.get("name") for one in picture(chart)["data"]} - {"", None}
+        assert {text.get_text() for text in legend.get_texts()} == names
+
+
+def test_what_does_not_hold_is_faint_and_meets_what_does() -> None:
+    faint = [one for one in picture(EVERY)["data"] if "opacity" in one]
+    assert [one["y"] for one in faint] == [[None, 2.0, 4.0, 6.0]]
+    alphas = [line.get_alpha() for line in draw(EVERY).lines if line.get_alpha()]
+    assert alphas == [faint[0]["opacity"]]
+    assert trace(BARS, "case A")["marker"]["opacity"] == [1.0, faint[0]["opacity"]]  # type: ignore[index]
+
+
+def test_what_has_no_number_stands_at_the_foot_with_its_reason() -> None:
+    none = trace(EVERY, "none")
+    assert none["y"] == [0.0, 0.0]
+    assert none["text"] == ["why", "why not"]
+
+
+def test_what_never_ends_fills_the_frame() -> None:
+    assert trace(BARS, "case A")["x"] == [1.0, 10.0]
+    assert max(bar.get_width() for bar in draw(BARS).patches) == 10.0
+
+
+def test_pictures_are_plain_json_and_say_what_they_say() -> None:
+    found = picture(EVERY)
+    assert json.loads(json.dumps(found, allow_nan=False)) == found
+    assert found["summary"] == "The load rises."
+    assert EVERY.alternative == "Load over speed. The load rises."
+
+
+def test_panels_stand_beside_or_below_one_another() -> None:
+    beside = picture(EVERY, EVERY)["layout"]
+    assert beside["xaxis"]["domain"][1] < beside["xaxis2"]["domain"][0]
+    below = picture(EVERY, EVERY, down=True)["layout"]
+    assert below["yaxis"]["domain"][0] > below["yaxis2"]["domain"][1]
+
+
+def test_nothing_to_draw_says_why() -> None:
+    assert picture(nothing("no load"))["summary"] == "no load"
+    assert "no load" in draw(nothing("no load")).texts[0].get_text()
+    assert figure_of(draw(nothing("no load")))
+
+
+def test_the_page_has_the_colours_of_the_palette() -> None:
+    """In the light, in the dark by choice, and in the dark by what the system says."""
+    found: dict[str, list[str]] = {}
+    for name, color in re.findall(r"--picture-(\w+): (#[0-9a-f]{6})", STYLE.read_text("utf-8")):
+        found.setdefault(name, []).append(color)
+    for name in sorted(LIGHT.keys() - {"ink", "grey"}):  # those are the page's own
+        light, *dark = found[name][:3]
+        assert light == LIGHT[name].lower(), name
+        assert dark == [DARK[name].lower()] * 2, name
+    assert LIGHT.keys() == DARK.keys()
+
+
+@pytest.mark.parametrize(("colors", "paper"), [(LIGHT, "#ffffff"), (DARK, "#15191c")])
+def test_lines_stand_out_from_the_paper(colors: dict[str, str], paper: str) -> None:
+    """WCAG 2.1, 1.4.11: 3 to 1; the light orange and sky blue of series beyond the fourth less."""
+    ground = luminance(paper)
+    for name, color in colors.items():
+        bright, dark = sorted((luminance(color), ground), reverse=True)
+        least = 2.0 if name in ("fifth", "sixth") else 3.0
+        assert (bright + 0.05) / (dark + 0.05) >= least, name
+
+
+def test_races_rows_and_cases_differ_in_black_and_white() -> None:
+    for case in (0, 1):
+        looks = [race_look(race, case, row) for row in range(3) for race in ("inner", "outer")]
+        assert len({look.dash for look in looks}) == len(looks)
+        assert len({look.mark for look in looks}) == len(looks)
+    pair = [race_look(race, case) for case in (0, 1) for race in ("inner", "outer")]
+    for one, other in itertools.combinations(pair, 2):
+        assert one.color != other.color
+        assert one.dash != other.dash
+    assert len({look.dash for look in SERIES}) == len({look.mark for look in SERIES}) == 7
+    assert series_look(7) == SERIES[0]
