@@ -61,12 +61,16 @@ __all__ = [
     "ORIGINS",
     "PARTS",
     "TABLES",
+    "KeyFigure",
     "Part",
     "comparison_page",
+    "comparison_sections",
+    "key_figures",
     "part_of",
     "remarks_section",
     "report_page",
     "summary_section",
+    "warnings_section",
 ]
 
 _ABREAST: Final = 2
@@ -138,6 +142,11 @@ def summary_section(report: Report, *, advice: bool = True) -> Section:
     advice: whether a case without a result says what to do, and not only why.
     """
     return Section(said("Summary"), _summary(report, advice=advice), "summary")
+
+
+def warnings_section(report: Report) -> Section:
+    """Return the limits that are passed, and what the summary has to be read with."""
+    return Section(said("Warnings"), _qualifications(report), "warnings")
 
 
 def remarks_section(report: Report) -> Section:
@@ -508,6 +517,147 @@ def _summary_rows(report: Report) -> list[_Row]:
     ]  # fmt: skip
 
 
+# --- key figures ----------------------------------------------------------------------------------
+
+
+@frozen
+class KeyFigure:
+    """A result that leads, with its limit beside it.
+
+    Attributes
+    ----------
+    key
+        path of the number in `CaseReport.numbers`; of a text what it is of
+    label
+        what it is called
+    value, unit
+        as people read them
+    limit
+        what it is held against, with its unit, such as "of 4200 MPa"; empty without
+    share
+        of the limit that is used; None without a limit
+    tone
+        "bad" beyond a limit, "warning" where a limit is no refusal; empty else
+    """
+
+    key: str
+    label: str
+    value: str
+    unit: str = ""
+    limit: str = ""
+    share: float | None = None
+    tone: Tone = ""
+
+
+def key_figures(case: CaseReport, report: Report) -> tuple[KeyFigure, ...]:
+    """Return the results that lead, each with its limit; none of a case without a result or load.
+
+    Parameters
+    ----------
+    case
+        One of the report's.
+    report
+        Its cases may have rows of their own.
+    """
+    if not case.converged or nothing_given(case.analysis.solved):
+        return ()
+    alone = replace(report, cases=(case,))
+    found = []
+    for row in _summary_rows(alone):
+        cell = _cell(alone, row, 0)
+        shown = cell if isinstance(cell, str) else _shown(cell)
+        if not shown or (not row.texts and case.number(row.path) is None):
+            continue
+        key = row.path or ("life" if row.label == said("rating life") else "theory")
+        limit, share, tone = _limit_of(case, row)
+        found.append(KeyFigure(key, row.label, shown, row.shown_unit, limit, share, tone))
+    return (*found, *_tilt_figure(case))
+
+
+def _shown(cell: CellContent) -> str:
+    if not isinstance(cell, Number) or not isinstance(cell.value, int | float):
+        return ""
+    return manner().number(float(cell.value), cell.form)
+
+
+def _limit_of(case: CaseReport, row: _Row) -> tuple[str, float | None, Tone]:
+    """What a row of the summary is held against: the limit, the share of it, the tone."""
+    checks = {check.name: check for check in case.checks}
+    value = case.number(row.path) if row.path else None
+    if row.path == "extremes.max_pressure" and value is not None:
+        known = [one.high for name, one in checks.items() if name.endswith("pressure")]
+        high = min((one for one in known if one is not None), default=nan)
+        if not high > 0.0:
+            return "", None, ""
+        return said("of {limit:.4 MPa}", limit=high), value / high, "bad" if value > high else ""
+    if row.path == "extremes.load_ratio" and "load" in checks and value is not None:
+        high = checks["load"].high
+        if high:
+            return (
+                said("at least {limit:.3}", limit=1.0 / high),
+                1.0 / (high * value),
+                "bad" if value < 1.0 / high else "",
+            )
+    for path, least, refused in _LEAST:
+        if row.path == path and value is not None and value > 0.0:
+            tone: Tone = "" if value >= least else "bad" if value < refused else "warning"
+            return said("at least {limit:.3}", limit=least), min(least / value, 9.0), tone
+    hours = case.number("analysis.life.headline.hours")
+    required = case.case.life.required_life if case.case.life is not None else None
+    if row.label == said("rating life") and required and hours:
+        wanted = required / 3600.0
+        text = said("at least {hours:.4r} h", hours=wanted)
+        return text, min(wanted / hours, 9.0), "bad" if hours < wanted else ""
+    return "", None, ""
+
+
+_LEAST: Final = (
+    ("analysis.life.loads.static_safety", 1.0, 0.5),
+    ("analysis.film.viscosity_ratio", 1.0, 0.1),
+)
+"""Numbers that should be at least one: S_0, below which balls leave a dent of a ten-thousandth of
+their diameter (ISO 76:2006, the definition of C_0); κ, at which the oil has the viscosity that is
+required (ISO 281:2007, 9.3.3.1); and below what they are out of bounds: κ of the range of a_ISO."""
+
+
+def _tilt_figure(case: CaseReport) -> Iterator[KeyFigure]:
+    """The tilt of roller bearings, where makers say what they permit."""
+    for check in case.checks:
+        if check.name == "misalignment" and check.high and check.high < inf and check.greatest:
+            yield KeyFigure(
+                "checks.misalignment",
+                said("tilt of the rings"),
+                manner().number(check.greatest, ".3 [mrad]"),
+                "mrad",
+                said("of {limit:.3 mrad}", limit=check.high),
+                check.greatest / check.high,
+                "" if check.met else "bad",
+            )
+
+
+def comparison_sections(report: Report) -> tuple[Section, Section]:
+    """Return the summary of several cases in two: what differs, and what is the same in all.
+
+    Parameters
+    ----------
+    report
+        Of at least two cases.
+    """
+    solved = [case.analysis.solved for case in report.cases if case.converged]
+    rows = _summary_rows(report) if not all(map(nothing_given, solved)) else []
+    differing, same = [], []
+    for row in rows:
+        texts = {
+            cell if isinstance(cell, str) else _shown(cell)
+            for cell in (_cell(report, row, at) for at in range(len(report.cases)))
+        }
+        (same if len(texts) == 1 else differing).append(row)
+    return (
+        Section(said("What differs"), _tables(report, [("", differing)], "summary"), "summary"),
+        Section(said("The same in all"), _tables(report, [("", same)], "same"), "same"),
+    )
+
+
 def _life_rows(report: Report) -> list[_Row]:
     """The leading life; in words where fatigue does not decide, or no theory is valid."""
     path, label = "analysis.life.headline.hours", said("rating life")
@@ -576,6 +726,7 @@ TABLES: Final = {
     "mounting": marked("Mounting"),
     "film": marked("Film"),
     "heat": marked("Heat"),
+    "grease": marked("Grease"),
     "static": marked("Static safety"),
     "electrical": marked("Electricity"),
     "losses": marked("Seals and oil bath"),
