@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from math import inf, nan
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, cast
 
 from rolamento.case import Case
 from rolamento.case.duty import AXES, LOADS
@@ -174,7 +174,19 @@ def _head(report: Report) -> Section:
         Entry(said("checked by"), head.checked_by or "_" * 24),
         Entry(said("program"), said("Rolamento {version}", version=report.version)),
     ]
-    return Section("", (Title(_title(report)), KeyValues(tuple(entries))), key="title_block")
+    blocks = (Title(_title(report)), KeyValues(tuple(entries)), _drawing(report.cases[0]))
+    return Section("", blocks, key="title_block")
+
+
+def _drawing(case: CaseReport) -> Figure:
+    """The bearing in section, with what acts on it."""
+    from rolamento.plots.bearing_section import draw_section, section_drawing
+
+    drawing = section_drawing(case.case, case.analysis.solved)
+    return Figure(
+        caption=drawing.remark, draw=lambda: draw_section(drawing), alternative=drawing.said,
+        key="section",
+    )  # fmt: skip
 
 
 def _title(report: Report) -> str:
@@ -356,7 +368,7 @@ _Group = tuple[str, Sequence[_Row]]
 
 
 def _tables(report: Report, groups: Sequence[_Group], key: str, caption: str = "",
-            legends: tuple[str, ...] = ()) -> tuple[Table, ...]:  # fmt: skip
+            legends: tuple[str, ...] = (), abreast: int = _ABREAST) -> tuple[Table, ...]:  # fmt: skip
     """Return rows as tables: a column a case, and the differences of the later ones to the first.
 
     Rows that no case has are left out.
@@ -371,7 +383,7 @@ def _tables(report: Report, groups: Sequence[_Group], key: str, caption: str = "
             places.append((first, name))
         first += len(own)
     later = list(range(1, len(report.cases)))
-    parts = [later[at : at + _ABREAST] for at in range(0, len(later), _ABREAST)] or [[]]
+    parts = [later[at : at + abreast] for at in range(0, len(later), abreast)] or [[]]
     return tuple(
         Table(
             columns=tuple(_columns(report, rows, part)),
@@ -459,7 +471,42 @@ def _summary(report: Report, *, advice: bool = True) -> tuple[Statement | Notes 
     solved = [case.analysis.solved for case in report.cases if case.converged]
     rows = _summary_rows(report) if not all(map(nothing_given, solved)) else []
     tables = _tables(report, [("", rows)], "summary")
-    return (*statements, *_qualifications(report), *tables)
+    if len(report.cases) == 1 and tables:
+        tables = (_with_limits(report, rows, tables[0]),)
+    return (*statements, *_verdict_of(report), *tables, *_qualifications(report))
+
+
+def _with_limits(report: Report, rows: Sequence[_Row], table: Table) -> Table:
+    """The table of the summary with what each row is held against."""
+    case = report.cases[0]
+    shown = [row for row in rows if _has(report, row)]
+    found = [_limit_of(case, row) if case.converged else ("", None, "") for row in shown]
+    if not any(limit for limit, _, _ in found):
+        return table
+    *columns, path = table.columns
+    tones: list[Tone] = [tone for _, _, tone in found]
+    beside = Column(head=said("limit"), values=[one[0] for one in found], key="limit", tones=tones)
+    return replace(table, columns=(*columns, beside, path))
+
+
+def _verdict_of(report: Report) -> tuple[Statement, ...]:
+    """Say in a line whether the limits that are checked are kept; nothing without a result."""
+    found: list[Statement] = []
+    for case in report.cases:
+        figures = key_figures(case, report)
+        if not figures:
+            continue
+        grave = [one.text for one in _warnings_of(case) if one.weight == 0]
+        beyond = [one.label for one in figures if one.tone == "bad"]
+        if beyond or grave:
+            names = "; ".join(beyond) or said("see the warnings")
+            text, tone, mark = said("Beyond its limits: {names}.", names=names), "bad-strong", "✗"
+        else:
+            text, tone, mark = said("Within the limits that are checked."), "good", "✓"
+        if len(report.cases) > 1:
+            text = said("Case {names}: {text}", names=case.name, text=text)
+        found.append(Statement(text, cast("Tone", tone), mark=mark))
+    return tuple(found)
 
 
 def _status_statement(case: CaseReport, *, many: bool, advice: bool) -> Statement:
@@ -568,7 +615,8 @@ def key_figures(case: CaseReport, report: Report) -> tuple[KeyFigure, ...]:
         shown = cell if isinstance(cell, str) else _shown(cell)
         if not shown or (not row.texts and case.number(row.path) is None):
             continue
-        key = row.path or ("life" if row.label == said("rating life") else "theory")
+        is_life = row.label == said("rating life")
+        key = "life" if is_life else row.path or "theory"
         limit, share, tone = _limit_of(case, row)
         found.append(KeyFigure(key, row.label, shown, row.shown_unit, limit, share, tone))
     return (*found, *_tilt_figure(case))
@@ -586,10 +634,10 @@ def _limit_of(case: CaseReport, row: _Row) -> tuple[str, float | None, Tone]:
     value = case.number(row.path) if row.path else None
     if row.path == "extremes.max_pressure" and value is not None:
         known = [one.high for name, one in checks.items() if name.endswith("pressure")]
-        high = min((one for one in known if one is not None), default=nan)
-        if not high > 0.0:
+        least = min((one for one in known if one is not None), default=nan)
+        if not least > 0.0:
             return "", None, ""
-        return said("of {limit:.4 MPa}", limit=high), value / high, "bad" if value > high else ""
+        return said("of {limit:.4 MPa}", limit=least), value / least, "bad" if value > least else ""
     if row.path == "extremes.load_ratio" and "load" in checks and value is not None:
         high = checks["load"].high
         if high:
@@ -645,7 +693,8 @@ def comparison_sections(report: Report) -> tuple[Section, Section]:
     """
     solved = [case.analysis.solved for case in report.cases if case.converged]
     rows = _summary_rows(report) if not all(map(nothing_given, solved)) else []
-    differing, same = [], []
+    differing: list[_Row] = []
+    same: list[_Row] = []
     for row in rows:
         texts = {
             cell if isinstance(cell, str) else _shown(cell)
@@ -653,9 +702,10 @@ def comparison_sections(report: Report) -> tuple[Section, Section]:
         }
         (same if len(texts) == 1 else differing).append(row)
     return (
-        Section(said("What differs"), _tables(report, [("", differing)], "summary"), "summary"),
-        Section(said("The same in all"), _tables(report, [("", same)], "same"), "same"),
-    )
+        Section(said("What differs"), _tables(report, [("", differing)], "summary", abreast=3),
+                "summary"),
+        Section(said("The same in all"), _tables(report, [("", same)], "same", abreast=3), "same"),
+    )  # fmt: skip
 
 
 def _life_rows(report: Report) -> list[_Row]:

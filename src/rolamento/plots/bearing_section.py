@@ -102,7 +102,9 @@ class SectionDrawing:
     letter
         height of its letters, m
     said
-        what is drawn, as a sentence
+        what is drawn, and what acts on it
+    remark
+        what is drawn, and how
     """
 
     outlines: tuple[Outline, ...]
@@ -111,6 +113,7 @@ class SectionDrawing:
     box: tuple[float, float, float, float]
     letter: float
     said: str
+    remark: str
 
 
 def section_drawing(case: Case, solved: Solved | None = None) -> SectionDrawing:
@@ -133,7 +136,7 @@ class _Row(NamedTuple):
     bearing: Any
     x: float
     way: float
-    index: int
+    number: int
 
     @property
     def size(self) -> float:
@@ -233,12 +236,12 @@ class _Drawer:
         self.outlines.append(Outline("axis", ((axis[0], 0.0), (axis[1], 0.0)), closed=False))
         self._acting(ends, letter)
         self._sizes(letter)
-        low, high = ends[0] - 6.2 * letter, ends[1] + 7.6 * letter
+        low, high = ends[0] - 7.4 * letter, ends[1] + 7.6 * letter
         bottom = -self.outside - wall - 0.4 * letter
         box = (low, bottom, high - low, -2.0 * bottom)
         return SectionDrawing(
             tuple(self.outlines), tuple(self.arrows), tuple(self.labels), box, letter,
-            self._sentence(),
+            self._sentence(self._remark()), " ".join(self._remark()),
         )  # fmt: skip
 
     # --- parts ------------------------------------------------------------------------------------
@@ -374,7 +377,7 @@ class _Drawer:
         if self.solved is None:
             return None
         elements = self.solved.elements
-        own = np.flatnonzero(np.asarray(elements.row) == row.index)
+        own = np.flatnonzero(np.asarray(elements.row) == row.number)
         if not own.size:
             return None
         azimuth = np.asarray(elements.azimuth[0])[own]
@@ -482,8 +485,8 @@ class _Drawer:
     def _label(self, kind: str, at: Point, text: str, anchor: str = "start") -> None:
         self.labels.append(Label(kind, at, text, anchor))
 
-    def _sentence(self) -> str:
-        """Return what is drawn."""
+    def _remark(self) -> list[str]:
+        """Return what is drawn, and how."""
         parts = [said("The bearing in section, to scale.")]
         if not self.outside_known:
             parts.append(said("Sizes of its rings are not known: they are drawn as usual."))
@@ -494,8 +497,12 @@ class _Drawer:
         arranged = getattr(self.case.bearing, "arrangement", None)
         if arranged:
             parts.append(said("Arrangement {name}.", name=arranged))
-        parts += [f"{one.text}." for one in self.labels if one.kind in ("load", "speed")]
-        return " ".join(parts)
+        return parts
+
+    def _sentence(self, remark: Sequence[str]) -> str:
+        """Return what is drawn, and what acts on it."""
+        acting = [f"{one.text}." for one in self.labels if one.kind in ("load", "speed")]
+        return " ".join([*remark, *acting])
 
 
 def _known(name: str, *records: Any) -> float | None:

@@ -85,7 +85,7 @@ def helps(request: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _changes(case: Case, name: str) -> Iterator[tuple[str, Any]]:
-    """What a change of `rolamento.life.sensitivity` writes into a case file, as far as fields go."""
+    """What a change of `rolamento.life.sensitivity` writes into a case file, if fields say it."""
     size = CHANGES[name]
     if name in ("less_load", "less_tilt"):
         for field in _LOADS if name == "less_load" else _TILTS:

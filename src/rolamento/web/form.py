@@ -185,10 +185,17 @@ def likely(analysis: Analysis) -> dict[str, dict[str, Any]]:
     return {
         name: {
             "most": most,
-            "example": from_si(float(f"{_USUAL_PART * most:.1g}"), fields[name].dimension or "force"),
+            "example": _rounded(_USUAL_PART * most, fields[name]),
         }
         for name, most in found.items()
     }
+
+
+def _rounded(value: float, field: Field) -> str:
+    """A value to one figure, in the unit in which people read the field."""
+    unit = field.shown_unit
+    factor = to_si(f"1 {unit}", field.dimension or "force")
+    return f"{float(f'{value / factor:.1g}'):g} {unit}"
 
 
 def inputs(known: Iterable[Input]) -> dict[str, dict[str, Any]]:

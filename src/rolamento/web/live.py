@@ -108,7 +108,7 @@ def _answered(
     keys, parts = (_names(request, name) for name in ("pictures", "sections"))
     called = [_called(entry, place) for place, entry in enumerate(entries)]
     drawn = _drawn(request, len(found))
-    analyses = [None if found[place] is None else found[place].analysis for place in drawn]
+    analyses = [None if one is None else one.analysis for one in (found[at] for at in drawn)]
     names = [called[place] for place in drawn]
     return {
         "cases": told,

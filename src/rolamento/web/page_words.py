@@ -28,7 +28,6 @@ WORDS: Final[Mapping[str, str]] = {
     "curve.output": marked("Output"),
     "curve.scale": marked("logarithmic field"),
     "curve.upright": marked("logarithmic output"),
-    "drawing": marked("The bearing in section, to scale, with what acts on it"),
     "first.go": marked("Calculate"),
     "first.head": marked("What does it carry?"),
     "first.status": marked("Waiting for a load and a speed."),

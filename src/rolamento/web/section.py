@@ -1,9 +1,10 @@
-"""The bearing in section as SVG, in the colours of the page: its classes are those of section.css."""
+"""The bearing in section as SVG; its classes take the colours of the page, of lead.css."""
 
 from __future__ import annotations
 
 from html import escape
 from typing import TYPE_CHECKING, Final
+from zlib import crc32
 
 from rolamento.plots.bearing_section import SectionDrawing, section_drawing
 
@@ -34,19 +35,20 @@ def section_svg(case: Case, solved: Solved | None = None) -> str:
 def _svg(drawing: SectionDrawing) -> str:
     left, bottom, wide, tall = (_MM * one for one in drawing.box)
     letter = _MM * drawing.letter
-    title = escape(drawing.said)
+    mark = f"hatch-{crc32(repr(drawing.outlines).encode()):x}"
     parts = [
         f'<svg class="section-drawing" viewBox="{left:.3f} {-bottom - tall:.3f} {wide:.3f} '
-        f'{tall:.3f}" role="img" aria-label="{title}" preserveAspectRatio="xMidYMid meet">',
-        f"<title>{title}</title>",
-        '<defs><pattern id="hatch" patternUnits="userSpaceOnUse" '
+        f'{tall:.3f}" role="img" aria-label="{escape(drawing.said)}">',
+        f"<title>{escape(drawing.remark)}</title>",
+        f'<defs><pattern id="{mark}" patternUnits="userSpaceOnUse" '
         f'width="{0.5 * letter:.3f}" height="{0.5 * letter:.3f}" '
         'patternTransform="rotate(45)"><path class="hatching" '
         f'd="M0 0V{0.5 * letter:.3f}" stroke-width="{0.09 * letter:.3f}"/></pattern></defs>',
     ]
     for one in drawing.outlines:
         path = _path(one.points) + ("Z" if one.closed else "")
-        parts.append(f'<path class="{one.kind}" d="{path}"/>')
+        fill = f' fill="url(#{mark})"' if one.kind == "housing" else ""
+        parts.append(f'<path class="{one.kind}"{fill} d="{path}"/>')
     for arrow in drawing.arrows:
         parts.append(f'<path class="{arrow.kind} arrow" d="{_path(arrow.points)}"/>')
         parts.append(f'<path class="{arrow.kind} head" d="{_head(arrow.points, drawing.letter)}"/>')

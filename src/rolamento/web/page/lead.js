@@ -3,7 +3,7 @@
 
 import { Refused, ask, make, say, setHtml } from "./ask.js";
 import { indexed } from "./form.js";
-import { typed } from "./units.js";
+import { parted, shown, typed } from "./units.js";
 
 const FIRST = ["duty.load.fz", "duty.load.fx", "duty.inner_speed"];
 const IN_A_ROW = 5; // figures of each case where several stand side by side
@@ -30,7 +30,6 @@ export function makeLead({ fields, change, current, names }) {
     const title = place.querySelector("title");
     caption.textContent = title?.textContent ?? "";
     title?.remove(); // it would cover the drawing wherever the pointer rests
-    place.firstChild.setAttribute("aria-label", say("drawing"));
   }
 
   // --- key figures -----------------------------------------------------------------------------
@@ -76,7 +75,11 @@ export function makeLead({ fields, change, current, names }) {
     const many = slots.length > 1;
     $("compared").hidden = !many;
     if (!many) return;
-    const said = (slot, name) => slot.inputs[name]?.text ?? "–";
+    const said = (slot, name) => {
+      const text = slot.inputs[name]?.text;
+      const found = text === undefined ? null : parted(text);
+      return found ? `${shown(found.number)} ${found.unit}`.trim() : (text ?? "–");
+    };
     const changed = [...new Set(slots.flatMap((one) => Object.keys(one.inputs)))]
       .filter((name) => byName.has(name) && name !== "title" && new Set(slots.map((one) => said(one, name))).size > 1);
     const head = make("tr", {}, make("td"), ...names().map((name) => make("th", { scope: "col", textContent: name })));
@@ -94,6 +97,7 @@ export function makeLead({ fields, change, current, names }) {
     const slot = slots[active];
     const empty = !slot.error && slot.status?.code === "converged" && slot.status.unloaded;
     const form = $("first");
+    $("results").classList.toggle("unloaded", Boolean(empty));
     if (form.hidden === !empty) return;
     form.hidden = !empty;
     if (!empty) return;
