@@ -74,10 +74,33 @@ def case(page: Page) -> None:
     _example(page, "6310_motor")
 
 
+def first(page: Page) -> None:
+    """A bearing is open of which nothing but its designation is known."""
+    page.get_by_label("Designation or dimensions").fill("7014 C/HCP4A DBA")
+    page.locator("#found .best").click()
+    page.locator("#first").wait_for(timeout=1000.0 * _PATIENCE)
+
+
+def seek(page: Page) -> None:
+    """The load that gives a life."""
+    _example(page, "6310_motor")
+    page.locator("#seek summary").click()
+    page.locator("#seek option[value=life_hours]").wait_for(state="attached")
+    page.select_option("#seek select[name=vary]", "duty.load.fz")
+    page.fill("#seek input[name=wanted]", "30000")
+    page.press("#seek input[name=wanted]", "Enter")
+    page.locator("#seek .js-line").first.wait_for(state="attached", timeout=1000.0 * _PATIENCE)
+    page.evaluate("document.querySelector('#seek').scrollIntoView({ block: 'center' })")
+
+
 def compare(page: Page) -> None:
     """Two cases of it, one with more load."""
     _example(page, "6310_motor")
     page.locator("#compare").click()
+    for place, name in enumerate(("as drawn", "belt too tight")):
+        called = page.locator("#slot-list input[type=text]").nth(place)
+        called.fill(name)
+        called.press("Enter")
     load = page.locator("#form .field", has_text="Radial load Fz").locator("input[type=text]").first
     load.fill("7")
     load.press("Enter")
@@ -112,7 +135,9 @@ def phone(page: Page) -> None:
 
 PICTURES: Final = {
     "open": (opening, 1200, 820),
+    "first": (first, 1200, 820),
     "case": (case, 1200, 820),
+    "seek": (seek, 1200, 820),
     "compare": (compare, 1200, 820),
     "machine": (machine, 1200, 980),
     "signal": (signal, 1200, 980),
@@ -123,7 +148,7 @@ PICTURES: Final = {
 
 
 def _example(page: Page, name: str) -> None:
-    page.locator("#examples").get_by_text(name).click()
+    page.locator(f"#examples button:has([data-example='{name}'])").click()
     page.locator("#status", has_text="Converged").wait_for(timeout=1000.0 * _PATIENCE)
 
 

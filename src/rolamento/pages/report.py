@@ -368,7 +368,8 @@ _Group = tuple[str, Sequence[_Row]]
 
 
 def _tables(report: Report, groups: Sequence[_Group], key: str, caption: str = "",
-            legends: tuple[str, ...] = (), abreast: int = _ABREAST) -> tuple[Table, ...]:  # fmt: skip
+            legends: tuple[str, ...] = (),
+            abreast: int = _ABREAST) -> tuple[Table, ...]:  # fmt: skip
     """Return rows as tables: a column a case, and the differences of the later ones to the first.
 
     Rows that no case has are left out.

@@ -38,7 +38,7 @@ _FLAT: Final = 0.03
 _TOGETHER: Final = 0.9
 """Part of a bearing's width: rows closer than this are in one ring."""
 _WALL: Final = 0.79
-"""Radial distance from pitch circle to bore and outside, over the element's diameter, if unknown."""
+"""From the pitch circle to bore or outside, over the element's diameter, if unknown."""
 _WIDE: Final = 1.42
 """Width over the element's diameter (of a ball) or length (of a roller), if unknown."""
 _SHOULDER: Final = 0.3
@@ -476,7 +476,7 @@ class _Drawer:
             fit = getattr(mounting, "shaft_tolerance", None)
             self._label("size", (x, self.inside + 0.75 * letter), f"{text} {fit or ''}".strip())
         row = self.elements[-1]
-        inner, outer, loaded = self._angles(row, 1.0)
+        _, outer, loaded = self._angles(row, 1.0)
         angle = outer if loaded else row.angle
         if not row.kind.has_rollers and (loaded or angle > _FLAT):
             text = f"α {number(float(np.degrees(angle)), 3)}°"
@@ -646,9 +646,9 @@ def draw_section(drawing: SectionDrawing, *, width: float = 105.0, most: float =
     size = max(scale * drawing.letter * MILLIMETRE * 72.0 * 0.95, 5.0)
     for label in drawing.labels:
         aligned = {"start": "left", "middle": "center", "end": "right"}[label.anchor]
+        halo = {"facecolor": "white", "edgecolor": "none", "pad": 0.4, "alpha": 0.75}
         axes.text(*label.at, label.text, color=_ACTS[label.kind], ha=aligned, va="center",
-                  fontsize=size, parse_math=False, zorder=8,
-                  bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.4, "alpha": 0.75})  # fmt: skip
+                  fontsize=size, parse_math=False, zorder=8, bbox=halo)  # fmt: skip
     axes.set_xlim(left, left + wide)
     axes.set_ylim(bottom, bottom + tall)
     axes.set_aspect("equal")
