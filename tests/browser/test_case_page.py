@@ -151,7 +151,7 @@ def test_an_error_stands_beside_its_field(visit: Any, lang: str) -> None:
     error.filter(has_text=re.compile(r"\w{3}")).wait_for()
     assert box.get_attribute("aria-invalid") == "true"
     assert error.get_attribute("id") in box.get_attribute("aria-describedby")
-    page.locator("#figures[data-stale]").wait_for()  # no old number
+    page.locator("#drawing[data-stale]").wait_for()  # no old number
     box.fill("8 kN")
     box.press("Enter")
     page.locator(CONVERGED).wait_for()

@@ -56,7 +56,7 @@ def test_a_pair_shows_its_arrangement_by_where_its_lines_meet_the_axis() -> None
 def test_the_line_of_contact_has_the_angle_under_load() -> None:
     case = Case.from_mapping({"bearing": {"designation": "7210 B"}, "duty": DUTY})
     solved = solve(case)
-    (x, y), (u, v) = of(section_drawing(case, solved), "loaded-contact")[0][1:]
+    (x, y), (u, v) = next(iter(of(section_drawing(case, solved), "loaded-contact")))[1:]
     top = int(abs(solved.elements.azimuth[0]).argmin())
     assert degrees(atan2(u - x, v - y)) == pytest.approx(
         degrees(solved.outer.contact_angle[0, top])
@@ -67,7 +67,7 @@ def test_loads_and_speed_are_drawn() -> None:
     drawing = drawn("6310", mounting={"shaft_tolerance": "k5", "housing_tolerance": "H6"})
     texts = [one.text for one in drawing.labels]
     assert {"Fz 5 kN", "Fx 2 kN", "1480 rpm", "⌀110 H6", "⌀50 k5"} <= set(texts)
-    upward = [one for one in drawing.arrows if one.kind == "load"][0].points
+    upward = next(one for one in drawing.arrows if one.kind == "load").points
     assert upward[1][1] > upward[0][1]
     downward = drawn("6310", {**RADIAL, "load": {"fz": "-5 kN"}}).arrows[0].points
     assert downward[1][1] < downward[0][1]

@@ -19,7 +19,7 @@ from rolamento.plots.axes_units import read_values, readable_unit
 from rolamento.plots.texts import capitalised
 from rolamento.solution import solve
 from rolamento.studies.fields import read_field
-from rolamento.tasks.curve import fields_over, outputs_over
+from rolamento.tasks.curve import Scale, fields_over, outputs_over
 from rolamento.tasks.report import number_of_field
 from rolamento.tasks.seek import GoalSeek
 from rolamento.web.curves import picture_of
@@ -31,6 +31,8 @@ if TYPE_CHECKING:
 
 __all__ = ["helps", "seek"]
 
+_WIDE: Final = 100.0
+"""Times its least value: beyond, an output is drawn by ratios."""
 _LOADS: Final = tuple(f"duty.load.{name}" for name in ("fx", "fy", "fz", "my", "mz"))
 _TILTS: Final = ("duty.displacement.ry", "duty.displacement.rz")
 _GRADE: Final = re.compile(r"ISO VG (\d+)$")
@@ -184,7 +186,11 @@ def _unit(one: Any) -> str:
 
 def _picture(found: Goal) -> dict[str, Any]:
     """The curve of the output, with the goal across it and what was found on it."""
-    drawn: dict[str, Any] = {**picture_of([found.curve])}
+    known = found.curve.numbers[np.isfinite(found.curve.numbers)]
+    is_wide = known.size > 0 and known.min() > 0.0 and found.target > 0.0
+    is_wide = is_wide and known.max() > _WIDE * known.min()
+    upright: Scale = "log" if is_wide else "linear"
+    drawn: dict[str, Any] = {**picture_of([found.curve], upright=upright)}
     if drawn["empty"]:
         return drawn
     unit = readable_unit(found.output.unit, found.curve.numbers, found.output.name)
@@ -197,16 +203,17 @@ def _picture(found: Goal) -> dict[str, Any]:
     }  # fmt: skip
     data = [*drawn["data"], across]
     if found.found:
-        at = read_values(found.field, np.append(found.curve.values, found.found))[0]
+        places = read_values(found.field, np.append(found.curve.values, found.found))[0]
         data.append(
             {
                 "type": "scatter", "mode": "markers", "name": said("found"), "hoverinfo": "x+y",
-                "x": numbers(at[len(found.curve.values):]), "y": [goal] * len(found.found),
+                "x": numbers(places[len(found.curve.values) :]), "y": [goal] * len(found.found),
                 "marker": {"color": "outer", "size": 12, "symbol": "star"},
             }
         )  # fmt: skip
     low, high = drawn["layout"]["yaxis"]["range"]
-    drawn["layout"]["yaxis"]["range"] = [min(low, goal), max(high, goal)]
+    at = np.log10(goal) if is_wide else goal
+    drawn["layout"]["yaxis"]["range"] = [float(min(low, at)), float(max(high, at))]
     return {**drawn, "data": data, "summary": seek_statement(found)}
 
 

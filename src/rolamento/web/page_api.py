@@ -267,7 +267,7 @@ def example_drawings() -> dict[str, str]:
     found = {}
     for name in _example_cases():
         with suppress(InputError):  # an example without a picture is still an example
-            found[name] = section_svg(Case.from_mapping(_example(name)))
+            found[name] = section_svg(Case.from_mapping(_example(name)), mark="card")
     return found
 
 

@@ -19,7 +19,7 @@ _HEAD: Final = 0.55
 """Length of an arrow's head, over the height of letters."""
 
 
-def section_svg(case: Case, solved: Solved | None = None) -> str:
+def section_svg(case: Case, solved: Solved | None = None, *, mark: str = "hatch") -> str:
     """Return a bearing in section as SVG; what it shows is also said in its title.
 
     Parameters
@@ -28,14 +28,16 @@ def section_svg(case: Case, solved: Solved | None = None) -> str:
         The case.
     solved
         Its result, if there is one.
+    mark
+        What begins its identifiers: unlike that of other drawings of the page.
     """
-    return _svg(section_drawing(case, solved))
+    return _svg(section_drawing(case, solved), mark)
 
 
-def _svg(drawing: SectionDrawing) -> str:
+def _svg(drawing: SectionDrawing, begins: str) -> str:
     left, bottom, wide, tall = (_MM * one for one in drawing.box)
     letter = _MM * drawing.letter
-    mark = f"hatch-{crc32(repr(drawing.outlines).encode()):x}"
+    mark = f"{begins}-{crc32(repr(drawing.outlines).encode()):x}"
     parts = [
         f'<svg class="section-drawing" viewBox="{left:.3f} {-bottom - tall:.3f} {wide:.3f} '
         f'{tall:.3f}" role="img" aria-label="{escape(drawing.said)}">',

@@ -97,7 +97,7 @@ export function makeLead({ fields, change, current, names }) {
     const slot = slots[active];
     const empty = !slot.error && slot.status?.code === "converged" && slot.status.unloaded;
     const form = $("first");
-    $("results").classList.toggle("unloaded", Boolean(empty));
+    $("results").classList.toggle("unloaded", Boolean(empty) || slots.every((one) => !one.error && one.status && !one.status.converged));
     if (form.hidden === !empty) return;
     form.hidden = !empty;
     if (!empty) return;

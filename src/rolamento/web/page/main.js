@@ -365,8 +365,9 @@ function showStatus() {
       return make("p", { className: "faint" }, ` ${many ? `${store.names[n]}: ` : ""}${say("first.status")}`);
     const good = !error && status?.converged && !status.advice;
     const sign = error ? "✗" : good ? "✓" : status ? "!" : "…";
-    const text = error ? error.message : !status ? say("stale.waiting")
+    const plain = error ? error.message : !status ? say("stale.waiting")
       : good ? say("status.converged") : [status.text, status.advice].filter(Boolean).join(". ");
+    const text = plain.charAt(0).toUpperCase() + plain.slice(1);
     const line = make("p", { className: error ? "bad" : good ? "good" : status ? "warning" : "faint" },
       make("span", { "aria-hidden": "true", textContent: sign }), ` ${many ? `${store.names[n]}: ` : ""}${text}`);
     return line;
