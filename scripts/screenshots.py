@@ -108,7 +108,7 @@ def compare(page: Page) -> None:
 
 def machine(page: Page) -> None:
     """A machine whose load is moved along its shaft."""
-    page.get_by_role("link", name="Machine").click()
+    page.get_by_role("link", name="Machine", exact=True).click()
     page.locator("#machine-examples").get_by_text("spindle").first.click()
     page.locator("#machine-status", has_text="Converged").wait_for(timeout=1000.0 * _PATIENCE)
     page.locator("#machine-hold .grip[aria-label^='cutting force']").press("Shift+ArrowLeft")
@@ -116,14 +116,14 @@ def machine(page: Page) -> None:
 
 def signal(page: Page) -> None:
     """The verdict on a record."""
-    page.get_by_role("link", name="Vibration").click()
+    page.get_by_role("link", name="Vibration", exact=True).click()
     page.locator("#signal").get_by_label("Bearing").first.fill("6310/C3")
     _dropped(page, "signal", "record.npz")
 
 
 def weibull(page: Page) -> None:
     """The evaluation of a life test."""
-    page.get_by_role("link", name="Life tests").click()
+    page.get_by_role("link", name="Life tests", exact=True).click()
     _dropped(page, "weibull", "lives.csv")
 
 

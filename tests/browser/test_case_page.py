@@ -378,7 +378,7 @@ def test_what_is_carried_is_asked_first(visit: Any) -> None:
     page.locator(CONVERGED).wait_for()
     settled(page)
     assert page.locator("#first").is_hidden()
-    assert "5 kN" in page.locator("#drawing text.load").inner_text()
+    assert "5 kN" in page.locator("#drawing text.load").text_content()
     truth = answers(saved(page))
     assert truth["load"]["fz"] == 5000.0
     same_numbers(page, truth)

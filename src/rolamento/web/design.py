@@ -213,6 +213,8 @@ def _picture(found: Goal) -> dict[str, Any]:
         )  # fmt: skip
     low, high = drawn["layout"]["yaxis"]["range"]
     at = np.log10(goal) if is_wide else goal
+    if is_wide:
+        drawn["layout"]["yaxis"] |= {"exponentformat": "power", "dtick": 1}
     drawn["layout"]["yaxis"]["range"] = [float(min(low, at)), float(max(high, at))]
     return {**drawn, "data": data, "summary": seek_statement(found)}
 

@@ -7,6 +7,7 @@ import { parted, shown, typed } from "./units.js";
 
 const FIRST = ["duty.load.fz", "duty.load.fx", "duty.inner_speed"];
 const IN_A_ROW = 5; // figures of each case where several stand side by side
+const AHEAD = ["life", "extremes.max_pressure", "analysis.life.loads.static_safety", "analysis.film.viscosity_ratio", "analysis.friction.power"];
 const REST = 600; // ms without a change, after which is asked what would help
 
 const $ = (id) => document.getElementById(id);
@@ -55,10 +56,12 @@ export function makeLead({ fields, change, current, names }) {
   function showFigures(all, active) {
     const root = $("figures");
     if (all.length === 1) {
-      root.replaceChildren(...all[0].map(figure));
+      const rank = (one) => (one.key === "life" ? 0 : one.limit ? 1 : 2); // limits in one row
+      root.replaceChildren(...[...all[0]].sort((a, b) => rank(a) - rank(b)).map(figure));
       return;
     }
-    const keys = [...new Set(all.flat().map((one) => one.key))].filter((key) => key !== "theory").slice(0, IN_A_ROW);
+    const there = [...new Set(all.flat().map((one) => one.key))].filter((key) => key !== "theory");
+    const keys = [...AHEAD.filter((key) => there.includes(key)), ...there.filter((key) => !AHEAD.includes(key))].slice(0, IN_A_ROW);
     const labels = new Map(all.flat().map((one) => [one.key, one]));
     const head = make("tr", {}, make("td"), ...keys.map((key) => make("th", { scope: "col" }, ...indexed(labels.get(key).label))));
     const rows = all.map((own, n) => make("tr", { className: n === active ? "edited" : "" },
