@@ -80,7 +80,6 @@ WORDS: Final[Mapping[str, str]] = {
     "open.choose": marked("Choose one of the bearings below."),
     "open.found": marked("In the catalogue: {n}"),
     "open.go": marked("Open bearing"),
-    "open.head": marked("Which bearing?"),
     "open.large": marked("The file is too large for a case: at most 500 kB are read."),
     "open.near": marked("Did you mean:"),
     "open.many": marked("In the catalogue: more than {n}; type more of the designation"),

@@ -21,7 +21,9 @@ export function makeOpening({ panel, button, open, mayClose }) {
   function show(isOpen) {
     panel.hidden = !isOpen;
     button.setAttribute("aria-expanded", String(isOpen));
-    document.body.classList.toggle("starting", isOpen && !mayClose());
+    const starts = isOpen && !mayClose();
+    document.body.classList.toggle("starting", starts);
+    document.getElementById("opening-head").setAttribute("aria-level", starts ? 1 : 2);
     if (isOpen) {
       wrong.textContent = "";
       wanted.focus();
