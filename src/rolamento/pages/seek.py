@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
@@ -22,7 +22,10 @@ if TYPE_CHECKING:
 
     from rolamento.tasks.seek import Goal
 
-__all__ = ["seek_page", "seek_picture", "seek_statement"]
+__all__ = ["seek_chart", "seek_page", "seek_picture", "seek_statement"]
+
+_WIDE: Final = 100.0
+"""The greatest over the least value from which on the upright axis is logarithmic."""
 
 
 def seek_page(found: Goal) -> Document:
@@ -82,27 +85,32 @@ def seek_statement(found: Goal) -> str:
     )
 
 
+def seek_chart(found: Goal) -> Chart:
+    """Return the chart of the output over the field, its goal, and where it is met."""
+    known = found.curve.numbers[np.isfinite(found.curve.numbers)]
+    wide = known.size > 0 and known.min() > 0.0 and found.target > 0.0
+    wide = bool(wide and known.max() > _WIDE * known.min())
+    chart = curve_chart([found.curve], upright="log" if wide else "linear")
+    if not chart.series:
+        return chart
+    unit = readable_unit(found.output.unit, found.curve.numbers, found.output.name)
+    goal = float(unit.of(found.target))
+    marks = (Mark(goal, said("goal"), Look("outer", dash="dash")),)
+    series = chart.series
+    if found.found:
+        places = read_values(found.field, np.append(found.curve.values, found.found))[0]
+        at = places[len(found.curve.values) :]
+        look = Look("outer", mark="star")
+        series = (*series, Line(at, np.full(len(at), goal), said("found"), look, "points"))
+    return replace(chart, series=series, marks=marks, conclusion=seek_statement(found))
+
+
 def seek_picture(found: Goal) -> Picture:
-    """Draw the output over the field, its goal, and where it is met."""
+    """Draw the chart of a goal as a figure."""
     from rolamento.charts.drawing import draw
     from rolamento.charts.frame import figure_of
 
     return figure_of(draw(seek_chart(found)))
-
-
-def seek_chart(found: Goal) -> Chart:
-    """Return the curve of the output over the field, its goal, and where it is met."""
-    chart = curve_chart([found.curve])
-    unit = readable_unit(found.output.unit, found.curve.numbers, found.output.name)
-    goal = float(unit.of(found.target))
-    marks = (Mark(goal, said("goal"), Look("outer", "dash")),)
-    if not len(found.found):
-        return replace(chart, marks=marks)
-    values = np.append(found.curve.values, found.found)
-    at = read_values(found.field, values)[0][len(found.curve.values) :]
-    look = Look("outer", mark="square")
-    met = Line(at, np.full(len(at), goal), said("found"), look, "points")
-    return replace(chart, series=(*chart.series, met), marks=marks)
 
 
 def _table(found: Goal) -> Table:
