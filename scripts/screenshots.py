@@ -74,10 +74,33 @@ def case(page: Page) -> None:
     _example(page, "6310_motor")
 
 
+def first(page: Page) -> None:
+    """A bearing is open of which nothing but its designation is known."""
+    page.get_by_label("Designation or dimensions").fill("7014 C/HCP4A DBA")
+    page.locator("#found .best").click()
+    page.locator("#first").wait_for(timeout=1000.0 * _PATIENCE)
+
+
+def seek(page: Page) -> None:
+    """The load that gives a life."""
+    _example(page, "6310_motor")
+    page.locator("#seek summary").click()
+    page.locator("#seek option[value=life_hours]").wait_for(state="attached")
+    page.select_option("#seek select[name=vary]", "duty.load.fz")
+    page.fill("#seek input[name=wanted]", "30000")
+    page.press("#seek input[name=wanted]", "Enter")
+    page.locator("#seek .js-line").first.wait_for(state="attached", timeout=1000.0 * _PATIENCE)
+    page.evaluate("document.querySelector('#seek').scrollIntoView({ block: 'center' })")
+
+
 def compare(page: Page) -> None:
     """Two cases of it, one with more load."""
     _example(page, "6310_motor")
     page.locator("#compare").click()
+    for place, name in enumerate(("as drawn", "belt too tight")):
+        called = page.locator("#slot-list input[type=text]").nth(place)
+        called.fill(name)
+        called.press("Enter")
     load = page.locator("#form .field", has_text="Radial load Fz").locator("input[type=text]").first
     load.fill("7")
     load.press("Enter")
@@ -85,7 +108,7 @@ def compare(page: Page) -> None:
 
 def machine(page: Page) -> None:
     """A machine whose load is moved along its shaft."""
-    page.get_by_role("link", name="Machine").click()
+    page.get_by_role("link", name="Machine", exact=True).click()
     page.locator("#machine-examples").get_by_text("spindle").first.click()
     page.locator("#machine-status", has_text="Converged").wait_for(timeout=1000.0 * _PATIENCE)
     page.locator("#machine-hold .grip[aria-label^='cutting force']").press("Shift+ArrowLeft")
@@ -93,14 +116,14 @@ def machine(page: Page) -> None:
 
 def signal(page: Page) -> None:
     """The verdict on a record."""
-    page.get_by_role("link", name="Vibration").click()
+    page.get_by_role("link", name="Vibration", exact=True).click()
     page.locator("#signal").get_by_label("Bearing").first.fill("6310/C3")
     _dropped(page, "signal", "record.npz")
 
 
 def weibull(page: Page) -> None:
     """The evaluation of a life test."""
-    page.get_by_role("link", name="Life tests").click()
+    page.get_by_role("link", name="Life tests", exact=True).click()
     _dropped(page, "weibull", "lives.csv")
 
 
@@ -112,7 +135,9 @@ def phone(page: Page) -> None:
 
 PICTURES: Final = {
     "open": (opening, 1200, 820),
+    "first": (first, 1200, 820),
     "case": (case, 1200, 820),
+    "seek": (seek, 1200, 820),
     "compare": (compare, 1200, 820),
     "machine": (machine, 1200, 980),
     "signal": (signal, 1200, 980),
@@ -123,7 +148,7 @@ PICTURES: Final = {
 
 
 def _example(page: Page, name: str) -> None:
-    page.locator("#examples").get_by_text(name).click()
+    page.locator(f"#examples button:has([data-example='{name}'])").click()
     page.locator("#status", has_text="Converged").wait_for(timeout=1000.0 * _PATIENCE)
 
 

@@ -14,8 +14,8 @@ from rolamento.cli.app import app
 
 LANGUAGES = ("en", "pt")
 CONVERGED = "#status p.good"
-ANSWERED = "#status p:is(.good, .warning)"
-"""Converged, or without a load yet, as a bearing is that was opened by its designation."""
+ANSWERED = "#drawing svg"
+"""Drawn: a bearing that was opened by its designation has no load yet."""
 ROWS_OF_SUMMARY = {  # a word of the row in both languages, and where the JSON has it
     ("safety", "segurança"): (("life", "loads", "static_safety"), 1.0),
     ("C/P", "C/P"): (None, 1.0),
@@ -44,7 +44,7 @@ def typed(page: Any, name: str, text: str) -> None:
 def settled(page: Any) -> None:
     """Wait until everything shown is of the present case."""
     page.wait_for_timeout(250)
-    absent(page, "#work.asking, #summary[data-stale], .section[open][data-stale]")
+    absent(page, "#work.asking, #figures[data-stale], .section[open][data-stale]")
     page.wait_for_timeout(400)  # what was only traced is drawn
 
 
@@ -83,12 +83,11 @@ def alike(shown: str, value: float) -> bool:
 
 
 def shown_in(page: Any, words: tuple[str, str]) -> str:
-    rows = page.locator("#summary tbody tr").all()
-    for row in rows:
-        label = row.locator("th").inner_text()
+    for figure in page.locator("#figures .figure").all():
+        label = figure.locator("dt").inner_text()
         if any(word.casefold() in label.casefold() for word in words):
-            return row.locator("td").last.inner_text().split("\n")[0]
-    raise AssertionError(f"{words} is not in the summary")
+            return re.sub(r"\s\D+$", "", figure.locator("dd").first.inner_text())
+    raise AssertionError(f"{words} is not among the key figures")
 
 
 def same_numbers(page: Any, truth: Any) -> None:
@@ -152,7 +151,7 @@ def test_an_error_stands_beside_its_field(visit: Any, lang: str) -> None:
     error.filter(has_text=re.compile(r"\w{3}")).wait_for()
     assert box.get_attribute("aria-invalid") == "true"
     assert error.get_attribute("id") in box.get_attribute("aria-describedby")
-    page.locator("#summary[data-stale]").wait_for()  # no old number
+    page.locator("#drawing[data-stale]").wait_for()  # no old number
     box.fill("8 kN")
     box.press("Enter")
     page.locator(CONVERGED).wait_for()
@@ -347,5 +346,106 @@ def test_an_unsolved_case_shows_no_number(visit: Any, tmp_path: Path) -> None:
     page.set_input_files("#file", case)
     page.locator("#status p.warning").filter(has_text=re.compile(r"\w{5}")).wait_for()
     settled(page)
-    values = page.locator("#summary tbody td").all_inner_texts()
-    assert not [text for text in values if re.fullmatch(r"[-−]?\d[\d.,\s]*", text.strip())]
+    assert page.locator("#figures .figure").count() == 0
+    assert page.locator("#status p").count() == 1  # the reason stands once
+    assert "duty.load" not in page.locator("#work .results, #status").all_inner_texts()[0]
+
+
+def test_every_designation_that_opens_is_found(visit: Any) -> None:
+    page = visit()
+    page.fill("#wanted", "7014 C/HCP4A DBA")
+    page.locator("#found .best").filter(has_text="7014 C/HCP4A DBA").click()
+    page.locator("#drawing svg .ring").first.wait_for()
+    assert page.locator("#drawing svg .ring").count() == 8  # two bearings, above and below
+
+
+def test_sizes_lead_to_a_choice(visit: Any) -> None:
+    page = visit()
+    page.fill("#wanted", "40x68")
+    page.press("#wanted", "Enter")
+    page.locator("#wanted-error").filter(has_text=re.compile(r"\w")).wait_for()
+    assert page.evaluate("document.activeElement.closest('#found') !== null")
+
+
+def test_what_is_carried_is_asked_first(visit: Any) -> None:
+    page = visit()
+    opened(page)
+    page.locator("#first").wait_for()
+    assert page.locator("#figures .figure").count() == 0
+    page.fill('#first input[name="duty.load.fz"]', "5")
+    page.fill('#first input[name="duty.inner_speed"]', "1480")
+    page.press('#first input[name="duty.inner_speed"]', "Enter")
+    page.locator(CONVERGED).wait_for()
+    settled(page)
+    assert page.locator("#first").is_hidden()
+    assert "5 kN" in page.locator("#drawing text.load").text_content()
+    truth = answers(saved(page))
+    assert truth["load"]["fz"] == 5000.0
+    same_numbers(page, truth)
+
+
+def test_limits_stand_beside_the_key_figures(visit: Any) -> None:
+    page = visit()
+    opened(page)
+    typed(page, "duty.load.fz", "60 kN")
+    pressure = page.locator('.figure[data-key="extremes.max_pressure"]')
+    assert "4200 MPa" in pressure.inner_text()
+    assert "bad" in pressure.get_attribute("class").split()
+
+
+def test_an_oil_and_a_base_oil_do_not_freeze_the_page(visit: Any) -> None:
+    page = visit()
+    opened(page)
+    typed(page, "duty.load.fz", "5 kN")
+    typed(page, "lubricant", "ISO VG 32")
+    typed(page, "lubricant.base_oil", "ISO VG 32")
+    assert page.locator("#status p.bad").count() == 0
+    typed(page, "duty.load.fz", "6 kN")
+    assert answers(saved(page))["load"]["fz"] == 6000.0
+
+
+def test_four_cases_have_names(visit: Any) -> None:
+    page = visit()
+    opened(page)
+    typed(page, "duty.load.fz", "10 kN")
+    page.click("#compare")
+    page.click("#add")
+    page.click("#add")
+    settled(page)
+    assert page.locator("#add").is_hidden()
+    name = page.locator("#slot-list .slot input[type=text]").first
+    name.fill("as drawn")
+    name.press("Enter")
+    typed(page, "duty.load.fz", "5 kN")
+    rows = page.locator("#figures tbody th").all_inner_texts()
+    assert rows == ["as drawn", "B", "C", "D"]
+    assert page.locator("#figures").bounding_box()["height"] < 160
+    assert "5 kN" in page.locator("#changed").inner_text()
+
+
+def test_a_goal_is_sought_and_used(visit: Any) -> None:
+    page = visit()
+    opened(page)
+    typed(page, "duty.load.fz", "10 kN")
+    typed(page, "duty.inner_speed", "1500 rpm")
+    page.locator("#seek summary").click()
+    page.locator("#seek select[name=output] option[value=life_hours]").wait_for(state="attached")
+    page.select_option("#seek select[name=vary]", "duty.load.fz")
+    page.select_option("#seek select[name=output]", "life_hours")
+    page.fill("#seek input[name=wanted]", "20000")
+    page.press("#seek input[name=wanted]", "Enter")
+    page.locator("#seek .tools button").filter(has_text="kN").click()
+    settled(page)
+    life = page.locator('.figure[data-key="life"] dd').first.inner_text()
+    assert number(life.replace("h", "")) == pytest.approx(20_000, rel=2e-3)
+
+
+def test_what_would_help_is_tried_beside(visit: Any) -> None:
+    page = visit()
+    opened(page)
+    typed(page, "duty.load.fz", "10 kN")
+    typed(page, "duty.inner_speed", "1500 rpm")
+    page.locator("#helps button").first.click()
+    settled(page)
+    assert page.locator("#slot-list .slot").count() == 2
+    assert "9 kN" in page.locator("#changed").inner_text()

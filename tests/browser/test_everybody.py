@@ -18,7 +18,7 @@ def at(visit: Any, view: str, **who: Any) -> Any:
     """A page with everything on it that axe is to look at."""
     page = visit(f"#{view}" if view != "open" else "", **who)
     if view == "case":
-        page.locator("#examples button").filter(has_text="6310_motor").click()
+        page.locator("#examples button:has([data-example='6310_motor'])").click()
         page.locator("#status p.good").wait_for()
         page.evaluate("for (const one of document.querySelectorAll('details')) one.open = true")
         page.wait_for_timeout(2000)

@@ -32,7 +32,7 @@ MEASURE = """async moves => {
 
 def test_the_picture_follows_the_slider(visit: Any, record_property: Any) -> None:
     page = visit()
-    page.locator("#examples button").filter(has_text="6310_motor").click()
+    page.locator("#examples button:has([data-example='6310_motor'])").click()
     page.locator("#status p.good").wait_for()
     page.wait_for_timeout(1500)
     page.evaluate(MEASURE, 20)  # warm

@@ -83,7 +83,8 @@ def test_electrical_takes_units_of_electricity() -> None:
         json.loads(run(*ELECTRICAL[:-1], f"electrical.current={one}", "--json").stdout)
         for one in ("0.5 A", "500 mA")
     )
-    assert plain["inner"]["current_density"] == small["inner"]["current_density"]
+    of_small = pytest.approx(small["inner"]["current_density"])
+    assert plain["inner"]["current_density"] == of_small
     refused = run(*ELECTRICAL[:-1], "electrical.current=0.5 V")
     assert refused.exit_code == 2
     assert "current" in refused.output

@@ -98,9 +98,31 @@ def test_a_saved_case_is_read_back(spindle: dict[str, object], wanted: str) -> N
 def test_the_search_finds_by_size_and_by_designation() -> None:
     by_size = page_api.search({"text": "25x52x15"})["bearings"]
     assert "6205" in [one["designation"] for one in by_size]
-    assert page_api.search({"text": ""}) == {"bearings": [], "more": False}
+    nothing = page_api.search({"text": ""})
+    assert nothing == {"bearings": [], "more": False, "opens": None, "why": "", "near": ()}
     with pytest.raises(InputError, match="at most 60"):
         page_api.search({"text": "6" * 61})
+
+
+def test_the_search_finds_what_opens_though_no_catalogue_lists_it() -> None:
+    found = page_api.search({"text": "7014 C/HCP4A DBA"})
+    assert found["bearings"] == []
+    assert found["opens"]["designation"] == "7014 C/HCP4A DBA"
+    assert found["opens"]["arrangement"] == "DB"
+    assert page_api.opened({"designation": found["opens"]["designation"]})["elements"] == ["ball"]
+
+
+def test_the_search_says_why_a_designation_does_not_open() -> None:
+    found = page_api.search({"text": "HK 2020"})
+    assert found["opens"] is None
+    assert "inner ring" in found["why"]
+    assert found["near"]
+
+
+def test_every_example_has_its_drawing() -> None:
+    drawings = page_api.example_drawings()
+    assert set(drawings) == {one["name"] for one in page_api.start()["examples"]}
+    assert all(one.startswith("<svg") for one in drawings.values())
 
 
 def _ask(case: object, **more: object) -> dict[str, object]:
@@ -115,7 +137,10 @@ def test_the_page_shows_what_the_engine_answers(spindle: dict[str, object]) -> N
     assert one["status"]["converged"] is True
     found = analyse(case).solved
     pressure = max(one.max_pressure[0].max() for one in found.contacts.values())
-    assert f"{pressure / 1e6:.0f}" in answer["summary"].replace("\u2009", "")
+    shown = {figure["key"]: figure for figure in answer["figures"][0]}
+    assert shown["extremes.max_pressure"]["value"].replace("\u2009", "") == f"{pressure / 1e6:.0f}"
+    assert "MPa" in shown["extremes.max_pressure"]["limit"]
+    assert one["drawing"].startswith("<svg")
 
 
 def test_a_value_takes_the_place_of_its_rival(spindle: dict[str, object]) -> None:
@@ -143,7 +168,9 @@ def test_a_case_without_equilibrium_has_a_status_with_advice_and_no_numbers(
     (one,) = answer["cases"]
     assert one["status"]["converged"] is False
     assert one["status"]["advice"]
-    assert one["status"]["text"] in answer["summary"]
+    assert answer["figures"] == [[]]
+    everything = " ".join([answer["summary"], answer["leading"], answer["notes"]])
+    assert one["status"]["text"] not in everything  # it is said once, by the status
 
 
 def test_two_cases_stand_side_by_side_with_their_difference(spindle: dict[str, object]) -> None:
@@ -173,7 +200,7 @@ def test_a_quick_answer_says_what_it_left_out() -> None:
         {},
         {"cases": []},
         {"cases": [{}]},
-        {"cases": [{"case": {}}] * 3},
+        {"cases": [{"case": {}}] * 5},
         {"cases": [{"case": {"bearing": {}}, "changes": []}], "pictures": 3},
         {"cases": [{"case": {"bearing": {}}}], "sections": [{}]},
     ],

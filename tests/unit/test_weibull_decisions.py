@@ -275,10 +275,10 @@ class TestTablesAndCommands:
         assert [note.values["columns"] for note in fleet.notes] == [["local"]]
 
     def test_fleet_by_a_date(self) -> None:
-        study = tasks.fleet_study(
-            "field.csv", fleet="fleet.csv", begin="2026-01-01", until=date(2026, 1, 31),
+        study = tasks.FleetRequest(
+            data="field.csv", fleet="fleet.csv", begin="2026-01-01", until=date(2026, 1, 31),
             samples=500,
-        )  # fmt: skip
+        ).run()  # fmt: skip
         assert study.found is not None
         assert study.found.fleet.ahead.tolist() == [480.0, 720.0, 255.0]
         assert "fleet_failed_left_out" in [note.key for note in study.notes]

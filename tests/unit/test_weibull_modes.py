@@ -16,7 +16,7 @@ from typer.testing import CliRunner
 
 from rolamento.cli.app import app
 from rolamento.errors import InputError
-from rolamento.tasks.replace import remaining_study, replacement_study
+from rolamento.tasks.replace import RemainingLifeRequest, ReplacementRequest
 from rolamento.tasks.weibull import life_test_study
 from rolamento.weibull import (
     Estimand,
@@ -377,10 +377,14 @@ def test_a_decision_asks_for_the_mode(run: Run) -> None:
 
 def test_decisions_carry_what_contradicts_them() -> None:
     test = field_data()
-    pooled = replacement_study(test, planned=800.0, failure=12_000.0, only_mode="all", samples=1000)
+    pooled = ReplacementRequest(
+        data=test, planned=800.0, failure=12_000.0, only_mode="all", samples=1000
+    ).run()
     keys = [note.key for note in pooled.notes]
     assert keys[:2] == ["dog_leg_steeper", "modes_pooled"]
-    one = remaining_study(test, age=5000.0, only_mode="fatigue", samples=200)
+    one = RemainingLifeRequest(data=test, age=5000.0, only_mode="fatigue", samples=200).run()
     assert [note.key for note in one.notes][:2] == ["one_mode", "decision_one_mode"]
-    plain = remaining_study(LifeTest(test.times, test.failed, mode="x"), age=5000.0, samples=200)
+    plain = RemainingLifeRequest(
+        data=LifeTest(test.times, test.failed, mode="x"), age=5000.0, samples=200
+    ).run()
     assert "one_mode" not in [note.key for note in plain.notes]

@@ -313,6 +313,13 @@ _RIBS: Final = {
 _FINISHES: Final = {"ground": marked("ground"), "turned": marked("turned")}
 
 CHOICES: Final = {
+    "bearing.element": {
+        "ball": marked("ball"),
+        "cylindrical": marked("cylindrical roller"),
+        "tapered": marked("tapered roller"),
+        "needle": marked("needle"),
+        "barrel": marked("barrel roller"),
+    },
     "bearing.kind": {one.grooves: one.adjective for one in TYPES.values() if one.grooves},
     "bearing.preload.level": {
         "extra_light": marked("extra light"),

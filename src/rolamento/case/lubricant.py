@@ -40,6 +40,8 @@ _TWO_POINTS: Final = (
 _CENTIGRADE_40: Final = 313.15
 _CENTIGRADE_100: Final = 373.15
 _WAYS: Final = ("viscosity_40", "viscosities", "base_oil")
+_HOT: Final = ("viscosity_100", "viscosity_index")
+"""What goes with a viscosity at 40 °C alone."""
 _SUPERSEDED: Final = (
     ("density", "density_temperature"),
     ("pressure_viscosity", "pressure_viscosity_method"),
@@ -124,7 +126,7 @@ class Lubricant(NamedRecord):
 
     name: Line = Field("custom", examples=["our gear oil"])
     kind: Kind = Field("oil", examples=["oil"])
-    base_oil: Annotated[Line | None, Replaces(*_WAYS)] = Field(None, examples=[_EXAMPLE])
+    base_oil: Annotated[Line | None, Replaces(*_WAYS, *_HOT)] = Field(None, examples=[_EXAMPLE])
     viscosity_40: Annotated[_Viscosity | None, Replaces(*_WAYS)] = Field(
         None, examples=["68 mm^2/s"]
     )
@@ -134,7 +136,7 @@ class Lubricant(NamedRecord):
     viscosity_index: Annotated[
         Annotated[float, Ratio(at_least=-60.0, at_most=400.0)] | None, Replaces("viscosity_100")
     ] = Field(None, examples=[95])
-    viscosities: Annotated[tuple[ViscosityPoint, ...] | None, Replaces(*_WAYS)] = Field(
+    viscosities: Annotated[tuple[ViscosityPoint, ...] | None, Replaces(*_WAYS, *_HOT)] = Field(
         None, min_length=2, max_length=2, examples=[_TWO_POINTS]
     )
     density: _Density | None = Field(None, examples=["880 kg/m^3"])

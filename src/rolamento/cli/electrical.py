@@ -39,7 +39,7 @@ def electrical(
     outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
 ) -> None:
-    """Show a bearing as a capacitor: current density, field, breakdown.
+    """Show a bearing as a capacitor: current, field, breakdown.
 
     Capacitance of its films; the apparent current density of [electrical] beside published
     bands; the field in the films and the voltage at which they break down; steel beside ceramic.

@@ -175,7 +175,7 @@ def export(
     ] = None,
     lang: LanguageOption = None,
 ) -> None:
-    """Write a machine, or its bearings, as a file of another program.
+    """Write a machine or its bearings for another program.
 
     REXS 2.0 has the machine and its results; what it has no word for stands in attributes that only
     Rolamento reads. The other formats have stiffness and force of the bearings, as they are solved

@@ -45,7 +45,7 @@ def grease(
     outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
 ) -> None:
-    """Show how long a grease lives, when it wants renewing, and which to take.
+    """Show how long a grease lives, and which one to take.
 
     Several makers' formulas side by side, amounts, limits of temperature and speed, base oil.
     """
@@ -94,7 +94,7 @@ def oil(
     outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
 ) -> None:
-    """Show which ISO viscosity grade gives a wanted κ over a range of temperatures.
+    """Show which ISO viscosity grade gives a wanted κ.
 
     The hottest decides; what the grade does in the coldest stands beside.
     """

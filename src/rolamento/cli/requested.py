@@ -10,7 +10,13 @@ from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
 
-from rolamento.cli.case_options import CASE_OPTIONS, NOTHING_GIVEN, CaseOptions, with_case
+from rolamento.cli.case_options import (
+    CASE_OPTIONS,
+    NOTHING_GIVEN,
+    SPEED_OPTIONS,
+    CaseOptions,
+    with_case,
+)
 from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings
 from rolamento.cli.option_names import in_names
 from rolamento.cli.optional_value import JsonCommand
@@ -86,14 +92,14 @@ def add_command(app: typer.Typer, request: type[Request], name: str) -> None:
     command.__signature__ = _signature(command, request)  # type: ignore[attr-defined]
     command.__name__, command.__doc__ = name, request.summary()
     spoken = with_outputs(command)
-    groups: dict[str, tuple[str, ...]] = {
-        **request.options_by_heading(),
-        marked("Output"): (*request.products, "json", *OUTPUT_OPTIONS, "lang", "help"),
-    }
+    groups: dict[str, tuple[str, ...]] = request.options_by_heading()
+    written = (*request.products, *(("write",) if request.ships else ()))
+    groups[marked("Output")] = (*written, "json", *OUTPUT_OPTIONS, "lang", "help")
     if request.takes_case:
         spoken = with_case(spoken)
         first = next(iter(groups))
-        groups[first] = (*groups[first], *CASE_OPTIONS)
+        of_case = [name for name in (*SPEED_OPTIONS, *CASE_OPTIONS) if name not in request.inputs()]
+        groups[first] = (*groups[first], *of_case)
     shown = type("RequestedCommand", (JsonCommand,), {"groups": groups})
     app.command(name, cls=shown, epilog=request.examples)(spoken)
 
@@ -131,7 +137,7 @@ def _parameter(name: str, one: Input, meaning: str) -> inspect.Parameter:
     if one.kind == "switch":
         made = typer.Option(one.option or one.long_option(name), help=meaning)
         has_opposite = "/" in one.option
-        default = {"true": True, "": None if has_opposite else False}[one.default]
+        default = {"true": True, "false": False}.get(one.default, None if has_opposite else False)
         kind: Any = bool | None if default is None else bool
     elif one.is_argument:
         made = typer.Argument(metavar=metavar, help=meaning)
@@ -194,7 +200,8 @@ def _shipped(
         print_text(said("Wrote {path}", path=path) + "\n")
         raise typer.Exit(SOLVED)
     known = request.inputs()["example"].choices
-    check_one_given(typed[field], example, command, list(known() if known else ()))
+    if request.needs_file or (typed[field] is not None and example is not None):
+        check_one_given(typed[field], example, command, list(known() if known else ()))
     return json
 
 

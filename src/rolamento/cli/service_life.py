@@ -35,7 +35,7 @@ def service_life_command(
     outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
 ) -> None:
-    """Show what ends a bearing first: fatigue, its grease, or another.
+    """Show what ends a bearing first: fatigue, grease or another.
 
     Everything that is known on one time line, with its spread, beside the required life.
     """

@@ -40,7 +40,7 @@ def static(
     outputs: Outputs = NOWHERE,
     lang: LanguageOption = None,
 ) -> None:
-    """Show what a bearing bears at rest: static safety, gaps, hardness.
+    """Show static safety, launch loads, gaps and hardness.
 
     By stress and by load at every contact, beside what makers recommend; margins to allowable
     pressures, and at which load a preloaded pair opens.

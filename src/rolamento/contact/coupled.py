@@ -48,7 +48,7 @@ from numpy.typing import ArrayLike
 from rolamento.contact.line import half_width, max_pressure, slice_places
 from rolamento.numerics import FloatArray
 from rolamento.numerics import FloatArray as Array
-from rolamento.numerics.compiled import kernel, shared, vector_loop
+from rolamento.numerics.compiled import filling, kernel, vector_loop
 from rolamento.numerics.elliptic import associate
 from rolamento.numerics.threads import goes_plainly, ready
 from rolamento.records import frozen
@@ -140,7 +140,7 @@ def scratch(slices: int) -> Array:
     return np.empty((slices + 6, slices + 3))
 
 
-@shared
+@filling
 def coupled_slices(
     approach: float,
     tilt: float,
@@ -215,7 +215,7 @@ def coupled_slices(
     return 1
 
 
-@shared
+@filling
 def _begin(depth: Array, deepest: float, compliance: float, load: Array, pressed: Array) -> None:
     """Set loads to begin with: those given, or for want of them a twelfth of the interference."""
     known = False
@@ -230,7 +230,7 @@ def _begin(depth: Array, deepest: float, compliance: float, load: Array, pressed
                 pressed[k] = start
 
 
-@shared
+@filling
 def _assemble(
     depth: Array,
     width: float,
@@ -267,7 +267,7 @@ def _assemble(
     return active
 
 
-@shared
+@filling
 def _influence(at: float, table: Array, body: Array, value: Array, slope: Array) -> None:
     """g_j - s B_j, and with it ∂(v g_j)/∂v: cubic between points, and what it tends to beyond."""
     n = body.size
@@ -303,7 +303,7 @@ def _influence(at: float, table: Array, body: Array, value: Array, slope: Array)
             slope[j] = 0.5 * fallen * table[last, 0, j] - body[j]
 
 
-@shared
+@filling
 def _join(depth: Array, deepest: float, pressed: Array, work: Array) -> bool:
     """Load the slices into which the race would stand otherwise; whether there are any."""
     n = depth.size
@@ -316,7 +316,7 @@ def _join(depth: Array, deepest: float, pressed: Array, work: Array) -> bool:
     return joined
 
 
-@shared
+@filling
 def _residual(depth: Array, deepest: float, place: Array, active: int, work: Array) -> bool:
     """Put right sides behind the Jacobian; whether the loaded slices lack next to nothing.
 
@@ -376,7 +376,7 @@ def _solve(active: int, sides: int, work: Array) -> bool:
     return True
 
 
-@shared
+@filling
 def _step(active: int, bold: bool, pressed: Array, work: Array) -> None:
     """Take Newton's step; a slice that would pull is let go."""
     n = pressed.size
@@ -394,7 +394,7 @@ def _step(active: int, bold: bool, pressed: Array, work: Array) -> None:
         pressed[k] = new
 
 
-@shared
+@filling
 def _tell(
     active: int,
     place: Array,

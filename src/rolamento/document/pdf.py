@@ -100,14 +100,16 @@ def _given(document: Document) -> dict[str, Any]:
     highest = min((section.level for section in headed), default=2)
     parts = [one for part in document.sections for one in _parts(part, highest)]
     if len(headed) > _MOST_WITHOUT_CONTENTS:
-        first = next(i for i, one in enumerate(parts) if one["kind"] == "beside" or one["heading"])
-        parts.insert(first, {"kind": "contents", "title": said("Contents")})
+        places = [i for i, one in enumerate(parts) if one["kind"] == "beside" or one["heading"]]
+        leads = headed[0].key == document.main  # what a page begins with stays on it
+        parts.insert(places[int(leads)], {"kind": "contents", "title": said("Contents")})
     tag, _, region = languages()[language()].partition("_")
     title = _plain(document.title)
     header = title if len(title) <= _LONGEST_HEADER else title[: _LONGEST_HEADER - 1] + "…"
     return {
         "title": title,
         "header": header,
+        "numbered": said("{page} of {pages}", page="\n", pages="\n").split("\n"),
         "about": " · ".join(_plain(one) for one in (document.program, document.date) if one),
         "language": tag,
         "region": region or None,

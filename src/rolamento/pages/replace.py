@@ -47,7 +47,7 @@ def remaining_page(study: RemainingStudy) -> Document:
     Parameters
     ----------
     study
-        Of `rolamento.tasks.replace.remaining_study`.
+        Of `rolamento.tasks.RemainingLifeRequest`.
     """
     title = said("Remaining life")
     found = study.found
@@ -123,7 +123,7 @@ def replacement_page(study: ReplacementStudy) -> Document:
     Parameters
     ----------
     study
-        Of `rolamento.tasks.replace.replacement_study`.
+        Of `rolamento.tasks.ReplacementRequest`.
     """
     title = said("Age replacement at least cost")
     found = study.found
@@ -255,7 +255,7 @@ def fleet_page(study: FleetStudy) -> Document:
     Parameters
     ----------
     study
-        Of `rolamento.tasks.replace.fleet_study`.
+        Of `rolamento.tasks.FleetRequest`.
     """
     title = said("Expected failures of a fleet")
     found = study.found

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from math import inf, nan
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, cast
 
 from rolamento.case import Case
 from rolamento.case.duty import AXES, LOADS
@@ -61,12 +61,16 @@ __all__ = [
     "ORIGINS",
     "PARTS",
     "TABLES",
+    "KeyFigure",
     "Part",
     "comparison_page",
+    "comparison_sections",
+    "key_figures",
     "part_of",
     "remarks_section",
     "report_page",
     "summary_section",
+    "warnings_section",
 ]
 
 _ABREAST: Final = 2
@@ -140,6 +144,11 @@ def summary_section(report: Report, *, advice: bool = True) -> Section:
     return Section(said("Summary"), _summary(report, advice=advice), "summary")
 
 
+def warnings_section(report: Report) -> Section:
+    """Return the limits that are passed, and what the summary has to be read with."""
+    return Section(said("Warnings"), _qualifications(report), "warnings")
+
+
 def remarks_section(report: Report) -> Section:
     """Return what else the reader should know; without blocks where there is nothing."""
     return Section(said("Remarks"), _remarks(report), "remarks")
@@ -165,7 +174,19 @@ def _head(report: Report) -> Section:
         Entry(said("checked by"), head.checked_by or "_" * 24),
         Entry(said("program"), said("Rolamento {version}", version=report.version)),
     ]
-    return Section("", (Title(_title(report)), KeyValues(tuple(entries))), key="title_block")
+    blocks = (Title(_title(report)), KeyValues(tuple(entries)), _drawing(report.cases[0]))
+    return Section("", blocks, key="title_block")
+
+
+def _drawing(case: CaseReport) -> Figure:
+    """The bearing in section, with what acts on it."""
+    from rolamento.plots.bearing_section import draw_section, section_drawing
+
+    drawing = section_drawing(case.case, case.analysis.solved)
+    return Figure(
+        caption=drawing.remark, draw=lambda: draw_section(drawing), alternative=drawing.said,
+        key="section",
+    )  # fmt: skip
 
 
 def _title(report: Report) -> str:
@@ -347,7 +368,8 @@ _Group = tuple[str, Sequence[_Row]]
 
 
 def _tables(report: Report, groups: Sequence[_Group], key: str, caption: str = "",
-            legends: tuple[str, ...] = ()) -> tuple[Table, ...]:  # fmt: skip
+            legends: tuple[str, ...] = (),
+            abreast: int = _ABREAST) -> tuple[Table, ...]:  # fmt: skip
     """Return rows as tables: a column a case, and the differences of the later ones to the first.
 
     Rows that no case has are left out.
@@ -362,7 +384,7 @@ def _tables(report: Report, groups: Sequence[_Group], key: str, caption: str = "
             places.append((first, name))
         first += len(own)
     later = list(range(1, len(report.cases)))
-    parts = [later[at : at + _ABREAST] for at in range(0, len(later), _ABREAST)] or [[]]
+    parts = [later[at : at + abreast] for at in range(0, len(later), abreast)] or [[]]
     return tuple(
         Table(
             columns=tuple(_columns(report, rows, part)),
@@ -450,7 +472,42 @@ def _summary(report: Report, *, advice: bool = True) -> tuple[Statement | Notes 
     solved = [case.analysis.solved for case in report.cases if case.converged]
     rows = _summary_rows(report) if not all(map(nothing_given, solved)) else []
     tables = _tables(report, [("", rows)], "summary")
-    return (*statements, *_qualifications(report), *tables)
+    if len(report.cases) == 1 and tables:
+        tables = (_with_limits(report, rows, tables[0]),)
+    return (*statements, *_verdict_of(report), *tables, *_qualifications(report))
+
+
+def _with_limits(report: Report, rows: Sequence[_Row], table: Table) -> Table:
+    """The table of the summary with what each row is held against."""
+    case = report.cases[0]
+    shown = [row for row in rows if _has(report, row)]
+    found = [_limit_of(case, row) if case.converged else ("", None, "") for row in shown]
+    if not any(limit for limit, _, _ in found):
+        return table
+    *columns, path = table.columns
+    tones: list[Tone] = [tone for _, _, tone in found]
+    beside = Column(head=said("limit"), values=[one[0] for one in found], key="limit", tones=tones)
+    return replace(table, columns=(*columns, beside, path))
+
+
+def _verdict_of(report: Report) -> tuple[Statement, ...]:
+    """Say in a line whether the limits that are checked are kept; nothing without a result."""
+    found: list[Statement] = []
+    for case in report.cases:
+        figures = key_figures(case, report)
+        if not figures:
+            continue
+        grave = [one.text for one in _warnings_of(case) if one.weight == 0]
+        beyond = [one.label for one in figures if one.tone == "bad"]
+        if beyond or grave:
+            names = "; ".join(beyond) or said("see the warnings")
+            text, tone, mark = said("Beyond its limits: {names}.", names=names), "bad-strong", "✗"
+        else:
+            text, tone, mark = said("Within the limits that are checked."), "good", "✓"
+        if len(report.cases) > 1:
+            text = said("Case {names}: {text}", names=case.name, text=text)
+        found.append(Statement(text, cast("Tone", tone), mark=mark))
+    return tuple(found)
 
 
 def _status_statement(case: CaseReport, *, many: bool, advice: bool) -> Statement:
@@ -506,6 +563,150 @@ def _summary_rows(report: Report) -> list[_Row]:
         _Row(said("axial stiffness"), "analysis.stiffness.0.0", ".4 N/µm"),
         _Row(said("radial stiffness (z)"), "analysis.stiffness.2.2", ".4 N/µm"),
     ]  # fmt: skip
+
+
+# --- key figures ----------------------------------------------------------------------------------
+
+
+@frozen
+class KeyFigure:
+    """A result that leads, with its limit beside it.
+
+    Attributes
+    ----------
+    key
+        path of the number in `CaseReport.numbers`; of a text what it is of
+    label
+        what it is called
+    value, unit
+        as people read them
+    limit
+        what it is held against, with its unit, such as "of 4200 MPa"; empty without
+    share
+        of the limit that is used; None without a limit
+    tone
+        "bad" beyond a limit, "warning" where a limit is no refusal; empty else
+    """
+
+    key: str
+    label: str
+    value: str
+    unit: str = ""
+    limit: str = ""
+    share: float | None = None
+    tone: Tone = ""
+
+
+def key_figures(case: CaseReport, report: Report) -> tuple[KeyFigure, ...]:
+    """Return the results that lead, each with its limit; none of a case without a result or load.
+
+    Parameters
+    ----------
+    case
+        One of the report's.
+    report
+        Its cases may have rows of their own.
+    """
+    if not case.converged or nothing_given(case.analysis.solved):
+        return ()
+    alone = replace(report, cases=(case,))
+    found = []
+    for row in _summary_rows(alone):
+        cell = _cell(alone, row, 0)
+        shown = cell if isinstance(cell, str) else _shown(cell)
+        if not shown or (not row.texts and case.number(row.path) is None):
+            continue
+        is_life = row.label == said("rating life")
+        key = "life" if is_life else row.path or "theory"
+        limit, share, tone = _limit_of(case, row)
+        found.append(KeyFigure(key, row.label, shown, row.shown_unit, limit, share, tone))
+    return (*found, *_tilt_figure(case))
+
+
+def _shown(cell: CellContent) -> str:
+    if not isinstance(cell, Number) or not isinstance(cell.value, int | float):
+        return ""
+    return manner().number(float(cell.value), cell.form)
+
+
+def _limit_of(case: CaseReport, row: _Row) -> tuple[str, float | None, Tone]:
+    """What a row of the summary is held against: the limit, the share of it, the tone."""
+    checks = {check.name: check for check in case.checks}
+    value = case.number(row.path) if row.path else None
+    if row.path == "extremes.max_pressure" and value is not None:
+        known = [one.high for name, one in checks.items() if name.endswith("pressure")]
+        least = min((one for one in known if one is not None), default=nan)
+        if not least > 0.0:
+            return "", None, ""
+        return said("of {limit:.4 MPa}", limit=least), value / least, "bad" if value > least else ""
+    if row.path == "extremes.load_ratio" and "load" in checks and value is not None:
+        high = checks["load"].high
+        if high:
+            return (
+                said("at least {limit:.3}", limit=1.0 / high),
+                1.0 / (high * value),
+                "bad" if value < 1.0 / high else "",
+            )
+    for path, least, refused in _LEAST:
+        if row.path == path and value is not None and value > 0.0:
+            tone: Tone = "" if value >= least else "bad" if value < refused else "warning"
+            return said("at least {limit:.3}", limit=least), min(least / value, 9.0), tone
+    hours = case.number("analysis.life.headline.hours")
+    required = case.case.life.required_life if case.case.life is not None else None
+    if row.label == said("rating life") and required and hours:
+        wanted = required / 3600.0
+        text = said("at least {hours:.4r} h", hours=wanted)
+        return text, min(wanted / hours, 9.0), "bad" if hours < wanted else ""
+    return "", None, ""
+
+
+_LEAST: Final = (
+    ("analysis.life.loads.static_safety", 1.0, 0.5),
+    ("analysis.film.viscosity_ratio", 1.0, 0.1),
+)
+"""Numbers that should be at least one: S_0, below which balls leave a dent of a ten-thousandth of
+their diameter (ISO 76:2006, the definition of C_0); κ, at which the oil has the viscosity that is
+required (ISO 281:2007, 9.3.3.1); and below what they are out of bounds: κ of the range of a_ISO."""
+
+
+def _tilt_figure(case: CaseReport) -> Iterator[KeyFigure]:
+    """The tilt of roller bearings, where makers say what they permit."""
+    for check in case.checks:
+        if check.name == "misalignment" and check.high and check.high < inf and check.greatest:
+            yield KeyFigure(
+                "checks.misalignment",
+                said("tilt of the rings"),
+                manner().number(check.greatest, ".3 [mrad]"),
+                "mrad",
+                said("of {limit:.3 mrad}", limit=check.high),
+                check.greatest / check.high,
+                "" if check.met else "bad",
+            )
+
+
+def comparison_sections(report: Report) -> tuple[Section, Section]:
+    """Return the summary of several cases in two: what differs, and what is the same in all.
+
+    Parameters
+    ----------
+    report
+        Of at least two cases.
+    """
+    solved = [case.analysis.solved for case in report.cases if case.converged]
+    rows = _summary_rows(report) if not all(map(nothing_given, solved)) else []
+    differing: list[_Row] = []
+    same: list[_Row] = []
+    for row in rows:
+        texts = {
+            cell if isinstance(cell, str) else _shown(cell)
+            for cell in (_cell(report, row, at) for at in range(len(report.cases)))
+        }
+        (same if len(texts) == 1 else differing).append(row)
+    return (
+        Section(said("What differs"), _tables(report, [("", differing)], "summary", abreast=3),
+                "summary"),
+        Section(said("The same in all"), _tables(report, [("", same)], "same", abreast=3), "same"),
+    )  # fmt: skip
 
 
 def _life_rows(report: Report) -> list[_Row]:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from rolamento.case import Case
 from rolamento.case.duty import AXES, LOADS
 from rolamento.errors import FileError, InputError, UnknownKeyError, nearest
-from rolamento.geometry import Race
+from rolamento.geometry import Angle, Race
 from rolamento.io.json import dumps, plain
 from rolamento.io.text import format_of_path, format_of_text, parse_mapping, read_text
 from rolamento.notes import advice_on, notes_on
@@ -32,6 +32,7 @@ from rolamento.solved.tables import (
     Elements,
     Index,
     IntArray,
+    Loaded,
     Preloading,
     Pressed,
     Refusals,
@@ -236,6 +237,16 @@ class Solved:
     def contacts(self) -> Mapping[Race, Contacts]:
         """The contacts by race."""
         return {"inner": self.inner, "outer": self.outer}
+
+    def pressed_on(self, race: Race) -> tuple[FloatArray, Angle]:
+        """Return load and angle of the contacts with a race, alone; (cases, elements), N and rad.
+
+        Where nobody has asked for the tables, rows that can leave out how their elements move.
+        """
+        if "_tables" not in vars(self) and isinstance(self.answer, Loaded):
+            return self.answer.pressed_on(race)
+        contacts = self.contacts[race]
+        return contacts.load, contacts.angle
 
     def _contacts(self, race: Race) -> Contacts:
         rows = self.rows

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import field, fields, replace
 from functools import cached_property
-from typing import Any, Final, NamedTuple, Protocol, Self, TypeVar
+from typing import Any, Final, NamedTuple, Protocol, Self, TypeVar, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -291,6 +291,15 @@ class Answer(Protocol):
 
     def part(self, index: Index) -> Self:
         """Return some of the cases."""
+        ...
+
+
+@runtime_checkable
+class Loaded(Protocol):
+    """Solved rows that know their contacts without the motion of their elements."""
+
+    def pressed_on(self, race: Race) -> tuple[FloatArray, Angle]:
+        """Load and angle of every contact with a race; (cases, elements), N and rad."""
         ...
 
 

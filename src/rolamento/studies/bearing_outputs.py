@@ -10,7 +10,7 @@ import numpy as np
 from rolamento.case.duty import AXES, LOADS
 from rolamento.contact.hertz import elliptical_contact
 from rolamento.geometry import Race, race_curvature
-from rolamento.solved import RACES, Contacts, Solved
+from rolamento.solved import RACES, Solved
 from rolamento.studies.outputs import Evaluation, Floats, Output
 
 Get = Callable[[Evaluation], Floats]
@@ -88,7 +88,7 @@ def _stiffness(load: str, axis: str) -> Output:
 
 
 def _loaded_balls(given: Evaluation) -> Floats:
-    load = given.solved.inner.load
+    load, _ = given.solved.pressed_on("inner")
     return np.where(np.isnan(load).any(axis=1), np.nan, (load > 0.0).sum(axis=1))
 
 
@@ -138,6 +138,10 @@ def _of_elements(name: str) -> Get:
 
 
 def _of_race(race: Race, name: str) -> Get:
+    if name == "load":
+        return lambda given: given.solved.pressed_on(race)[0]
+    if name == "contact_angle":
+        return lambda given: given.solved.pressed_on(race)[1].value
     return lambda given: getattr(given.solved.contacts[race], name)
 
 
@@ -156,7 +160,7 @@ def _among(get: Get, given: Evaluation, race: Race | None) -> Floats:
     values = get(given)
     if race is None:
         return values
-    return np.where(given.solved.contacts[race].load > 0.0, values, np.nan)
+    return np.where(given.solved.pressed_on(race)[0] > 0.0, values, np.nan)
 
 
 def _reduced(get: Get, reduce: Callable[[Floats], Floats], race: Race | None) -> Get:
@@ -222,37 +226,45 @@ def maximum_pressure(solved: Solved, race: Race) -> Floats:
 
     and a contact whose upper bound is below another's lower bound has not the maximum.
     """
-    contacts = solved.contacts[race]
+    load, angle = solved.pressed_on(race)
     found = np.full(len(solved), np.nan)
     rows = solved.rows
-    for element, first, count in zip(rows.element, rows.starts, rows.element_count, strict=True):
-        if element != "ball" and contacts.line is not None:
-            pressure = contacts.line.pressure[:, first : first + count]
-            found = np.fmax(found, pressure.reshape(len(solved), -1).max(axis=1))
+    conformity = getattr(rows, f"{race}_conformity")
+    parts = zip(rows.element, rows.starts, rows.element_count, strict=True)
+    for row, (element, first, count) in enumerate(parts):
+        own = slice(first, first + count)
+        line = None if element == "ball" else solved.contacts[race].line
+        if line is not None:
+            found = np.fmax(found, line.pressure[:, own].reshape(len(solved), -1).max(axis=1))
             continue
-        case, ball = np.nonzero(_candidates(contacts, slice(first, first + count)))
+        ratio = (rows.ball_diameter[:, row] / rows.pitch_diameter[:, row])[:, np.newaxis]
+        case, ball = np.nonzero(_candidates(load[:, own], angle.cosine[:, own], ratio, race))
         place = case, ball + first
         curvature = race_curvature(
-            contacts.ball_diameter[place],
-            contacts.pitch_diameter[place],
-            contacts.conformity[place],
-            contacts.contact_angle[place],
+            rows.ball_diameter[case, row],
+            rows.pitch_diameter[case, row],
+            conformity[case, row],
+            angle.value[place],
             race,
         )
         ellipse = elliptical_contact(
-            contacts.load[place], curvature.rolling, curvature.across, contacts.modulus[place]
+            load[place], curvature.rolling, curvature.across, rows.modulus[case, row]
         )
         np.fmax.at(found, case, ellipse.max_pressure)
     return found
 
 
-def _candidates(contacts: Contacts, row: slice) -> np.ndarray[Any, np.dtype[np.bool_]]:
-    """Which contacts of a row may have the maximum pressure of their case."""
-    sign = -1.0 if contacts.race == "inner" else 1.0
-    gamma = contacts.ball_diameter[:, row] / contacts.pitch_diameter[:, row]
-    curvature = 1.0 / (1.0 + sign * gamma * np.cos(contacts.contact_angle[:, row]))
+def _candidates(
+    load: Floats, cosine: Floats, ratio: Floats, race: Race
+) -> np.ndarray[Any, np.dtype[np.bool_]]:
+    """Which contacts of a row may have the maximum pressure of their case; ratio: D/d_m.
+
+    Of the bounds the cubes are compared.
+    """
+    sign = -1.0 if race == "inner" else 1.0
+    curvature = 1.0 / (1.0 + sign * ratio * cosine)
     with np.errstate(invalid="ignore"):
-        ratio = np.cbrt(curvature / curvature.max(axis=1, keepdims=True))
-        above = np.cbrt(contacts.load[:, row]) * ratio
-        below = (above * ratio).max(axis=1, keepdims=True)
+        curvature /= curvature.max(axis=1, keepdims=True)
+        above = load * curvature
+        below = (above * curvature).max(axis=1, keepdims=True)
         return np.asarray(above >= (1.0 - _MARGIN) * below)

@@ -43,6 +43,10 @@ _CELLS: Final = 2**13
 _FEWEST_CASES: Final = 32
 """In a chunk, and all of them where a case takes milliseconds; a call of the solver takes 1 ms."""
 _MOST_CASES: Final = 512
+_MOST_OF_BALLS: Final = 4096
+"""In a chunk of a large study whose cases take microseconds: fewer calls of the solver."""
+_LARGE: Final = 64
+"""Chunks that a study has before they grow: enough for any number of threads."""
 _MOST_GROUPS: Final = 64
 """Base cases in a chunk: each takes some 10 ms."""
 
@@ -227,10 +231,19 @@ class _Work:
 
     def _bounded_chunk(self) -> int:
         bounded = min(max(_CELLS // self.balls, _FEWEST_CASES), _MOST_CASES)
+        if not any(self._has_rollers()):
+            growth = min(self._study.cases // (_LARGE * bounded), _MOST_OF_BALLS // _MOST_CASES)
+            bounded *= max(growth, 1)
         if self._is_slow():
             bounded = _FEWEST_CASES
         in_a_group = self._study.cases // math.prod(self._groups_shape)
         return min(bounded, _MOST_GROUPS * in_a_group)
+
+    def _has_rollers(self) -> Iterator[bool]:
+        """Whether each case may have rollers, whose balance takes milliseconds."""
+        yield any("bearing.designation" in columns for columns in self._columns)
+        for case in self._compared:
+            yield any(place.bearing.element != "ball" for place in case.bearing.places)
 
     def _is_slow(self) -> bool:
         """Whether a case takes milliseconds, as far as the study says."""

@@ -47,7 +47,7 @@ Floats = NDArray[np.float64]
 
 _CELLS_TOGETHER: Final = 2**18
 """Cases times balls of chunks that are written together: 2 MB for each array over balls."""
-_MOST_CASES_TOGETHER: Final = 2**14
+_MOST_CASES_TOGETHER: Final = 2**16
 
 REASON: Final = "reason"
 """Why a case has no result, beside its status."""
@@ -167,7 +167,8 @@ class Plan:
     @property
     def chunks_together(self) -> int:
         """Chunks that are best written together: what follows from a file does not depend on it."""
-        cases = min(_CELLS_TOGETHER // self.balls, _MOST_CASES_TOGETHER)
+        longest = max(max(self._shape_of(output), default=1) for output in self.outputs)
+        cases = min(_CELLS_TOGETHER // longest, _MOST_CASES_TOGETHER)
         return max(cases // self.chunk, 1)
 
     def places(self, first: int, last: int) -> tuple[Indices, ...]:
@@ -253,9 +254,13 @@ class Plan:
             REASON: np.full(cases, -1, np.int32),
         }
         for output in self.outputs:
-            shape = (cases, *{"ball": (self.balls,), "row": (self.rows,)}.get(output.along, ()))
+            shape = (cases, *self._shape_of(output))
             arrays[output.name] = np.full(shape, output.absent, output.dtype)
         return arrays
+
+    def _shape_of(self, output: Output) -> tuple[int, ...]:
+        """What an output has of each case: nothing more, or balls or rows."""
+        return {"ball": (self.balls,), "row": (self.rows,)}.get(output.along, ())
 
     def _put(self, arrays: Mapping[str, NDArray[Any]], cases: Indices, found: Found) -> None:
         """Put the outputs that some cases have to their places."""

@@ -125,13 +125,13 @@ class Study(Record):
         assert self.case is not None
         return OfCase(self.case, self.cases_compared)
 
-    @property
+    @cached_property
     def variables(self) -> tuple[Output, ...]:
         """The outputs as they are in the result: of a machine one for each of its parts."""
         return self.subject.outputs_of(self.outputs)
 
-    @property
-    def sizes(self) -> dict[str, int]:
+    @cached_property
+    def sizes(self) -> Mapping[str, int]:
         """Length of each dimension, in order."""
         names = dict(zip(map(id, self.axes), _dimension_names(self), strict=True))
         sizes = {VARIANT: len(self.compared)} if self.variants else {}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import cached_property
 from importlib import import_module
 from typing import Any, Final, TypeVar
 
@@ -66,7 +67,7 @@ class PlacedRow:
         return 0.0 * self.position if self.row.aside is not None else self.position
 
 
-@frozen
+@frozen(slots=False)
 class Cases:
     """Many cases of one bearing.
 
@@ -115,7 +116,7 @@ class Cases:
         """Count the cases."""
         return len(self.free)
 
-    @property
+    @cached_property
     def alone(self) -> WholeBearing | None:
         """The row that is the whole bearing, and balances its own ring; None of any other."""
         placed = self.rows[0]

@@ -179,6 +179,8 @@ class _Template:
     def __init__(self, awake: Mapping[str, Any], asleep: Mapping[str, Any]) -> None:
         self._awake, self._asleep = awake, asleep
         self._case = changed({}, awake, Case, in_file=True)
+        places = Case.from_mapping(self._case).bearing.places
+        self._elements = [place.bearing.element for place in places]
 
     def line(self, field: Field) -> str:
         """Return the line of a field; empty where this case would not take it."""
@@ -206,7 +208,8 @@ class _Template:
             try:
                 Case.from_mapping(changed(self._case, values, Case, in_file=True))
             except InputError as error:
-                if error.field in {*values, *self._awake} or error.field not in Case.fields():
+                lacks = error.field in Case.fields() and of_elements(error.field, self._elements)
+                if error.field in {*values, *self._awake} or not lacks:
                     return None
                 needed = (*needed, error.field)
                 continue

@@ -5,15 +5,19 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping, Sequence
 from datetime import date, datetime, time
-from typing import Any, Final
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Final, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
+from pydantic import model_validator
 
-from rolamento.errors import InputError, arguments
+from rolamento.errors import InputError, arguments, phrase
 from rolamento.io.dates import dates_of, days_between, moment_said
 from rolamento.records import frozen
-from rolamento.weibull import LifeTest, read_life_test
+from rolamento.tasks.life_tables import DATA, SHIPPED, LifeTable
+from rolamento.tasks.parameters import Progress, quietly
+from rolamento.tasks.request import PICTURE, Input, Product
+from rolamento.weibull import LifeTest, published_life_test, published_text, read_life_test
 from rolamento.weibull.distribution import LifeDistribution
 from rolamento.weibull.fleet import Fleet, FleetForecast, fleet_forecast
 from rolamento.weibull.fleet_table import FleetTable, read_fleet
@@ -22,16 +26,24 @@ from rolamento.weibull.life_test import UNKNOWN_MODE
 from rolamento.weibull.life_units import life_in, life_with_unit
 from rolamento.weibull.replacement import AgeReplacement, age_replacement
 from rolamento.weibull.residual import RemainingLife, remaining_life
-from rolamento.words import Note, said
+from rolamento.words import Note, marked, said
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from rolamento.document import Document
 
 __all__ = [
+    "FleetRequest",
     "FleetStudy",
+    "RemainingLifeRequest",
     "RemainingStudy",
+    "ReplacementRequest",
     "ReplacementStudy",
-    "fleet_study",
-    "remaining_study",
-    "replacement_study",
 ]
+
+DECISION: Final = marked("Decision")
+LIVES: Final = marked("Lives")
 
 SCHEMA: Final = 1
 ALL_MODES: Final = "all"
@@ -60,6 +72,11 @@ class _Study:
     title: str
     notes: tuple[Note, ...]
 
+    @property
+    def complaint(self) -> str:
+        """Why nothing is decided; "" if something is."""
+        return "" if getattr(self, "found", None) is not None else str(self.distribution.advice)
+
     def _plain(
         self, kind: str, found: RemainingLife | AgeReplacement | FleetForecast | None
     ) -> dict[str, Any]:
@@ -80,6 +97,18 @@ class RemainingStudy(_Study):
 
     found: RemainingLife | None
 
+    def page(self) -> Document:
+        """Return what people read of it."""
+        from rolamento.pages.replace import remaining_page
+
+        return remaining_page(self)
+
+    def picture(self) -> Figure | None:
+        """Draw it; None where nothing is decided."""
+        from rolamento.plots.replace import remaining_life_figure
+
+        return None if self.found is None else remaining_life_figure(self.found)
+
     def to_mapping(self) -> dict[str, Any]:
         """Give it as plain values, in the unit that it names."""
         return self._plain("remaining_life", self.found)
@@ -94,6 +123,18 @@ class ReplacementStudy(_Study):
 
     found: AgeReplacement | None
     currency: str
+
+    def page(self) -> Document:
+        """Return what people read of it."""
+        from rolamento.pages.replace import replacement_page
+
+        return replacement_page(self)
+
+    def picture(self) -> Figure | None:
+        """Draw it; None where nothing is decided."""
+        from rolamento.plots.replace import cost_of_ages_figure
+
+        return None if self.found is None else cost_of_ages_figure(self.found, self.currency)
 
     def to_mapping(self) -> dict[str, Any]:
         """Give it as plain values, in the units that it names."""
@@ -121,6 +162,18 @@ class FleetStudy(_Study):
     end: datetime | None
     of_data: bool
 
+    def page(self) -> Document:
+        """Return what people read of it."""
+        from rolamento.pages.replace import fleet_page
+
+        return fleet_page(self)
+
+    def picture(self) -> Figure | None:
+        """Draw it; None where nothing is decided."""
+        from rolamento.plots.replace import fleet_failures_figure
+
+        return None if self.found is None else fleet_failures_figure(self.found)
+
     def to_mapping(self) -> dict[str, Any]:
         """Give it as plain values, in the unit that it names."""
         return {
@@ -131,160 +184,317 @@ class FleetStudy(_Study):
         }
 
 
-def remaining_study(
-    data: LifeTest | ArrayLike | str | os.PathLike[str] | None = None,
-    *,
-    age: float | str,
-    mission: float | str | None = None,
-    confidence: float = 0.9,
-    **lives: Any,
-) -> RemainingStudy:
-    """Find what is left of the life of a bearing that has run so long.
+class LivesRequest(LifeTable):
+    """A use case by a distribution of lives: of a table, or given.
 
     Parameters
     ----------
     data
-        Of the lives: a CSV file, "-" for standard input; a `LifeTest`; or times of bearings that
-        all failed. None where the distribution is given.
-    age, mission
-        Run already, and to be run more: in the unit of the data, or as text with another.
+        Lives: columns time and status, of failed bearings and of those in service; - for standard
+        input. Without it --shape, and --scale or --l10.
+    example
+        Shipped lives: campanha-2008 or lieblein-zelen-1956.
+    only
+        Only this group of the data. Repeatable.
+    only_mode
+        Only this failure mode of the data, failures by others as suspensions; all for all failures
+        alike.
+    shape
+        Shape from experience, such as 1.5; with data, only the scale is fitted.
+    scale
+        Scale η without data, such as '30000 h'.
+    l10
+        L10 without data, such as '20000 h', instead.
+    samples
+        Tests to simulate, 100 to a million; 10 000 by default, fewer for large tests.
+    seed
+        Seed of the random numbers.
     confidence
-        Of the intervals.
-    **lives
-        shape, scale, l10, only, only_mode, columns, samples and seed, as of `lives_of`.
-
-    Raises
-    ------
-    FileError, InputError
-        If the data are no life test, or a parameter cannot be.
+        Confidence of the intervals.
     """
-    law, title, _, notes = lives_of(data, **lives)
-    t = life_in(age, law.unit, "age")
-    x = None if mission is None else life_in(mission, law.unit, "mission")
-    if not law.converged:
-        return RemainingStudy(law, title, notes, None)
-    found = remaining_life(law, t, x, confidence=confidence)
-    notes = (*notes, *_beyond(law, t + (x or 0.0)), *_early(law))
-    return RemainingStudy(law, title, notes, found)
+
+    data: Annotated[Any, Input("Lives", "file", metavar="DATA.csv")] = None
+    example: Annotated[
+        str | None,
+        Input(
+            "Example", "shipped", LIVES, choices=lambda: dict.fromkeys(SHIPPED, ""), metavar="NAME"
+        ),
+    ] = None
+    only: Annotated[
+        tuple[str, ...], Input("Only these groups", "list", LIVES, example="I", metavar="GROUP")
+    ] = ()
+    only_mode: Annotated[
+        str | None,
+        Input(
+            "Only this failure mode",
+            group=LIVES,
+            example="fatigue",
+            option="--mode",
+            metavar="MODE",
+        ),
+    ] = None
+    shape: Annotated[
+        float | None, Input("Shape", "number", LIVES, example="1.5", metavar="BETA")
+    ] = None
+    scale: Annotated[
+        float | str | None, Input("Scale", group=LIVES, example="30000 h", metavar="LIFE")
+    ] = None
+    l10: Annotated[
+        float | str | None, Input("L10", group=LIVES, example="20000 h", metavar="LIFE")
+    ] = None
+    samples: Annotated[
+        int | None, Input("Tests to simulate", "count", LIVES, example="10000", at_computer=True)
+    ] = None
+    seed: Annotated[
+        int, Input("Seed", "count", LIVES, example="0", default="0", at_computer=True)
+    ] = 0
+    confidence: Annotated[
+        float,
+        Input("Confidence", "fraction", DECISION, example="0.9", default="0.9", metavar="C"),
+    ] = 0.9
+
+    waiting: ClassVar = marked("Simulating tests and fitting them …")
+    headings: ClassVar = (DECISION, LIVES, DATA)
+    ships: ClassVar = True
+    needs_file: ClassVar = False
+
+    @classmethod
+    def shipped_text(cls, name: str) -> str:
+        """Return a shipped life test as CSV."""
+        return published_text(name.replace("-", "_"))
+
+    def lives(self) -> tuple[LifeDistribution, str, LifeTest | None, tuple[Note, ...]]:
+        """Return the distribution of lives, the title of its data, the data, and notes on them.
+
+        Raises
+        ------
+        FileError, InputError
+            As `lives_of`.
+        """
+        data = self.data
+        if self.example is not None:
+            data = published_life_test(self.example.replace("-", "_"), **self.reading)
+        return lives_of(
+            data, shape=self.shape, scale=self.scale, l10=self.l10, only=self.only,
+            only_mode=self.only_mode, columns=self.reading, samples=self.samples, seed=self.seed,
+        )  # fmt: skip
+
+    products: ClassVar = {"plot": Product(PICTURE, lambda asked, found: found.picture())}
 
 
-def replacement_study(
-    data: LifeTest | ArrayLike | str | os.PathLike[str] | None = None,
-    *,
-    planned: float,
-    failure: float,
-    currency: str = "",
-    confidence: float = 0.9,
-    **lives: Any,
-) -> ReplacementStudy:
-    """Find the age of replacement at least cost.
+class RemainingLifeRequest(LivesRequest):
+    """Show the chance that a bearing of an age runs on.
+
+    Conditional reliability and residual life.
 
     Parameters
     ----------
-    data
-        As of `remaining_study`.
-    planned, failure
-        Costs of a planned replacement, and of a failure with all that it brings.
-    currency
-        Label of the costs.
-    confidence
-        Of the intervals.
-    **lives
-        As of `lives_of`.
-
-    Raises
-    ------
-    FileError, InputError
-        If the data are no life test, or a parameter cannot be.
+    age
+        Time run so far, such as '8000 h'.
+    mission
+        Time to run more, such as '2000 h'.
     """
-    if len(currency) > _LONGEST_DATE or not (currency.isprintable()):
-        rule = said("must be one line of at most {most} characters", most=_LONGEST_DATE)
-        raise InputError(rule, field="currency", value=currency, example=arguments(currency="USD"))
-    law, title, _, notes = lives_of(data, **lives)
-    if not law.converged:
-        return ReplacementStudy(law, title, notes, None, currency)
-    found = age_replacement(law, planned, failure, confidence=confidence)
-    if found.worthwhile:
-        notes = (*notes, *_beyond(law, found.age.value))
-    return ReplacementStudy(law, title, notes, found, currency)
 
+    age: Annotated[float | str, Input("Age", group=DECISION, example="8000 h", metavar="TIME")]
+    mission: Annotated[
+        float | str | None, Input("Mission", group=DECISION, example="2000 h", metavar="TIME")
+    ] = None
 
-def fleet_study(
-    data: LifeTest | ArrayLike | str | os.PathLike[str] | None = None,
-    *,
-    fleet: FleetTable | str | os.PathLike[str] | None = None,
-    within: float | str | None = None,
-    until: str | date | None = None,
-    begin: str | date | None = None,
-    usage: float | str | None = None,
-    renewed: bool = False,
-    confidence: float = 0.9,
-    fleet_columns: Mapping[str, Any] | None = None,
-    **lives: Any,
-) -> FleetStudy:
-    """Count the failures of a fleet beforehand.
-
-    Parameters
-    ----------
-    data
-        As of `remaining_study`.
-    fleet
-        Bearings in service: a CSV file or a `FleetTable`. By default those of the data that have
-        not failed.
-    within
-        Time that each will run more: in the unit of the data, or as text with another.
-    until, begin
-        Instead: dates, such as "2026-12-31"; begin is today by default.
-    usage
-        What each runs a day, in the unit of the data or as text with another; by default what the
-        fleet's table says.
-    renewed
-        Whether those that fail are replaced by new ones, which may fail too.
-    confidence
-        Of the prediction.
-    fleet_columns
-        Of the fleet's file, as of `read_fleet`.
-    **lives
-        As of `lives_of`.
-
-    Raises
-    ------
-    FileError, InputError
-        If a table is none, or a parameter cannot be.
-    """
-    if (within is None) == (until is None):
-        raise InputError(said("or until must be given, not both"), field="within",
-                         example=arguments(within="2000 h"))  # fmt: skip
-    law, title, test, notes = lives_of(data, **lives)
-    table = _fleet_of(fleet, test, fleet_columns or {}, law.unit)
-    first, of_begin = _moment(begin, "begin")
-    last, of_until = _moment(until, "until")
-    notes = (*notes, *dict.fromkeys((*of_begin, *of_until)))
-    if within is not None:
-        if first is not None or usage is not None:
-            field = "begin" if first is not None else "usage"
-            raise InputError(
-                said("goes with until"), field=field, example=arguments(until="2026-12-31")
-            )
-        ahead = np.full(len(table.ages), life_in(within, law.unit, "within"))
-    else:
-        assert last is not None
-        first = first or datetime.combine(datetime.now(last.tzinfo).date(), time(), last.tzinfo)
-        ahead = _ahead(table, first, last, usage, law.unit)
-    notes = (*notes, *table.notes)
-    if fleet is not None and table.left_out:
-        notes = (*notes, Note("fleet_failed_left_out", {"count": table.left_out}))
-    if not law.converged:
-        return FleetStudy(law, title, notes, None, table.names, first, last, fleet is None)
-    found = fleet_forecast(
-        law,
-        Fleet.of(table.ages, ahead, table.counts),
-        renewed=renewed,
-        confidence=confidence,
-        seed=law.seed,
+    examples: ClassVar = (
+        "Examples: replace remaining field.csv --age '8000 h' --mission '2000 h'; replace remaining"
+        " --shape 1.5 --l10 '20000 h' --age '8000 h' --mission '2000 h'."
     )
-    notes = (*notes, *found.notes, *_beyond(law, float((table.ages + ahead).max())))
-    return FleetStudy(law, title, notes, found, table.names, first, last, fleet is None)
+
+    def run(self, progress: Progress = quietly) -> RemainingStudy:
+        """Find what is left of the life of a bearing that has run so long.
+
+        Raises
+        ------
+        FileError, InputError
+            If the data are no life test, or a parameter cannot be.
+        """
+        law, title, _, notes = self.lives()
+        t = life_in(self.age, law.unit, "age")
+        x = None if self.mission is None else life_in(self.mission, law.unit, "mission")
+        if not law.converged:
+            return RemainingStudy(law, title, notes, None)
+        found = remaining_life(law, t, x, confidence=self.confidence)
+        notes = (*notes, *_beyond(law, t + (x or 0.0)), *_early(law))
+        return RemainingStudy(law, title, notes, found)
+
+
+class ReplacementRequest(LivesRequest):
+    """Plan the age of replacement at least cost per hour.
+
+    Planned replacement against replacement on failure.
+
+    Parameters
+    ----------
+    planned
+        Cost of a planned replacement.
+    failure
+        Cost of a failure: replacement, damage and lost production.
+    currency
+        Label of the costs, such as USD.
+    """
+
+    planned: Annotated[
+        float,
+        Input(
+            "Planned cost", "cost", DECISION, example="800", option="--planned-cost", metavar="COST"
+        ),
+    ]
+    failure: Annotated[
+        float,
+        Input(
+            "Cost of a failure",
+            "cost",
+            DECISION,
+            example="12000",
+            option="--failure-cost",
+            metavar="COST",
+        ),
+    ]
+    currency: Annotated[str, Input("Currency", group=DECISION, example="USD", metavar="NAME")] = ""
+
+    examples: ClassVar = (
+        "Examples: replace age field.csv --planned-cost 800 --failure-cost 12000; replace age"
+        " --shape 2.5 --scale '1000 h' --planned-cost 1 --failure-cost 5."
+    )
+
+    @model_validator(mode="after")
+    def _has_a_short_label(self) -> Self:
+        label = self.currency
+        if len(label) > _LONGEST_DATE or not label.isprintable():
+            rule = said("must be one line of at most {most} characters", most=_LONGEST_DATE)
+            raise InputError(rule, field="currency", value=label)
+        return self
+
+    def run(self, progress: Progress = quietly) -> ReplacementStudy:
+        """Find the age of replacement at least cost.
+
+        Raises
+        ------
+        FileError, InputError
+            As of `RemainingLifeRequest`.
+        """
+        law, title, _, notes = self.lives()
+        if not law.converged:
+            return ReplacementStudy(law, title, notes, None, self.currency)
+        found = age_replacement(law, self.planned, self.failure, confidence=self.confidence)
+        if found.worthwhile:
+            notes = (*notes, *_beyond(law, found.age.value))
+        return ReplacementStudy(law, title, notes, found, self.currency)
+
+
+class FleetRequest(LivesRequest):
+    """Show how many of a fleet are expected to fail.
+
+    By a date or within a time, with a prediction interval.
+
+    Parameters
+    ----------
+    fleet
+        Bearings in service: columns time and, if any, status, count, hours per day; by default
+        those of the data that have not failed.
+    within
+        Time that each will run more, such as '2000 h'.
+    until
+        Date instead, such as 2026-12-31.
+    begin
+        Date of the ages; today by default.
+    usage
+        What a bearing runs a day, such as '16 h'.
+    usage_column
+        Column of the fleet's table of what each runs a day, if named otherwise.
+    renewed
+        Bearings that fail are replaced by new ones, which may fail too.
+    """
+
+    fleet: Annotated[
+        Any, Input("Fleet", "path", DECISION, example="fleet.csv", metavar="FLEET.csv")
+    ] = None
+    within: Annotated[
+        float | str | None, Input("Within", group=DECISION, example="2000 h", metavar="TIME")
+    ] = None
+    until: Annotated[
+        Any, Input("Until", "date", DECISION, example="2026-12-31", metavar="DATE")
+    ] = None
+    begin: Annotated[
+        Any,
+        Input("From", "date", DECISION, example="2026-01-31", option="--from", metavar="DATE"),
+    ] = None
+    usage: Annotated[
+        float | str | None, Input("Use per day", group=DECISION, example="16 h", metavar="TIME")
+    ] = None
+    usage_column: Annotated[
+        str | None,
+        Input("Column of the use per day", group=DECISION, example="usage", metavar="COLUMN"),
+    ] = None
+    renewed: Annotated[
+        bool,
+        Input(
+            "Failed ones are replaced", "switch", DECISION, default="false",
+            option="--renewed/--not-renewed",
+        ),
+    ] = False  # fmt: skip
+
+    examples: ClassVar = (
+        "Examples: replace fleet field.csv --within '2000 h'; replace fleet field.csv --fleet"
+        " plant.csv --until 2026-12-31 --usage '16 h' --renewed."
+    )
+
+    @model_validator(mode="after")
+    def _goes_together(self) -> Self:
+        if (self.within is None) == (self.until is None):
+            either = marked("or {until} must be given, not both")
+            rule: str = phrase(either, until=arguments(until=...))
+            raise InputError(rule, field="within")
+        for name in ("begin", "usage") if self.within is not None else ():
+            if getattr(self, name) is not None:
+                rule = phrase(marked("goes with {until}"), until=arguments(until=...))
+                raise InputError(rule, field=name, example=arguments(until="2026-12-31"))
+        return self
+
+    def run(self, progress: Progress = quietly) -> FleetStudy:
+        """Count the failures of a fleet beforehand.
+
+        Raises
+        ------
+        FileError, InputError
+            If a table is none, or a parameter cannot be.
+        """
+        law, title, test, notes = self.lives()
+        columns = {
+            "usage": self.usage_column,
+            "decimal_mark": self.decimal_mark,
+            "ignored": self.ignored,
+        }
+        table = _fleet_of(self.fleet, test, columns, law.unit)
+        first, of_begin = _moment(self.begin, "begin")
+        last, of_until = _moment(self.until, "until")
+        notes = (*notes, *dict.fromkeys((*of_begin, *of_until)))
+        if self.within is not None:
+            ahead = np.full(len(table.ages), life_in(self.within, law.unit, "within"))
+        else:
+            assert last is not None
+            first = first or datetime.combine(datetime.now(last.tzinfo).date(), time(), last.tzinfo)
+            ahead = _ahead(table, first, last, self.usage, law.unit)
+        notes = (*notes, *table.notes)
+        own = self.fleet is None
+        if not own and table.left_out:
+            notes = (*notes, Note("fleet_failed_left_out", {"count": table.left_out}))
+        if not law.converged:
+            return FleetStudy(law, title, notes, None, table.names, first, last, own)
+        found = fleet_forecast(
+            law,
+            Fleet.of(table.ages, ahead, table.counts),
+            renewed=self.renewed,
+            confidence=self.confidence,
+            seed=law.seed,
+        )
+        notes = (*notes, *found.notes, *_beyond(law, float((table.ages + ahead).max())))
+        return FleetStudy(law, title, notes, found, table.names, first, last, own)
 
 
 def lives_of(
@@ -304,7 +514,8 @@ def lives_of(
     Parameters
     ----------
     data
-        As of `remaining_study`.
+        A CSV file, "-" for standard input; a `LifeTest`; or times of bearings that all failed. None
+        where the distribution is given.
     shape
         β: with data, from experience, so that only the scale is fitted; without, needed.
     scale, l10

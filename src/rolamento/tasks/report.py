@@ -251,6 +251,15 @@ class CaseReport:
 
     def number(self, path: str) -> float | None:
         """Return a number of `numbers` by its dotted path; None where there is none."""
+        if path not in self._known:
+            self._known[path] = self._number(path)
+        return self._known[path]
+
+    @cached_property
+    def _known(self) -> dict[str, float | None]:
+        return {}
+
+    def _number(self, path: str) -> float | None:
         first, _, rest = path.partition(".")
         second, _, below = rest.partition(".")
         found: Any

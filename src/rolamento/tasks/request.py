@@ -11,6 +11,7 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from datetime import date
 from math import isfinite
 from typing import TYPE_CHECKING, Any, ClassVar, Final, Literal, Protocol, Self
 
@@ -20,11 +21,12 @@ from pydantic_core import CoreSchema, core_schema
 from rolamento.case.record import Record, meanings
 from rolamento.errors import InputError, arguments
 from rolamento.io.columns import folded_name
+from rolamento.io.numerals import Numerals
 from rolamento.records import frozen
 from rolamento.tasks.bearing import designated
 from rolamento.tasks.parameters import Progress, quietly
 from rolamento.units import Dimension, refuse_thousands, to_si
-from rolamento.words import marked, said
+from rolamento.words import manner, marked, said
 
 if TYPE_CHECKING:
     from rolamento.document import Document
@@ -32,8 +34,9 @@ if TYPE_CHECKING:
 __all__ = ["DECIMAL_MARK", "PICTURE", "Input", "Product", "Request", "Result", "number_in"]
 
 Kind = Literal[
-    "text", "number", "count", "fraction", "frequency", "time", "quantity", "switch", "choice",
-    "choices", "list", "numbers", "bearing", "shipped", "file", "files", "path", "paths",
+    "text", "number", "count", "fraction", "frequency", "time", "quantity", "cost", "date",
+    "switch", "choice", "choices", "list", "numbers", "bearing", "shipped", "file", "files", "path",
+    "paths",
 ]  # fmt: skip
 """Kind of a value: text with or without a unit, a number, one of several, several of them.
 
@@ -179,7 +182,7 @@ class Input:
             return given
         if given is None or (isinstance(given, str) and not given.strip()):
             return () if self.is_many else None
-        if isinstance(given, Mapping):
+        if isinstance(given, Mapping | date):
             return given
         if self.is_many:
             return self._values((given,) if isinstance(given, str | int | float) else given)
@@ -239,6 +242,8 @@ class Input:
             from rolamento.tasks.quantities import part_of_one
 
             return part_of_one(_with_point(text), "", "")
+        if self.kind == "cost":
+            return cost_of(text)
         if self.kind in ("number", "count"):
             return number_in(text, whole=self.kind == "count")
         return text
@@ -294,6 +299,8 @@ class Request(Record):
     """Order of the headings of the fields, marked; that of the fields by default."""
     columns: ClassVar[frozenset[str]] = frozenset()
     """Fields that name columns: what is said of a file may be of its column so called."""
+    needs_file: ClassVar[bool] = True
+    """Whether a file must be given, or an example that is shipped."""
     ships: ClassVar[bool] = False
     """Whether examples are shipped, which its field ``example`` names."""
     takes_case: ClassVar[bool] = False
@@ -433,6 +440,22 @@ def number_in(text: str, *, whole: bool = False) -> float | int:
         rule = said("must be an integer") if whole else said("must be a number")
         raise InputError(rule, value=text)
     return int(value) if whole else value
+
+
+def cost_of(text: str) -> float:
+    """Return a cost; 12.000 and 12.000,00 as the language that is spoken writes them.
+
+    Raises
+    ------
+    InputError
+        If it is no number, or may be two.
+    """
+    refuse_thousands(text, units=("",))
+    comma = "," in text and manner().mark == ","
+    cost = Numerals(True, "comma" if comma else "point").number(text.strip())
+    if cost is None:
+        raise InputError(said("must be a number"), value=text)
+    return cost
 
 
 def _with_point(text: str) -> str:

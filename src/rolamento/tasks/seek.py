@@ -123,7 +123,7 @@ class Goal:
 
 
 class GoalSeek(Request):
-    """Find the input that gives an output a value: a preload for a stiffness.
+    """Solve for the input that gives an output its value.
 
     Any field of a case for any result of one number, over a range in which all solutions are found
     that a curve of 25 points shows.

@@ -252,7 +252,10 @@ def plan_page(typed: Typed, form: str = "") -> dict[str, Any]:
 
 
 def report_file(
-    cases: Sequence[Mapping[str, Any]], head: Mapping[str, str], form: str
+    cases: Sequence[Mapping[str, Any]],
+    head: Mapping[str, str],
+    form: str,
+    names: Sequence[str] = (),
 ) -> dict[str, Any]:
     """Return the report of the cases on the page as a file.
 
@@ -264,6 +267,8 @@ def report_file(
         project, author, revision, date, checked_by; what is missing is as in the first case.
     form
         Kind of the file, one of `REPORTS`.
+    names
+        Of several cases; A, B, C … if not given.
 
     Raises
     ------
@@ -277,7 +282,7 @@ def report_file(
     if form not in REPORTS:
         rule = said("must be one of {known}", known=", ".join(REPORTS))
         raise InputError(rule, field="format", value=form, example="pdf")
-    found = calculation_report([Case.from_mapping(one) for one in cases], head)
+    found = calculation_report([Case.from_mapping(one) for one in cases], head, names=names)
     return _answer((report_page(found),), found.to_mapping(), "", form)
 
 
@@ -505,8 +510,14 @@ async def _reported(request: Request) -> Response:
         raise InputError(said("must be a list of tables"), field="cases")
     if not isinstance(head, dict):
         raise InputError(said("must be a table"), field="head")
+    names = asked.get("names") or []
+    if not isinstance(names, list) or not all(isinstance(one, str) for one in names):
+        raise InputError(said("must be a list of names"), field="names", example='["A", "B"]')
+    names = [one[:_LONGEST_NAME] for one in names] if len(names) == len(cases) else []
     form = str(asked.get("format", "html"))
-    return response_of(await slow(report_file, cases, head, form, seconds=_SECONDS["weibull"]))
+    return response_of(
+        await slow(report_file, cases, head, form, names, seconds=_SECONDS["weibull"])
+    )
 
 
 async def _example(request: Request) -> Response:

@@ -10,18 +10,21 @@ from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from typing import Any, Final
 
+from rolamento.analysis import Analysis
 from rolamento.case import Case
 from rolamento.case.bearing import Bearing
 from rolamento.case.fields import Field, fields_of, of_elements
 from rolamento.case.labels import choice_label
 from rolamento.case.roller_bearing import RollerBearing
+from rolamento.life.iso281 import MAXIMUM_LOAD
+from rolamento.notes import SPEED_LIMIT
 from rolamento.pages.report import TABLES
 from rolamento.tasks.report import Input
 from rolamento.types import BALL, ROLLER, TYPES
 from rolamento.units import Dimension, from_si, to_si, usual_units
 from rolamento.words import said
 
-__all__ = ["FIRST", "form", "inputs", "suitable", "units"]
+__all__ = ["FIRST", "form", "inputs", "likely", "suitable", "units"]
 
 FIRST: Final = (
     "bearing.designation",
@@ -70,6 +73,10 @@ _MICROMETRES: Final = {"um": "µm"}
 """For keyboards without the sign; the form offers the sign alone."""
 _OF_SETS: Final = ("bearing.preload", "bearing.spacing")
 """What a bearing that stands alone has not."""
+_USUAL_PART: Final = 0.2
+"""Of what is most likely: what an example asks for."""
+_OF_MOMENT: Final = 0.05
+"""Moment at the end of a slider, over rating and pitch diameter: a load beside the middle."""
 _SIGNS: Final = (("deg", "°"), ("^2", "²"), ("^3", "³"), (" ", "·"))
 
 
@@ -150,6 +157,45 @@ def _units_of(dimension: Dimension) -> Iterator[dict[str, Any]]:
             "factor": to_si(f"1 {unit}", dimension) - offset,
             "offset": offset,
         }
+
+
+def likely(analysis: Analysis) -> dict[str, dict[str, Any]]:
+    """Return up to where the sliders of loads and speed go, and an example of each.
+
+    Loads go to the half of the basic dynamic rating, the limit of its theory (ISO 281), speeds to
+    the limiting speed of the catalogue, or to the n·d_m up to which the model holds. SI; empty for
+    a field of which no limit is known.
+    """
+    case = analysis.solved.case
+    published = case.bearing.published
+    rating = getattr(published, "dynamic_rating", None)
+    if analysis.life is not None:
+        own = float(analysis.life.ratings.dynamic_of_set[0])
+        rating = own if own > 0.0 else rating
+    pitch = max(float(place.bearing.pitch_diameter) for place in case.bearing.places)
+    found: dict[str, float] = {
+        "duty.inner_speed": getattr(published, "limiting_speed", None) or SPEED_LIMIT / pitch
+    }
+    if rating:
+        for name in ("fx", "fy", "fz"):
+            found[f"duty.load.{name}"] = MAXIMUM_LOAD * float(rating)
+        for name in ("my", "mz"):
+            found[f"duty.load.{name}"] = _OF_MOMENT * float(rating) * pitch
+    fields = Case.fields()
+    return {
+        name: {
+            "most": most,
+            "example": _rounded(_USUAL_PART * most, fields[name]),
+        }
+        for name, most in found.items()
+    }
+
+
+def _rounded(value: float, field: Field) -> str:
+    """A value to one figure, in the unit in which people read the field."""
+    unit = field.shown_unit
+    factor = to_si(f"1 {unit}", field.dimension or "force")
+    return f"{float(f'{value / factor:.1g}'):g} {unit}"
 
 
 def inputs(known: Iterable[Input]) -> dict[str, dict[str, Any]]:

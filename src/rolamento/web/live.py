@@ -1,10 +1,10 @@
-"""What the page shows of a case, or of two side by side, while they are changed."""
+"""What the page shows of a case, or of up to four side by side, while they are changed."""
 
 from __future__ import annotations
 
 import json
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import asdict, replace
 from functools import cached_property, lru_cache
 from time import perf_counter
 from typing import Any, Final
@@ -15,23 +15,33 @@ from rolamento.case import Case
 from rolamento.case.fields import changed
 from rolamento.case.labels import LABELS, label_of
 from rolamento.case.report import ReportHead
-from rolamento.document import Document
+from rolamento.document import Document, Section
 from rolamento.document.html import body
 from rolamento.errors import InputError
 from rolamento.notes import nothing_given
 from rolamento.pages.given import no_load_text
-from rolamento.pages.report import PARTS, part_of, remarks_section, summary_section
+from rolamento.pages.report import (
+    PARTS,
+    comparison_sections,
+    key_figures,
+    part_of,
+    remarks_section,
+    warnings_section,
+)
 from rolamento.records import frozen
 from rolamento.tasks.report import CaseReport, Input, Report, analysis_of, inputs_of, names_in
 from rolamento.web.answers import error_object
-from rolamento.web.form import inputs
+from rolamento.web.form import inputs, likely
 from rolamento.web.pictures import figures
+from rolamento.web.section import section_svg
 from rolamento.words import calling, language, said
 from rolamento.words.reasons import reason
 
 __all__ = ["MOST_CASES", "live"]
 
-MOST_CASES: Final = 2
+MOST_CASES: Final = 4
+_NAMES: Final = "ABCD"
+_LONGEST_NAME: Final = 40
 _REMEMBERED: Final = 64
 """Analyses: of two cases side by side one stays as it is while the other is moved."""
 
@@ -56,9 +66,10 @@ def live(request: Mapping[str, Any]) -> dict[str, Any]:
     Parameters
     ----------
     request
-        ``cases``: one or two of ``{"case": tables as a file has them, "changes": {field: value as
-        a file has it, or None}}``; ``pictures``, ``sections``: keys of what is seen; ``quick``:
-        leave out what is slow.
+        ``cases``: one to four of ``{"case": tables as a file has them, "changes": {field: value
+        as a file has it, or None}, "name": what it is called}``; ``active``: the place of the one
+        that is edited, which pictures show beside the first; ``pictures``, ``sections``: keys of
+        what is seen; ``quick``: leave out what is slow.
 
     Raises
     ------
@@ -95,13 +106,31 @@ def _answered(
         told.append(answer)
         found.append(given)
     keys, parts = (_names(request, name) for name in ("pictures", "sections"))
-    analyses = [None if one is None else one.analysis for one in found]
+    called = [_called(entry, place) for place, entry in enumerate(entries)]
+    drawn = _drawn(request, len(found))
+    analyses = [None if one is None else one.analysis for one in (found[at] for at in drawn)]
+    names = [called[place] for place in drawn]
     return {
         "cases": told,
-        "pictures": figures(analyses, keys),
-        **_documents(found, parts, quick=quick),
+        "pictures": figures(analyses, keys, names=names),
+        **_documents(found, called, parts, quick=quick),
         "milliseconds": 1e3 * (perf_counter() - began),
     }
+
+
+def _called(entry: Any, place: int) -> str:
+    """What the reader calls a case: a line of text, or its letter."""
+    given = entry.get("name") if isinstance(entry, Mapping) else None
+    text = " ".join(str(given).split())[:_LONGEST_NAME] if isinstance(given, str) else ""
+    return text or _NAMES[place]
+
+
+def _drawn(request: Mapping[str, Any], count: int) -> list[int]:
+    """Places of the cases that pictures show: the first, and the edited one or the second."""
+    active = request.get("active", 0)
+    if isinstance(active, bool) or not isinstance(active, int) or not 0 <= active < count:
+        active = 0
+    return [0] if count == 1 else [0, active or 1]
 
 
 def _names(request: Mapping[str, Any], name: str) -> list[str]:
@@ -129,7 +158,8 @@ def _one(entry: object, *, quick: bool) -> tuple[dict[str, Any], _Given | None]:
     solved = given.analysis.solved
     code, advice = str(solved.status.code[0]), solved.advice[0]
     text = reason(code)
-    if solved.converged[0] and nothing_given(solved):
+    unloaded = bool(solved.converged[0]) and nothing_given(solved)
+    if unloaded:
         text = no_load_text()
         advice = next(note for note in solved.notes[0] if note.key == "no_load_given")
     answer["status"] = {
@@ -137,12 +167,15 @@ def _one(entry: object, *, quick: bool) -> tuple[dict[str, Any], _Given | None]:
         "converged": bool(solved.converged[0]),
         "text": text,
         "advice": None if advice is None else advice.text,
+        "unloaded": unloaded,
         "left_out": list(given.analysis.left_out),
     }
     answer["title"] = given.case.title
+    answer["drawing"] = section_svg(given.case, solved)
     answer["elements"] = sorted({place.bearing.element for place in given.case.bearing.places})
     if not quick:
         answer["inputs"] = inputs(given.inputs)
+        answer["likely"] = likely(given.analysis)
     return answer, given
 
 
@@ -154,12 +187,13 @@ def _given(text: str, quick: bool) -> _Given:
 
 
 def _documents(
-    found: Sequence[_Given | None], keys: Sequence[str], *, quick: bool
+    found: Sequence[_Given | None], names: Sequence[str], keys: Sequence[str], *, quick: bool
 ) -> dict[str, Any]:
-    """The summary, the parts that are open, and what the reader should know, as HTML."""
-    there = [(name, one) for name, one in zip("AB", found, strict=False) if one is not None]
+    """Key figures, what differs, the parts that are open, and what the reader should know."""
+    there = [(name, one) for name, one in zip(names, found, strict=True) if one is not None]
     if not there:
-        return {"summary": "", "notes": "", "sections": {}}
+        return {"figures": [], "summary": "", "same": "", "leading": "", "notes": "",
+                "sections": {}}  # fmt: skip
     asks = "inputs" in keys or len(there) > 1
     cases = tuple(
         CaseReport(name, "", one.case, one.inputs if asks else (), one.analysis)
@@ -167,16 +201,23 @@ def _documents(
     )
     report = Report(ReportHead(), cases, __version__)
     wanted = [key for key in dict.fromkeys(keys) if key in PARTS]
+    differing, same = comparison_sections(report) if len(there) > 1 else (None, None)
+    own = iter(cases)
+    shown = [None if one is None else next(own) for one in found]
     return {
-        "summary": _html(report, "summary"),
-        "notes": "" if quick else _html(report, "notes"),
-        "sections": {key: _html(report, key) for key in wanted},
+        "figures": [
+            [] if one is None else [asdict(figure) for figure in key_figures(one, report)]
+            for one in shown
+        ],
+        "summary": _html(differing),
+        "same": _html(same),
+        "leading": "" if quick else _html(warnings_section(report)),
+        "notes": "" if quick else _html(remarks_section(report)),
+        "sections": {key: _html(part_of(report, key)) for key in wanted},
     }
 
 
-def _html(report: Report, key: str) -> str:
-    if key == "summary":  # what to do stands with the status
-        section = summary_section(report, advice=False)
-    else:
-        section = remarks_section(report) if key == "notes" else part_of(report, key)
+def _html(section: Section | None) -> str:
+    if section is None or not section.blocks:
+        return ""
     return body(Document("", (replace(section, heading=""),), kind="live", language=language()))

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from functools import cache
+from contextlib import suppress
+from functools import cache, lru_cache
 from typing import Any, Final
 
 from starlette.requests import Request
@@ -12,6 +13,7 @@ from starlette.routing import Route
 
 from rolamento import __version__
 from rolamento.case import Case, case_to_json, case_to_toml, parse_case
+from rolamento.catalogue.records import CatalogueBearing
 from rolamento.catalogue.search import built_in_catalogue
 from rolamento.document.html import STYLE as DOCUMENT_STYLE
 from rolamento.errors import InputError
@@ -23,18 +25,22 @@ from rolamento.tasks.report import inputs_of, names_in
 from rolamento.web import drops
 from rolamento.web.answers import answer, read_json
 from rolamento.web.curves import curve
+from rolamento.web.design import helps, seek
 from rolamento.web.form import form, inputs, units
 from rolamento.web.limits import by_weight, fast
 from rolamento.web.live import live
 from rolamento.web.machine import machine_described
 from rolamento.web.page_words import page_words
 from rolamento.web.pictures import described
+from rolamento.web.section import section_svg
 from rolamento.words import language, languages, said, speaking
 
-__all__ = ["ROUTES", "opened", "saved", "search", "start"]
+__all__ = ["ROUTES", "example_drawings", "opened", "saved", "search", "start"]
 
 _FORMATS: Final = ("toml", "json")
 _FOUND: Final = 30
+_SHORTEST: Final = 3
+"""Signs of what may be a whole designation."""
 _LONGEST_SEARCH: Final = 60
 
 
@@ -42,6 +48,16 @@ async def _start_request(request: Request) -> Response:
     warmth = request.app.state.warmth
     progress = warmth.done / warmth.total if warmth.total else None
     return answer({**await fast(start), "ready": warmth.ready, "progress": progress})
+
+
+async def _warmth_request(request: Request) -> Response:
+    warmth = request.app.state.warmth
+    progress = warmth.done / warmth.total if warmth.total else None
+    return answer({"ready": warmth.ready, "progress": progress})
+
+
+async def _drawings_request(_: Request) -> Response:
+    return answer(await fast(example_drawings))
 
 
 async def _style_of_documents(_: Request) -> Response:
@@ -180,7 +196,13 @@ def search(request: Mapping[str, Any]) -> dict[str, Any]:
     Parameters
     ----------
     request
-        ``text``: part of a designation, or sizes such as ``"25x52"``.
+        ``text``: a designation or part of one, or sizes such as ``"25x52"``.
+
+    Returns
+    -------
+    dict
+        ``bearings`` of the catalogue; ``opens``: the bearing that the text itself opens, with its
+        suffixes, or None; where nothing is found, ``why`` and ``near``, designations like it.
 
     Raises
     ------
@@ -194,22 +216,59 @@ def search(request: Mapping[str, Any]) -> dict[str, Any]:
             field="text",
             example='"6205"',
         )
-    found = built_in_catalogue().search(text, _FOUND + 1) if text.strip() else []
+    wanted = text.strip()
+    found = built_in_catalogue().search(wanted, _FOUND + 1) if wanted else ()
+    opens, why, near = _resolved(wanted) if len(wanted) >= _SHORTEST else (None, "", ())
     return {
-        "bearings": [
-            {
-                "designation": one.designation,
-                "maker": one.maker,
-                "kind": said(KINDS[one.kind]) if one.kind in KINDS else one.kind,
-                "bore": one.figures.get("bore"),
-                "outside_diameter": one.figures.get("outside_diameter"),
-                "width": one.figures.get("width"),
-                "dynamic_rating": one.figures.get("dynamic_rating"),
-            }
-            for one in found[:_FOUND]
-        ],
+        "opens": opens,
+        "why": "" if found else why,
+        "near": () if found else near,
+        "bearings": [_listed(one) for one in found[:_FOUND]],
         "more": len(found) > _FOUND,
     }
+
+
+def _listed(one: CatalogueBearing) -> dict[str, Any]:
+    """A bearing of the catalogue as the page lists it."""
+    return {
+        "designation": one.designation,
+        "maker": one.maker,
+        "kind": said(KINDS[one.kind]) if one.kind in KINDS else one.kind,
+        "bore": one.figures.get("bore"),
+        "outside_diameter": one.figures.get("outside_diameter"),
+        "width": one.figures.get("width"),
+        "dynamic_rating": one.figures.get("dynamic_rating"),
+    }
+
+
+@lru_cache(maxsize=256)
+def _resolved_in(wanted: str, code: str) -> tuple[dict[str, Any] | None, str, tuple[str, ...]]:
+    """What a designation opens; else why it does not, and what is most like it."""
+    with speaking(code):
+        known = built_in_catalogue()
+        try:
+            case = Case.from_mapping({"bearing": {"designation": wanted}, "duty": {}})
+        except InputError as error:
+            near = tuple(one for one in known.nearest(wanted) if one != wanted)
+            return None, error.rule, near
+        published = case.bearing.published
+        one: dict[str, Any] = {} if published is None else _listed(published)
+        arranged = getattr(case.bearing, "arrangement", None)
+        return {**one, "designation": wanted, "arrangement": arranged or ""}, "", ()
+
+
+def _resolved(wanted: str) -> tuple[dict[str, Any] | None, str, tuple[str, ...]]:
+    return _resolved_in(wanted, language())
+
+
+@cache
+def example_drawings() -> dict[str, str]:
+    """Return the bearing of each example in section, as SVG, by the name of the example."""
+    found = {}
+    for name in _example_cases():
+        with suppress(InputError):  # an example without a picture is still an example
+            found[name] = section_svg(Case.from_mapping(_example(name)), mark="card")
+    return found
 
 
 def _asks(path: str, function: Callable[[Mapping[str, Any]], Mapping[str, Any]]) -> Route:
@@ -225,9 +284,13 @@ def _asks(path: str, function: Callable[[Mapping[str, Any]], Mapping[str, Any]])
 ROUTES: Final = (
     _asks("/page/live", live),
     _asks("/page/curve", curve),
+    _asks("/page/helps", helps),
+    _asks("/page/seek", seek),
     _asks("/page/open", opened),
     _asks("/page/save", saved),
     _asks("/page/search", search),
     Route("/page/start", _start_request),
+    Route("/page/drawings", _drawings_request),
+    Route("/page/warmth", _warmth_request),
     Route("/page/document.css", _style_of_documents),
 )

@@ -12,7 +12,14 @@ __all__ = ["WORDS", "page_words"]
 WORDS: Final[Mapping[str, str]] = {
     "close": marked("Close"),
     "compare": marked("Compare"),
+    "compare.add": marked("Add a case"),
+    "compare.alike": marked("The cases have the same inputs: change one of them."),
+    "compare.differs": marked("What differs"),
+    "compare.drop": marked("Take out: {name}"),
     "compare.edit": marked("Edited case"),
+    "compare.edit.one": marked("Edit {name}"),
+    "compare.name": marked("Name of {name}"),
+    "compare.same": marked("The same in all"),
     "compare.end": marked("Continue with this one alone"),
     "curve": marked("Curve over a field"),
     "curve.field": marked("Over"),
@@ -21,11 +28,16 @@ WORDS: Final[Mapping[str, str]] = {
     "curve.output": marked("Output"),
     "curve.scale": marked("logarithmic field"),
     "curve.upright": marked("logarithmic output"),
+    "first.go": marked("Calculate"),
+    "first.head": marked("What does it carry?"),
+    "first.status": marked("Waiting for a load and a speed."),
+    "first.text": marked("Give at least one load; units may be typed, such as 5 kN or 1480 rpm."),
     "form.about": marked("About: {label}"),
     "form.add": marked("Add: {label}"),
     "form.clear": marked("Clear: {label}"),
     "form.example": marked("Example: {example}."),
     "form.filter": marked("Find a field"),
+    "form.gave": marked("gave way to: {label}"),
     "form.instead": marked("Give instead: {label}"),
     "form.limits": marked("Allowed: {limits}."),
     "form.more": marked("More fields"),
@@ -34,6 +46,8 @@ WORDS: Final[Mapping[str, str]] = {
     "form.unit": marked("{label}, unit"),
     "form.unsaid": marked("{value} (not given)"),
     "form.use": marked("Use {example}"),
+    "helps": marked("What would help most"),
+    "helps.try": marked("Try it beside"),
     "language": marked("Language"),
     "link.broken": marked("The link holds no case: it is damaged, incomplete or too long."),
     "machine.bent": marked(
@@ -62,15 +76,27 @@ WORDS: Final[Mapping[str, str]] = {
     "open.examples": marked("Examples"),
     "open.file": marked("Case file"),
     "open.file.help": marked("TOML or JSON, chosen here or dropped on the page."),
+    "open.as": marked("Open as typed"),
+    "open.choose": marked("Choose one of the bearings below."),
     "open.found": marked("In the catalogue: {n}"),
     "open.go": marked("Open bearing"),
-    "open.head": marked("Which bearing?"),
     "open.large": marked("The file is too large for a case: at most 500 kB are read."),
+    "open.near": marked("Did you mean:"),
     "open.many": marked("In the catalogue: more than {n}; type more of the designation"),
+    "open.more": marked("Beyond one bearing"),
     "open.search": marked("Designation or dimensions"),
     "open.search.help": marked(
-        "For instance 6310/C3, NU 205, 7208 or 25x52 (bore and outside diameter in mm)."
+        "For instance 6310/C3, NU 205, 7014 C/HCP4A DBA, or 25x52 (bore and outside diameter, mm)."
     ),
+    "start.lead": marked(
+        "Name a bearing and its load, and see what happens inside: contact loads and pressures, "
+        "oil film, friction, heat and life, each with its limit and its source."
+    ),
+    "start.machine": marked("A machine: shafts, gears and bearings together"),
+    "start.private": marked("Everything is computed on this machine; nothing is sent elsewhere."),
+    "start.record": marked("A vibration record: which part of the bearing is damaged?"),
+    "start.test": marked("A life test: Weibull, confidence, and the next test"),
+    "start.title": marked("Rolling bearings, from the inside"),
     "page.failed": marked("Something went wrong in this page. Reload it: the case is kept."),
     "pages": marked("Pages"),
     "pane.form": marked("Inputs"),
@@ -85,6 +111,19 @@ WORDS: Final[Mapping[str, str]] = {
     "report.pdf": marked("Report (PDF)"),
     "reset": marked("Reset to opened"),
     "save": marked("Save"),
+    "seek": marked("Which input gives a wanted result?"),
+    "seek.go": marked("Look for it"),
+    "seek.help": marked(
+        "A preload for a stiffness, a clearance for a pressure, a load for a life: any input for "
+        "any result."
+    ),
+    "seek.looking": marked("Looking …"),
+    "seek.others": marked("All others"),
+    "seek.output": marked("Result"),
+    "seek.use": marked("Use {value}"),
+    "seek.usual": marked("Asked for most"),
+    "seek.vary": marked("Input to vary"),
+    "seek.wanted": marked("Value that it should have"),
     "section.none": marked("There is nothing of this for the present case."),
     "server.failed": marked("The server answered in a form that this page does not understand."),
     "server.silent": marked(
@@ -120,7 +159,10 @@ WORDS: Final[Mapping[str, str]] = {
     "view.machine": marked("Machine"),
     "view.signal": marked("Vibration"),
     "view.weibull": marked("Life tests"),
-    "warming": marked("Getting ready: {part} % done. The first start takes longest."),
+    "warming": marked(
+        "Getting ready in the background, {part} % done: the first answers take longer."
+    ),
+    "warnings": marked("Warnings"),
 }
 """By key, in English; a name in braces is filled in by the page."""
 

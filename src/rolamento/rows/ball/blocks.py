@@ -230,6 +230,13 @@ def _put_positions(b: Array, lane: int, x: Array, seats: Order) -> None:
 
 
 @inline_exact
+def put_position(b: Array, lane: int, x: Array, ball: int) -> None:
+    """Put a ball of a lane where it is; b of that ball, x (balls, 2)."""
+    b[_X + lane] = x[ball, 0]
+    b[_X + _LANES + lane] = x[ball, 1]
+
+
+@inline_exact
 def read_position(b: Array, lane: int, x: Array, ball: int) -> None:
     """Write where a ball of a lane is; b of that ball, x (balls, 2)."""
     x[ball, 0] = b[_X + lane]

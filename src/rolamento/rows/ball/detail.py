@@ -58,6 +58,22 @@ class BallTable:
     yaw: Floats
 
 
+def contact_tables(
+    p: Columns,
+    displacement: Floats,
+    position: Floats,
+    azimuth: Floats,
+    rolling: Rolling | None = None,
+) -> tuple[ContactTable, ContactTable]:
+    """The contacts of every ball with inner and outer race; arguments as of `ball_table`."""
+    column = p.over_balls()
+    a1, a2 = groove_centres(p, displacement, azimuth)
+    x1, x2 = position[..., 0], position[..., 1]
+    lift = np.zeros(2) if rolling is None else np.moveaxis(rolling.lift, -1, 0)
+    outer = _contacts(x1, x2, column, "outer", lift[1])
+    return _contacts(a1 - x1, a2 - x2, column, "inner", lift[0]), outer
+
+
 def ball_table(
     p: Columns,
     control: Floats,
@@ -65,18 +81,15 @@ def ball_table(
     position: Floats,
     azimuth: Floats,
     rolling: Rolling | None = None,
+    contacts: tuple[ContactTable, ContactTable] | None = None,
 ) -> BallTable:
     """Evaluate every ball; rolling: how friction moves them, instead of raceway control.
 
     control: +1 or -1 (cases, balls); displacement (cases, 5) in the scaled form of `rows`; position
-    (cases, balls, 2); azimuth (cases, balls).
+    (cases, balls, 2); azimuth (cases, balls); contacts: `contact_tables` of these, if at hand.
     """
     column = p.over_balls()
-    a1, a2 = groove_centres(p, displacement, azimuth)
-    x1, x2 = position[..., 0], position[..., 1]
-    lift = np.zeros(2) if rolling is None else np.moveaxis(rolling.lift, -1, 0)
-    outer = _contacts(x1, x2, column, "outer", lift[1])
-    inner = _contacts(a1 - x1, a2 - x2, column, "inner", lift[0])
+    inner, outer = contacts or contact_tables(p, displacement, position, azimuth, rolling)
     yaw = np.zeros_like(azimuth)
     motion = _motion(p, control.astype(np.int64), inner, outer)
     if rolling is not None:

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Final, Self, cast
 
 import numpy as np
 
 from rolamento import status
 from rolamento.case.parameters import BallParameters
-from rolamento.geometry import Race
+from rolamento.geometry import Angle, Race
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.records import frozen
 from rolamento.rows.ball import layout
-from rolamento.rows.ball.detail import ContactTable, axial_load, ball_table
+from rolamento.rows.ball.detail import ContactTable, axial_load, ball_table, contact_tables
 from rolamento.rows.ball.problem import (
     Columns,
     apply_model,
@@ -342,7 +343,7 @@ def ball_row(bearing: BallParameters, running: Running) -> BallRow:
     return BallRow(p, balls, geometry, np.ones((1, balls)), running.threads, running.fast)
 
 
-@frozen
+@frozen(eq=False, slots=False)
 class BallAnswer:
     """Where the balls of solved cases are: what their tables are made from."""
 
@@ -366,13 +367,29 @@ class BallAnswer:
 
     def grip(self) -> FloatArray:
         """How deep each element is pressed into the inner ring."""
-        return self.tables().inner.approach
+        return self._contacts[0].approach
+
+    def pressed_on(self, race: Race) -> tuple[FloatArray, Angle]:
+        """Load and angle of every contact with a race."""
+        table = self._contacts[0 if race == "inner" else 1]
+        return table.load, table.angle
+
+    @cached_property
+    def _azimuth(self) -> FloatArray:
+        return ball_azimuths(self.p, self.position.shape[1])
+
+    @cached_property
+    def _contacts(self) -> tuple[ContactTable, ContactTable]:
+        """Inner and outer."""
+        return contact_tables(self.p, self.displacement, self.position, self._azimuth, self.motion)
 
     def tables(self) -> Tables:
         """Evaluate every ball of every case."""
-        p = self.p
-        azimuth = ball_azimuths(p, self.position.shape[1])
-        found = ball_table(p, self.control, self.displacement, self.position, azimuth, self.motion)
+        azimuth = self._azimuth
+        found = ball_table(
+            self.p, self.control, self.displacement, self.position, azimuth, self.motion,
+            self._contacts,
+        )  # fmt: skip
         motion = found.motion
         elements = Elements(
             row=np.zeros(azimuth.shape[1], np.int64),

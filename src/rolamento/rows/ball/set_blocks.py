@@ -14,18 +14,21 @@ from numpy.typing import NDArray
 
 from rolamento.numerics.compiled import filling, filling_kernel, inline_exact
 from rolamento.rows.ball import lanes, layout, set_lanes
-from rolamento.rows.ball.accept import judge, max_with_nan
+from rolamento.rows.ball.accept import is_finite, judge, max_with_nan
 from rolamento.rows.ball.blocks import (
     begin_lane,
     put_ball,
     put_displacement,
     put_numbers,
+    put_position,
     read_position,
 )
+from rolamento.rows.ball.mirror import Mirror, mirror
 from rolamento.rows.ball.set_lanes import SLIDE, STAND_ROWS, TILT, UNKNOWNS, WAY
 from rolamento.rows.ball.single import FAR, OneCase, Ring, read_ring, ring_around
 from rolamento.rows.ball.types import Array
 from rolamento.status import CONVERGED, NO_EQUILIBRIUM, NOT_CONVERGED, OVERLOADED
+from rolamento.status import TOLERANCE as TOLERANCE_OF_ROWS
 
 STATIC_STEPS: Final = 16
 MOVING_STEPS: Final = 30
@@ -102,7 +105,8 @@ class Work(NamedTuple):
     In lanes: s of the rings, and of each row how it stands (v), its own (w); of each ball (b);
     holds: the case in each lane, its steps, and whether it has
     settled. Of one row of one case: column, its parameters (parameters, 1); own, where it is held
-    (5,); transform, its T (5, 6); the sums over its balls, and their errors (balls, 2).
+    (5,); transform, its T (5, 6); the sums over its balls, and their errors (balls, 2). Of the
+    judge in lanes: mirror, none; contacts (6 * lanes), their stiffness; accepted (rows, lanes).
     """
 
     s: Array
@@ -117,6 +121,9 @@ class Work(NamedTuple):
     transform: Array
     ring: Ring
     errors: Array
+    mirror: Mirror
+    contacts: Array
+    accepted: NDArray[np.bool_]
 
     @classmethod
     def of(cls, rows: int, balls: int, parameters: int) -> Work:
@@ -135,6 +142,9 @@ class Work(NamedTuple):
             transform=np.zeros((five, UNKNOWNS)),
             ring=ring_around(balls),
             errors=np.zeros((balls, 2)),
+            mirror=mirror(balls, 0),
+            contacts=np.zeros(6 * _LANES),
+            accepted=np.zeros((rows, _LANES), np.bool_),
         )
 
 
@@ -357,10 +367,75 @@ def _add_row(
 
 
 @filling
-def _judge(
-    work: Work, rows: Rows, asked: BalanceRequest, k: int, case: int, moving: bool, found: Balance
+def _judge_in_lanes(
+    work: Work, rows: Rows, block: int, chosen: NDArray[np.int64], found: Balance
 ) -> None:
-    """Hold every row where the proposal has it, and measure rows and ring in exact arithmetic."""
+    """Judge the rows of as many cases as there are lanes, with inertia, as `blocks` judges one row.
+
+    Of what is accepted the sums stand in the lanes, as `accept.judge` has them; what is not is
+    left to that one.
+    """
+    for row in range(rows.p.shape[0]):
+        a, z = rows.ends[row], rows.ends[row + 1]
+        w, b, numbers = work.w[row], work.b[a:z], rows.p[row]
+        for lane in range(_LANES):
+            k = min(block + lane, chosen.size - 1)
+            case = chosen[k]
+            own = found.displacement[row, case]
+            _standing(rows.stand, row, k, found.place[case], own)
+            put_numbers(w, 0, lane, numbers, k)
+            begin_lane(w, lane)
+            put_displacement(w, lane, own)
+            w[layout.CAGE * _LANES + lane] = found.cage[row, case]
+            sigmas = k if rows.control.shape[0] > 1 else 0
+            for j in range(z - a):
+                sigma = rows.control[sigmas, a + j]
+                put_ball(w, b[j], lane, rows.cosines[a + j], rows.sines[a + j], sigma)
+                put_position(b[j], lane, found.position[case], a + j)
+        lanes.reset_sums(w)
+        for j in range(z - a):
+            lanes.mark_regrouped(w, b[j])
+        lanes.judge_balls(w, b, work.mirror, numbers[layout.DUTY :], work.contacts)
+        lanes.weigh_ring(w)
+        for j in range(z - a):
+            lanes.weigh_ball(w, b[j])
+        for lane in range(_LANES):
+            case = chosen[min(block + lane, chosen.size - 1)]
+            doubt = w[layout.UNSOUND * _LANES + lane] + w[layout.DOUBTFUL * _LANES + lane]
+            doubt += w[layout.REGROUPED * _LANES + lane]
+            # the lanes have seven coefficients of K
+            few = w[layout.TERMS * _LANES + lane] <= layout.COEFFICIENTS
+            good = doubt == 0.0 and is_finite(found.displacement[row, case])
+            good = good and (few or numbers.shape[1] == 1)
+            good = good and w[layout.UNBALANCED * _LANES + lane] <= TOLERANCE_OF_ROWS
+            work.accepted[row, lane] = good
+
+
+@filling
+def _taken_from_lane(w: Array, lane: int, ring: Ring) -> None:
+    """Take what a row's balls ask of its ring from its lane."""
+    n = layout.DEGREES_OF_FREEDOM
+    for i in range(n):
+        ring.reaction[i] = w[(layout.REACTION + i) * _LANES + lane]
+        for j in range(n):
+            ring.matrix[i, j] = w[(layout.MATRIX + n * i + j) * _LANES + lane]
+
+
+@filling
+def _judge(
+    work: Work,
+    rows: Rows,
+    asked: BalanceRequest,
+    k: int,
+    case: int,
+    moving: bool,
+    lane: int,
+    found: Balance,
+) -> None:
+    """Hold every row where the proposal has it, and measure rows and ring in exact arithmetic.
+
+    lane: in which its rows have been judged, those with inertia.
+    """
     ring, column = work.ring, work.column
     force, stiffness = found.force[case], found.stiffness[case]
     force[:] = 0.0
@@ -370,18 +445,22 @@ def _judge(
     for row in range(rows.p.shape[0]):
         a, z = rows.ends[row], rows.ends[row + 1]
         u = found.displacement[row, case]
-        _standing(rows.stand, row, k, found.place[case], u)
-        for i in range(column.shape[0]):
-            column[i, 0] = rows.p[row, i, k]
-        one = OneCase(
-            column, 0, moving, control[a:z], rows.cosines[a:z], rows.sines[a:z], u,
-            found.position[case, a:z], ring, work.errors[: z - a],
-        )  # fmt: skip
-        code, residual, _ = judge(one, found.cage[row, case])
+        if moving and work.accepted[row, lane]:
+            _taken_from_lane(work.w[row], lane, ring)
+            code, residual = CONVERGED, work.w[row, layout.UNBALANCED * _LANES + lane]
+        else:
+            _standing(rows.stand, row, k, found.place[case], u)
+            for i in range(column.shape[0]):
+                column[i, 0] = rows.p[row, i, k]
+            one = OneCase(
+                column, 0, moving, control[a:z], rows.cosines[a:z], rows.sines[a:z], u,
+                found.position[case, a:z], ring, work.errors[: z - a],
+            )  # fmt: skip
+            code, residual, _ = judge(one, found.cage[row, case])
         found.code[row, case], found.row_residual[row, case] = code, residual
         sound = sound and code in (CONVERGED, OVERLOADED, NO_EQUILIBRIUM)
         reaction, row_stiffness = found.reaction[row, case], found.row_stiffness[row, case]
-        read_ring(ring, column[layout.ARM, 0], reaction, row_stiffness)
+        read_ring(ring, rows.p[row, layout.ARM, k], reaction, row_stiffness)
         for i in range(layout.DEGREES_OF_FREEDOM):
             scale = max_with_nan(scale, abs(ring.reaction[i]))
         _add_row(rows.stand, row, k, ring, work.transform, force, stiffness)
@@ -411,9 +490,11 @@ def solve_sets(
     if moving:
         _settle_moving(work, rows, asked, chosen, found)
     for k in range(chosen.size):
-        case = chosen[k]
+        case, lane = chosen[k], k % _LANES
+        if moving and lane == 0:
+            _judge_in_lanes(work, rows, k, chosen, found)
         found.sound[case] = False
         for row in range(rows.p.shape[0]):
             found.code[row, case] = NOT_CONVERGED
         if found.steps[case] > 0:
-            _judge(work, rows, asked, k, case, moving, found)
+            _judge(work, rows, asked, k, case, moving, lane, found)

@@ -16,6 +16,7 @@ from rolamento.rows.roller import layout
 from rolamento.rows.roller.roller import (
     EXPONENT,
     OVERSHOOT,
+    PRECISION,
     SHORTENINGS,
     SUMS,
     Line,
@@ -27,6 +28,10 @@ from rolamento.rows.roller.roller import (
 
 RING_STEPS: Final = 60
 RING_PRECISION: Final = 1e-11
+FIRST_PRECISION: Final = 1e-3
+"""Of the rollers, over their loads, where a ring that is let go begins."""
+LOOSER: Final = 1e-3
+"""Than the square of what is left unbalanced of the ring, over its loads."""
 FAR: Final = 0.3
 """Fraction of the roller's diameter: the longest step of the ring."""
 DEGREES: Final = 5
@@ -42,17 +47,21 @@ def ring_forces(
     cosines: Array,
     sines: Array,
     u: Array,
-    rollers: tuple[Array, Array],
+    rollers: tuple[Array, Array, Array],
     force: Array,
     stiffness: Array,
+    near: bool,
+    precision: float,
 ) -> tuple[int, float, float, int]:
     """Balance every roller, the ring held at u (x, y, z, ry, rz), and sum up what they answer.
 
-    rollers: η and ω (Z, 2), loads per length (Z, 2, n); force: (5,), stiffness: (5, 5); written.
+    rollers: η and ω (Z, 2), loads per length (Z, 2, n), where the ring was (Z, 3); force: (5,),
+    stiffness: (5, 5); all written.
+    near, precision: whether the rollers begin where they are, and how well they are balanced.
     Returns a number of `rolamento.status`, the worst residual of a roller, the greatest load and
     the steps.
     """
-    states, loads = rollers
+    states, loads, places = rollers
     sums = np.empty((2, SUMS))
     ring, own, tangent = np.empty(3), np.empty(3), np.empty((3, 3))
     lever = np.zeros((3, DEGREES))
@@ -74,7 +83,9 @@ def ring_forces(
             ring[i] = 0.0
             for k in range(DEGREES):
                 ring[i] += lever[i, k] * u[k]
-        found, residual, size, taken = relax(p, column, line, ring, states[j], (sums, loads[j]))
+        found, residual, size, taken = relax(
+            p, column, line, ring, states[j], (sums, loads[j]), places[j], near, precision
+        )
         steps += taken
         worst = residual if not residual <= worst else worst
         scale = max(scale, size)
@@ -131,15 +142,16 @@ def hold_cases(
     stiffness (cases, 5, 5), scale, residual, number and steps (cases).
     """
     state, loads, force, stiffness, scale, residual, number, steps = out
-    u = np.empty(DEGREES)
+    u, places = np.empty(DEGREES), np.empty((cosines.size, 3))
     for case in range(first, last):
         line = line_of(lines, case)
         kept = loads[case if loads.shape[0] > 1 else 0]
         for i in range(DEGREES):
             u[i] = p[layout.IMPOSED + i, case]
         number[case], residual[case], scale[case], steps[case] = ring_forces(
-            p, case, line, cosines, sines, u, (state[case], kept), force[case], stiffness[case]
-        )
+            p, case, line, cosines, sines, u, (state[case], kept, places),
+            force[case], stiffness[case], False, PRECISION,
+        )  # fmt: skip
         worst = scale[case]
         for i in range(DEGREES):
             arm = p[layout.ARM, case] if i > 2 else 1.0
@@ -189,7 +201,7 @@ def settle_cases(
     """
     z = cosines.size
     loads = np.zeros((z, 2, lines[1].shape[1]))
-    rollers, force = (np.zeros((z, 2)), loads), np.empty(DEGREES)
+    rollers, force = (np.zeros((z, 2)), loads, np.zeros((z, 3))), np.empty(DEGREES)
     stiffness, matrix = np.empty((DEGREES, DEGREES)), np.empty((DEGREES, DEGREES))
     rest, step, arms = np.empty(DEGREES), np.empty(DEGREES), np.empty(DEGREES)
     old = np.empty(DEGREES)
@@ -202,8 +214,9 @@ def settle_cases(
         _start(p, case, z, u)
         least, extra = floor(p, case), added(p, case)
         longest = FAR * p[layout.DIAMETER, case]
+        precision = FIRST_PRECISION
         number, _, scale, _ = ring_forces(
-            p, case, line, cosines, sines, u, rollers, force, stiffness
+            p, case, line, cosines, sines, u, rollers, force, stiffness, False, precision
         )
         settled[case], steps[case] = False, 0
         for _ in range(RING_STEPS):
@@ -214,7 +227,7 @@ def settle_cases(
                 rest[i] = (p[layout.APPLIED + i, case] - force[i]) / arms[i] if free else 0.0
                 worst = max(worst, abs(rest[i]))
                 size = max(size, abs(p[layout.APPLIED + i, case]) / arms[i])
-            if worst <= RING_PRECISION * size:
+            if worst <= RING_PRECISION * size and precision <= RING_PRECISION:
                 settled[case] = True
                 break
             if not worst < np.inf or number == status.NOT_CONVERGED:
@@ -236,11 +249,13 @@ def settle_cases(
                 break
             part = min(1.0, longest / length)
             steps[case] += 1
+            # as well as the next step deserves, whose error is the square of this one's
+            precision = min(FIRST_PRECISION, max(LOOSER * (worst / size) ** 2, PRECISION))
             for _ in range(SHORTENINGS):
                 for i in range(DEGREES):
                     u[i] = old[i] + part * step[i] / arms[i]
                 number, _, scale, _ = ring_forces(
-                    p, case, line, cosines, sines, u, rollers, force, stiffness
+                    p, case, line, cosines, sines, u, rollers, force, stiffness, True, precision
                 )
                 ahead = 0.0
                 for i in range(DEGREES):

@@ -16,7 +16,7 @@ import numpy as np
 from rolamento.contact.coupled import coupled_slices
 from rolamento.contact.slices import independent_slices
 from rolamento.numerics import FloatArray as Array
-from rolamento.numerics.compiled import inline_exact, shared
+from rolamento.numerics.compiled import filling, inline_exact, shared
 from rolamento.numerics.newton import LEAST_DAMPING, LEAST_HELP, MUCH_SHORTER
 from rolamento.rows.roller import layout
 
@@ -75,7 +75,7 @@ def rib(p: Array, column: int, apart: float) -> tuple[float, float]:
     return 0.0, 0.0
 
 
-@shared
+@filling
 def press(
     p: Array, column: int, line: Line, ring: Array, shift: float, turn: float, found: Pressed
 ) -> Forces:
@@ -91,7 +91,7 @@ def press(
     return balance(p, column, ring, turn, sums)
 
 
-@shared
+@filling
 def press_contact(
     p: Array, column: int, line: Line, race: int, u: float, w: float, sums: Array, load: Array
 ) -> None:
@@ -190,7 +190,7 @@ def rounding(p: Array, column: int, ring: Array, slices: int, h00: float, h11: f
     return float(known * max(max(slope, couple), max(h00, h11 / (half * half))))
 
 
-@shared
+@filling
 def thrown_out(
     p: Array, column: int, ring: Array, place: Array, drop: Array
 ) -> tuple[float, float]:
@@ -256,59 +256,122 @@ def _lightened(
     while 1.0 < factor < np.inf:
         for row in (layout.CENTRIFUGAL, layout.MOMENT):
             part[row, 0] = factor * p[row, column]
-        shift, turn, more = _by_newton(part, 0, alone, ring, shift, turn, found)
+        press(part, 0, alone, ring, shift, turn, found)
+        shift, turn, more = _by_newton(part, 0, alone, ring, shift, turn, found, PRECISION)
         steps += more
         factor /= LIGHTER
-    shift, turn, more = _by_newton(p, column, line, ring, shift, turn, found)
+    press(p, column, line, ring, shift, turn, found)
+    shift, turn, more = _by_newton(p, column, line, ring, shift, turn, found, PRECISION)
     return shift, turn, steps + more
+
+
+@filling
+def _followed(
+    p: Array,
+    column: int,
+    line: Line,
+    ring: Array,
+    state: Array,
+    before: Array,
+    found: Pressed,
+) -> bool:
+    """Take a roller along with the ring, and press it there; whether it may begin there.
+
+    Between the races it goes half as far as the ring; what only its inertia presses stays at the
+    outer race, where nothing has changed.
+    """
+    sums, loads = found
+    old_shift, old_turn = middle(p, column, before)
+    new_shift, new_turn = middle(p, column, ring)
+    shift, turn = state[0] + new_shift - old_shift, state[1] + new_turn - old_turn
+    u, w = inner_line(p, column, shift, turn)
+    press_contact(p, column, line, INNER, u, w, sums[INNER], loads[INNER])
+    if not sums[INNER, 0] > 0.0:
+        approach, _ = outer_line(p, column, before, state[0], state[1])
+        turn = state[1] + before[2] - ring[2]
+        without, _ = outer_line(p, column, ring, 0.0, turn)
+        shift = (approach - without) / p[layout.OUTER_SHIFT, column]
+        u, w = inner_line(p, column, shift, turn)
+        press_contact(p, column, line, INNER, u, w, sums[INNER], loads[INNER])
+        if sums[INNER, 0] > 0.0:
+            return False
+    u, w = outer_line(p, column, ring, shift, turn)
+    press_contact(p, column, line, OUTER, u, w, sums[OUTER], loads[OUTER])
+    state[0], state[1] = shift, turn
+    return bool(sums[OUTER, 0] > 0.0)
 
 
 @shared
 def relax(
-    p: Array, column: int, line: Line, ring: Array, state: Array, found: Pressed
+    p: Array,
+    column: int,
+    line: Line,
+    ring: Array,
+    state: Array,
+    found: Pressed,
+    before: Array,
+    near: bool,
+    precision: float,
 ) -> tuple[bool, float, float, int]:
     """Find the balance of a roller.
 
-    state: η, ω, written; found: sums and loads, written. Returns whether it is in balance, the
-    unbalanced load over the scale of the loads, that scale, and Newton steps.
+    state: η, ω, written; before: where the ring was for it (3,), written; near: whether it was
+    in balance there, and begins from there. found: sums and loads, written. Returns whether it is
+    in balance, the unbalanced load over the scale of the loads, that scale, and Newton steps.
     """
     sums = found[0]
     half = 0.5 * p[layout.LENGTH, column]
     least = floor(p, column)
-    shift, turn = middle(p, column, ring)
-    forces = press(p, column, line, ring, shift, turn, found)
-    if sums[0, 0] + sums[1, 0] == 0.0 and p[layout.CENTRIFUGAL, column] > 0.0:
-        shift, turn = thrown_out(p, column, ring, line[1], line[2][OUTER])
-    shift, turn, steps = _by_newton(p, column, line, ring, shift, turn, found)
+    accepted = max(ACCEPTED, precision)
+    if not (near and _followed(p, column, line, ring, state, before, found)):
+        shift, turn = middle(p, column, ring)
+        press(p, column, line, ring, shift, turn, found)
+        if sums[0, 0] + sums[1, 0] == 0.0 and p[layout.CENTRIFUGAL, column] > 0.0:
+            shift, turn = thrown_out(p, column, ring, line[1], line[2][OUTER])
+            press(p, column, line, ring, shift, turn, found)
+    else:
+        shift, turn = state[0], state[1]
+    shift, turn, steps = _by_newton(p, column, line, ring, shift, turn, found, precision)
     for attempt in range(2):
-        forces = press(p, column, line, ring, shift, turn, found)
+        forces = balance(p, column, ring, turn, sums)
         size = max(forces[6], least)
         residual = max(abs(forces[0]), abs(forces[1]) / half) / size
-        if residual > ACCEPTED:
+        if residual > accepted:
             residual = max(
                 residual - rounding(p, column, ring, line[1].size, forces[2], forces[5]) / size, 0.0
             )
-        if residual <= ACCEPTED or attempt > 0:
+        if residual <= accepted or attempt > 0:
             break
         shift, turn, more = _lightened(p, column, line, ring, found)
         steps += more
     state[0], state[1] = shift, turn
-    return residual <= ACCEPTED, residual, size, steps
+    before[:] = ring
+    return residual <= accepted, residual, size, steps
 
 
-@shared
+@filling
 def _by_newton(
-    p: Array, column: int, line: Line, ring: Array, shift: float, turn: float, found: Pressed
+    p: Array,
+    column: int,
+    line: Line,
+    ring: Array,
+    shift: float,
+    turn: float,
+    found: Pressed,
+    precision: float,
 ) -> tuple[float, float, int]:
-    """Come down to the balance of a roller by Newton's method: η, ω, and steps."""
+    """Come down to the balance of a roller by Newton's method: η, ω, and steps.
+
+    found: as the roller is pressed where it begins, then where it ends.
+    """
     half = 0.5 * p[layout.LENGTH, column]
     least, extra = floor(p, column), added(p, column)
     longest = LONGEST * p[layout.DIAMETER, column]
-    g0, g1, h00, h01, h10, h11, scale = press(p, column, line, ring, shift, turn, found)
+    g0, g1, h00, h01, h10, h11, scale = balance(p, column, ring, turn, found[0])
     steps, damping, before = 0, 0.0, np.inf
     while True:
         left = max(abs(g0), abs(g1) / half)
-        if not left > PRECISION * max(scale, least) or steps >= STEPS:
+        if not left > precision * max(scale, least) or steps >= STEPS:
             break
         if left <= rounding(p, column, ring, line[1].size, h00, h11) and left > 0.5 * before:
             break  # no step betters its rounding
@@ -343,7 +406,7 @@ def _by_newton(
     return shift, turn, steps
 
 
-@shared
+@filling
 def condensed(
     p: Array,
     column: int,

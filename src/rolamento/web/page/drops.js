@@ -138,6 +138,9 @@ class Drop {
   async take(file) {
     this.forget();
     this.name = file.name;
+    const held = new DataTransfer(); // a file that is dropped stands where a chosen one does
+    held.items.add(file);
+    this.input.files = held.files;
     const text = this.table && file.size <= MOST_SHOWN ? await file.text() : "\0";
     if (/[\0\uFFFD]/.test(text)) this.file = file; // what is not plain text is read by the server
     else this.table.value = text;

@@ -100,7 +100,9 @@ class Control {
     this.isGiven = own || counted?.origin === "given";
     this.hasValue = own || counted !== undefined;
     this.clear.hidden = !(raw !== undefined && raw !== null);
-    this.origin.textContent = this.isGiven || !counted ? "" : originOf(counted);
+    if (this.isGiven) this.gone = "";
+    this.origin.textContent = this.gone || (this.isGiven || !counted ? "" : originOf(counted));
+    this.origin.classList.toggle("gone", Boolean(this.gone));
     const replaced = !this.hasValue && !this.expanded && this.rivals().some((one) => one.hasValue);
     this.body.hidden = replaced;
     this.instead.hidden = !replaced;
@@ -112,6 +114,12 @@ class Control {
     const text = counted === undefined ? "" : String(counted.text);
     put(this.control, raw !== undefined ? String(raw) : this.isGiven ? text : "");
     this.control.placeholder = text;
+  }
+
+  /** Say that it gave way to another field, until it says something again. */
+  give(label) {
+    this.gone = say("form.gave", { label });
+    this.show();
   }
 
   /** Show what is wrong with it; null: nothing. */
@@ -155,6 +163,11 @@ class NumberControl extends Control {
       onchange: () => this.arrange(true),
     });
     return textInput(this, [], "decimal");
+  }
+
+  /** Up to where a value is likely, as the server says of the case. */
+  likely() {
+    return this.place.likely?.();
   }
 
   get unit() {
@@ -201,7 +214,9 @@ class NumberControl extends Control {
     const range = this.range;
     const inside = range && value >= range.low && value <= range.high;
     const end = atEnds && (value >= range?.high * 0.999 || value <= range?.low);
-    if (!inside || end) this.range = reach(field, value);
+    const { most = 0 } = this.likely() ?? {};
+    if (!inside || end || this.most !== most) this.range = reach(field, value, most);
+    this.most = most;
     const place = placeOf(value, this.range);
     if (document.activeElement !== slider || end) slider.value = place;
     slider.classList.toggle("unsaid", this.si === undefined);
@@ -210,10 +225,10 @@ class NumberControl extends Control {
 
   slid() {
     const { range, unit } = this;
-    const { low, high, log } = range;
     const part = this.slider.value / STEPS;
-    const si = log ? low * (high / low) ** part : low + (high - low) * part;
-    const step = log ? (si * Math.log(high / low)) / STEPS : (high - low) / STEPS;
+    const si = valueOf(part, range);
+    const near = valueOf(part < 1 ? part + 1 / STEPS : part - 1 / STEPS, range);
+    const step = Math.abs(near - si);
     const number = rounded(fromSi(si, unit), step / unit.factor);
     this.control.value = shown(number);
     this.slider.setAttribute("aria-valuetext", `${shown(number, 4)} ${unit.label}`);
@@ -341,6 +356,7 @@ function makeControl(field, place, rivals) {
  */
 export function makeForm(root, start, store, changed) {
   const controls = new Map();
+  const gaveWay = new Map(); // by field: the label of the one that took its place
   const fields = start.form.groups.flatMap((group) => group.fields);
   const byName = new Map(fields.map((one) => [one.name, one]));
 
@@ -351,9 +367,24 @@ export function makeForm(root, start, store, changed) {
         return name in slot.changes ? slot.changes[name] : valueAt(slot.case, name);
       },
       pending: () => name in store.current.changes,
+      likely: () => store.current.likely?.[name],
       counted: (inner = "") => store.current.inputs[`${name}${inner}`],
-      write: (value, quick) => changed(name, value, quick),
+      write: (value, quick) => {
+        const given = value === null ? [] : (byName.get(name)?.replaces ?? []).map((rival) => controls.get(rival))
+          .filter((other) => other?.isGiven);
+        changed(name, value, quick);
+        for (const other of given) gaveWay.set(other.field.name, byName.get(name).label);
+      },
     };
+  }
+
+  /** Tell of fields that another one took the place of, once the answer says so. */
+  function tellOfThose() {
+    for (const [name, label] of gaveWay) {
+      const control = controls.get(name);
+      if (control && !control.isGiven) control.give(label);
+      if (!control || !control.isGiven) gaveWay.delete(name);
+    }
   }
 
   /** A table that is also given by a word needs no field for the word where its own say it. */
@@ -405,6 +436,7 @@ export function makeForm(root, start, store, changed) {
       one.element.classList.toggle("unsuited", !suits(one.field, store.current));
       one.show();
     }
+    tellOfThose();
     fail(store.current.error);
   }
 
@@ -477,8 +509,17 @@ export function put(input, text) {
 export const indexed = (text) => text.split(/(?<=\p{L})_(\w+)/u)
   .map((part, n) => (n % 2 ? make("sub", { textContent: part }) : part));
 
-const placeOf = (value, { low, high, log }) =>
-  Math.round(STEPS * (log ? Math.log(value / low) / Math.log(high / low) : (value - low) / (high - low)));
+const placeOf = (value, { low, high, log, power = 1 }) => {
+  if (log) return Math.round((STEPS * Math.log(value / low)) / Math.log(high / low));
+  const part = (value - low) / (high - low);
+  return Math.round(STEPS * (low < 0 && power > 1 ? 1 - (1 - part) ** (1 / power) : part ** (1 / power)));
+};
+
+/** The value at a part of a slider's way. */
+const valueOf = (part, { low, high, log, power = 1 }) => {
+  if (log) return low * (high / low) ** part;
+  return low + (high - low) * (low < 0 && power > 1 ? 1 - (1 - part) ** power : part ** power);
+};
 
 const folded = (text) => text.normalize("NFD").replace(/\p{M}/gu, "").toLowerCase();
 

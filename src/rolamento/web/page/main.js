@@ -6,10 +6,12 @@ import {
 import { startCurves, curvesStale } from "./curves.js";
 import { saveReport, startDrops } from "./drops.js";
 import { isSet, kindsOf, makeForm, useOrigins } from "./form.js";
+import { makeLead } from "./lead.js";
 import { liveLoop } from "./live.js";
 import { makeMachine } from "./machine.js";
 import { makeOpening } from "./opening.js";
 import { offerPictures, retheme, showPictures, stalePictures, startPictures, visibleKeys } from "./pictures.js";
+import { startSeek } from "./seek.js";
 import { packed, unpacked } from "./share.js";
 import { Store } from "./store.js";
 import { useUnits } from "./units.js";
@@ -21,7 +23,9 @@ const $ = (id) => document.getElementById(id);
 const store = new Store();
 let start = null; // what GET /page/start hands over
 let form = null;
+let lead = null;
 let shownSource = 0; // of the case that the form was made for
+let warming = 0; // timer until it is asked how far the server is
 let asking = 0; // timer of the sign that an answer is awaited
 
 // --- starting ----------------------------------------------------------------------------------
@@ -33,21 +37,37 @@ function applyTheme() {
   $("theme").value = theme;
 }
 
-/** The answer of /page/start, waiting for a server that is warming up or away. */
+/** The answer of /page/start, waiting for a server that is away; one that warms up answers. */
 async function started(lang) {
   for (;;) {
     try {
       const answer = await ask("start", undefined, { lang });
       speak(answer);
-      const part = Math.round(100 * (answer.progress ?? 0));
-      banner(answer.ready ? "" : say("warming", { part }));
-      if (answer.ready) return answer;
+      banner("");
+      watchWarmth(answer);
+      return answer;
     } catch (error) {
       if (!(error instanceof Silent) && error.status !== 503) throw error;
       if (start) banner(say("server.silent"));
     }
     await new Promise((resolve) => setTimeout(resolve, AGAIN));
   }
+}
+
+/** Say how far a server is that still makes ready: nothing waits for it but what it calculates. */
+function watchWarmth({ ready, progress }) {
+  const part = Math.round(100 * (progress ?? 0));
+  $("warming").hidden = ready;
+  $("warming").textContent = ready ? "" : say("warming", { part });
+  clearTimeout(warming);
+  if (ready) return;
+  warming = setTimeout(async () => {
+    try {
+      watchWarmth(await ask("warmth"));
+    } catch {
+      watchWarmth({ ready, progress });
+    }
+  }, AGAIN);
 }
 
 /** Put everything that has words in place; again after a change of the language. */
@@ -73,10 +93,24 @@ function arrange() {
     buttons();
   });
   shownSource = 0;
+  lead = makeLead({
+    fields: start.form.groups.flatMap((group) => group.fields), current: () => store.current, names: () => store.names,
+    change: (changes, aside = false) => {
+      if (aside && store.slots.length === 1) goTo(() => store.compare()); // beside what there is
+      for (const [name, value] of Object.entries(changes)) store.change(name, value);
+      showCases();
+      live.restart();
+    },
+  });
   $("pictures").replaceChildren();
   startPictures($("pictures"), start.pictures, start.words, { lang: start.lang, onVisible: () => store.current && live.follow() });
   $("curves").replaceChildren();
-  startCurves($("curves"), { words: start.words, lang: start.lang, say, ask, cases: () => store.slots.map((one) => one.case) });
+  startCurves($("curves"), { words: start.words, lang: start.lang, say, ask, cases: () => shownSlots().map((one) => one.case) });
+  startSeek($("seek"), { current: () => store.current, use: (field, value) => {
+    store.change(field, value);
+    showCases();
+    live.follow();
+  } });
   watcher.disconnect();
   $("sections").replaceChildren(...[{ key: "notes", label: say("notes") }, ...start.sections].map(makeSection));
   for (const kind of ["weibull", "signal"]) {
@@ -162,6 +196,12 @@ async function openAll(requests, active = 0) {
   live.restart();
 }
 
+/** The cases that pictures show: the first, and the edited one or the second. */
+function shownSlots() {
+  const { slots, active } = store;
+  return slots.length > 1 ? [slots[0], slots[active || 1]] : slots;
+}
+
 const titleOf = (slot) => slot.case.title || slot.case.bearing?.designation || say("untitled");
 
 /** Show what does not need an answer: title, the form, which case is edited. */
@@ -173,17 +213,43 @@ function showCases() {
   document.title = `${titleOf(current)} – Rolamento`;
   $("slots").hidden = slots.length < 2;
   $("compare").setAttribute("aria-pressed", String(slots.length > 1));
-  slots.forEach((slot, n) => {
-    const input = document.querySelector(`input[name="slot"][value="${n}"]`);
-    input.checked = n === store.active;
-    input.nextElementSibling.textContent = titles.length > 1 ? titleOf(slot) : "";
-  });
+  showSlots();
   if (current.source !== shownSource) form.rebuild();
   else form.show();
   shownSource = current.source;
   offerPictures(start.pictures.filter(suitable).map((one) => one.key));
   showStatus();
   buttons();
+}
+
+/** The cases by name, of which one is edited. */
+function showSlots() {
+  const known = JSON.stringify([store.names, store.active]);
+  if ($("slot-list").dataset.known === known) return;
+  $("slot-list").dataset.known = known;
+  $("add").hidden = store.slots.length >= store.most;
+  $("slot-list").replaceChildren(...store.slots.map((slot, n) => make("div", { className: "slot" },
+    make("input", {
+      type: "radio", name: "slot", value: n, checked: n === store.active, "aria-label": say("compare.edit.one", { name: store.names[n] }),
+      onchange: () => {
+        store.active = n;
+        store.keep();
+        showCases();
+        live.restart();
+      },
+    }),
+    make("input", {
+      type: "text", value: store.names[n], maxLength: 40, autocomplete: "off", "aria-label": say("compare.name", { name: store.names[n] }),
+      onchange: (event) => {
+        store.call(n, event.target.value);
+        showCases();
+        live.restart();
+      },
+    }),
+    store.slots.length > 2 ? make("button", {
+      type: "button", className: "close", textContent: "×", "aria-label": say("compare.drop", { name: store.names[n] }),
+      onclick: () => goTo(() => store.drop(n)),
+    }) : null)));
 }
 
 function suitable({ of }) {
@@ -218,6 +284,7 @@ const watcher = new IntersectionObserver((entries) => {
 
 const live = liveLoop(store, {
   wishes: (quick) => ({
+    active: store.active,
     pictures: visibleKeys(quick),
     sections: sectionsOpen().map((one) => one.dataset.section)
       .filter((key) => key !== "notes" && (!quick || seen.has(key))),
@@ -260,8 +327,7 @@ function showAnswer(answer, quick, asked) {
     stalePictures(visibleKeys());
     return;
   }
-  setHtml($("summary"), answer.summary);
-  $("summary").classList.toggle("one", store.slots.length === 1);
+  lead.show(answer, quick, store);
   showPictures(answer.pictures);
   const late = answer.cases.flatMap((one) => one.status?.left_out ?? []).map((one) => LEFT_OUT[one]);
   for (const section of sectionsOf()) {
@@ -282,7 +348,7 @@ function showAnswer(answer, quick, asked) {
 
 /** Say of the results that they are not current; "" that they are. */
 function stale(word) {
-  for (const one of [$("summary"), $("pictures"), ...sectionsOf()]) mark(one, word);
+  for (const one of [$("figures"), $("drawing"), $("compared"), $("pictures"), ...sectionsOf()]) mark(one, word);
 }
 
 function mark(element, word, isPart = false) {
@@ -295,12 +361,15 @@ function showStatus() {
   const many = store.slots.length > 1;
   const lines = store.slots.map((slot, n) => {
     const { status, error } = slot;
-    const good = !error && status?.converged && !status.advice; // a case without a load has advice
+    if (!error && status?.unloaded) // what is asked for says so itself
+      return make("p", { className: "faint" }, ` ${many ? `${store.names[n]}: ` : ""}${say("first.status")}`);
+    const good = !error && status?.converged && !status.advice;
     const sign = error ? "✗" : good ? "✓" : status ? "!" : "…";
-    const text = error ? error.message : !status ? say("stale.waiting")
+    const plain = error ? error.message : !status ? say("stale.waiting")
       : good ? say("status.converged") : [status.text, status.advice].filter(Boolean).join(". ");
+    const text = plain.charAt(0).toUpperCase() + plain.slice(1);
     const line = make("p", { className: error ? "bad" : good ? "good" : status ? "warning" : "faint" },
-      make("span", { "aria-hidden": "true", textContent: sign }), ` ${many ? `${"AB"[n]}: ` : ""}${text}`);
+      make("span", { "aria-hidden": "true", textContent: sign }), ` ${many ? `${store.names[n]}: ` : ""}${text}`);
     return line;
   });
   const text = lines.map((one) => one.textContent).join();
@@ -358,7 +427,7 @@ for (const format of ["html", "pdf"])
   $(`report-${format}`).onclick = doing(async () => {
     $(`report-${format}`).disabled = true;
     try {
-      await saveReport({ cases: store.slots.map((one) => one.case) }, format, { lang: start.lang });
+      await saveReport({ cases: store.slots.map((one) => one.case), names: store.slots.length > 1 ? store.names : [] }, format, { lang: start.lang });
     } finally {
       buttons();
     }
@@ -384,12 +453,7 @@ $("redo").onclick = () => goTo(() => store.redo());
 $("reset").onclick = () => goTo(() => store.reset());
 $("compare").onclick = () => goTo(() => (store.slots.length > 1 ? store.single() : store.compare()));
 $("keep").onclick = () => goTo(() => store.single());
-for (const one of document.querySelectorAll('input[name="slot"]'))
-  one.onchange = () => {
-    store.active = Number(one.value);
-    store.keep();
-    showCases();
-  };
+$("add").onclick = () => goTo(() => store.compare());
 $("filter").oninput = () => form.filter($("filter").value);
 $("language").onchange = doing(() => changeLanguage($("language").value));
 $("theme").onchange = () => {

@@ -15,13 +15,19 @@ export function makeOpening({ panel, button, open, mayClose }) {
     .map((id) => document.getElementById(id));
   let timer = 0;
   let latest = 0;
+  let drawings = null;
+  let latestFound = null; // what the last search found, and of which text
 
   function show(isOpen) {
     panel.hidden = !isOpen;
     button.setAttribute("aria-expanded", String(isOpen));
+    const starts = isOpen && !mayClose();
+    document.body.classList.toggle("starting", starts);
+    document.getElementById("opening-head").setAttribute("aria-level", starts ? 1 : 2);
     if (isOpen) {
       wrong.textContent = "";
       wanted.focus();
+      draw();
     }
   }
 
@@ -41,9 +47,30 @@ export function makeOpening({ panel, button, open, mayClose }) {
     }
   }
 
-  const entry = (title, text, request) => make("li", {}, make("button", {
-    type: "button", onclick: () => opened(request),
-  }, make("strong", { textContent: title }), text ? ` ${text}` : null));
+  const entry = (title, text, request, tag = "") => make("li", {}, make("button", {
+    type: "button", className: tag ? "best" : "", onclick: () => opened(request),
+  }, tag ? make("span", { className: "tag", textContent: tag }) : null, tag ? " " : null,
+  make("strong", { textContent: title }), text ? ` ${text}` : null));
+
+  /** An example as a picture with its title. */
+  const card = (one) => make("li", {}, make("button", {
+    type: "button", className: "card", onclick: () => opened({ example: one.name }),
+  }, make("span", { className: "thumb", "data-example": one.name }), make("span", { className: "hidden", textContent: `${one.name}: ` }),
+  make("span", { textContent: one.title })));
+
+  /** Fetch the drawings of the examples when they are first seen. */
+  async function draw() {
+    drawings ??= ask("drawings").catch(() => (drawings = null));
+    const known = await drawings;
+    if (!known) return;
+    for (const place of document.querySelectorAll("#examples .thumb"))
+      if (!place.firstChild && known[place.dataset.example]) {
+        place.innerHTML = known[place.dataset.example];
+        place.firstChild.setAttribute("aria-hidden", "true");
+        place.firstChild.removeAttribute("role");
+        place.querySelector("title")?.remove();
+      }
+  }
 
   async function search() {
     const text = wanted.value.trim();
@@ -62,9 +89,32 @@ export function makeOpening({ panel, button, open, mayClose }) {
       return;
     }
     if (mine !== latest) return;
-    const { bearings, more } = answer;
-    count.textContent = say(more ? "open.many" : "open.found", { n: bearings.length });
-    found.replaceChildren(...bearings.map((one) => entry(one.designation, sizes(one), { designation: one.designation })));
+    const { bearings, more, opens, why, near } = answer;
+    const plain = (one) => one.replace(/[\s/-]/g, "").toLowerCase();
+    const isListed = opens && bearings.some((one) => plain(one.designation) === plain(opens.designation));
+    latestFound = { text, opens, bearings };
+    count.textContent = opens && !isListed && !bearings.length ? ""
+      : bearings.length ? say(more ? "open.many" : "open.found", { n: bearings.length })
+        : why ? capital(why) + (near.length ? `. ${say("open.near")}` : "") : say("open.found", { n: 0 });
+    found.replaceChildren(
+      ...(opens && !isListed ? [entry(opens.designation, [opens.arrangement, sizes(opens)].filter(Boolean).join(", "), { designation: text }, say("open.as"))] : []),
+      ...bearings.map((one) => entry(one.designation, sizes(one), { designation: one.designation })),
+      ...near.map((one) => entry(one, "", { designation: one })));
+  }
+
+  /** Open what was typed; sizes are no designation: the bearing that has them, or a choice. */
+  async function submitted(text) {
+    if (/^[\d.,]+\s*[x×]\s*[\d.,]+(\s*[x×]\s*[\d.,]+)?$/i.test(text)) {
+      if (latestFound?.text !== text) await search();
+      const { bearings = [] } = latestFound ?? {};
+      if (bearings.length === 1) return opened({ designation: bearings[0].designation });
+      if (bearings.length) {
+        wrong.textContent = say("open.choose");
+        found.querySelector("button")?.focus();
+        return undefined;
+      }
+    }
+    return opened({ designation: text });
   }
 
   async function read(one) {
@@ -78,15 +128,17 @@ export function makeOpening({ panel, button, open, mayClose }) {
   }
 
   function arrange(examples) {
-    const list = examples.map((one) => entry(one.name, one.title, { example: one.name }));
-    document.getElementById("examples").replaceChildren(...list);
+    document.getElementById("examples").replaceChildren(...examples.map(card));
+    if (!panel.hidden) draw();
     search();
   }
 
   button.onclick = () => show(panel.hidden || !mayClose());
   document.getElementById("finder").onsubmit = (event) => {
     event.preventDefault();
-    if (wanted.value.trim()) opened({ designation: wanted.value.trim() });
+    clearTimeout(timer);
+    const text = wanted.value.trim();
+    if (text) submitted(text);
   };
   wanted.oninput = () => {
     clearTimeout(timer);
@@ -106,6 +158,8 @@ export function makeOpening({ panel, button, open, mayClose }) {
   });
   return { show, arrange };
 }
+
+const capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 
 function sizes({ kind, bore, outside_diameter: outside, width, dynamic_rating: rating }) {
   const lengths = [bore, outside, width].filter(Boolean).map((one) => shown(one * 1e3, 6)).join(" × ");

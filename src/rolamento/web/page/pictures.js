@@ -114,7 +114,7 @@ export function showPictures(answer) {
   const late = [];
   for (const [key, own] of figures) {
     if (answer[key]) Object.assign(own, { next: answer[key], current: true, asked: false });
-    else if (!own.apart && !answer.curve) late.push(key); // of an earlier case
+    else if (!own.apart && !answer.curve && !answer.seek) late.push(key); // of an earlier case
   }
   stalePictures(late);
   later();

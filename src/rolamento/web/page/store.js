@@ -3,6 +3,8 @@
 import { remember, remembered } from "./ask.js";
 
 const MOST_STEPS = 200;
+const MOST = 4;
+const LETTERS = "ABCD";
 
 /**
  * @typedef {object} Slot
@@ -36,7 +38,31 @@ export class Store {
 
   /** The cases as the next request takes them. */
   get asked() {
-    return this.slots.map((one) => ({ case: one.case, changes: { ...one.changes } }));
+    const names = this.names;
+    return this.slots.map((one, n) => ({ case: one.case, changes: { ...one.changes }, name: names[n] }));
+  }
+
+  /** How many cases may stand side by side. */
+  get most() {
+    return MOST;
+  }
+
+  /** What the cases are called: as the reader says, or by letters. */
+  get names() {
+    return this.slots.map((one, n) => one.name || LETTERS[n]);
+  }
+
+  /** Give a case a name; an empty one gives its letter back. */
+  call(n, name) {
+    this.slots[n].name = name.trim().slice(0, 40);
+    this.settled();
+  }
+
+  /** Take one of several cases out. */
+  drop(n) {
+    this.slots = this.slots.filter((_, place) => place !== n);
+    this.active = Math.min(this.active > n ? this.active - 1 : this.active, this.slots.length - 1);
+    this.settled();
   }
 
   /** Put opened cases in place of all, or one in place of the edited one. */
@@ -45,7 +71,7 @@ export class Store {
       case: answer.case, opened: answer.case, source: ++this.#sources, changes: {}, error: null,
       inputs: answer.inputs, elements: answer.elements, status: null,
     }));
-    if (fresh.length === 1 && this.slots.length === 2) this.slots[this.active] = fresh[0];
+    if (fresh.length === 1 && this.slots.length > 1) this.slots[this.active] = { ...fresh[0], name: this.slots[this.active].name };
     else [this.slots, this.active] = [fresh, active];
     this.settled();
   }
@@ -67,6 +93,7 @@ export class Store {
       slot.status = answer.status;
       slot.elements = answer.elements;
       slot.title = answer.title;
+      if (answer.likely) slot.likely = answer.likely;
       if (answer.inputs) slot.inputs = answer.inputs;
       for (const [name, value] of Object.entries(asked[place].changes))
         if (slot.changes[name] === value) delete slot.changes[name];
@@ -110,11 +137,12 @@ export class Store {
     [slot.case, slot.changes, slot.error] = [slot.opened, {}, null];
   }
 
-  /** A beside B: a copy of the case, which is edited from now on. */
+  /** One more beside those there are: a copy of the edited case, which is edited from now on. */
   compare() {
+    if (this.slots.length >= MOST) return;
     const { opened, ...slot } = this.current;
-    this.slots = [this.current, { ...slot, opened: slot.case, changes: {}, error: null, source: ++this.#sources }];
-    this.active = 1;
+    this.slots = [...this.slots, { ...slot, name: "", opened: slot.case, changes: {}, error: null, source: ++this.#sources }];
+    this.active = this.slots.length - 1;
     this.settled();
   }
 
@@ -127,7 +155,7 @@ export class Store {
 
   /** Remember the cases for the next visit. */
   keep() {
-    remember(this.kept, { cases: this.slots.map((one) => one.case), active: this.active });
+    remember(this.kept, { cases: this.slots.map((one) => one.case), names: this.slots.map((one) => one.name ?? ""), active: this.active });
   }
 
   static kept(name = "cases") {
@@ -136,7 +164,7 @@ export class Store {
   }
 
   #snapshot() {
-    const slots = this.slots.map(({ case: tables, opened, source }) => ({ case: tables, opened, source }));
+    const slots = this.slots.map(({ case: tables, opened, source, name = "" }) => ({ case: tables, opened, source, name }));
     return JSON.stringify({ slots, active: this.active });
   }
 

@@ -5,6 +5,8 @@ import { remember, remembered } from "./ask.js";
 const SAME = { um: "µm" };
 const QUANTITY = /^([-+\u2212]?(?:\d{1,3}(?:[\u00a0 ]\d{3})+(?:[.,]\d*)?|[\d.,]*\d[.,]?)(?:e[-+]?\d+)?)\s*(.*)$/i;
 
+const FINE = 2.5; // of a slider's place: a tenth of the way is a three-hundredth of the range
+
 let table = {};
 let mark = ".";
 
@@ -60,8 +62,15 @@ export const unitChosen = (field) =>
 
 export const chooseUnit = (field, unit) => remember(`unit.${field.dimension}.${field.unit}`, unit);
 
-/** Between what a slider of a field moves, in SI, and whether by ratios. */
-export function reach(field, value) {
+/**
+ * Between what a slider of a field moves, in SI, and whether by ratios; `power`: fine near zero.
+ * most: up to where a value is likely, if that is known.
+ */
+export function reach(field, value, most = 0) {
+  if (most > 0) {
+    const end = Math.max(most, 1.25 * Math.abs(value));
+    return { low: value < 0 ? -end : 0, high: value < 0 ? 0 : end, log: false, power: FINE };
+  }
   const low = field.limits.at_least ?? field.limits.above ?? -Infinity;
   const high = field.limits.at_most ?? field.limits.below ?? Infinity;
   const size = Math.abs(value) || Math.abs(exampleOf(field)) || 1;

@@ -1,0 +1,233 @@
+"""Design questions of the page: what would help most, and which input gives an output its value."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from math import isfinite
+from typing import TYPE_CHECKING, Any, Final
+
+import numpy as np
+
+from rolamento.case import Case
+from rolamento.case.fields import changed
+from rolamento.errors import InputError
+from rolamento.life.sensitivity import CHANGES, sensitivity
+from rolamento.pages.across import read_text
+from rolamento.pages.seek import seek_statement
+from rolamento.plots.axes_units import read_values, readable_unit
+from rolamento.plots.texts import capitalised
+from rolamento.solution import solve
+from rolamento.studies.fields import read_field
+from rolamento.tasks.curve import Scale, fields_over, outputs_over
+from rolamento.tasks.report import number_of_field
+from rolamento.tasks.seek import GoalSeek
+from rolamento.web.curves import picture_of
+from rolamento.web.drawing import numbers
+from rolamento.words import said
+
+if TYPE_CHECKING:
+    from rolamento.tasks.seek import Goal
+
+__all__ = ["helps", "seek"]
+
+_WIDE: Final = 100.0
+"""Times its least value: beyond, an output is drawn by ratios."""
+_LOADS: Final = tuple(f"duty.load.{name}" for name in ("fx", "fy", "fz", "my", "mz"))
+_TILTS: Final = ("duty.displacement.ry", "duty.displacement.rz")
+_GRADE: Final = re.compile(r"ISO VG (\d+)$")
+_GRADES: Final = (2, 3, 5, 7, 10, 15, 22, 32, 46, 68, 100, 150, 220, 320, 460, 680, 1000, 1500)
+"""Of ISO 3448: each about 1.5 times as viscous as the one before."""
+_USUAL_FIELDS: Final = (
+    "bearing.preload.force", "bearing.diametral_clearance", "bearing.contact_angle",
+    "duty.load.fz", "duty.load.fx", "duty.inner_speed", "temperature.lubricant",
+)  # fmt: skip
+_USUAL_OUTPUTS: Final = (
+    "life_hours", "max_inner_max_pressure", "max_outer_max_pressure", "stiffness_xx",
+    "stiffness_zz", "static_safety", "viscosity_ratio", "friction_torque", "preload_at_speed",
+)  # fmt: skip
+
+
+def helps(request: Mapping[str, Any]) -> dict[str, Any]:
+    """Return what would make the life of a case longer, the most helpful first.
+
+    Parameters
+    ----------
+    request
+        ``case``: tables as a file has them.
+
+    Returns
+    -------
+    dict
+        ``trials``: of each ``label``, ``times`` (life after it over life before), and ``changes``
+        by field, as a file has them, with which the page tries it; none where no field says it.
+    """
+    tables = _tables(request)
+    case = Case.from_mapping(tables)
+    solved = solve(case)
+    if not solved.converged[0]:
+        return {"trials": []}
+    try:
+        found = sensitivity(solved)
+    except InputError:  # no life: nothing to make longer
+        return {"trials": []}
+    return {
+        "trials": [
+            {
+                "name": one.name,
+                "label": capitalised(one.note.text),
+                "times": said("life × {times:.3}", times=one.life_ratio),
+                "ratio": one.life_ratio,
+                "changes": _valid(tables, dict(_changes(case, one.name))),
+            }
+            for one in found
+            if isfinite(one.life_ratio)
+        ]
+    }
+
+
+def _changes(case: Case, name: str) -> Iterator[tuple[str, Any]]:
+    """What a change of `rolamento.life.sensitivity` writes into a case file, if fields say it."""
+    size = CHANGES[name]
+    if name in ("less_load", "less_tilt"):
+        for field in _LOADS if name == "less_load" else _TILTS:
+            own = number_of_field(case, field)
+            if own:
+                yield field, read_field(field).written((1.0 + size) * own)
+    elif name in ("less_clearance", "more_clearance"):
+        field = "bearing.diametral_clearance"
+        own = number_of_field(case, field)
+        if own is not None and case.mounting is None:
+            yield field, read_field(field).written(own + size)
+    elif name == "profiled_rollers":
+        yield "bearing.roller_profile.kind", "iso"
+    elif name == "thicker_oil" and case.lubricant is not None:
+        base = case.lubricant.base_oil
+        match = _GRADE.match(base or str(case.lubricant.name))
+        thicker = [one for one in _GRADES if match and one > int(match[1])]
+        if thicker:
+            field = "lubricant" if base is None else "lubricant.base_oil"
+            yield field, f"ISO VG {thicker[0]}"
+    elif name == "cleaner_oil" and case.life is not None and case.life.contamination is not None:
+        yield "life.contamination", min(float(case.life.contamination) + size, 1.0)
+
+
+def _valid(tables: Mapping[str, Any], changes: dict[str, Any]) -> dict[str, Any]:
+    """The changes where the case takes them; none else."""
+    try:
+        Case.from_mapping(changed(tables, changes, Case, in_file=True))
+    except InputError:
+        return {}
+    return changes
+
+
+def seek(request: Mapping[str, Any]) -> dict[str, Any]:
+    """Return which value of a field gives an output the value that is wanted, with its curve.
+
+    Parameters
+    ----------
+    request
+        ``case``: tables; ``vary``: a field, ``output``, and ``wanted``: the value, as people write
+        it with its unit. Without ``wanted`` only what there is to choose from is returned.
+
+    Returns
+    -------
+    dict
+        ``fields`` and ``outputs`` to choose from, each with ``usual``; with ``wanted`` also
+        ``statement``, ``found`` (``text``, and ``value`` as a file has it) and ``picture``.
+    """
+    case = Case.from_mapping(_tables(request))
+    fields, outputs = fields_over(case), outputs_over(case)
+    vary, output = (_text(request, name) for name in ("vary", "output"))
+    answer: dict[str, Any] = {
+        "fields": _offered(fields, _USUAL_FIELDS),
+        "outputs": _offered(outputs, _USUAL_OUTPUTS),
+    }
+    wanted = _text(request, "wanted")
+    if not wanted:
+        return answer
+    found = GoalSeek(case=case, vary=vary, wanted=f"{output}={wanted}").run()
+    return {
+        **answer,
+        "statement": seek_statement(found),
+        "good": bool(found.found),
+        "field": found.field.name,
+        "found": [
+            {
+                "text": read_text(found.field, np.append(found.curve.values, at), at),
+                "value": found.field.written(at),
+            }
+            for at in found.found
+        ],
+        "picture": _picture(found),
+    }
+
+
+def _offered(known: list[Any], usual: tuple[str, ...]) -> list[dict[str, Any]]:
+    """What may be chosen, the usual ones first."""
+    order = {name: place for place, name in enumerate(usual)}
+    ranked = sorted(known, key=lambda one: order.get(one.name, len(order)))
+    return [
+        {
+            "name": one.name,
+            "label": capitalised(one.label),
+            "unit": _unit(one),
+            "usual": one.name in order,
+        }
+        for one in ranked
+    ]
+
+
+def _unit(one: Any) -> str:
+    """The unit in which people write a value of an output; of a field nothing is asked."""
+    unit = getattr(one, "unit", "")
+    return "" if unit in ("", "1", "-") else readable_unit(unit, np.ones(1), one.name).symbol
+
+
+def _picture(found: Goal) -> dict[str, Any]:
+    """The curve of the output, with the goal across it and what was found on it."""
+    known = found.curve.numbers[np.isfinite(found.curve.numbers)]
+    is_wide = known.size > 0 and known.min() > 0.0 and found.target > 0.0
+    is_wide = is_wide and known.max() > _WIDE * known.min()
+    upright: Scale = "log" if is_wide else "linear"
+    drawn: dict[str, Any] = {**picture_of([found.curve], upright=upright)}
+    if drawn["empty"]:
+        return drawn
+    unit = readable_unit(found.output.unit, found.curve.numbers, found.output.name)
+    goal = float(unit.of(found.target))
+    x = read_values(found.field, found.curve.values)[0]
+    ends = [float(np.min(x)), float(np.max(x))]
+    across = {
+        "type": "scatter", "mode": "lines", "x": ends, "y": [goal, goal], "name": said("goal"),
+        "line": {"color": "outer", "dash": "dash", "width": 2}, "hoverinfo": "skip",
+    }  # fmt: skip
+    data = [*drawn["data"], across]
+    if found.found:
+        places = read_values(found.field, np.append(found.curve.values, found.found))[0]
+        data.append(
+            {
+                "type": "scatter", "mode": "markers", "name": said("found"), "hoverinfo": "x+y",
+                "x": numbers(places[len(found.curve.values) :]), "y": [goal] * len(found.found),
+                "marker": {"color": "outer", "size": 12, "symbol": "star"},
+            }
+        )  # fmt: skip
+    low, high = drawn["layout"]["yaxis"]["range"]
+    at = np.log10(goal) if is_wide else goal
+    if is_wide:
+        drawn["layout"]["yaxis"] |= {"exponentformat": "power", "dtick": 1}
+    drawn["layout"]["yaxis"]["range"] = [float(min(low, at)), float(max(high, at))]
+    return {**drawn, "data": data, "summary": seek_statement(found)}
+
+
+def _tables(request: Mapping[str, Any]) -> Mapping[str, Any]:
+    found = request.get("case")
+    if not isinstance(found, Mapping):
+        raise InputError(said("must be a table"), field="case", example='{"bearing": {}}')
+    return found
+
+
+def _text(request: Mapping[str, Any], name: str) -> str:
+    given = request.get(name) or ""
+    if not isinstance(given, str):
+        raise InputError(said("must be text"), field=name, value=str(given)[:100])
+    return given.strip()[:200]
