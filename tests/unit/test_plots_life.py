@@ -21,7 +21,7 @@ from rolamento import (
     override,
 )
 from rolamento.charts.frame import decades, figure_of
-from rolamento.charts.style import new_figure
+from rolamento.charts.style import new_figure, of_look
 from rolamento.life import Change, LifeConditions, life, sensitivity
 from rolamento.plots.life import (
     BearingTests,
@@ -230,7 +230,7 @@ def test_the_case_lies_on_the_chart_where_its_factor_is(state: Solved) -> None:
         strength = clean * summary.ratings.fatigue_of_set / load
         np.testing.assert_allclose(mark.get_xdata(), strength)
         np.testing.assert_allclose(mark.get_ydata(), record.factors["a_iso"])
-        assert to_hex(mark.get_color()) == theory_look(theory)["color"].lower()
+        assert to_hex(mark.get_color()) == of_look(theory_look(theory)).color.lower()
     assert any("κ = 1.31" in label for label in labels(axes))
 
 

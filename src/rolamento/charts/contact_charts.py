@@ -169,7 +169,7 @@ def over_azimuth(
 
 
 def _look(race: Race, one: Shown, row: int, cases: Sequence[Shown], index: int) -> Look:
-    """Of a case or two by race and row; of more, each line its own."""
+    """Return the look of a line: by race and row for up to two cases, else by its place."""
     return race_look(race, one.place, row) if len(cases) <= 2 else series_look(index)
 
 

@@ -44,7 +44,7 @@ __all__ = ["draw", "draw_series", "frame"]
 Floats = NDArray[np.float64]
 
 _WIDTH: Final = 1.4
-"""Of an ordinary line, in points."""
+"""Width of an ordinary line, in points."""
 _MARK: Final = 4.0
 _POINT: Final = 6.0
 _BAND: Final = 0.18
@@ -111,8 +111,11 @@ def draw_series(chart: Chart, axes: Axes) -> None:
         if isinstance(one, Line):
             _line(axes, chart, one)
         elif isinstance(one, Spread):
-            axes.fill_between(one.x, one.low, one.high, color=LIGHT[one.look.color], alpha=_BAND,
-                              linewidth=0.0, label=one.name)  # fmt: skip
+            color = LIGHT[one.look.color]
+            fill: dict[str, Any] = {"color": color, "alpha": _BAND}
+            if one.hatched:
+                fill = {"facecolor": "none", "edgecolor": color, "hatch": "////", "alpha": 0.5}
+            axes.fill_between(one.x, one.low, one.high, linewidth=0.0, label=one.name, **fill)
         elif isinstance(one, Ellipses):
             _ellipses(axes, one)
         elif isinstance(one, Labels):

@@ -123,13 +123,14 @@ class Line:
 
 @frozen(eq=False)
 class Spread:
-    """What lies between two lines, faintly filled."""
+    """What lies between two lines, faintly filled; hatched where it is a body, on paper."""
 
     x: Floats
     low: Floats
     high: Floats
     name: str
     look: Look
+    hatched: bool = False
 
 
 @frozen(eq=False)

@@ -113,8 +113,8 @@ def _bodies(lies: LyingRoller) -> list[Spread]:
     far = np.full(len(lies.x), 10.0 * (lies.top - lies.bottom))
     grey = Look("grey")
     return [
-        Spread(lies.x, lies.race_above, lies.top + far, "", grey),
-        Spread(lies.x, lies.bottom - far, lies.race_below, "", grey),
+        Spread(lies.x, lies.race_above, lies.top + far, "", grey, hatched=True),
+        Spread(lies.x, lies.bottom - far, lies.race_below, "", grey, hatched=True),
     ]
 
 
