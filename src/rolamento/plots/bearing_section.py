@@ -18,8 +18,8 @@ from matplotlib.path import Path
 
 from rolamento.case.profile import Profile
 from rolamento.contact.profile import drop
-from rolamento.plots.style import MILLIMETRE, in_style
-from rolamento.plots.texts import number
+from rolamento.charts.style import MILLIMETRE, in_style
+from rolamento.charts.texts import number
 from rolamento.types import type_of_element
 from rolamento.words import said
 

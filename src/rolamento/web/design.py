@@ -15,8 +15,8 @@ from rolamento.errors import InputError
 from rolamento.life.sensitivity import CHANGES, sensitivity
 from rolamento.pages.across import read_text
 from rolamento.pages.seek import seek_statement
-from rolamento.plots.axes_units import read_values, readable_unit
-from rolamento.plots.texts import capitalised
+from rolamento.charts.axes_units import read_values, readable_unit
+from rolamento.charts.texts import capitalised
 from rolamento.solution import solve
 from rolamento.studies.fields import read_field
 from rolamento.tasks.curve import Scale, fields_over, outputs_over
