@@ -20,6 +20,7 @@ from rolamento.words import ABSENT, UNITS, manner, said
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Picture
 
+    from rolamento.tasks.curve import Scale
     from rolamento.tasks.seek import Goal
 
 __all__ = ["seek_page", "seek_picture", "seek_statement"]
@@ -90,9 +91,9 @@ def seek_picture(found: Goal) -> Picture:
     return figure_of(draw(seek_chart(found)))
 
 
-def seek_chart(found: Goal) -> Chart:
+def seek_chart(found: Goal, upright: Scale = "linear") -> Chart:
     """Return the curve of the output over the field, its goal, and where it is met."""
-    chart = curve_chart([found.curve])
+    chart = curve_chart([found.curve], upright=upright)
     unit = readable_unit(found.output.unit, found.curve.numbers, found.output.name)
     goal = float(unit.of(found.target))
     marks = (Mark(goal, said("goal"), Look("outer", "dash")),)

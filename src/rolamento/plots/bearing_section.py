@@ -17,9 +17,9 @@ from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
 from rolamento.case.profile import Profile
-from rolamento.contact.profile import drop
 from rolamento.charts.style import MILLIMETRE, in_style
 from rolamento.charts.texts import number
+from rolamento.contact.profile import drop
 from rolamento.types import type_of_element
 from rolamento.words import said
 

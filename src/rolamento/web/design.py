@@ -11,19 +11,18 @@ import numpy as np
 
 from rolamento.case import Case
 from rolamento.case.fields import changed
+from rolamento.charts.axes_units import readable_unit
+from rolamento.charts.plotly import picture
+from rolamento.charts.texts import capitalised
 from rolamento.errors import InputError
 from rolamento.life.sensitivity import CHANGES, sensitivity
 from rolamento.pages.across import read_text
-from rolamento.pages.seek import seek_statement
-from rolamento.charts.axes_units import read_values, readable_unit
-from rolamento.charts.texts import capitalised
+from rolamento.pages.seek import seek_chart, seek_statement
 from rolamento.solution import solve
 from rolamento.studies.fields import read_field
-from rolamento.tasks.curve import Scale, fields_over, outputs_over
+from rolamento.tasks.curve import fields_over, outputs_over
 from rolamento.tasks.report import number_of_field
 from rolamento.tasks.seek import GoalSeek
-from rolamento.web.curves import picture_of
-from rolamento.web.drawing import numbers
 from rolamento.words import said
 
 if TYPE_CHECKING:
@@ -187,36 +186,14 @@ def _unit(one: Any) -> str:
 def _picture(found: Goal) -> dict[str, Any]:
     """The curve of the output, with the goal across it and what was found on it."""
     known = found.curve.numbers[np.isfinite(found.curve.numbers)]
-    is_wide = known.size > 0 and known.min() > 0.0 and found.target > 0.0
-    is_wide = is_wide and known.max() > _WIDE * known.min()
-    upright: Scale = "log" if is_wide else "linear"
-    drawn: dict[str, Any] = {**picture_of([found.curve], upright=upright)}
-    if drawn["empty"]:
-        return drawn
-    unit = readable_unit(found.output.unit, found.curve.numbers, found.output.name)
-    goal = float(unit.of(found.target))
-    x = read_values(found.field, found.curve.values)[0]
-    ends = [float(np.min(x)), float(np.max(x))]
-    across = {
-        "type": "scatter", "mode": "lines", "x": ends, "y": [goal, goal], "name": said("goal"),
-        "line": {"color": "outer", "dash": "dash", "width": 2}, "hoverinfo": "skip",
-    }  # fmt: skip
-    data = [*drawn["data"], across]
-    if found.found:
-        places = read_values(found.field, np.append(found.curve.values, found.found))[0]
-        data.append(
-            {
-                "type": "scatter", "mode": "markers", "name": said("found"), "hoverinfo": "x+y",
-                "x": numbers(places[len(found.curve.values) :]), "y": [goal] * len(found.found),
-                "marker": {"color": "outer", "size": 12, "symbol": "star"},
-            }
-        )  # fmt: skip
-    low, high = drawn["layout"]["yaxis"]["range"]
-    at = np.log10(goal) if is_wide else goal
+    is_wide = bool(known.size and known.min() > 0.0 and found.target > 0.0)
+    is_wide = is_wide and bool(known.max() > _WIDE * known.min())
+    drawn = picture(
+        seek_chart(found, "log" if is_wide else "linear"), conclusion=seek_statement(found)
+    )
     if is_wide:
         drawn["layout"]["yaxis"] |= {"exponentformat": "power", "dtick": 1}
-    drawn["layout"]["yaxis"]["range"] = [float(min(low, at)), float(max(high, at))]
-    return {**drawn, "data": data, "summary": seek_statement(found)}
+    return {**drawn}
 
 
 def _tables(request: Mapping[str, Any]) -> Mapping[str, Any]:
