@@ -74,7 +74,7 @@ _MICROMETRES: Final = {"um": "µm"}
 _OF_SETS: Final = ("bearing.preload", "bearing.spacing")
 """What a bearing that stands alone has not."""
 _USUAL_PART: Final = 0.2
-"""Of what is most likely: what an example asks for."""
+"""Part of the greatest likely value that an example asks for."""
 _OF_MOMENT: Final = 0.05
 """Moment at the end of a slider, over rating and pitch diameter: a load beside the middle."""
 _SIGNS: Final = (("deg", "°"), ("^2", "²"), ("^3", "³"), (" ", "·"))
