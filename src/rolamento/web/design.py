@@ -192,7 +192,7 @@ def _picture(found: Goal) -> dict[str, Any]:
         seek_chart(found, "log" if is_wide else "linear"), conclusion=seek_statement(found)
     )
     if is_wide:
-        drawn["layout"]["yaxis"] |= {"exponentformat": "power", "dtick": 1}
+        drawn["layout"]["yaxis"] |= {"exponentformat": "SI", "dtick": 1}
     return {**drawn}
 
 
