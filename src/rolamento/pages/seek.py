@@ -93,6 +93,8 @@ def seek_chart(found: Goal) -> Chart:
     chart = curve_chart([found.curve], upright="log" if wide else "linear")
     if not chart.series:
         return chart
+    if wide:
+        chart = replace(chart, y=replace(chart.y, step=1.0))
     unit = readable_unit(found.output.unit, found.curve.numbers, found.output.name)
     goal = float(unit.of(found.target))
     marks = (Mark(goal, said("goal"), Look("outer", dash="dash")),)
