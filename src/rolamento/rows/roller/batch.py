@@ -29,7 +29,7 @@ from rolamento.rows.roller.roller import (
 RING_STEPS: Final = 60
 RING_PRECISION: Final = 1e-11
 FIRST_PRECISION: Final = 1e-3
-"""Of the rollers, over their loads, where a ring that is let go begins."""
+"""Residual of the rollers, over their loads, where a ring that is let go begins."""
 LOOSER: Final = 1e-3
 """Than the square of what is left unbalanced of the ring, over its loads."""
 FAR: Final = 0.3
