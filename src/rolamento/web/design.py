@@ -12,6 +12,7 @@ import numpy as np
 from rolamento.case import Case
 from rolamento.case.fields import changed
 from rolamento.charts.axes_units import read_values, readable_unit
+from rolamento.charts.plotly import numbers
 from rolamento.charts.texts import capitalised
 from rolamento.errors import InputError
 from rolamento.life.sensitivity import CHANGES, sensitivity
@@ -23,7 +24,6 @@ from rolamento.tasks.curve import Scale, fields_over, outputs_over
 from rolamento.tasks.report import number_of_field
 from rolamento.tasks.seek import GoalSeek
 from rolamento.web.curves import picture_of
-from rolamento.web.drawing import numbers
 from rolamento.words import said
 
 if TYPE_CHECKING:
