@@ -68,6 +68,8 @@ SERIES: Final = (
 )
 """How lines are drawn that stand for no part, in their order."""
 
+_CASES: Final = (("inner", "outer"), ("inner2", "outer2"), ("fifth", "sixth"), ("seventh", "ink"))
+"""Hues of the races, case by case."""
 _DASHES: Final = ("solid", "dash", "dashdot", "dot", "longdash", "longdashdot")
 _MARKS: Final = ("circle", "square", "triangle-up", "diamond", "triangle-down", "cross", "star")
 
@@ -93,11 +95,12 @@ def race_look(race: Race, case: int = 0, row: int = 0) -> Look:
     Look(color='outer', dash='dot', mark='diamond', hollow=False, width=1.0)
     """
     step = 2 * (case + row) + (race == "outer")
-    color = f"{race}2" if case else race
+    color = _CASES[case % len(_CASES)][race == "outer"]
     mark = _MARKS[(2 * row + (race == "outer")) % len(_MARKS)]
     return Look(color, _DASHES[step % len(_DASHES)], mark, hollow=bool(case))
 
 
 def case_look(case: int) -> Look:
-    """Return how what belongs to a whole case, the first or the second, is drawn."""
-    return Look("inner2", "dashdot", "diamond") if case else Look("inner")
+    """Return how what belongs to a whole case is drawn."""
+    mark = "diamond" if case else "circle"
+    return Look(_CASES[case % len(_CASES)][0], SERIES[2 * case % len(SERIES)].dash, mark)

@@ -32,7 +32,7 @@ from rolamento.charts.record import (
 )
 from rolamento.words import manner
 
-__all__ = ["Picture", "empty", "picture"]
+__all__ = ["Picture", "empty", "numbers", "picture"]
 
 _NUMBER: Final = ",.4~r"
 """How numbers are shown where a pointer is: four figures."""
@@ -238,7 +238,7 @@ def _traces(chart: Chart, limits: Sequence[tuple[float, float]]) -> list[dict[st
     return found + [_mark(chart, mark, limits) for mark in chart.marks]
 
 
-def _numbers(values: ArrayLike) -> list[float | None]:
+def numbers(values: ArrayLike) -> list[float | None]:
     """Return numbers as JSON has them; None where there is none."""
     found = np.asarray(values, dtype=np.float64)
     return [value if isfinite(value) else None for value in found.tolist()]
@@ -266,13 +266,13 @@ def _stroke(look: Look) -> dict[str, Any]:
 def _line(chart: Chart, line: Line, limits: Sequence[tuple[float, float]]) -> dict[str, Any]:
     names = ("theta", "r") if chart.polar else ("x", "y")
     y = np.where(np.isneginf(line.y), limits[1][0] if limits else 0.0, line.y)
-    heights: list[Any] = _numbers(y)
+    heights: list[Any] = numbers(y)
     if chart.y.categories:
         heights = [chart.y.categories[int(place)] for place in line.y]
     trace: dict[str, Any] = {
         "type": "scatterpolar" if chart.polar else "scatter",
         "mode": _MODES[line.form],
-        names[0]: _numbers(line.x),
+        names[0]: numbers(line.x),
         names[1]: heights,
         "name": line.name,
         "hovertemplate": _named(_hover(chart)),
@@ -326,7 +326,7 @@ def _judged(
     return [
         {
             **_line(chart, line, limits),
-            "y": _numbers(np.where(widened(own), line.y, np.nan)),
+            "y": numbers(np.where(widened(own), line.y, np.nan)),
             **more,
         }
         for own, more in ((valid, {}), (~valid, faint))
@@ -338,8 +338,8 @@ def _spread(chart: Chart, spread: Spread) -> dict[str, Any]:
     """Return the outline of a band, up and back."""
     return {
         "type": "scatter", "mode": "lines", "name": spread.name, "fill": "toself",
-        "x": _numbers(np.r_[spread.x, spread.x[::-1]]),
-        "y": _numbers(np.r_[spread.high, spread.low[::-1]]),
+        "x": numbers(np.r_[spread.x, spread.x[::-1]]),
+        "y": numbers(np.r_[spread.high, spread.low[::-1]]),
         "hovertemplate": _named(_hover(chart)), "fillcolor": f"{spread.look.color}-band",
         "line": {"color": spread.look.color, "width": 0},
     }  # fmt: skip
@@ -349,7 +349,7 @@ def _bars(chart: Chart, bars: Bars, limits: tuple[float, float]) -> dict[str, An
     found: dict[str, Any] = {
         "type": "bar",
         "orientation": "h",
-        "x": _numbers(np.where(np.isposinf(bars.values), limits[1], bars.values)),
+        "x": numbers(np.where(np.isposinf(bars.values), limits[1], bars.values)),
         "y": [chart.y.categories[place] for place in bars.places],
         "name": bars.name,
         "hovertemplate": _named(f"%{{y}}: {chart.x.with_unit(f'%{{x:{_NUMBER}}}')}"),
@@ -372,8 +372,8 @@ def _ellipses(chart: Chart, own: Ellipses) -> dict[str, Any]:
     fill = {"fill": "toself", "fillcolor": f"{own.look.color}-band"} if own.filled else {}
     return {
         "type": "scatter", "mode": "lines", "name": own.name,
-        "x": _numbers(np.round(np.hstack([x, gap]).ravel(), _FINE)),
-        "y": _numbers(np.round(np.hstack([y, gap]).ravel(), _FINE)),
+        "x": numbers(np.round(np.hstack([x, gap]).ravel(), _FINE)),
+        "y": numbers(np.round(np.hstack([y, gap]).ravel(), _FINE)),
         "hovertemplate": _named(_hover(chart)), "line": _stroke(own.look), **fill,
     }  # fmt: skip
 
@@ -381,7 +381,7 @@ def _ellipses(chart: Chart, own: Ellipses) -> dict[str, Any]:
 def _labels(labels: Labels) -> dict[str, Any]:
     return {
         "type": "scatter", "mode": "text", "hoverinfo": "skip",
-        "x": _numbers(labels.x), "y": _numbers(labels.y),
+        "x": numbers(labels.x), "y": numbers(labels.y),
         "text": [_aside(text, side) for text, side in zip(labels.texts, labels.sides, strict=True)],
         "textposition": [_SIDES[side] for side in labels.sides],
     }  # fmt: skip
