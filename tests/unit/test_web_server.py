@@ -457,6 +457,27 @@ def test_too_many_that_wait_are_refused(monkeypatch: pytest.MonkeyPatch) -> None
     anyio.run(run)
 
 
+def test_a_hand_does_not_wait_for_programs(monkeypatch: pytest.MonkeyPatch) -> None:
+    """However many requests of programs run, a thread is left for the page."""
+    monkeypatch.setattr(limits, "FAST_AT_ONCE", 2)
+    monkeypatch.setattr(limits, "PROGRAMS_AT_ONCE", 1)
+    limits._queue.cache_clear()
+
+    async def run() -> float:
+        async with anyio.create_task_group() as group:
+            for _ in range(5):
+                group.start_soon(lambda: limits.fast(time.sleep, 0.2, for_program=True))
+            await anyio.sleep(0.05)
+            began = time.perf_counter()
+            await limits.fast(to_si, "10 mm", "length")
+            return time.perf_counter() - began
+
+    try:
+        assert anyio.run(run) < 0.5  # five of them take a second
+    finally:
+        limits._queue.cache_clear()
+
+
 def test_what_is_small_goes_first_but_not_for_ever() -> None:
     """Of those who wait; whoever came much earlier is not overtaken again and again."""
 

@@ -34,7 +34,7 @@ _LOADS: Final = tuple(f"duty.load.{name}" for name in ("fx", "fy", "fz", "my", "
 _TILTS: Final = ("duty.displacement.ry", "duty.displacement.rz")
 _GRADE: Final = re.compile(r"ISO VG (\d+)$")
 _GRADES: Final = (2, 3, 5, 7, 10, 15, 22, 32, 46, 68, 100, 150, 220, 320, 460, 680, 1000, 1500)
-"""Of ISO 3448: each about 1.5 times as viscous as the one before."""
+"""Grades of ISO 3448: each about 1.5 times as viscous as the one before."""
 _USUAL_FIELDS: Final = (
     "bearing.preload.force", "bearing.diametral_clearance", "bearing.contact_angle",
     "duty.load.fz", "duty.load.fx", "duty.inner_speed", "temperature.lubricant",
