@@ -247,7 +247,7 @@ def test_other_bearings_have_no_law_of_life() -> None:
 
 @pytest.mark.parametrize(("changes", "note"), [
     ({"temperature.lubricant": "125 degC"}, "grease_above_its_limit"),
-    ({"temperature.lubricant": "-30 degC"}, "grease_below_its_limit"),
+    ({"temperature.lubricant": "-30 degC"}, "grease_under_its_limit"),
     ({"duty.inner_speed": "20000 rpm"}, "grease_above_speed"),
     ({"duty.inner_speed": "0 rpm"}, "grease_at_rest"),
     ({"lubricant": "ISO VG 68"}, "grease_instead_of_oil"),
@@ -306,14 +306,14 @@ def test_no_oil_is_thick_enough_for_a_crawl() -> None:
 
 
 @pytest.mark.parametrize("changes", [
-    {"speed": 0.0}, {"speed": np.nan}, {"wanted": 0.0}, {"wanted": np.nan}, {"wanted": 99.0},
+    {"speed": 0.0}, {"speed": np.nan}, {"required": 0.0}, {"required": np.nan}, {"required": 99.0},
     {"coldest": 400.0},
 ])  # fmt: skip
 def test_choices_that_are_none(changes: dict[str, float]) -> None:
     own = {
         "speed": 100.0,
         "pitch_diameter": 0.05,
-        "wanted": 1.5,
+        "required": 1.5,
         "coldest": 300.0,
         "hottest": 350.0,
     }

@@ -72,7 +72,7 @@ def test_below_half_the_critical_angle_there_is_no_life(solved: Solved) -> None:
     assert np.isnan(below.life)
     assert below.fretting
     assert "oscillation_frets" in [note.key for note in below.notes]
-    assert "oscillation_below_critical" in [note.key for note in above.notes]
+    assert "oscillation_under_critical" in [note.key for note in above.notes]
 
 
 def test_the_window_between_its_limits() -> None:

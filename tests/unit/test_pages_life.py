@@ -424,7 +424,7 @@ def test_tables_hold_the_numbers_of_the_record() -> None:
 def test_a_life_far_from_that_of_the_catalogue_says_why() -> None:
     text = " ".join(section(report("as it is"), "Life").split())
     assert "The catalogue life L_10 = (C/P)³ is 9110 h. This one is 0.573 times as long:" in text
-    assert "contamination (a_ISO = 0.569, κ = 1.31, e_C = 0.0675)" in text
+    assert "contamination (a_ISO = 0.57, κ = 1.31, e_C = 0.0675)" in text
     sure = " ".join(section(report("sure"), "Life").split())
     assert "reliability of 99.99 % (a_1 = " in sure
 

@@ -103,7 +103,7 @@ def test_a_life_test_of_a_spreadsheet_is_asked_about(run: Run) -> None:
     code, out, _ = run("weibull", "vidas.csv", "--samples", "100", "--json")
     assert (code, json.loads(out)["failures"]) == (0, 2)
     assert (
-        '--decimal-mark = "dot": must be one of point, comma'
+        '--decimal-mark: "dot": must be one of point, comma'
         in run("weibull", "vidas.csv", "--decimal-mark", "dot")[2]
     )
 
@@ -212,7 +212,7 @@ def test_dates_of_two_readings_are_asked_about(run: Run) -> None:
         assert (code, record["time_unit"], record["rows"][1]["time"]) == (0, "d", days)
     said = "# dates: day first\n" + Path("t.csv").read_text("utf-8")
     assert parse_trend(said).start == "2024-04-03"
-    assert '--date-order = "dd": must be one of' in run("trend", "t.csv", "--date-order", "dd")[2]
+    assert '--date-order: "dd": must be one of' in run("trend", "t.csv", "--date-order", "dd")[2]
 
 
 def test_a_record_of_one_machine_needs_no_column_of_it() -> None:

@@ -351,8 +351,8 @@ def test_states_share_a_frame(pair: Case, tmp_path: Path) -> None:
     paths = [tmp_path / "rigid.json", tmp_path / "spring.json"]
     axes = draw(paths).figure.axes[0]
     assert len(axes.lines) == 4
-    assert names(axes)[0] == "rigid, inner, row 0"
+    assert names(axes)[0] == "rigid: inner, row 0"
     again = draw(paths[0], "pressures", variants=[read_variant(SPRING)]).figure.axes[0]
-    assert names(again)[-1] == "spring, inner, row 1"
+    assert names(again)[-1] == "spring: inner, row 1"
     with pytest.raises(InputError, match="does not suit several states"):
         draw(paths, "ellipses")

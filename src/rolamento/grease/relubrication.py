@@ -96,8 +96,8 @@ def base_interval(
 
     SKF, former catalogues.
 
-    >>> print(f"{base_interval(1480 * RPM, 0.050):.0f} h")
-    11377 h
+    >>> print(f"{base_interval(1480 * RPM, 0.050):.3g} h")
+    1.14e+04 h
     """
     data = figures()["interval"]
     by_type = data["type_factor"]

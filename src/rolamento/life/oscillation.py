@@ -324,9 +324,9 @@ def oscillation_life(
         of life is for such a bearing.
 
     >>> from rolamento import solve
-    >>> found = oscillation_life(solve("6310", fz=5e3), angle=1.5, frequency=2.0)
-    >>> found.fretting, found.moving, bool(found.life <= found.harris)
-    (False, 'inner', True)
+    >>> found = oscillation_life(solve("6310", fz=5e3), angle=2.5, frequency=2.0)
+    >>> found.fretting, found.moving, round(found.life / found.harris, 6)
+    (False, 'inner', 1.0)
     """
     if len(solved) != 1 or not solved.converged[0]:
         raise InputError(said("must be one case with a result"), field="solved", value=len(solved))
@@ -495,7 +495,7 @@ def _notes(
     if fretting:
         notes.append(Note("oscillation_frets", values))
     elif angle < critical:
-        notes.append(Note("oscillation_below_critical", values))
+        notes.append(Note("oscillation_under_critical", values))
     if bool(basis.unloaded[0]):
         notes.append(Note("oscillation_unloaded"))
     for key in ("open_grooves", "ceramic_balls", "too_hot_for_steel"):

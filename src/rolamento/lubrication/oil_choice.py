@@ -57,7 +57,7 @@ class OilChoice:
 
     Attributes
     ----------
-    wanted
+    required
         κ
     coldest, hottest
         K
@@ -68,7 +68,7 @@ class OilChoice:
     reference
         ν_1, m²/s
     needed_40
-        viscosity at 40 °C of an oil of that index with which κ is as wanted at the hottest
+        viscosity at 40 °C of an oil of that index with which κ is as required at the hottest
         temperature; m²/s
     grades
         all of them, the thinnest first
@@ -78,7 +78,7 @@ class OilChoice:
         what to know
     """
 
-    wanted: float
+    required: float
     coldest: float
     hottest: float
     speed: float
@@ -95,7 +95,7 @@ class OilChoice:
 
     def to_mapping(self) -> dict[str, Any]:
         """Give it as plain values, SI."""
-        names = ("wanted", "coldest", "hottest", "speed", "pitch_diameter", "reference", "chosen")
+        names = ("required", "coldest", "hottest", "speed", "pitch_diameter", "reference", "chosen")
         return {
             **{name: getattr(self, name) for name in names},
             "needed_40": None if isnan(self.needed_40) else self.needed_40,
@@ -114,9 +114,9 @@ def _grades() -> tuple[Lubricant, ...]:
 
 
 def choose_oil(
-    speed: float, pitch_diameter: float, wanted: float, coldest: float, hottest: float
+    speed: float, pitch_diameter: float, required: float, coldest: float, hottest: float
 ) -> OilChoice:
-    """Choose the ISO viscosity grade for a wanted κ over a range of temperatures.
+    """Choose the ISO viscosity grade for a required κ over a range of temperatures.
 
     Parameters
     ----------
@@ -124,7 +124,7 @@ def choose_oil(
         Of the rings against each other, rad/s.
     pitch_diameter
         d_m, m.
-    wanted
+    required
         κ that the hottest temperature has to leave, 0.1 to 10.
     coldest, hottest
         Temperatures of the lubricant, K.
@@ -142,8 +142,10 @@ def choose_oil(
         raise InputError(
             said("is zero: κ is of a speed"), field="duty.inner_speed", example="--speed '1480 rpm'"
         )
-    if not 0.1 <= wanted <= 10.0:
-        raise InputError(said("must be from 0.1 to 10"), field="kappa", value=wanted, example="1.5")
+    if not 0.1 <= required <= 10.0:
+        raise InputError(
+            said("must be from 0.1 to 10"), field="kappa", value=required, example="1.5"
+        )
     if coldest > hottest:
         raise InputError(
             said("must not be hotter than the hottest"), field="coldest", value=coldest
@@ -154,20 +156,20 @@ def choose_oil(
     for oil in _grades():
         cold, hot = oil_state(oil, ends).kinematic_viscosity.tolist()
         grades.append(Grade(oil.name, cold, hot, cold / reference, hot / reference))
-    chosen = next((grade for grade in grades if grade.ratio_hot >= wanted), None)
+    chosen = next((grade for grade in grades if grade.ratio_hot >= required), None)
     notes = [Note("oil_index_assumed", {"index": _grades()[0].viscosity_index})]
     if chosen is None:
         notes.insert(0, Note("no_oil_thick_enough", {"kappa": grades[-1].ratio_hot}))
     elif chosen.ratio_cold > _ENOUGH and coldest < hottest:
         notes.append(Note("oil_drags_in_the_cold", {"kappa": chosen.ratio_cold}))
     return OilChoice(
-        wanted=wanted,
+        required=required,
         coldest=coldest,
         hottest=hottest,
         speed=speed,
         pitch_diameter=pitch_diameter,
         reference=reference,
-        needed_40=viscosity_at_40(wanted * reference, hottest),
+        needed_40=viscosity_at_40(required * reference, hottest),
         grades=tuple(grades),
         chosen=None if chosen is None else chosen.name,
         notes=tuple(notes),

@@ -229,11 +229,11 @@ def _which(found: GreaseCase) -> Section:
     assert oil is not None
     entries = [
         Entry(
-            said("base oil for κ = {kappa:.3}", kappa=oil.wanted),
+            said("base oil for κ = {kappa:.3}", kappa=oil.required),
             said(
                 "{needed:.3 mm²/s} at 40 °C, {at:.3 mm²/s} at {temperature:.4 °C}",
                 needed=oil.needed_40,
-                at=oil.wanted * oil.reference,
+                at=oil.required * oil.reference,
                 temperature=duty.temperature,
             ),
         ),
@@ -274,7 +274,7 @@ def oil_page(found: OilChoice, title: str) -> Document:
     from rolamento.document import Title
 
     if found.chosen is None:
-        text = said("No ISO grade gives κ = {kappa:.3}.", kappa=found.wanted)
+        text = said("No ISO grade gives κ = {kappa:.3}.", kappa=found.required)
         statement = Statement(text, "bad-strong", indent=2)
     else:
         chosen = found[found.chosen]
@@ -299,7 +299,7 @@ def oil_section(found: OilChoice) -> Section:
     """Return the grades side by side, the one to take in front."""
     grades = found.grades
     tones: list[Tone] = [
-        "strong" if one.name == found.chosen else "faint" if one.ratio_hot < found.wanted else ""
+        "strong" if one.name == found.chosen else "faint" if one.ratio_hot < found.required else ""
         for one in grades
     ]
     columns = [
@@ -336,7 +336,7 @@ def oil_section(found: OilChoice) -> Section:
         " {needed:.3 mm²/s} at 40 °C",
         reference=found.reference,
         speed=found.speed,
-        kappa=found.wanted,
+        kappa=found.required,
         needed=found.needed_40,
     )
     table = Table(columns=tuple(columns), key="grades", legends=(legend,), rule=True, fixed=2)

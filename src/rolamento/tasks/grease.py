@@ -134,7 +134,7 @@ class GreaseCase:
             "l10": finite(self.l10),
             **dict(
                 zip(
-                    ("least_life", "greatest_life", "least_interval", "greatest_interval"),
+                    ("minimum_life", "maximum_life", "minimum_interval", "maximum_interval"),
                     map(finite, low_high),
                     strict=True,
                 )
@@ -425,7 +425,7 @@ class _Asked:
         if duty.temperature > high:
             self.notes.append(Note("grease_above_its_limit", values))
         elif duty.temperature < low:
-            self.notes.append(Note("grease_below_its_limit", values))
+            self.notes.append(Note("grease_under_its_limit", values))
         if duty.speed_ratio > 1.0:
             self.notes.append(Note("grease_above_speed", {"ratio": duty.speed_ratio}))
 

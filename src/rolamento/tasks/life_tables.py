@@ -10,7 +10,7 @@ from rolamento.words import marked
 
 __all__ = ["DATA", "DATE_ORDER", "SHIPPED", "LifeTable"]
 
-DATA: Final = marked("Data")
+DATA: Final = marked("Table")
 SHIPPED: Final = ("campanha-2008", "lieblein-zelen-1956")
 """Life tests that come with the package."""
 _COLUMNS: Final = (

@@ -131,7 +131,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
         "At {temperature:.4 °C} the grease is above its {most:.4 °C}: it ages by hours. Take one"
         " for such temperatures, or cool."
     ),
-    "grease_below_its_limit": marked(
+    "grease_under_its_limit": marked(
         "At {temperature:.4 °C} the grease is below its {least:.4 °C}: it gives off too little"
         " oil, and may not start."
     ),

@@ -21,7 +21,7 @@ SENTENCES: Final[dict[str, Sentence]] = {
         " fresh lubricant reaches the contacts, and fretting or false brinelling ends it, not"
         " fatigue. Turn it by more than {critical:.3 °} from time to time."
     ),
-    "oscillation_below_critical": marked(
+    "oscillation_under_critical": marked(
         "The bearing swings by {angle:.3 °}, less than the critical {critical:.3 °}: the arcs of"
         " neighbouring elements do not meet, and fretting is possible."
     ),
