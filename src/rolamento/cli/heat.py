@@ -151,7 +151,12 @@ def _in_time(
 
     duration = None if time.strip() == "steps" else _number(time, "time", "--time")
     with waiting(lang):
-        found = heat_transient(case, duration)
+        try:
+            found = heat_transient(case, duration)
+        except InputError as error:
+            if error.field != "duration":
+                raise
+            raise error.with_details(field="", source="--time", example="--time '1 h'") from None
     if json is not None:
         put_json({"schema": _SCHEMA, "kind": "heat_time", **found.to_mapping()}, json)
     if plot is not None:
