@@ -1,8 +1,8 @@
 """How much is done at once, and for how long: threads for what is fast, processes for the rest.
 
-What is fast runs in threads of the server: as many as there are processors for the page, whose
-answers follow a hand, and one less for the API, whose requests take up to a second and would hold
-them up. What is slow runs in
+What is fast runs in threads of the server, few of them: they share one interpreter. Those of the
+page, whose answers follow a hand, are not those of the API and of curves, which take up to a second
+and would hold them up. What is slow runs in
 worker processes, which a time limit or a visitor's leaving ends, with a lower priority: so it never
 holds up what is fast.
 """
@@ -45,8 +45,8 @@ __all__ = [
 
 R = TypeVar("R")
 
-FAST_AT_ONCE: Final = max(2, os.cpu_count() or 1)
-PROGRAMS_AT_ONCE: Final = FAST_AT_ONCE - 1
+FAST_AT_ONCE: Final = max(1, (os.cpu_count() or 1) - 1)
+PROGRAMS_AT_ONCE: Final = max(1, FAST_AT_ONCE - 1)
 SLOW_AT_ONCE: Final = max(1, os.cpu_count() or 1)
 _MOST_WAITING: Final = {"fast": 100, "slow": 8}
 """Requests of a kind that may wait for their turn."""

@@ -271,18 +271,20 @@ def example_drawings() -> dict[str, str]:
     return found
 
 
-def _asks(path: str, function: Callable[[Mapping[str, Any]], Mapping[str, Any]]) -> Route:
-    """Serve a function of the JSON object that a request brings."""
+def _asks(
+    path: str, function: Callable[[Mapping[str, Any]], Mapping[str, Any]], *, follows: bool = False
+) -> Route:
+    """Serve a function of the JSON object that a request brings; follows: a hand that drags."""
 
     async def endpoint(request: Request) -> Response:
         asked = await read_json(request)
-        return answer(await by_weight(function, asked, asked=asked))
+        return answer(await by_weight(function, asked, asked=asked, for_program=not follows))
 
     return Route(path, endpoint, methods=["POST"])
 
 
 ROUTES: Final = (
-    _asks("/page/live", live),
+    _asks("/page/live", live, follows=True),
     _asks("/page/curve", curve),
     _asks("/page/helps", helps),
     _asks("/page/seek", seek),
