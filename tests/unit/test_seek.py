@@ -61,6 +61,8 @@ def test_all_solutions_of_a_curve_that_turns_are_found() -> None:
     asked = asked.replace(wanted=f"max_inner_max_pressure={middle / 1e6} MPa")
     left, right = asked.run().found
     assert left == pytest.approx(-right, rel=1e-6)
+    beyond = asked.replace(changes={**axial, "duty.load.fx": "-140 N"})
+    assert beyond.run().found == pytest.approx((left, right), rel=1e-6)
 
 
 def test_what_is_nowhere_is_said_with_what_there_is() -> None:

@@ -193,7 +193,7 @@ class GoalSeek(Request):
             except InputError as error:
                 raise _in_words_of(error) from None
             target = si_value(value, curve.output.unit, "wanted", "stiffness_xx=200 N/um")
-            parts = _crossed(curve, target)
+            parts = _crossed(curve.values, curve.numbers - target)
             if parts:
                 break
         found: list[float] = []
@@ -251,18 +251,20 @@ def _in_words_of(error: InputError) -> InputError:
     return error.with_details(field=fields.get(error.field, error.field))
 
 
-def _crossed(curve: Curve, target: float) -> list[tuple[float, float]]:
-    """Return the parts of a curve in which it passes the target; a point on it counts once."""
-    over = curve.numbers - target
+def _crossed(values: FloatArray, over: FloatArray) -> list[tuple[float, float]]:
+    """Return the parts of a curve in which it passes its target; a point on it counts once.
+
+    over: by how much the curve exceeds the target at the values.
+    """
     parts = []
     for place in range(len(over) - 1):
         left, right = over[place], over[place + 1]
         if left == 0.0:
-            parts.append((curve.values[place], curve.values[place]))
+            parts.append((values[place], values[place]))
         elif left * right < 0.0:
-            parts.append((curve.values[place], curve.values[place + 1]))
+            parts.append((values[place], values[place + 1]))
     if over[-1] == 0.0:
-        parts.append((curve.values[-1], curve.values[-1]))
+        parts.append((values[-1], values[-1]))
     return [(float(low), float(high)) for low, high in parts]
 
 
@@ -276,13 +278,14 @@ def _closed_in(curve: Curve, target: float, low: float, high: float) -> tuple[fl
             curve.case, curve.field.name, curve.output.name,
             curve.field.written(low), curve.field.written(high), points=_PARTS + 1,
         )  # fmt: skip
-        over, values = fine.numbers - target, fine.values
+        inside = (fine.values >= low) & (fine.values <= high)  # the present value comes besides
+        values, over = fine.values[inside], fine.numbers[inside] - target
         known = np.isfinite(over)
         nearest = int(np.argmin(np.where(known, np.abs(over), np.inf)))
         at = float(values[nearest])
         if abs(over[nearest]) <= _CLOSE * max(abs(target), _size(curve.numbers)):
             return at, False
-        crossed = _crossed(fine, target)
+        crossed = _crossed(values, over)
         if not crossed:
             return at, True
         low, high = crossed[0]
