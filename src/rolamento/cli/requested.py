@@ -20,7 +20,7 @@ from rolamento.cli.case_options import (
 from rolamento.cli.common import NO_RESULT, SOLVED, plain_endings
 from rolamento.cli.option_names import in_names
 from rolamento.cli.optional_value import JsonCommand
-from rolamento.cli.options import JsonOption, LanguageOption
+from rolamento.cli.options import JsonOption, LanguageOption, json_option
 from rolamento.cli.outputs import NOWHERE, OUTPUT_OPTIONS, Outputs, with_outputs
 from rolamento.cli.shipped_data import check_one_given, data_and_json
 from rolamento.cli.streams import STANDARD_STREAM, complain, print_text, put, put_json
@@ -122,6 +122,9 @@ def options_of(request: type[Request]) -> dict[str, inspect.Parameter]:
 def _signature(command: Callable[..., None], request: type[Request]) -> inspect.Signature:
     own = dict(inspect.signature(command, eval_str=True).parameters)
     own.pop("typed")
+    own["json"] = own["json"].replace(
+        annotation=Annotated[str | None, json_option(request.json_meaning)]
+    )
     if not request.takes_case:
         own.pop("given")
     products = {name: _product(name, one.meaning) for name, one in request.products.items()}

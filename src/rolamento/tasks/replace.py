@@ -253,6 +253,7 @@ class LivesRequest(LifeTable):
         Input("Confidence", "fraction", DECISION, example="0.9", default="0.9", metavar="C"),
     ] = 0.9
 
+    json_meaning: ClassVar = "Write everything as JSON, in the unit of the data"
     waiting: ClassVar = marked("Simulating tests and fitting them …")
     headings: ClassVar = (DECISION, LIVES, DATA)
     ships: ClassVar = True

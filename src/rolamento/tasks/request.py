@@ -220,7 +220,7 @@ class Input:
         elif not isfinite(given) or (self.kind == "count" and given != int(given)):
             rule = said("must be an integer") if self.kind == "count" else said("must be a number")
             raise InputError(rule, value=given)
-        return str(given) if self.kind == "choice" else given
+        return self._chosen(str(given)) if self.kind == "choice" else given
 
     def _read(self, text: str) -> Any:
         if self.kind == "choice":
@@ -291,6 +291,8 @@ class Request(Record):
 
     products: ClassVar[Mapping[str, Product]] = {}
     """Files beside the page, by the names of their options."""
+    json_meaning: ClassVar[str] = "Write everything as JSON, in SI units"
+    """What JSON of the result is."""
     examples: ClassVar[str] = ""
     """Command lines, for its help."""
     waiting: ClassVar[str] = marked("Calculating")

@@ -567,6 +567,7 @@ class LifeTestEvaluation(LifeTable):
         ),
     ] = "L10"
 
+    json_meaning: ClassVar = "Write everything as JSON, in the unit of the data"
     examples: ClassVar = (
         "Examples: weibull tests.csv --plot paper.png; weibull tests.csv --shape 1.5; weibull "
         "--example campanha-2008 --calculated-life 'ISO 281=58 h'."
@@ -774,6 +775,7 @@ class DemonstrationTest(Request):
     reliability: Annotated[float, _RELIABILITY] = 0.9
     confidence: Annotated[float, _CONFIDENCE] = 0.9
 
+    json_meaning: ClassVar = "Write everything as JSON, in the unit of the life"
     examples: ClassVar = (
         "Examples: weibull-plan demonstration --life '1000 h' --bearings 10; weibull-plan "
         "demonstration --life '1000 h' --time '500 h' --failures-allowed 1."
@@ -924,6 +926,7 @@ class PrecisionTest(Request):
     ] = 10_000
     seed: Annotated[int, Input("Seed", "count", _PLAN, example="1", default="0")] = 0
 
+    json_meaning: ClassVar = "Write everything as JSON, in the unit of the life"
     examples: ClassVar = (
         "Examples: weibull-plan precision --ratio 5 --life '1000 h'; weibull-plan precision"
         " --failures 6 --groups 6 --group-size 4."
@@ -1153,6 +1156,7 @@ class TrendEvaluation(Request):
     decimal_mark: Annotated[str | None, DECIMAL_MARK.below(DATA)] = None
     date_order: Annotated[str | None, DATE_ORDER] = None
 
+    json_meaning: ClassVar = "Write everything as JSON"
     examples: ClassVar = "Example: trend --example campanha-2008-clearance --plot clearance.png."
     waiting: ClassVar = marked("Fitting …")
     headings: ClassVar = (DATA, TREND)
