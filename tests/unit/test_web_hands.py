@@ -1,4 +1,4 @@
-"""Several hands at once: processes beside the server give the answers that the server itself gives."""
+"""Several hands at once: processes beside the server answer as the server itself does."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ def test_one_hand_starts_no_process() -> None:
     async def run(hands: Hands) -> None:
         for _ in range(3):
             assert await hands.run(os.getpid) == os.getpid()
-        assert hands._pool is None
+        assert hands._starting is None
 
     with_hands(run)
 

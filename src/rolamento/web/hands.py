@@ -7,11 +7,12 @@ beside it; some seconds later they are ready, take what comes, and stay.
 from __future__ import annotations
 
 import asyncio
+import logging
 import os
 import signal
 import threading
 from collections.abc import Callable
-from concurrent.futures import Future, ProcessPoolExecutor
+from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from multiprocessing import get_context, parent_process
 from typing import Any, Final, TypeVar
@@ -27,6 +28,8 @@ from rolamento.words import language
 __all__ = ["Hands"]
 
 R = TypeVar("R")
+
+_log: Final = logging.getLogger("rolamento.web")
 
 PROCESSES: Final = min((os.cpu_count() or 1) - 1, 4)
 """Beside the server: as many as there are other cores; each takes some 200 MB."""
@@ -50,8 +53,8 @@ class Hands:
     ) -> None:
         self._processes, self._make_ready = processes, ready
         self._turns = anyio.CapacityLimiter(1)
+        self._starting: asyncio.Task[None] | None = None
         self._pool: ProcessPoolExecutor | None = None
-        self._ready = False
 
     async def run(self, function: Callable[..., R], *args: Any) -> R:
         """Run what takes milliseconds, in the language that is spoken.
@@ -69,56 +72,56 @@ class Hands:
         waiting = self._turns.statistics().tasks_waiting
         if waiting >= MOST_WAITING["fast"]:
             raise busy()
-        if waiting > _FEW and self._pool is None and self._processes:
-            self._start()
+        if waiting > _FEW and self._processes and self._starting is None:
+            self._starting = asyncio.create_task(self._start())
         async with self._turns:
-            if self._ready:
+            if (pool := self._pool) is not None:
                 try:
-                    return await self._beside(function, *args)
+                    return await _beside(pool, function, *args)
                 except BrokenProcessPool:  # ended by somebody: here, and in new ones later
-                    self.close()
+                    if pool is self._pool:
+                        self.close()
             return await anyio.to_thread.run_sync(function, *args)
 
-    async def _beside(self, function: Callable[..., R], *args: Any) -> R:
-        assert self._pool is not None
-        work = self._pool.submit(in_language, language(), function, args)
-        found = await asyncio.wrap_future(work)
-        if isinstance(found, InputError):
-            raise found
-        return found
-
-    def _start(self) -> None:
-        """Start the processes, in the background; when all are ready they are asked alone.
+    async def _start(self) -> None:
+        """Start the processes; as soon as one is ready they are asked alone.
 
         The server's interpreter then has the requests to read, and each process its next one
         waiting.
         """
-        pool = ProcessPoolExecutor(self._processes, get_context("spawn"), initializer=_follow)
-        loop, self._pool = asyncio.get_running_loop(), pool
-        left = self._processes
-
-        def be_ready(first: Future[None]) -> None:
-            nonlocal left
-            left -= 1
-            if self._pool is pool and not left and not first.cancelled() and not first.exception():
-                self._ready = True
-                self._turns.total_tokens = 1 + self._processes
-
-        for _ in range(self._processes):
-            pool.submit(self._make_ready).add_done_callback(
-                lambda first: loop.call_soon_threadsafe(be_ready, first)
-            )
+        pool = ProcessPoolExecutor(
+            self._processes, get_context("spawn"), initializer=_begin, initargs=(self._make_ready,)
+        )
+        try:
+            await _beside(pool, os.getpid)
+        except BaseException as error:
+            pool.shutdown(wait=False, cancel_futures=True)
+            if not isinstance(error, BrokenProcessPool):
+                raise
+            _log.warning("no process beside the server could be made ready")
+        else:
+            self._pool, self._turns.total_tokens = pool, 1 + self._processes
 
     def close(self) -> None:
         """End the processes."""
+        if self._starting is not None:
+            self._starting.cancel()
         if self._pool is not None:
             self._pool.shutdown(wait=False, cancel_futures=True)
-        self._pool, self._ready = None, False
+        self._starting = self._pool = None
         self._turns.total_tokens = 1
 
 
-def _follow() -> None:
-    """Leave it to the server when to end, and end with it whatever ends it."""
+async def _beside(pool: ProcessPoolExecutor, function: Callable[..., R], *args: Any) -> R:
+    work = pool.submit(in_language, language(), function, args)
+    found = await asyncio.wrap_future(work)
+    if isinstance(found, InputError):
+        raise found
+    return found
+
+
+def _begin(make_ready: Callable[[], None]) -> None:
+    """Leave it to the server when to end, end with it whatever ends it, and be ready."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     server = parent_process()
     assert server is not None
@@ -128,3 +131,4 @@ def _follow() -> None:
         os._exit(0)
 
     threading.Thread(target=end, daemon=True).start()
+    make_ready()
