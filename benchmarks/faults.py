@@ -320,8 +320,10 @@ def files(folder: Path, count: int, seed: int) -> Iterator[Tried]:
 
 
 class _Forked:
-    """The process of a reader, forked from this one, which has loaded what it needs: ten times as
-    soon as one that is started, with the same bounds and the same conversation."""
+    """The process of a reader, forked from this one, which has loaded what it needs.
+
+    Ten times as soon as one that is started; bounds and conversation are the same.
+    """
 
     def __init__(self, program: list[str], **_: object) -> None:
         (asked, own_questions), (own_answers, answered) = os.pipe(), os.pipe()
