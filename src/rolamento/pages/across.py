@@ -27,10 +27,10 @@ def field_column(field: Field, values: NDArray[np.float64]) -> Column:
     symbol = read_values(field, values)[1]
     wide = np.abs(values).max() > _DECADES * np.abs(values).min() > 0.0
     return Column(
-        head="",
-        values=values.tolist(),
-        unit=symbol if symbol in UNITS else "",
-        key=field.name,
+        "",
+        values.tolist(),
+        field.name,
+        symbol if symbol in UNITS else "",
         figures=5,
         most=6,
         form=f".4 [{symbol}]" if wide and symbol in UNITS else "",

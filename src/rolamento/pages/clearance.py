@@ -63,11 +63,11 @@ def clearance_page(
     title
         Of the case.
     """
-    head = [Section("", (Title(title),), key="head")] if title else []
+    head = [Section("", (Title(title),), "head")] if title else []
     sections = [*head, *cautions_section(found.notes)]
     if found.stages:
         stages = stage_table(found.stages)
-        sections.append(Section(said("Preload"), (stages,), key="preload"))
+        sections.append(Section(said("Preload"), (stages,), "preload"))
     for place, row in enumerate(found.rows):
         sections.append(_chain(row, place if len(found.rows) > 1 else None))
     sections.append(_sources(found.rows[0]))
@@ -91,13 +91,8 @@ def _chain(found: OperatingClearance, place: int | None = None) -> Section:
     rows.append((said("in operation"), limits, "µm", "strong"))
     tones = [tone for _, _, _, tone in rows]
     columns = [
-        Column(head="", values=[label for label, _, _, _ in rows], key="step", tones=tones),
-        Column(
-            head=said("unit"),
-            values=[unit for _, _, unit, _ in rows],
-            key="unit",
-            only_in_files=True,
-        ),
+        Column("", [label for label, _, _, _ in rows], "step", tones=tones),
+        Column(said("unit"), [unit for _, _, unit, _ in rows], "unit", only_in_files=True),
     ]
     heads = {
         "minimum": said_in("clearance", "minimum"),
@@ -106,9 +101,9 @@ def _chain(found: OperatingClearance, place: int | None = None) -> Section:
     }
     columns += [
         Column(
-            head=text,
-            values=[_number(values, place, unit) for _, values, unit, _ in rows],
-            key=key,
+            text,
+            [_number(values, place, unit) for _, values, unit, _ in rows],
+            key,
             align="right",
             tones=tones,
         )
@@ -118,8 +113,8 @@ def _chain(found: OperatingClearance, place: int | None = None) -> Section:
     if place is not None:
         heading = said("Diametral clearance (µm), row {number}", number=place)
         key = f"clearance_{place}"
-    table = Table(columns=tuple(columns), key=key, gap=3)
-    return Section(heading, (table,), key=key)
+    table = Table(tuple(columns), key, gap=3)
+    return Section(heading, (table,), key)
 
 
 def _number(values: Sequence[float], place: int, unit: str) -> CellContent:
@@ -129,12 +124,10 @@ def _number(values: Sequence[float], place: int, unit: str) -> CellContent:
 
 def _sources(found: OperatingClearance) -> Section:
     entries = tuple(
-        Entry(
-            f"{said(STEPS[step.name])}:", f"{step.formula.text}; {step.source.text}", tone="faint"
-        )
+        Entry(f"{said(STEPS[step.name])}:", f"{step.formula.text}; {step.source.text}", "faint")
         for step in found.steps
     )
-    return Section(said("Origin of the steps"), (KeyValues(entries, indent=2),), key="sources")
+    return Section(said("Origin of the steps"), (KeyValues(entries, 2),), "sources")
 
 
 def _scatter(samples: ClearanceSamples) -> Section:
@@ -157,4 +150,4 @@ def _scatter(samples: ClearanceSamples) -> Section:
         count=manner().fixed(len(samples.clearance), 0),
     )
     blocks = tuple(Statement(text, indent=2) for text in texts)
-    return Section(heading, blocks, key="samples")
+    return Section(heading, blocks, "samples")

@@ -38,7 +38,7 @@ def head(solved: Solved) -> Section:
         *_status(solved),
     )
     given = tuple(entry for entry in entries if entry.content)  # at rest no model matters
-    return Section("", (Title(solved.title or untitled(case)), KeyValues(given)), key="given")
+    return Section("", (Title(solved.title or untitled(case)), KeyValues(given)), "given")
 
 
 def untitled(case: Case) -> str:

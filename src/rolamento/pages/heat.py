@@ -59,7 +59,7 @@ def heat_page(found: HeatBalance) -> Document:
     """
     title = found.case.title or untitled(found.case)
     sections = [
-        Section("", (Title(title), *_headline(found)), key="head"),
+        Section("", (Title(title), *_headline(found)), "head"),
         *cautions_section(found.notes),
     ]
     if found.warm is not None:
@@ -69,11 +69,11 @@ def heat_page(found: HeatBalance) -> Document:
         sections.append(_roots(found))
     if len(found.curve.power):
         figure = Figure(
-            caption=said("Friction and the heat that is removed, over the temperature"),
-            draw=lambda: _picture(found),
-            key="heat",
+            said("Friction and the heat that is removed, over the temperature"),
+            lambda: _picture(found),
+            "heat",
         )
-        sections.append(Section("", (figure,), key="figure"))
+        sections.append(Section("", (figure,), "figure"))
     sections += notes_section(remarks_of(found.notes))
     return Document(title, tuple(sections), kind="heat", main="nodes")
 
@@ -120,9 +120,7 @@ def _headline(found: HeatBalance) -> Iterator[Block]:
     ]
     if found.cold.preload is not None and warm.preload is not None:
         text = said(
-            "{cold:.4 [N]} → {warm:.4 N} (cold → warm)",
-            cold=found.cold.preload,
-            warm=warm.preload,
+            "{cold:.4 [N]} → {warm:.4 N} (cold → warm)", cold=found.cold.preload, warm=warm.preload
         )
         entries.append(Entry(said("preload"), text))
     entries.append(
@@ -144,25 +142,19 @@ def _nodes(found: HeatBalance) -> Section:
     most = max(root.temperatures.values())
     tones: list[Tone] = ["strong" if root.temperatures[one] == most else "" for one in NODES]
     columns = (
-        Column(head="", values=[said(PLACE_NAMES[one]) for one in NODES], key="node", tones=tones),
+        Column("", [said(PLACE_NAMES[one]) for one in NODES], "node", tones=tones),
         Column(
-            head=said("temperature"),
-            values=[Number(root.temperatures[one], ".1f [°C]") for one in NODES],
-            unit="°C",
-            key="temperature",
+            said("temperature"),
+            [Number(root.temperatures[one], ".1f [°C]") for one in NODES],
+            "temperature",
+            "°C",
             align="right",
             tones=tones,
         ),
-        Column(
-            head=said("heat put in"),
-            values=[heated[one] for one in NODES],
-            unit="W",
-            key="heat",
-            tones=tones,
-        ),
+        Column(said("heat put in"), [heated[one] for one in NODES], "heat", "W", tones=tones),
     )
-    table = Table(columns=columns, key="nodes", rule=True, fixed=1)
-    return Section(said("Temperatures"), (table,), key="nodes")
+    table = Table(columns, "nodes", rule=True, fixed=1)
+    return Section(said("Temperatures"), (table,), "nodes")
 
 
 def _flows(found: HeatBalance) -> Section:
@@ -180,13 +172,13 @@ def _flows(found: HeatBalance) -> Section:
         is_estimate = name in network.estimated
         origin.append(said("estimated") if is_estimate else said("given"))
     columns = (
-        Column(head="", values=labels, key="between"),
-        Column(head=said("heat flow"), values=powers, unit="W", key="power"),
-        Column(head=said("conductance"), values=values, unit="W/K", key="conductance", figures=3),
-        Column(head="", values=origin, key="origin", tone="faint"),
+        Column("", labels, "between"),
+        Column(said("heat flow"), powers, "power", "W"),
+        Column(said("conductance"), values, "conductance", "W/K", figures=3),
+        Column("", origin, "origin", tone="faint"),
     )
-    table = Table(columns=columns, key="flows", rule=True, fixed=1)
-    return Section(said("Heat flows"), (table,), key="flows")
+    table = Table(columns, "flows", rule=True, fixed=1)
+    return Section(said("Heat flows"), (table,), "flows")
 
 
 def _states_beside(found: HeatBalance) -> Section:
@@ -211,8 +203,8 @@ def _states_beside(found: HeatBalance) -> Section:
     ]
     shown = [line for line in lines if any(isfinite(value) for value in line[1])]
     columns = [
-        Column(head="", values=[label for label, *_ in shown], key="quantity"),
-        Column(head=said("unit"), values=[unit for _, _, unit, _ in shown], key="unit"),
+        Column("", [label for label, *_ in shown], "quantity"),
+        Column(said("unit"), [unit for _, _, unit, _ in shown], "unit"),
     ]
     heads = (("cold", said("cold")), ("warm", said("warm")))
     for place, (key, text) in enumerate(heads[: len(states)]):
@@ -220,10 +212,10 @@ def _states_beside(found: HeatBalance) -> Section:
             Number(values[place], f".{figures} [{unit}]" if unit else f".{figures}")
             for _, values, unit, figures in shown
         ]
-        columns.append(Column(head=text, values=cells, key=key, align="right"))
+        columns.append(Column(text, cells, key, align="right"))
     heading = said("Cold and warm") if len(states) > 1 else said("Cold")
-    table = Table(columns=tuple(columns), key="states", rule=True, fixed=1)
-    return Section(heading, (table,), key="states")
+    table = Table(tuple(columns), "states", rule=True, fixed=1)
+    return Section(heading, (table,), "states")
 
 
 def _of_rows(
@@ -249,26 +241,23 @@ def _roots(found: HeatBalance) -> Section:
     roots = found.roots
     tones: list[Tone] = ["" if one.stable else "warning" for one in roots]
     columns = [
-        Column(head="", values=[said(_STABLE[one.stable]) for one in roots], key="stability",
-               tones=tones),
-        Column(head=said("power loss"), values=[one.power for one in roots], unit="W", key="power"),
-    ]  # fmt: skip
+        Column("", [said(_STABLE[one.stable]) for one in roots], "stability", tones=tones),
+        Column(said("power loss"), [one.power for one in roots], "power", "W"),
+    ]
     columns += [
         Column(
-            head=said(PLACE_NAMES[node]),
-            values=[Number(one.temperatures[node], ".1f [°C]") for one in roots],
-            unit="°C",
-            key=node,
+            said(PLACE_NAMES[node]),
+            [Number(one.temperatures[node], ".1f [°C]") for one in roots],
+            node,
+            "°C",
             align="right",
         )
         for node in NODES
     ]
-    columns.append(
-        Column(head="dF/dP", values=[one.slope for one in roots], unit="–", key="slope", figures=3)
-    )
+    columns.append(Column("dF/dP", [one.slope for one in roots], "slope", "–", figures=3))
     legend = said("dF/dP how much friction a watt of heat more makes; stable below 1")
-    table = Table(columns=tuple(columns), key="roots", legends=(legend,), rule=True, fixed=1)
-    return Section(said("All states below the temperature limit"), (table,), key="roots")
+    table = Table(tuple(columns), "roots", legends=(legend,), rule=True, fixed=1)
+    return Section(said("All states below the temperature limit"), (table,), "roots")
 
 
 # --- over a field ---------------------------------------------------------------------------------
@@ -287,35 +276,31 @@ def heat_over_page(found: HeatOver) -> Document:
     columns = [across]
     for node, values in zip(NODES, found.temperatures, strict=True):
         cells: list[CellContent] = [Number(value, ".1f [°C]") for value in values.tolist()]
-        columns.append(
-            Column(head=said(PLACE_NAMES[node]), values=cells, unit="°C", key=node, align="right")
-        )
-    columns.append(
-        Column(head=said("power loss"), values=found.power.tolist(), unit="W", key="power")
-    )
+        columns.append(Column(said(PLACE_NAMES[node]), cells, node, "°C", align="right"))
+    columns.append(Column(said("power loss"), found.power.tolist(), "power", "W"))
     if found.has_preload:
         for head, key, values in (
             (said("preload, cold"), "cold_preload", found.cold_preload),
             (said("preload, warm"), "warm_preload", found.warm_preload),
         ):
-            columns.append(Column(head=head, values=values.tolist(), unit="N", key=key))
+            columns.append(Column(head, values.tolist(), key, "N"))
     columns += [
-        Column(head="p", values=found.max_pressure.tolist(), unit="MPa", key="max_pressure"),
-        Column(head="dF/dP", values=found.slope.tolist(), unit="–", key="slope", figures=3),
+        Column("p", found.max_pressure.tolist(), "max_pressure", "MPa"),
+        Column("dF/dP", found.slope.tolist(), "slope", "–", figures=3),
         *(
-            Column(head=head, values=values.tolist(), unit=unit, key=key, only_in_files=True)
+            Column(head, values.tolist(), key, unit, only_in_files=True)
             for head, values, unit, key in (
                 (said("axial stiffness"), found.axial_stiffness, "N/µm", "axial_stiffness"),
                 (said("free contact angle"), found.contact_angle, "°", "contact_angle"),
                 (said("viscosity ratio κ"), found.viscosity_ratio, "", "viscosity_ratio"),
             )
         ),
-        Column(head=said("status"), values=found.status.tolist(), key="status", only_in_files=True),
+        Column(said("status"), found.status.tolist(), "status", only_in_files=True),
     ]
     legend = said(
         "p maximum pressure; dF/dP how much friction a watt of heat more makes, stable below 1"
     )
-    table = Table(columns=tuple(columns), key="points", legends=(legend,))
+    table = Table(tuple(columns), "points", legends=(legend,))
     blocks: list[Block] = [table, *cautions_over(found.field, found.values, found.cautions)]
     failed = found.status[found.failed()]
     if failed.size:
@@ -327,16 +312,16 @@ def heat_over_page(found: HeatOver) -> Document:
         )
         blocks.append(Statement(text, "bad-strong", indent=2))
     figure = Figure(
-        caption=said("Heat balance over {field}", field=found.field.label),
-        draw=lambda: _picture_over(found),
-        key="heat",
+        said("Heat balance over {field}", field=found.field.label),
+        lambda: _picture_over(found),
+        "heat",
     )
     sections = (
-        Section("", (Title(title),), key="head"),
+        Section("", (Title(title),), "head"),
         Section(
-            said("Heat balance over {field}", field=found.field.label), tuple(blocks), key="points"
+            said("Heat balance over {field}", field=found.field.label), tuple(blocks), "points"
         ),
-        Section("", (figure,), key="figure"),
+        Section("", (figure,), "figure"),
     )
     return Document(title, sections, kind="heat", main="points")
 

@@ -46,15 +46,13 @@ def heat_answers_page(found: HeatAnswers) -> Document:
     own = found.balance
     title = own.case.title or untitled(own.case)
     figure = Figure(
-        caption=said("Temperatures and preload of the variants"),
-        draw=lambda: _picture(found),
-        key="variants",
+        said("Temperatures and preload of the variants"), lambda: _picture(found), "variants"
     )
     sections = [
-        Section("", (Title(title), KeyValues(tuple(_answers(found)))), key="head"),
+        Section("", (Title(title), KeyValues(tuple(_answers(found)))), "head"),
         *cautions_section(own.notes),
         _variants(found),
-        Section("", (figure,), key="figure"),
+        Section("", (figure,), "figure"),
         *_distances(found),
         *notes_section(remarks_of(own.notes)),
     ]
@@ -73,10 +71,12 @@ def _answers(found: HeatAnswers) -> list[Entry]:
         entries.append(
             Entry(
                 said("permissible speed"),
-                said("{speed:.4 rpm} by DIN 732-2, of one bearing without preload",
-                     speed=found.permissible_speed),
+                said(
+                    "{speed:.4 rpm} by DIN 732-2, of one bearing without preload",
+                    speed=found.permissible_speed,
+                ),
             )
-        )  # fmt: skip
+        )
     neutral = found.neutral
     if neutral is not None:
         text = (
@@ -147,24 +147,22 @@ def _variants(found: HeatAnswers) -> Section:
     ]  # fmt: skip
     shown = [line for line in lines if any(isfinite(value) for value in line[1])]
     columns = [
-        Column(head="", values=[label for label, *_ in shown], key="quantity"),
-        Column(head=said("unit"), values=[unit for _, _, unit, _ in shown], key="unit"),
+        Column("", [label for label, *_ in shown], "quantity"),
+        Column(said("unit"), [unit for _, _, unit, _ in shown], "unit"),
     ]
     for place, one in enumerate(found.variants):
         cells: list[CellContent] = [
             Number(values[place], f"{form} [{own}]" if own else form)
             for _, values, own, form in shown
         ]
-        columns.append(
-            Column(head=said(VARIANT_NAMES[one.name]), values=cells, key=one.name, align="right")
-        )
+        columns.append(Column(said(VARIANT_NAMES[one.name]), cells, one.name, align="right"))
     legends = tuple(
         f"{said(VARIANT_NAMES[one.name])}: {reason(one.balance.status)}"
         for one in found.variants
         if not one.balance.converged
     )
-    table = Table(columns=tuple(columns), key="variants", legends=legends, rule=True, fixed=2)
-    return Section(said("With one thing changed"), (table,), key="variants")
+    table = Table(tuple(columns), "variants", legends=legends, rule=True, fixed=2)
+    return Section(said("With one thing changed"), (table,), "variants")
 
 
 def _distances(found: HeatAnswers) -> list[Section]:
@@ -172,10 +170,9 @@ def _distances(found: HeatAnswers) -> list[Section]:
     if neutral is None:
         return []
     columns = (
-        Column(head=said("distance of the rows"), values=neutral.spacing.tolist(), unit="mm",
-               key="spacing"),
-        Column(head=said("preload, cold"), values=neutral.cold.tolist(), unit="N", key="cold"),
-        Column(head=said("preload, warm"), values=neutral.warm.tolist(), unit="N", key="warm"),
-    )  # fmt: skip
-    table = Table(columns=columns, key="distances", only_in_files=True)
-    return [Section("", (table,), key="distances")]
+        Column(said("distance of the rows"), neutral.spacing.tolist(), "spacing", "mm"),
+        Column(said("preload, cold"), neutral.cold.tolist(), "cold", "N"),
+        Column(said("preload, warm"), neutral.warm.tolist(), "warm", "N"),
+    )
+    table = Table(columns, "distances", only_in_files=True)
+    return [Section("", (table,), "distances")]

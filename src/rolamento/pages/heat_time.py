@@ -49,7 +49,7 @@ def heat_time_page(found: HeatTransient) -> Document:
     """
     title = found.case.title or untitled(found.case)
     sections = [
-        Section("", (Title(title), *_headline(found)), key="head"),
+        Section("", (Title(title), *_headline(found)), "head"),
         *cautions_section(found.notes),
         *_course(found),
         *notes_section(remarks_of(found.notes)),
@@ -93,20 +93,18 @@ def _course(found: HeatTransient) -> list[Section]:
     shown = _moments(found)
     every = np.arange(len(found))
     figure = Figure(
-        caption=said("Temperatures, power and preload in time"),
-        draw=lambda: _picture(found),
-        key="course",
+        said("Temperatures, power and preload in time"), lambda: _picture(found), "course"
     )
     return [
         Section(
             said("In time"),
             (
-                Table(columns=_columns(found, shown), key="moments", legends=_legends(found)),
-                Table(columns=_columns(found, every), key="course", only_in_files=True),
+                Table(_columns(found, shown), "moments", legends=_legends(found)),
+                Table(_columns(found, every), "course", only_in_files=True),
             ),
-            key="course",
+            "course",
         ),
-        Section("", (figure,), key="figure"),
+        Section("", (figure,), "figure"),
     ]
 
 
@@ -137,34 +135,26 @@ def _columns(
 ) -> tuple[Column, ...]:
     columns = [
         Column(
-            head=said("time"),
-            values=[Number(one, ".3 [min]") for one in found.time[some].tolist()],
-            unit="min",
-            key="time",
+            said("time"),
+            [Number(one, ".3 [min]") for one in found.time[some].tolist()],
+            "time",
+            "min",
             align="right",
         )
     ]
     if np.ptp(found.speed) > 0.0:
         columns.append(
-            Column(head=said("speed"), values=found.speed[some].tolist(), unit="%",
-                   key="speed_factor", figures=3)
-        )  # fmt: skip
+            Column(said("speed"), found.speed[some].tolist(), "speed_factor", "%", figures=3)
+        )
     for node, values in zip(NODES, found.temperatures[:, some], strict=True):
         cells: list[CellContent] = [Number(value, ".1f [°C]") for value in values.tolist()]
-        columns.append(
-            Column(head=said(PLACE_NAMES[node]), values=cells, unit="°C", key=node, align="right")
-        )
-    columns.append(
-        Column(head=said("power loss"), values=found.power[some].tolist(), unit="W", key="power")
-    )
+        columns.append(Column(said(PLACE_NAMES[node]), cells, node, "°C", align="right"))
+    columns.append(Column(said("power loss"), found.power[some].tolist(), "power", "W"))
     if found.has_preload:
         columns.append(
-            Column(head=said("preload"), values=found.preload[some].tolist(), unit="N",
-                   key="preload", peak="maximum")
-        )  # fmt: skip
-    columns.append(
-        Column(head="p", values=found.max_pressure[some].tolist(), unit="MPa", key="max_pressure")
-    )
+            Column(said("preload"), found.preload[some].tolist(), "preload", "N", peak="maximum")
+        )
+    columns.append(Column("p", found.max_pressure[some].tolist(), "max_pressure", "MPa"))
     return tuple(columns)
 
 
@@ -182,19 +172,17 @@ def warm_up_page(found: WarmUp) -> Document:
     case = found.at_once.case
     title = case.title or untitled(case)
     sections = [
-        Section("", (Title(title), *_verdict(found)), key="head"),
+        Section("", (Title(title), *_verdict(found)), "head"),
         *cautions_section(found.at_once.notes),
     ]
     if found.transient is not None and found.needed:
         sections.append(_plan(found))
     shown = found.transient or found.at_once
     figure = Figure(
-        caption=said("Full speed at once, and by the plan"),
-        draw=lambda: warm_up_figure(found),
-        key="course",
+        said("Full speed at once, and by the plan"), lambda: warm_up_figure(found), "course"
     )
     course = _course(shown)
-    sections += [*course[:1], Section("", (figure,), key="figure")]
+    sections += [*course[:1], Section("", (figure,), "figure")]
     sections += notes_section(remarks_of(shown.notes))
     return Document(title, tuple(sections), kind="warm_up", main="course")
 
@@ -240,41 +228,34 @@ def _plan(found: WarmUp) -> Section:
         lines.append((step, own))
     last = len(lines) - 1
     columns = [
-        Column(head=said("step"), values=list(range(1, len(lines) + 1)), key="step", figures=1),
+        Column(said("step"), list(range(1, len(lines) + 1)), "step", figures=1),
+        Column(said("speed"), [step.speed_factor * fastest for step, _ in lines], "speed", "rpm"),
         Column(
-            head=said("speed"),
-            values=[step.speed_factor * fastest for step, _ in lines],
-            unit="rpm",
-            key="speed",
-        ),
-        Column(
-            head=said("duration"),
-            values=[
+            said("duration"),
+            [
                 said("on") if index == last else Number(step.duration, ".3 [min]")
                 for index, (step, _) in enumerate(lines)
             ],
-            unit="min",
-            key="duration",
+            "duration",
+            "min",
             align="right",
         ),
         Column(
-            head=said("warmest part"),
-            values=[
-                Number(float(course.temperatures[:, own].max()), ".1f [°C]") for _, own in lines
-            ],
-            unit="°C",
-            key="warmest",
+            said("warmest part"),
+            [Number(float(course.temperatures[:, own].max()), ".1f [°C]") for _, own in lines],
+            "warmest",
+            "°C",
             align="right",
         ),
     ]
     if course.has_preload:
         columns.append(
             Column(
-                head=said("largest preload"),
-                values=[float(course.preload[own].max()) for _, own in lines],
-                unit="N",
-                key="largest_preload",
+                said("largest preload"),
+                [float(course.preload[own].max()) for _, own in lines],
+                "largest_preload",
+                "N",
             )
         )
-    table = Table(columns=tuple(columns), key="plan", rule=True)
-    return Section(said("Plan"), (table,), key="plan")
+    table = Table(tuple(columns), "plan", rule=True)
+    return Section(said("Plan"), (table,), "plan")

@@ -53,14 +53,12 @@ def oscillation_page(found: OscillationCase) -> Document:
     notes = list(solved.notes[0])
     if life is not None:
         blocks = (*oscillation_statement(life), *cautions(life.notes))
-        sections.append(Section(said("Life in oscillations"), blocks, key="life"))
+        sections.append(Section(said("Life in oscillations"), blocks, "life"))
         sections += [_races(life), _forms(life)]
         figure = Figure(
-            caption=said("Life over the angle of oscillation"),
-            draw=lambda: _picture(found),
-            key="oscillation",
+            said("Life over the angle of oscillation"), lambda: _picture(found), "oscillation"
         )
-        sections.append(Section("", (figure,), key="figure"))
+        sections.append(Section("", (figure,), "figure"))
         notes = [*remarks_of(life.notes), *remarks_of(notes)]
     sections += notes_section(remarks_of(notes))
     return Document(title, tuple(sections), kind="oscillation", main="races")
@@ -102,10 +100,8 @@ def oscillation_statement(life: OscillationLife) -> Iterator[Block]:
         )
     yield Statement(text, "strong", indent=2)
     limiting = life.limiting
-    yield Statement(
-        said("The inner race limits it.") if limiting == "inner" else
-        said("The outer race limits it."), indent=2,
-    )  # fmt: skip
+    yield Statement(said("The inner race limits it.") if limiting == "inner" else
+        said("The outer race limits it."), indent=2)  # fmt: skip
 
 
 def _races(life: OscillationLife) -> Section:
@@ -122,31 +118,24 @@ def _races(life: OscillationLife) -> Section:
             window.append(float(life.window[row]) if race == life.moving else 1.0)
             lives.append(_MILLION * float(getattr(life, race)[row]))
             tones.append("warning" if life.angle < own else "")
-    columns = [Column(head="", values=races, key="race", tones=tones)]
+    columns = [Column("", races, "race", tones=tones)]
     if rows > 1:
-        columns.append(Column(head=said("row"), values=places, key="row"))
+        columns.append(Column(said("row"), places, "row"))
     columns += [
         Column(
-            head=said("critical angle"),
-            values=[Number(value, ".4 [°]") for value in critical],
-            unit="°",
-            key="critical",
+            said("critical angle"),
+            [Number(value, ".4 [°]") for value in critical],
+            "critical",
+            "°",
             align="right",
             tones=tones,
         ),
+        Column(said("lost averaging"), window, "window", "–", form=".4", tones=tones),
         Column(
-            head=said("lost averaging"),
-            values=window,
-            unit="–",
-            form=".4",
-            key="window",
-            tones=tones,
-        ),
-        Column(
-            head=said("life"),
-            values=[Number(value, f"{_LIFE} [{_UNIT}]") for value in lives],
-            unit=_UNIT,
-            key="life",
+            said("life"),
+            [Number(value, f"{_LIFE} [{_UNIT}]") for value in lives],
+            "life",
+            _UNIT,
             align="right",
             tones=tones,
         ),
@@ -155,8 +144,8 @@ def _races(life: OscillationLife) -> Section:
         "critical angle between the end points, at which neighbouring arcs meet; lost averaging by"
         " which the life of the race that moves against the load falls"
     )
-    table = Table(columns=tuple(columns), key="races", legends=(legend,), rule=True, fixed=1)
-    return Section(said("Races"), (table,), key="races")
+    table = Table(tuple(columns), "races", legends=(legend,), rule=True, fixed=1)
+    return Section(said("Races"), (table,), "races")
 
 
 def _forms(life: OscillationLife) -> Section:
@@ -178,9 +167,8 @@ def _forms(life: OscillationLife) -> Section:
         )
     )
     return Section(
-        said("Other forms, million oscillations"), (KeyValues(tuple(entries), indent=2),),
-        key="forms",
-    )  # fmt: skip
+        said("Other forms, million oscillations"), (KeyValues(tuple(entries), 2),), "forms"
+    )
 
 
 # --- of a histogram -------------------------------------------------------------------------------
@@ -220,20 +208,27 @@ def oscillation_spectrum_page(found: OscillationSpectrum) -> Document:
     columns = (
         _percent(said("share"), "share", found.steps.shares.tolist(), tones),
         Column(
-            head=said("angle"), values=[Number(one.angle, ".4 [°]") for one in found.lives],
-            unit="°", key="angle", align="right", tones=tones,
+            said("angle"),
+            [Number(one.angle, ".4 [°]") for one in found.lives],
+            "angle",
+            "°",
+            align="right",
+            tones=tones,
         ),
         Column(
-            head=said("life of the step alone"),
-            values=[Number(_MILLION * one.life, f"{_LIFE} [{_UNIT}]") for one in found.lives],
-            unit=_UNIT, key="life", align="right", tones=tones,
+            said("life of the step alone"),
+            [Number(_MILLION * one.life, f"{_LIFE} [{_UNIT}]") for one in found.lives],
+            "life",
+            _UNIT,
+            align="right",
+            tones=tones,
         ),
         _percent(said("share of the damage"), "damage", found.damage.tolist(), tones),
-    )  # fmt: skip
-    table = Table(columns=columns, key="steps", rule=True)
+    )
+    table = Table(columns, "steps", rule=True)
     sections = [
-        Section("", (Title(title), statement, *cautions(found.notes)), key="head"),
-        Section(said("Steps"), (table,), key="steps"),
+        Section("", (Title(title), statement, *cautions(found.notes)), "head"),
+        Section(said("Steps"), (table,), "steps"),
         *notes_section(remarks_of(found.notes)),
     ]
     return Document(title, tuple(sections), kind="oscillation", main="steps")
@@ -241,4 +236,4 @@ def oscillation_spectrum_page(found: OscillationSpectrum) -> Document:
 
 def _percent(head: str, key: str, shares: Sequence[float], tones: Sequence[Tone]) -> Column:
     values = [Number(share, ".3 [%]") for share in shares]
-    return Column(head=head, values=values, unit="%", key=key, align="right", tones=tones)
+    return Column(head, values, key, "%", align="right", tones=tones)

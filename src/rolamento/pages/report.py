@@ -101,7 +101,7 @@ def report_page(report: Report) -> Document:
     ]
     sections: list[Section | Beside] = [_head(report)]
     for number, (heading, blocks, key, inner) in enumerate(parts, start=1):
-        sections.append(Section(f"{number}  {heading}", tuple(blocks), key, level=1))
+        sections.append(Section(f"{number}  {heading}", tuple(blocks), key, 1))
         sections += inner
     many = len(report.cases) > 1
     return Document(
@@ -126,7 +126,7 @@ def comparison_page(report: Report, title: str = "") -> Document:
     """
     differing, *_ = _inputs(report)
     sections: list[Section | Beside] = [
-        Section("", (Title(title or said("Comparison")),), key="title"),
+        Section("", (Title(title or said("Comparison")),), "title"),
         summary_section(report),
         replace(differing, level=2),
         *(part_of(report, key) for key in _COMPARED),
@@ -175,7 +175,7 @@ def _head(report: Report) -> Section:
         Entry(said("program"), said("Rolamento {version}", version=report.version)),
     ]
     blocks = (Title(_title(report)), KeyValues(tuple(entries)), _drawing(report.cases[0]))
-    return Section("", blocks, key="title_block")
+    return Section("", blocks, "title_block")
 
 
 def _drawing(case: CaseReport) -> Figure:
@@ -184,9 +184,8 @@ def _drawing(case: CaseReport) -> Figure:
 
     drawing = section_drawing(case.case, case.analysis.solved)
     return Figure(
-        caption=drawing.remark, draw=lambda: draw_section(drawing), alternative=drawing.said,
-        key="section",
-    )  # fmt: skip
+        drawing.remark, lambda: draw_section(drawing), "section", alternative=drawing.said
+    )
 
 
 def _title(report: Report) -> str:
@@ -387,8 +386,8 @@ def _tables(report: Report, groups: Sequence[_Group], key: str, caption: str = "
     parts = [later[at : at + abreast] for at in range(0, len(later), abreast)] or [[]]
     return tuple(
         Table(
-            columns=tuple(_columns(report, rows, part)),
-            key=key if number == 0 else f"{key}_{number + 1}",
+            tuple(_columns(report, rows, part)),
+            key if number == 0 else f"{key}_{number + 1}",
             caption=caption,
             groups=tuple(places),
             legends=legends if number == len(parts) - 1 else (),
@@ -409,14 +408,14 @@ def _columns(report: Report, rows: Sequence[_Row], later: Sequence[int]) -> Iter
     units = [row.shown_unit for row in rows]
     many = len(report.cases) > 1
     tones = [row.tone for row in rows]
-    yield Column(head=said("quantity"), values=[row.label for row in rows], key="quantity")
-    yield Column(head=said("unit"), values=units, key="unit", tone="faint")
+    yield Column(said("quantity"), [row.label for row in rows], "quantity")
+    yield Column(said("unit"), units, "unit", tone="faint")
     for index in (0, *later):
         case = report.cases[index]
         yield Column(
-            head=said("case {name}", name=case.name) if many else said("value"),
-            values=[_cell(report, row, index) for row in rows],
-            key=case.name,
+            said("case {name}", name=case.name) if many else said("value"),
+            [_cell(report, row, index) for row in rows],
+            case.name,
             align="right",
             tones=tones,
         )
@@ -424,14 +423,14 @@ def _columns(report: Report, rows: Sequence[_Row], later: Sequence[int]) -> Iter
             pairs = [_differences(report, row, index) for row in rows]
             for place, head, key in ((0, "Δ", "difference"), (1, "Δ, %", "percent")):
                 yield Column(
-                    head=head,
-                    values=[pair[place] for pair in pairs],
-                    key=f"{case.name}_{key}",
+                    head,
+                    [pair[place] for pair in pairs],
+                    f"{case.name}_{key}",
                     align="right",
                     tone="faint",
                 )
     paths: list[CellContent] = [row.path or None for row in rows]
-    yield Column(head="path", values=paths, key="path", only_in_files=True)
+    yield Column("path", paths, "path", only_in_files=True)
 
 
 def _cell(report: Report, row: _Row, case: int) -> CellContent:
@@ -486,7 +485,7 @@ def _with_limits(report: Report, rows: Sequence[_Row], table: Table) -> Table:
         return table
     *columns, path = table.columns
     tones: list[Tone] = [tone for _, _, tone in found]
-    beside = Column(head=said("limit"), values=[one[0] for one in found], key="limit", tones=tones)
+    beside = Column(said("limit"), [one[0] for one in found], "limit", tones=tones)
     return replace(table, columns=(*columns, beside, path))
 
 
@@ -791,7 +790,7 @@ def _inputs(report: Report) -> list[Section]:
     sources = _Sources()
     if len(report.cases) == 1:
         table = _input_table(report, fields, [0], "inputs", sources)
-        return [Section("", (*table, *sources.blocks()), key="inputs_table")]
+        return [Section("", (*table, *sources.blocks()), "inputs_table")]
     equal = [field for field in fields if not _differing(report, field)]
     tables: list[Table] = []
     for index in range(1, len(report.cases)):
@@ -803,8 +802,8 @@ def _inputs(report: Report) -> list[Section]:
     ]
     rest = _input_table(report, equal, [0], "inputs_in_common", sources)
     return [
-        Section(said("Inputs that differ"), tuple(same), key="differing_inputs", level=3),
-        Section(said("Inputs in common"), (*rest, *sources.blocks()), key="common_inputs", level=3),
+        Section(said("Inputs that differ"), tuple(same), "differing_inputs", 3),
+        Section(said("Inputs in common"), (*rest, *sources.blocks()), "common_inputs", 3),
     ]
 
 
@@ -867,34 +866,27 @@ def _input_table(
             place = table
     many = len(cases) > 1
     columns = [
-        Column(head=said("input"), values=[_label(field) for field in fields], key="input"),
-        Column(
-            head=said("field"), values=list(fields), key="field", tone="faint", only_in_files=many
-        ),
-        Column(head=said("unit"), values=[first[f].unit for f in fields], key="unit",
-               tone="faint"),
-    ]  # fmt: skip
+        Column(said("input"), [_label(field) for field in fields], "input"),
+        Column(said("field"), list(fields), "field", tone="faint", only_in_files=many),
+        Column(said("unit"), [first[f].unit for f in fields], "unit", tone="faint"),
+    ]
     for index in cases:
         case = report.cases[index]
         own = [case.input(field) for field in fields]
         columns.append(
             Column(
-                head=said("case {name}", name=case.name) if many else said("value"),
-                values=[_input_cell(one) for one in own],
-                key=case.name,
+                said("case {name}", name=case.name) if many else said("value"),
+                [_input_cell(one) for one in own],
+                case.name,
                 align="right",
             )
         )
         if index:
             columns += _input_differences(report, fields, index)
         columns.append(
-            Column(
-                head=said("origin"),
-                values=[sources.cell(one) for one in own],
-                key=f"{case.name}_origin",
-            )
+            Column(said("origin"), [sources.cell(one) for one in own], f"{case.name}_origin")
         )
-    return [Table(columns=tuple(columns), key=key, groups=tuple(groups), rule=True, fixed=2)]
+    return [Table(tuple(columns), key, groups=tuple(groups), rule=True, fixed=2)]
 
 
 def _any_input(report: Report, field: str) -> Input:
@@ -936,8 +928,8 @@ def _input_differences(report: Report, fields: Sequence[str], case: int) -> list
         relative.append(None if share is None or unit == "K" else Number(share, "+.1f [%]"))
     name = report.cases[case].name
     return [
-        Column(head="Δ", values=absolute, key=f"{name}_difference", align="right", tone="faint"),
-        Column(head="Δ, %", values=relative, key=f"{name}_percent", align="right", tone="faint"),
+        Column("Δ", absolute, f"{name}_difference", align="right", tone="faint"),
+        Column("Δ, %", relative, f"{name}_percent", align="right", tone="faint"),
     ]
 
 
@@ -969,14 +961,14 @@ def _results(report: Report) -> list[Section | Beside]:
         said("Element loads compared"),
     )
     loads = _ball_loads(report)
-    sections += [Section(compared, loads, "ball_loads", level=3)] * bool(loads)
+    sections += [Section(compared, loads, "ball_loads", 3)] * bool(loads)
     for key in ("contacts", "film", "friction", "heat", "frequencies", "stiffness"):
         add(key)
     for case in report.cases:
         sections += _asked(report, case)
     missing = Notes(_missing(report))
     if missing.remarks:
-        sections.append(Section(said("Not calculated"), (missing,), "missing", level=3))
+        sections.append(Section(said("Not calculated"), (missing,), "missing", 3))
     return sections
 
 
@@ -1007,10 +999,7 @@ def _missing(report: Report) -> tuple[Remark, ...]:
     texts = (
         ("life", said("Ratings and lives: see the summary.")),
         ("film", said("Lubricant film: requires [lubricant] and temperature.lubricant.")),
-        (
-            "friction",
-            said("Friction: requires [lubricant] and temperature.lubricant."),
-        ),
+        ("friction", said("Friction: requires [lubricant] and temperature.lubricant.")),
         ("frequencies", said("Fault frequencies: the rings do not rotate relative to each other.")),
     )
     remarks = [
@@ -1152,7 +1141,7 @@ def _service_lives(report: Report) -> list[Section]:
             heading = said("{what}, case {name}", what=heading, name=case.name)
         figure = replace(time_line(found), key=f"service_life_{case.name}")
         blocks = (*_endings(found), figure)
-        sections.append(Section(heading, blocks, f"service_life_{case.name}", level=3))
+        sections.append(Section(heading, blocks, f"service_life_{case.name}", 3))
     return sections
 
 
@@ -1214,20 +1203,16 @@ def _theory_table(case: CaseReport, theories: Sequence[str]) -> Table:
         "strong" if name == leading else "" if _verdict(case, name) != said("no") else "faint"
         for name in theories
     ]
-    columns = [
-        Column(
-            head=said("theory"), values=list(map(theory_name, theories)), key="theory", tones=tones
-        )
-    ]
+    columns = [Column(said("theory"), list(map(theory_name, theories)), "theory", tones=tones)]
     millions = [case.number(f"{base}.{name}.life") for name in theories]
     columns.append(
         Column(
-            head="10⁶ rev",
-            values=[
+            "10⁶ rev",
+            [
                 Number(nan) if own is None else Number(own, ".2e" if own >= 1e6 else ".4r")
                 for own in millions
             ],
-            key="life",
+            "life",
             align="right",
             tones=tones,
         )
@@ -1235,8 +1220,8 @@ def _theory_table(case: CaseReport, theories: Sequence[str]) -> Table:
     hours = [case.number(f"{base}.{name}.hours") for name in theories]
     columns.append(
         Column(
-            head="h",
-            values=[
+            "h",
+            [
                 _endless(case, name)
                 if own is None
                 else _hours_text(own)
@@ -1244,7 +1229,7 @@ def _theory_table(case: CaseReport, theories: Sequence[str]) -> Table:
                 else Number(own, ".4r")
                 for name, own in zip(theories, hours, strict=True)
             ],
-            key="hours",
+            "hours",
             align="right",
             tones=tones,
         )
@@ -1256,24 +1241,14 @@ def _theory_table(case: CaseReport, theories: Sequence[str]) -> Table:
         found = [case.number(f"{base}.{theory}.factors.{name}") for theory in theories]
         if any(own is not None for own in found):
             cells: list[CellContent] = [None if own is None else Number(own, ".3") for own in found]
-            columns.append(
-                Column(head=head, values=cells, key=f"factors.{name}", align="right", tones=tones)
-            )
+            columns.append(Column(head, cells, f"factors.{name}", align="right", tones=tones))
     columns.append(
         Column(
-            head=said("valid here"),
-            values=[_verdict(case, name) for name in theories],
-            key="valid",
-            tones=tones,
+            said("valid here"), [_verdict(case, name) for name in theories], "valid", tones=tones
         )
     )
     columns.append(
-        Column(
-            head="path",
-            values=[f"{base}.{name}" for name in theories],
-            key="path",
-            only_in_files=True,
-        )
+        Column("path", [f"{base}.{name}" for name in theories], "path", only_in_files=True)
     )
     reliability = case.number("analysis.life.headline.reliability") or nan
     legends = (
@@ -1281,7 +1256,7 @@ def _theory_table(case: CaseReport, theories: Sequence[str]) -> Table:
              reliability=reliability),
         *_life_legends(),
     )  # fmt: skip
-    return Table(columns=tuple(columns), key=f"lives_{case.name}", legends=legends, rule=True)
+    return Table(tuple(columns), f"lives_{case.name}", legends=legends, rule=True)
 
 
 def _chosen(case: CaseReport) -> str:
@@ -1377,25 +1352,25 @@ def _chain(case: CaseReport) -> Table:
     tones.append("strong")
     heads = (said("minimum"), said("mean"), said("maximum"))
     columns = [
-        Column(head=said("diametral clearance"), values=labels, key="step", tones=tones),
-        Column(head=said("unit"), values=units, key="unit", tone="faint"),
+        Column(said("diametral clearance"), labels, "step", tones=tones),
+        Column(said("unit"), units, "unit", tone="faint"),
         *(
             Column(
-                head=head,
-                values=[
+                head,
+                [
                     _limit_cell(case, path, at, unit)
                     for path, unit in zip(paths, units, strict=True)
                 ],
-                key=_LIMITS[at],
+                _LIMITS[at],
                 align="right",
                 tones=tones,
             )
             for at, head in enumerate(heads)
         ),
-        Column(head=said("source"), values=sources, key="source", tone="faint"),
-        Column(head="path", values=paths, key="path", only_in_files=True),
+        Column(said("source"), sources, "source", tone="faint"),
+        Column("path", paths, "path", only_in_files=True),
     ]
-    return Table(columns=tuple(columns), key=f"clearance_{case.name}", rule=True)
+    return Table(tuple(columns), f"clearance_{case.name}", rule=True)
 
 
 def _limit_cell(case: CaseReport, path: str, at: int, unit: str) -> CellContent:
@@ -1534,7 +1509,7 @@ def _distribution(report: Report, case: CaseReport) -> Section:
         replace(table, key=f"{name}_{case.name}")
         for name, table in element_tables(case.analysis.solved).items()
     )
-    return Section(heading, tables, f"distribution_{case.name}", level=3)
+    return Section(heading, tables, f"distribution_{case.name}", 3)
 
 
 def _pictures(report: Report, case: CaseReport) -> list[Section]:
@@ -1549,7 +1524,7 @@ def _pictures(report: Report, case: CaseReport) -> list[Section]:
             for figure in found.blocks
             if isinstance(figure, Figure)
         )
-        sections.append(Section(heading, tuple(figures), f"{found.key}_{case.name}", level=3))
+        sections.append(Section(heading, tuple(figures), f"{found.key}_{case.name}", 3))
     return sections
 
 
@@ -1650,30 +1625,20 @@ def _by_race(
         if any(case.number(f"extremes.{race}_{row[0]}") is not None for race in heads)
     ]
     columns = [
-        Column(head=said("quantity"), values=[said(row[1]) for row in found], key="quantity"),
-        Column(
-            head=said("unit"),
-            values=[row[2].partition(" ")[2] for row in found],
-            key="unit",
-            tone="faint",
-        ),
+        Column(said("quantity"), [said(row[1]) for row in found], "quantity"),
+        Column(said("unit"), [row[2].partition(" ")[2] for row in found], "unit", tone="faint"),
         *(
             Column(
-                head=head,
-                values=[_number(case, f"extremes.{race}_{name}", form) for name, _, form in found],
-                key=race,
+                head,
+                [_number(case, f"extremes.{race}_{name}", form) for name, _, form in found],
+                race,
                 align="right",
             )
             for race, head in heads.items()
         ),
-        Column(
-            head="path",
-            values=[f"extremes.*_{row[0]}" for row in found],
-            key="path",
-            only_in_files=True,
-        ),
+        Column("path", [f"extremes.*_{row[0]}" for row in found], "path", only_in_files=True),
     ]
-    return (Table(columns=tuple(columns), key=key, rule=True),)
+    return (Table(tuple(columns), key, rule=True),)
 
 
 def _number(case: CaseReport, path: str, form: str) -> Number:
@@ -1691,11 +1656,10 @@ def _film(report: Report) -> tuple[Table, ...]:
         _Row(said("lubricant temperature"), f"{film}.temperature", ".5 °C"),
         _Row(said("kinematic viscosity ν"), f"{film}.kinematic_viscosity", ".4 mm²/s"),
         _Row(said("dynamic viscosity η"), f"{film}.dynamic_viscosity", ".4 mPa·s"),
-        _Row(said("pressure-viscosity coefficient α_p"), f"{film}.pressure_viscosity",
-             ".4 1/GPa"),
+        _Row(said("pressure-viscosity coefficient α_p"), f"{film}.pressure_viscosity", ".4 1/GPa"),
         _Row(said("required viscosity ν_1"), f"{film}.reference_viscosity", ".4 mm²/s"),
         _Row(said("viscosity ratio κ"), f"{film}.viscosity_ratio", ".3"),
-    ]  # fmt: skip
+    ]
     if not any(case.analysis.film is not None for case in report.cases):
         return ()
     heads: dict[Race, str] = {
@@ -1868,33 +1832,28 @@ def _frequency_table(case: CaseReport) -> tuple[Table, ...]:
     labels = _line_names([case])
     names = list(labels)
     columns = (
-        Column(head="", values=list(labels.values()), key="line"),
-        Column(head="", values=[ABBREVIATIONS[name] for name in names], key="abbreviation"),
+        Column("", list(labels.values()), "line"),
+        Column("", [ABBREVIATIONS[name] for name in names], "abbreviation"),
         Column(
-            head=said("frequency"),
-            values=[_number(case, f"{path}.{name}.frequency", ".5 Hz") for name in names],
-            unit="Hz",
-            key="frequency",
+            said("frequency"),
+            [_number(case, f"{path}.{name}.frequency", ".5 Hz") for name in names],
+            "frequency",
+            "Hz",
             align="right",
         ),
         Column(
-            head=said("order"),
-            values=[_number(case, f"{path}.{name}.order", ".5") for name in names],
-            key="order",
+            said("order"),
+            [_number(case, f"{path}.{name}.order", ".5") for name in names],
+            "order",
             align="right",
         ),
-        Column(
-            head="path",
-            values=[f"{path}.{name}" for name in names],
-            key="path",
-            only_in_files=True,
-        ),
+        Column("path", [f"{path}.{name}" for name in names], "path", only_in_files=True),
     )
     legend = said(
         "Orders are multiples of the shaft frequency, {frequency:.5 Hz}.",
         frequency=case.number(f"{path}.shaft_frequency") or 0.0,
     )
-    return (Table(columns=columns, key=f"frequencies_{case.name}", legends=(legend,), rule=True),)
+    return (Table(columns, f"frequencies_{case.name}", legends=(legend,), rule=True),)
 
 
 def _stiffness(report: Report) -> list[Table]:
@@ -2008,13 +1967,13 @@ def _validity(report: Report) -> list[Section]:
             if many
             else said("Limits of the models")
         )
-        sections.append(Section(heading, (_check_table(case),), f"limits_{case.name}", level=3))
+        sections.append(Section(heading, (_check_table(case),), f"limits_{case.name}", 3))
     life = _life_validity(report)
     if life:
-        sections.append(Section(said("Theories of life"), life, "life_validity", level=3))
+        sections.append(Section(said("Theories of life"), life, "life_validity", 3))
     friction = _friction_validity(report)
     if friction:
-        sections.append(Section(said("Models of friction"), friction, "friction_validity", level=3))
+        sections.append(Section(said("Models of friction"), friction, "friction_validity", 3))
     return sections
 
 
@@ -2035,36 +1994,29 @@ def _check_table(case: CaseReport) -> Table:
             value = getattr(check, name)
             own = None if value is None or (name == "least" and check.low is None) else value
             values.append(None if own is None else Number(float(own), form))
-        return Column(head=head, values=values, key=name, align="right")
+        return Column(head, values, name, align="right")
 
     columns = (
-        Column(
-            head=said("limit"),
-            values=[said(_CHECKS[check.name][0]) for check in checks],
-            key="limit",
-        ),
-        Column(
-            head=said("unit"), values=[units.get(c.name, "") for c in checks], key="unit",
-            tone="faint",
-        ),
+        Column(said("limit"), [said(_CHECKS[check.name][0]) for check in checks], "limit"),
+        Column(said("unit"), [units.get(c.name, "") for c in checks], "unit", tone="faint"),
         column("low", said("lower limit")),
         column("high", said("upper limit")),
         column("least", said("minimum here")),
         column("greatest", said("maximum here")),
         Column(
-            head=said("within limits"),
-            values=[said("yes") if check.met else said("no") for check in checks],
-            key="met",
+            said("within limits"),
+            [said("yes") if check.met else said("no") for check in checks],
+            "met",
             tones=["good" if check.met else "warning" for check in checks],
         ),
         Column(
-            head="path",
-            values=[f"checks.{case.checks.index(check)}" for check in checks],
-            key="path",
+            "path",
+            [f"checks.{case.checks.index(check)}" for check in checks],
+            "path",
             only_in_files=True,
         ),
-    )  # fmt: skip
-    return Table(columns=columns, key=f"limits_{case.name}", rule=True)
+    )
+    return Table(columns, f"limits_{case.name}", rule=True)
 
 
 def _life_validity(report: Report) -> tuple[Table, ...]:
@@ -2127,18 +2079,18 @@ def _verdict_table(
     if not rows:
         return ()
     many = len(report.cases) > 1
-    columns = [Column(head=head, values=list(rows), key=head)]
+    columns = [Column(head, list(rows), head)]
     for index, case in enumerate(report.cases):
         texts, tones = zip(*(own[index] for own in verdicts), strict=True)
         columns.append(
             Column(
-                head=said("case {name}", name=case.name) if many else said("valid here"),
-                values=texts,
-                key=case.name,
+                said("case {name}", name=case.name) if many else said("valid here"),
+                texts,
+                case.name,
                 tones=tones,
             )
         )
-    return (Table(columns=tuple(columns), key=key, rule=True),)
+    return (Table(tuple(columns), key, rule=True),)
 
 
 def _references(cases: Iterable[CaseReport]) -> tuple[Statement, ...]:

@@ -47,20 +47,16 @@ def service_life_page(found: ServiceLife) -> Document:
     solved = found.solved
     title = solved.title or untitled(solved.case)
     blocks = (*service_life_statement(found), *cautions((*found.notes, *solved.notes[0])))
-    sections = [head(solved), Section(said("What ends it first"), blocks, key="first")]
+    sections = [head(solved), Section(said("What ends it first"), blocks, "first")]
     if found.endings:
-        sections += [endings_section(found), Section("", (time_line(found),), key="figure")]
+        sections += [endings_section(found), Section("", (time_line(found),), "figure")]
     sections += notes_section(remarks_of((*found.notes, *solved.notes[0])))
     return Document(title, tuple(sections), kind="service_life", main="endings")
 
 
 def time_line(found: ServiceLife) -> Figure:
     """Return the picture of all endings on one time line."""
-    return Figure(
-        caption=said("What ends it, on one time line"),
-        draw=lambda: _picture(found),
-        key="service_life",
-    )
+    return Figure(said("What ends it, on one time line"), lambda: _picture(found), "service_life")
 
 
 def _picture(found: ServiceLife) -> Picture:
@@ -140,30 +136,26 @@ def endings_section(found: ServiceLife) -> Section:
     tones: list[Tone] = ["strong" if one is found.first else "" for one in ordered]
     columns = [
         Column(
-            head="", values=["▸" if one is found.first else "" for one in ordered], key="first",
-            tone="good-strong",
+            "", ["▸" if one is found.first else "" for one in ordered], "first", tone="good-strong"
         ),
-        Column(
-            head="", values=[said(ENDING_NAMES[one.name]) for one in ordered], key="ending",
-            tones=tones,
-        ),
-    ]  # fmt: skip
+        Column("", [said(ENDING_NAMES[one.name]) for one in ordered], "ending", tones=tones),
+    ]
     for key, text in (("hours", said("10 %")), ("low", said("from")), ("high", said("to"))):
         values: list[CellContent] = [_hours(getattr(one, key)) for one in ordered]
-        columns.append(
-            Column(head=text, values=values, unit="h", key=key, align="right", tones=tones)
-        )
+        columns.append(Column(text, values, key, "h", align="right", tones=tones))
     columns.append(
         Column(
-            head="", values=[said(BASES[one.basis]) if one.basis else "" for one in ordered],
-            key="basis", tone="faint",
+            "",
+            [said(BASES[one.basis]) if one.basis else "" for one in ordered],
+            "basis",
+            tone="faint",
         )
-    )  # fmt: skip
+    )
     legend = said(
         "10 % of such bearings have ended by then; from 1 % to half of them, by all laws together"
     )
-    table = Table(columns=tuple(columns), key="endings", legends=(legend,), rule=True, fixed=2)
-    return Section(said("All endings"), (table,), key="endings")
+    table = Table(tuple(columns), "endings", legends=(legend,), rule=True, fixed=2)
+    return Section(said("All endings"), (table,), "endings")
 
 
 def _hours(value: float) -> Number:

@@ -82,7 +82,7 @@ def trend_page(found: TrendStudy) -> Document:
         return trend_picture(found)
 
     caption = said("Measurements over the running time")
-    sections.append(Section(blocks=(Figure(caption=caption, draw=draw, key="trend"),)))
+    sections.append(Section(blocks=(Figure(caption, draw, "trend"),)))
     return Document(title, tuple(sections), "trend")
 
 
@@ -109,21 +109,17 @@ def _measurements(trend: Trend) -> Table:
         if name and (not place or name != bearings[place - 1])
     )
     columns = [
-        Column(head=said("bearing"), key="bearing", values=bearings, only_in_files=True),
+        Column(said("bearing"), bearings, "bearing", only_in_files=True),
         *_days(trend, shown),
-        Column(
-            head=trend.time_unit,
-            key="time",
-            values=[Number(float(trend.times[row]), ".6") for row in shown],
-        ),
+        Column(trend.time_unit, [Number(float(trend.times[row]), ".6") for row in shown], "time"),
     ]
     for place, (name, unit) in enumerate(zip(trend.quantities, trend.units, strict=True)):
         known = said(QUANTITIES[name]) if name in QUANTITIES else name
         columns.append(
             Column(
-                head=f"{shortened(known)} {unit}".rstrip(),
-                key=name,
-                values=_cells(trend, shown, place),
+                f"{shortened(known)} {unit}".rstrip(),
+                _cells(trend, shown, place),
+                name,
                 align="right",
             )
         )
@@ -136,7 +132,7 @@ def _measurements(trend: Trend) -> Table:
                 shown=len(shown),
             )
         )
-    return Table(columns=tuple(columns), key="measurements", groups=groups, legends=tuple(legends))
+    return Table(tuple(columns), "measurements", groups=groups, legends=tuple(legends))
 
 
 def _days(trend: Trend, rows: Sequence[int]) -> list[Column]:
@@ -144,7 +140,7 @@ def _days(trend: Trend, rows: Sequence[int]) -> list[Column]:
     if not trend.start:
         return []
     days = [moment_after(trend.start, float(trend.times[row])) for row in rows]
-    return [Column(head=said("date"), key="date", values=days)]
+    return [Column(said("date"), days, "date")]
 
 
 def _cells(trend: Trend, rows: Sequence[int], quantity: int) -> list[CellContent]:
@@ -170,11 +166,7 @@ def _laws_of_wear(trend: Trend, fits: Mapping[str, WearFit]) -> Section:
     }
     first = next(iter(fits.values()))
     columns = [
-        Column(
-            head=said("bearing"),
-            key="bearing",
-            values=[shortened(one_line(bearing)) for bearing in fits],
-        )
+        Column(said("bearing"), [shortened(one_line(bearing)) for bearing in fits], "bearing")
     ]
     for name in first.constants:
         head, scale = constants[name]
@@ -184,12 +176,12 @@ def _laws_of_wear(trend: Trend, fits: Mapping[str, WearFit]) -> Section:
             (name, head, values, _FIGURES), (f"{name}_error", "±", errors, 2),
         ):  # fmt: skip
             cells = [Number(value, f".{figures}") for value in numbers]
-            columns.append(Column(head=shown, key=key, values=cells))
+            columns.append(Column(shown, cells, key))
     columns.append(
         Column(
-            head=said("residual {length}", length=length),
-            key="residual",
-            values=[Number(fit.residual / metre, ".2") for fit in fits.values()],
+            said("residual {length}", length=length),
+            [Number(fit.residual / metre, ".2") for fit in fits.values()],
+            "residual",
         )
     )
     legends = (
@@ -202,5 +194,5 @@ def _laws_of_wear(trend: Trend, fits: Mapping[str, WearFit]) -> Section:
             " for other bearings."
         ),
     )
-    table = Table(columns=tuple(columns), key="wear", legends=legends)
+    table = Table(tuple(columns), "wear", legends=legends)
     return Section(said("Law of wear: {law}", law=_LAWS[first.law]), (table,), "wear")
