@@ -16,6 +16,7 @@ from rolamento.records import frozen
 from rolamento.words import language
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure as Picture
 
 __all__ = [
@@ -273,11 +274,12 @@ class Figure:
     caption
         What it shows.
     draw
-        Returns it as a figure of Matplotlib; it is drawn only where a medium shows it.
+        Returns it as a figure of Matplotlib, or the axes of one; it is drawn only where a medium
+        shows it.
     key
         Its name, such as ``"rosette"``.
     alternative
-        What it shows, for those who cannot see it; by default the caption.
+        What it shows, for those who cannot see it; by default what its charts say, or the caption.
     sketch
         Called with the characters that there is room for, and whether braille and blocks can be
         shown; returns lines of (text, tone) pairs.
@@ -286,7 +288,7 @@ class Figure:
     """
 
     caption: str
-    draw: Callable[[], Picture] | None = None
+    draw: Callable[[], Picture | Axes] | None = None
     key: str = ""
     alternative: str = ""
     sketch: Callable[[int, bool], Sequence[Sequence[tuple[str, Tone]]]] | None = None

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from math import exp, isfinite, nan
 from typing import TYPE_CHECKING, Final
 
+from rolamento import plots
 from rolamento.document import (
     CellContent,
     Column,
@@ -30,8 +31,6 @@ from rolamento.words.naming import one_line
 from rolamento.words.sentences.noise import band_name
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.tasks.noise import MeasuredNoise, NoiseResult
 
 __all__ = ["anderon_page", "noise_statement"]
@@ -326,32 +325,16 @@ def _rejected(band: BandTrend) -> str:
 
 
 def _figures(found: NoiseResult) -> Iterable[Figure]:
+    one = found.measured[0]
     if len(found.measured) == 1:
         yield Figure(
             said("Noise in thirds of octaves, with the level and limit of each band"),
-            _over_frequency(found),
+            lambda: plots.noise_figure(one.noise, limits=found.limits_of(one)),
             "noise",
         )
     elif found.trend is not None:
-        yield Figure(said("Levels of the bands over the test"), _over_hours(found), "trend")
-
-
-def _over_frequency(found: NoiseResult) -> Callable[[], Picture]:
-    def draw() -> Picture:
-        from rolamento.plots.anderon import noise_figure
-
-        one = found.measured[0]
-        return noise_figure(one.noise, limits=found.limits_of(one))
-
-    return draw
-
-
-def _over_hours(found: NoiseResult) -> Callable[[], Picture]:
-    def draw() -> Picture:
-        from rolamento.plots.anderon import noise_trend_figure
         from rolamento.weibull import parse_trend
 
-        limits = found.limits_of(found.measured[0])
-        return noise_trend_figure(parse_trend(found.record()), limits=limits)
-
-    return draw
+        trend, limits = parse_trend(found.record()), found.limits_of(one)
+        caption = said("Levels of the bands over the test")
+        yield Figure(caption, lambda: plots.noise_trend_figure(trend, limits=limits), "trend")

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from math import isfinite, log10, pi
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from rolamento import plots
 from rolamento.document import (
     Block,
     Column,
@@ -30,8 +31,6 @@ from rolamento.words.headlines import qualifies
 from rolamento.words.naming import one_line, part_name
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.tasks.diagnosis import DiagnosisResult
     from rolamento.tasks.shaft_speed import ShaftSpeed
 
@@ -419,42 +418,14 @@ def _figures(found: DiagnosisResult) -> Iterable[Figure]:
     caption = said("The signal over time")
     if fault is not None:
         caption = said("The signal over time, with the impacts of the clearest fault")
-    yield Figure(caption, _waveform(found), "waveform")
+    yield Figure(caption, lambda: plots.impacts_figure(found.signal, found.diagnosis), "waveform")
     yield Figure(
         said("Kurtogram: how impulsive the signal is, by frequency and bandwidth"),
-        _kurtogram(found),
+        lambda: plots.kurtogram_figure(found.signal, band=None if fault is None else fault.band),
         "kurtogram",
     )
     yield Figure(
         said("Spectrum of the squared envelope, with the frequencies of the bearing"),
-        _envelope(found),
+        lambda: plots.envelope_figure(found.diagnosis),
         "envelope",
     )
-
-
-def _waveform(found: DiagnosisResult) -> Callable[[], Picture]:
-    def draw() -> Picture:
-        from rolamento.plots.vibration import impacts_figure
-
-        return impacts_figure(found.signal, found.diagnosis)
-
-    return draw
-
-
-def _kurtogram(found: DiagnosisResult) -> Callable[[], Picture]:
-    def draw() -> Picture:
-        from rolamento.plots.vibration import kurtogram_figure
-
-        fault = found.diagnosis.clearest_fault
-        return kurtogram_figure(found.signal, band=None if fault is None else fault.band)
-
-    return draw
-
-
-def _envelope(found: DiagnosisResult) -> Callable[[], Picture]:
-    def draw() -> Picture:
-        from rolamento.plots.vibration import envelope_figure
-
-        return envelope_figure(found.diagnosis)
-
-    return draw

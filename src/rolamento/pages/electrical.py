@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from math import isfinite
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -21,10 +21,10 @@ from rolamento.document import (
     Tone,
 )
 from rolamento.io.data import toml_of
-from rolamento.pages.given import head, untitled
-from rolamento.pages.notes import cautions_section, notes_section, remarks_of
+from rolamento.pages.given import case_page, head, race_name
+from rolamento.pages.notes import remarks_of
 from rolamento.solved import RACES
-from rolamento.words import marked, said
+from rolamento.words import said
 from rolamento.words.sentences.electrical import BREAKDOWNS, DENSITIES
 
 if TYPE_CHECKING:
@@ -34,8 +34,6 @@ if TYPE_CHECKING:
     from rolamento.numerics import FloatArray
 
 __all__ = ["electrical_page", "electrical_sections"]
-
-_RACES: Final = {"inner": marked("inner race"), "outer": marked("outer race")}
 
 
 def electrical_page(found: BearingElectrics) -> Document:
@@ -48,12 +46,16 @@ def electrical_page(found: BearingElectrics) -> Document:
     """
     solved = found.solved
     notes = (*solved.notes[0], *found.notes)
-    sections = [head(solved), *cautions_section(notes)]
-    if solved.converged[0]:
-        sections += electrical_sections(found)
-    sections += notes_section(remarks_of(notes))
-    title = solved.title or untitled(solved.case)
-    return Document(title, tuple(sections), kind="electrical", main="electrical_races")
+    sections = electrical_sections(found) if solved.converged[0] else []
+    return case_page(
+        solved.case,
+        head(solved),
+        sections,
+        "electrical",
+        "electrical_races",
+        cautions=notes,
+        remarks=remarks_of(notes),
+    )
 
 
 def electrical_sections(found: BearingElectrics, level: int = 2) -> list[Section]:
@@ -105,7 +107,7 @@ def _most(values: FloatArray, places: FloatArray) -> float:
 def _races(found: BearingElectrics) -> Table:
     own = [found.of(race) for race in RACES]
     columns = [
-        Column("", [said(_RACES[race]) for race in RACES], "race"),
+        Column("", [race_name(race) for race in RACES], "race"),
         Column("ΣA", [float(one.total_area[0]) for one in own], "area", "mm²", figures=3, most=3),
         Column(
             "h_c",

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from rolamento import plots
 from rolamento.document import Break, CellContent, Column, Figure, Number, Section, Table, Tone
 from rolamento.geometry import Race
 from rolamento.numerics import BoolArray, FloatArray
@@ -21,8 +22,6 @@ from rolamento.types import type_of_element
 from rolamento.words import decimals_for, in_unit, manner, said, said_in
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.solved import Rollers
 
 __all__ = [
@@ -596,30 +595,16 @@ def roller_pictures(solved: Solved) -> list[Section]:
         return []
     along = Figure(
         said("Pressure along the rollers at both races, the most loaded one in full"),
-        lambda: _along_picture(solved),
+        lambda: plots.pressures_of_both_races(solved)[0],
         "along",
         sketch=lambda width, draws: _sketch(solved, width, draws),
     )
     between = Figure(
         said("The most loaded roller between the races, before they are pressed flat"),
-        lambda: _between_picture(solved),
+        lambda: plots.roller_between_races(solved),
         "between",
     )
     return [Section(said("Along the rollers"), (along, between), "along")]
-
-
-def _along_picture(solved: Solved) -> Picture:
-    from rolamento.charts.frame import figure_of
-    from rolamento.plots.roller import pressures_of_both_races
-
-    return figure_of(pressures_of_both_races(solved)[0])
-
-
-def _between_picture(solved: Solved) -> Picture:
-    from rolamento.charts.frame import figure_of
-    from rolamento.plots.roller import roller_between_races
-
-    return figure_of(roller_between_races(solved))
 
 
 def _sketch(solved: Solved, width: int, draws: bool) -> list[list[tuple[str, Tone]]]:

@@ -21,8 +21,8 @@ from rolamento.document import (
     Tone,
 )
 from rolamento.friction.models import torque_model_name
-from rolamento.pages.given import head, untitled
-from rolamento.pages.notes import cautions, cautions_section
+from rolamento.pages.given import case_page, head
+from rolamento.pages.notes import cautions
 from rolamento.words import in_unit, marked, said
 
 if TYPE_CHECKING:
@@ -71,13 +71,10 @@ def friction_page(analysis: Analysis) -> Document:
     """Return the page of the friction of one case; without a result it says why and what to do."""
     solved = analysis.solved
     whole = (*solved.notes[0], *analysis.notes)
-    sections = [head(solved), *cautions_section(whole)]
+    sections: list[Section] = []
     if analysis.friction is not None:
-        sections += friction_sections(solved, analysis.friction)
-        sections += beside_sections(analysis)
-    return Document(
-        solved.title or untitled(solved.case), tuple(sections), kind="friction", main="models"
-    )
+        sections = [*friction_sections(solved, analysis.friction), *beside_sections(analysis)]
+    return case_page(solved.case, head(solved), sections, "friction", "models", cautions=whole)
 
 
 def beside_sections(analysis: Analysis) -> list[Section]:

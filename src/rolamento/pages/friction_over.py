@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from rolamento import plots
 from rolamento.document import (
     Block,
     CellContent,
@@ -24,14 +25,12 @@ from rolamento.friction.summary import no_friction_control
 from rolamento.numerics import BoolArray, FloatArray
 from rolamento.pages.across import cautions_over, field_column, place_text
 from rolamento.pages.friction import torque_unit
-from rolamento.pages.given import untitled
+from rolamento.pages.given import title_of
 from rolamento.studies.names import setting_name
 from rolamento.words import decimals_for, in_unit, marked, said
 from rolamento.words.reasons import reason
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.studies.friction_curves import FrictionCurve
 
 __all__ = ["friction_over_page"]
@@ -57,7 +56,7 @@ def friction_over_page(curves: Sequence[FrictionCurve]) -> Document:
     curves
         The case's own first, then its variants.
     """
-    title = curves[0].case.title or untitled(curves[0].case)
+    title = title_of(curves[0].case)
     sections = [Section("", (Title(title),), "head")]
     for number, curve in enumerate(curves):
         sections.append(_torques(curve, number))
@@ -65,17 +64,11 @@ def friction_over_page(curves: Sequence[FrictionCurve]) -> Document:
             sections.append(_ratios(curve, number))
     figure = Figure(
         said("Friction torque by model over {field}", field=curves[0].field.label),
-        lambda: _picture(curves),
+        lambda: plots.friction_figure(curves),
         "friction",
     )
     sections.append(Section("", (figure, _points(curves)), "points"))
     return Document(title, tuple(sections), kind="friction", main="points")
-
-
-def _picture(curves: Sequence[FrictionCurve]) -> Picture:
-    from rolamento.plots.friction import friction_figure
-
-    return friction_figure(curves)
 
 
 def _variant(curve: FrictionCurve) -> list[Block]:

@@ -6,13 +6,13 @@ from collections.abc import Iterator
 from math import isfinite, isnan
 from typing import TYPE_CHECKING
 
+from rolamento import plots
 from rolamento.document import (
     Block,
     CellContent,
     Column,
     Document,
     Entry,
-    Figure,
     KeyValues,
     Number,
     Section,
@@ -20,15 +20,13 @@ from rolamento.document import (
     Table,
     Tone,
 )
-from rolamento.pages.given import head, untitled
+from rolamento.pages.given import case_page, head, picture
 from rolamento.pages.notes import cautions, notes_section, remarks_of
 from rolamento.units import HOUR
 from rolamento.words import ABSENT, said
 from rolamento.words.sentences.grease import BASE_OILS, FACTORS, LAWS, SETS, THICKENERS
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.lubrication.oil_choice import OilChoice
     from rolamento.tasks.grease import GreaseCase
 
@@ -46,28 +44,19 @@ def grease_page(found: GreaseCase) -> Document:
         What `rolamento.tasks.grease_of_case` gives.
     """
     solved = found.solved
-    title = solved.title or untitled(solved.case)
     blocks = (*grease_statement(found), *cautions(found.notes))
-    sections = [head(solved), Section(said("Grease"), blocks, "grease")]
+    sections = [Section(said("Grease"), blocks, "grease")]
     if found.lives:
         sections.append(_lives(found))
-        figure = Figure(
-            said("Life of the grease over the temperature"), lambda: _picture(found), "grease"
-        )
-        sections.append(Section("", (figure,), "figure"))
+        caption = said("Life of the grease over the temperature")
+        sections.append(picture(caption, lambda: plots.grease_figure(found), "grease"))
     if found.intervals:
         sections.append(_intervals(found))
     sections.append(_limits(found))
     if found.oil is not None:
         sections.append(_which(found))
-    sections += notes_section(remarks_of(found.notes))
-    return Document(title, tuple(sections), kind="grease", main="lives")
-
-
-def _picture(found: GreaseCase) -> Picture:
-    from rolamento.plots.grease import grease_figure
-
-    return grease_figure(found)
+    remarks = remarks_of(found.notes)
+    return case_page(solved.case, head(solved), sections, "grease", "lives", remarks=remarks)
 
 
 def grease_statement(found: GreaseCase) -> Iterator[Block]:

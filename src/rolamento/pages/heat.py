@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from rolamento import plots
 from rolamento.document import (
     Block,
     CellContent,
     Column,
     Document,
     Entry,
-    Figure,
     KeyValues,
     Number,
     Section,
@@ -25,16 +25,14 @@ from rolamento.document import (
 from rolamento.heat import CONDUCTANCES, NODES
 from rolamento.pages.across import cautions_over, field_column
 from rolamento.pages.friction import torque_unit
-from rolamento.pages.given import untitled
-from rolamento.pages.notes import cautions, cautions_section, notes_section, remarks_of
+from rolamento.pages.given import case_page, picture, title_of
+from rolamento.pages.notes import cautions, remarks_of
 from rolamento.words import marked, said
 from rolamento.words.reasons import reason
 from rolamento.words.sentences.heat import CONDUCTANCE_NAMES, PLACE_NAMES
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
-
-    from matplotlib.figure import Figure as Picture
 
     from rolamento.heat import HeatBalance, HeatState
     from rolamento.studies.heat_curves import HeatOver
@@ -57,25 +55,22 @@ def heat_page(found: HeatBalance) -> Document:
     found
         What `rolamento.heat.heat_balance` gives.
     """
-    title = found.case.title or untitled(found.case)
-    sections = [
-        Section("", (Title(title), *_headline(found)), "head"),
-        *cautions_section(found.notes),
-    ]
-    if found.warm is not None:
-        sections += [_nodes(found), _flows(found)]
+    sections = [] if found.warm is None else [_nodes(found), _flows(found)]
     sections.append(_states_beside(found))
     if found.roots:
         sections.append(_roots(found))
     if len(found.curve.power):
-        figure = Figure(
-            said("Friction and the heat that is removed, over the temperature"),
-            lambda: _picture(found),
-            "heat",
-        )
-        sections.append(Section("", (figure,), "figure"))
-    sections += notes_section(remarks_of(found.notes))
-    return Document(title, tuple(sections), kind="heat", main="nodes")
+        caption = said("Friction and the heat that is removed, over the temperature")
+        sections.append(picture(caption, lambda: plots.heat_figure(found), "heat"))
+    return case_page(
+        found.case,
+        Section("", (Title(title_of(found.case)), *_headline(found)), "head"),
+        sections,
+        "heat",
+        "nodes",
+        cautions=found.notes,
+        remarks=remarks_of(found.notes),
+    )
 
 
 def heat_blocks(found: HeatBalance) -> list[Block]:
@@ -91,12 +86,6 @@ def heat_blocks(found: HeatBalance) -> list[Block]:
     own = [*_headline(found), *(block for one in sections for block in one.blocks)]
     remarks = cautions([note for note in found.notes if note.key in _OF_HEAT])
     return [*own, *remarks]
-
-
-def _picture(found: HeatBalance) -> Picture:
-    from rolamento.plots.heat import heat_figure
-
-    return heat_figure(found)
 
 
 def _headline(found: HeatBalance) -> Iterator[Block]:
@@ -271,7 +260,7 @@ def heat_over_page(found: HeatOver) -> Document:
     found
         What `rolamento.studies.heat_curves.heat_over` gives.
     """
-    title = found.case.title or untitled(found.case)
+    title = title_of(found.case)
     across = field_column(found.field, found.values)
     columns = [across]
     for node, values in zip(NODES, found.temperatures, strict=True):
@@ -311,22 +300,12 @@ def heat_over_page(found: HeatOver) -> Document:
             reasons=[reason(code) for code in np.unique(failed).tolist()],
         )
         blocks.append(Statement(text, "bad-strong", indent=2))
-    figure = Figure(
-        said("Heat balance over {field}", field=found.field.label),
-        lambda: _picture_over(found),
-        "heat",
-    )
+    heading = said("Heat balance over {field}", field=found.field.label)
     sections = (
         Section("", (Title(title),), "head"),
         Section(
             said("Heat balance over {field}", field=found.field.label), tuple(blocks), "points"
         ),
-        Section("", (figure,), "figure"),
+        picture(heading, lambda: plots.heat_over_figure(found), "heat"),
     )
     return Document(title, sections, kind="heat", main="points")
-
-
-def _picture_over(found: HeatOver) -> Picture:
-    from rolamento.plots.heat import heat_over_figure
-
-    return heat_over_figure(found)

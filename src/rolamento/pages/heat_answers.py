@@ -5,12 +5,12 @@ from __future__ import annotations
 from math import isfinite, isinf, isnan, nan
 from typing import TYPE_CHECKING, Final
 
+from rolamento import plots
 from rolamento.document import (
     CellContent,
     Column,
     Document,
     Entry,
-    Figure,
     KeyValues,
     Number,
     Section,
@@ -18,15 +18,13 @@ from rolamento.document import (
     Title,
 )
 from rolamento.pages.friction import torque_unit
-from rolamento.pages.given import untitled
-from rolamento.pages.notes import cautions_section, notes_section, remarks_of
+from rolamento.pages.given import case_page, picture, title_of
+from rolamento.pages.notes import remarks_of
 from rolamento.words import said
 from rolamento.words.reasons import reason
 from rolamento.words.sentences.heat import VARIANT_NAMES
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.heat import HeatBalance
     from rolamento.tasks.heat import HeatAnswers
 
@@ -44,25 +42,17 @@ def heat_answers_page(found: HeatAnswers) -> Document:
         What `rolamento.tasks.heat.heat_answers` gives.
     """
     own = found.balance
-    title = own.case.title or untitled(own.case)
-    figure = Figure(
-        said("Temperatures and preload of the variants"), lambda: _picture(found), "variants"
+    caption = said("Temperatures and preload of the variants")
+    shown = picture(caption, lambda: plots.heat_variants_figure(found.variants), "variants")
+    return case_page(
+        own.case,
+        Section("", (Title(title_of(own.case)), KeyValues(tuple(_answers(found)))), "head"),
+        [_variants(found), shown, *_distances(found)],
+        "heat_answers",
+        "variants",
+        cautions=own.notes,
+        remarks=remarks_of(own.notes),
     )
-    sections = [
-        Section("", (Title(title), KeyValues(tuple(_answers(found)))), "head"),
-        *cautions_section(own.notes),
-        _variants(found),
-        Section("", (figure,), "figure"),
-        *_distances(found),
-        *notes_section(remarks_of(own.notes)),
-    ]
-    return Document(title, tuple(sections), kind="heat_answers", main="variants")
-
-
-def _picture(found: HeatAnswers) -> Picture:
-    from rolamento.plots.heat import heat_variants_figure
-
-    return heat_variants_figure(found.variants)
 
 
 def _answers(found: HeatAnswers) -> list[Entry]:

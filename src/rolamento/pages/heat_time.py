@@ -6,13 +6,13 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from rolamento import plots
 from rolamento.document import (
     Block,
     CellContent,
     Column,
     Document,
     Entry,
-    Figure,
     KeyValues,
     Number,
     Section,
@@ -21,8 +21,8 @@ from rolamento.document import (
     Title,
 )
 from rolamento.heat import NODES
-from rolamento.pages.given import untitled
-from rolamento.pages.notes import cautions_section, notes_section, remarks_of
+from rolamento.pages.given import case_page, picture, title_of
+from rolamento.pages.notes import remarks_of
 from rolamento.words import said
 from rolamento.words.reasons import reason
 from rolamento.words.sentences.heat import PLACE_NAMES
@@ -47,14 +47,15 @@ def heat_time_page(found: HeatTransient) -> Document:
     found
         What `rolamento.heat.heat_transient` gives.
     """
-    title = found.case.title or untitled(found.case)
-    sections = [
-        Section("", (Title(title), *_headline(found)), "head"),
-        *cautions_section(found.notes),
-        *_course(found),
-        *notes_section(remarks_of(found.notes)),
-    ]
-    return Document(title, tuple(sections), kind="heat_time", main="course")
+    return case_page(
+        found.case,
+        Section("", (Title(title_of(found.case)), *_headline(found)), "head"),
+        _course(found),
+        "heat_time",
+        "course",
+        cautions=found.notes,
+        remarks=remarks_of(found.notes),
+    )
 
 
 def _headline(found: HeatTransient) -> list[Block]:
@@ -92,9 +93,7 @@ def _course(found: HeatTransient) -> list[Section]:
         return []
     shown = _moments(found)
     every = np.arange(len(found))
-    figure = Figure(
-        said("Temperatures, power and preload in time"), lambda: _picture(found), "course"
-    )
+    caption = said("Temperatures, power and preload in time")
     return [
         Section(
             said("In time"),
@@ -104,14 +103,8 @@ def _course(found: HeatTransient) -> list[Section]:
             ),
             "course",
         ),
-        Section("", (figure,), "figure"),
+        picture(caption, lambda: plots.heat_time_figure([("", found)]), "course"),
     ]
-
-
-def _picture(found: HeatTransient) -> Picture:
-    from rolamento.plots.heat import heat_time_figure
-
-    return heat_time_figure([("", found)])
 
 
 def _legends(found: HeatTransient) -> tuple[str, ...]:
@@ -169,22 +162,18 @@ def warm_up_page(found: WarmUp) -> Document:
     found
         What `rolamento.tasks.heat.warm_up` gives.
     """
-    case = found.at_once.case
-    title = case.title or untitled(case)
-    sections = [
-        Section("", (Title(title), *_verdict(found)), "head"),
-        *cautions_section(found.at_once.notes),
-    ]
-    if found.transient is not None and found.needed:
-        sections.append(_plan(found))
-    shown = found.transient or found.at_once
-    figure = Figure(
-        said("Full speed at once, and by the plan"), lambda: warm_up_figure(found), "course"
+    case, shown = found.at_once.case, found.transient or found.at_once
+    plan = [_plan(found)] if found.transient is not None and found.needed else []
+    caption = said("Full speed at once, and by the plan")
+    return case_page(
+        case,
+        Section("", (Title(title_of(case)), *_verdict(found)), "head"),
+        [*plan, *_course(shown)[:1], picture(caption, lambda: warm_up_figure(found), "course")],
+        "warm_up",
+        "course",
+        cautions=found.at_once.notes,
+        remarks=remarks_of(shown.notes),
     )
-    course = _course(shown)
-    sections += [*course[:1], Section("", (figure,), "figure")]
-    sections += notes_section(remarks_of(shown.notes))
-    return Document(title, tuple(sections), kind="warm_up", main="course")
 
 
 def warm_up_figure(found: WarmUp) -> Picture:
@@ -195,12 +184,11 @@ def warm_up_figure(found: WarmUp) -> Picture:
     found
         As of `warm_up_page`.
     """
-    from rolamento.plots.heat import heat_time_figure
-
     courses = [(said("full speed at once"), found.at_once)]
     if found.transient is not None and found.needed:
         courses.append((said("by the plan"), found.transient))
-    return heat_time_figure(courses)
+    figure: Picture = plots.heat_time_figure(courses)
+    return figure
 
 
 def _verdict(found: WarmUp) -> list[Block]:

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Final
 
+from rolamento import plots
 from rolamento.document import (
     Beside,
     Block,
     Column,
     Document,
     Entry,
-    Figure,
     KeyValues,
     Section,
     Statement,
@@ -19,13 +19,12 @@ from rolamento.document import (
     Tone,
 )
 from rolamento.pages.diagnosis import diagnosis_page
+from rolamento.pages.given import picture
 from rolamento.words import ABSENT, said, said_in
 from rolamento.words.naming import one_line, part_name
 from rolamento.words.sentences.history import series_name
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.tasks.diagnosis import UnknownResult
     from rolamento.tasks.history import History, Records
     from rolamento.tasks.machine_diagnosis import MachineDiagnosis
@@ -86,18 +85,14 @@ def history_page(found: History) -> Document:
         ),
     )
 
-    def draw() -> Picture:
-        from rolamento.plots.history import then_figure
-
-        return then_figure([(part.component, part.now, part.then) for part in parts])
-
-    figure = Figure(said("Modulation depth now and then"), draw, "then")
+    depths = [(part.component, part.now, part.then) for part in parts]
+    caption = said("Modulation depth now and then")
     page = diagnosis_page(found.now)
     rest = [section for section in page.sections if section.key != "verdict"]
     sections = (
         _headline(found.verdict, found.statement),
         Section(said("Now and then"), (table,), "history"),
-        Section("", (figure,), "history_figure"),
+        picture(caption, lambda: plots.then_figure(depths), "then", "history_figure"),
         *rest,
     )
     return Document(page.title, sections, kind="diagnose", main="then")
@@ -134,19 +129,14 @@ def records_page(found: Records, title: str) -> Document:
         )
     table = Table(tuple(columns), "records")
 
-    def draw() -> Picture:
-        from rolamento.plots.history import records_figure
-
-        changes = {name: [step.place for step in steps] for name, steps in found.steps.items()}
-        depths = {str(part): values for part, values in found.depths.items()}
-        return records_figure(depths, changes)
-
-    figure = Figure(said("Modulation depth over the records"), draw, "records")
+    changes = {name: [step.place for step in steps] for name, steps in found.steps.items()}
+    depths = {str(part): values for part, values in found.depths.items()}
+    caption = said("Modulation depth over the records")
     blocks: list[Block] = [Title(one_line(title)), table]
     sections = [
         _headline(verdict, found.statement),
         Section("", tuple(blocks), "records"),
-        Section("", (figure,), "figures"),
+        picture(caption, lambda: plots.records_figure(depths, changes), "records", "figures"),
     ]
     return Document(title, tuple(sections), kind="diagnose", main="records")
 

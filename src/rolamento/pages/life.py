@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from math import floor, isfinite, isinf, isnan, log10, nan
 from typing import TYPE_CHECKING, Final
 
+from rolamento import plots
 from rolamento.document import (
     Bar,
     Bars,
@@ -32,15 +33,13 @@ from rolamento.life.iso16281 import THEORY as REFERENCE
 from rolamento.life.iso16281_modified import THEORY as MODIFIED_REFERENCE
 from rolamento.life.record import BOUNDS, OUTSIDE, note_of
 from rolamento.life.theories import THEORIES
-from rolamento.pages.given import head, untitled
-from rolamento.pages.notes import cautions, cautions_section, notes_section, remarks_of
+from rolamento.pages.given import case_page, head
+from rolamento.pages.notes import cautions, remarks_of
 from rolamento.units import HOUR
 from rolamento.words import ABSENT, Note, said
 from rolamento.words.theories import theory_life, theory_name, theory_scope
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.friction import Friction
     from rolamento.life import Change, Headline, Life, LifeSummary
     from rolamento.life.rib_load import RibLoad
@@ -116,7 +115,8 @@ def life_page(
     friction
         Of the same case, of which torque and power loss are shown.
     """
-    sections = [head(solved), *cautions_section(solved.notes[0])]
+    notes = solved.notes[0]
+    sections: list[Section] = []
     if summary is not None:
         lines = statement(solved, summary, changes)
         sections += [
@@ -133,9 +133,9 @@ def life_page(
             sections.append(torque_and_power(solved, friction))
         pictures = (*_charts(summary), *figures)
         sections += [Section("", pictures, "figures")] * bool(pictures)
-    sections += notes_section(remarks_of(solved.notes[0]))
-    return Document(
-        solved.title or untitled(solved.case), tuple(sections), kind="life", main="theories"
+    main, remarks = "theories", remarks_of(notes)
+    return case_page(
+        solved.case, head(solved), sections, "life", main, cautions=notes, remarks=remarks
     )
 
 
@@ -144,13 +144,9 @@ def _charts(summary: LifeSummary) -> Iterator[Figure]:
     if summary.contamination_factor is None:
         return
 
-    def draw() -> Picture:
-        from rolamento.charts.frame import figure_of
-        from rolamento.plots.life import aiso_chart
-
-        return figure_of(aiso_chart(summary))
-
-    yield Figure(said("a_ISO for the film and the cleanliness"), draw, "aiso")
+    yield Figure(
+        said("a_ISO for the film and the cleanliness"), lambda: plots.aiso_chart(summary), "aiso"
+    )
 
 
 # --- numbers -----------------------------------------------------------------------------------
@@ -812,12 +808,7 @@ def changes_section(summary: LifeSummary, changes: Sequence[Change]) -> list[Sec
         tone="good",
     )
 
-    def draw() -> Picture:
-        from rolamento.plots.life import helps_figure
-
-        return helps_figure(changes)
-
-    figure = Figure(said("What would help"), draw, "helps")
+    figure = Figure(said("What would help"), lambda: plots.helps_figure(changes), "helps")
     return [Section(said("What would help"), (bars, figure), "changes")]
 
 

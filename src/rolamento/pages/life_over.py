@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
+from rolamento import plots
 from rolamento.document import (
     Block,
     Break,
@@ -24,7 +25,7 @@ from rolamento.document import (
 from rolamento.life.record import note_of
 from rolamento.life.theories import THEORIES
 from rolamento.pages.across import cautions_over, field_column, place_text, read_text
-from rolamento.pages.given import untitled
+from rolamento.pages.given import title_of
 from rolamento.pages.life import MILLION, remarks
 from rolamento.studies.names import setting_name
 from rolamento.units import HOUR
@@ -33,8 +34,6 @@ from rolamento.words.reasons import reason
 from rolamento.words.theories import theory_heads, theory_name
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.life import Headline, Life
     from rolamento.tasks.life_over import LifeCurve
 
@@ -53,15 +52,12 @@ def life_over_page(curves: Sequence[LifeCurve]) -> Document:
     curves
         The case's own first, then its variants.
     """
-    title = curves[0].case.title or untitled(curves[0].case)
-
-    def draw() -> Picture:
-        from rolamento.plots.life import life_figure
-
-        return life_figure(curves)
+    title = title_of(curves[0].case)
 
     field = curves[0].over.field.label
-    figure = Figure(said("Life over {field}", field=field), draw, "life")
+    figure = Figure(
+        said("Life over {field}", field=field), lambda: plots.life_figure(curves), "life"
+    )
     return Document(
         title,
         (

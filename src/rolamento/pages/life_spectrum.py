@@ -25,7 +25,7 @@ from rolamento.life import Life
 from rolamento.life.iso16281 import THEORY as REFERENCE
 from rolamento.life.record import BOUNDS, OUTSIDE, note_of
 from rolamento.life.theory import VISCOSITY_RATIO
-from rolamento.pages.given import untitled
+from rolamento.pages.given import title_of
 from rolamento.pages.life import (
     formulas_only,
     life_columns,
@@ -63,7 +63,7 @@ def life_spectrum_page(found: SpectrumLife) -> Document:
     found
         Of `rolamento.tasks.life_spectrum.life_of_duty_spectrum`.
     """
-    title = found.case.title or untitled(found.case)
+    title = title_of(found.case)
     heading = said("Life under {count} steps of duty", count=len(found.steps))
     sections = [
         Section("", (Title(title),)),

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from rolamento import plots
 from rolamento.analysis import analyse
 from rolamento.document import (
     Beside,
@@ -32,6 +33,7 @@ from rolamento.document import (
 )
 from rolamento.numerics import FloatArray
 from rolamento.pages.frequencies import line_name
+from rolamento.pages.given import picture
 from rolamento.pages.life import none_valid
 from rolamento.pages.notes import notes_section
 from rolamento.pages.shaft import together_sentences
@@ -43,8 +45,6 @@ from rolamento.words.headlines import parted
 from rolamento.words.reasons import reason
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.analysis.machine import MachineAnalysis
     from rolamento.solved.machine import SeatedBearing, SolvedMachine, SolvedShaft
     from rolamento.tasks.machines import MachineCurve
@@ -182,13 +182,8 @@ def _picture(solved: SolvedMachine) -> list[Section]:
     name = solved.steps[step]
     caption = said("Shafts to scale, deflection, bending moment, shear force and stress")
 
-    def draw() -> Picture:
-        from rolamento.plots.machine import machine_figure
-
-        return machine_figure(solved, step=step)
-
-    figure = Figure(f"{caption}: {name}" if name else caption, draw, "machine")
-    return [Section("", (figure,), "picture")]
+    caption = f"{caption}: {name}" if name else caption
+    return [picture(caption, lambda: plots.machine_figure(solved, step=step), "machine", "picture")]
 
 
 PICTURES: Final = {
@@ -211,17 +206,11 @@ def machine_picture(solved: SolvedMachine, key: str, step: int) -> Figure:
     step
         Of its spectrum, from 0.
     """
-
-    def draw() -> Picture:
-        from rolamento.charts.frame import figure_of
-        from rolamento.plots import machine
-
-        if key == "deflection":
-            return figure_of(machine.draw_deflection(solved, step=step))
-        if key == "forces":
-            return machine.draw_section_forces(solved, step=step)
-        return machine.draw_bearings_in_place(solved, step=step)
-
+    draw = {
+        "deflection": lambda: plots.draw_deflection(solved, step=step),
+        "forces": lambda: plots.draw_section_forces(solved, step=step),
+        "bearings": lambda: plots.draw_bearings_in_place(solved, step=step),
+    }[key]
     return Figure("", draw, key, alternative=said(PICTURES[key]))
 
 
@@ -694,12 +683,7 @@ def machine_over_page(found: MachineCurve) -> Document:
     title = machine.title or said("Machine without a title")
     heading = said("{title} over {field}", title=title, field=found.key)
 
-    def draw() -> Picture:
-        from rolamento.plots.machine import machine_over_figure
-
-        return machine_over_figure(found)
-
-    figure = Figure(heading, draw, "over")
+    figure = Figure(heading, lambda: plots.machine_over_figure(found), "over")
     refused = {text: Note("text", {"text": text}) for text in found.refused if text}
     sections = [
         Section("", (Title(heading),), "given"),

@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from rolamento import plots
 from rolamento.document import (
     CellContent,
     Column,
     Document,
     Entry,
-    Figure,
     KeyValues,
     Number,
     Section,
@@ -20,14 +20,13 @@ from rolamento.document import (
     Title,
 )
 from rolamento.heat import NODES
+from rolamento.pages.given import picture
 from rolamento.pages.notes import cautions_section, notes_section, remarks_of
 from rolamento.words import said
 from rolamento.words.reasons import reason
 from rolamento.words.sentences.heat import PLACE_NAMES
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.heat.machine import MachineHeat
     from rolamento.solved.machine import SolvedMachine
 
@@ -46,17 +45,11 @@ def machine_heat_page(found: MachineHeat) -> Document:
     head = Section("", (Title(title), _headline(found)), "head")
     sections = [head, *cautions_section(found.notes)]
     if found.warm is not None:
-        figure = Figure(said("Temperatures of the bearings"), lambda: _picture(found), "heat")
+        caption = said("Temperatures of the bearings")
         sections += [_temperatures(found), _loads(found, found.warm), *_links(found)]
-        sections.append(Section("", (figure,), "figure"))
+        sections.append(picture(caption, lambda: plots.machine_heat_figure(found), "heat"))
     sections += notes_section(remarks_of(found.notes))
     return Document(title, tuple(sections), kind="machine_heat", main="bearings")
-
-
-def _picture(found: MachineHeat) -> Picture:
-    from rolamento.plots.heat import machine_heat_figure
-
-    return machine_heat_figure(found)
 
 
 def _headline(found: MachineHeat) -> Statement | KeyValues:

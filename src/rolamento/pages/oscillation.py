@@ -6,12 +6,12 @@ from collections.abc import Iterator, Sequence
 from math import isfinite, isinf
 from typing import TYPE_CHECKING, Final
 
+from rolamento import plots
 from rolamento.document import (
     Block,
     Column,
     Document,
     Entry,
-    Figure,
     KeyValues,
     Number,
     Section,
@@ -20,21 +20,18 @@ from rolamento.document import (
     Title,
     Tone,
 )
-from rolamento.pages.given import head, untitled
-from rolamento.pages.notes import cautions, cautions_section, notes_section, remarks_of
+from rolamento.pages.given import case_page, head, picture, race_name, title_of
+from rolamento.pages.notes import cautions, remarks_of
 from rolamento.units import HOUR
-from rolamento.words import marked, said
+from rolamento.words import said
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.life.oscillation import OscillationLife
     from rolamento.tasks.oscillation import OscillationCase, OscillationSpectrum
 
 __all__ = ["oscillation_page", "oscillation_spectrum_page", "oscillation_statement"]
 
 _MILLION: Final = 1e6
-_RACES: Final = {"inner": marked("inner race"), "outer": marked("outer race")}
 _LIFE: Final = ".3r"
 _UNIT: Final = "10⁶ osc."
 
@@ -48,26 +45,24 @@ def oscillation_page(found: OscillationCase) -> Document:
         What `rolamento.tasks.life_in_oscillation` gives.
     """
     solved, life = found.solved, found.life
-    title = solved.title or untitled(solved.case)
-    sections = [head(solved), *cautions_section(solved.notes[0])]
-    notes = list(solved.notes[0])
+    sections: list[Section] = []
+    remarks = remarks_of(solved.notes[0])
     if life is not None:
         blocks = (*oscillation_statement(life), *cautions(life.notes))
         sections.append(Section(said("Life in oscillations"), blocks, "life"))
-        sections += [_races(life), _forms(life)]
-        figure = Figure(
-            said("Life over the angle of oscillation"), lambda: _picture(found), "oscillation"
-        )
-        sections.append(Section("", (figure,), "figure"))
-        notes = [*remarks_of(life.notes), *remarks_of(notes)]
-    sections += notes_section(remarks_of(notes))
-    return Document(title, tuple(sections), kind="oscillation", main="races")
-
-
-def _picture(found: OscillationCase) -> Picture:
-    from rolamento.plots.oscillation import oscillation_figure
-
-    return oscillation_figure(found)
+        caption = said("Life over the angle of oscillation")
+        shown = picture(caption, lambda: plots.oscillation_figure(found), "oscillation")
+        sections += [_races(life), _forms(life), shown]
+        remarks = (*remarks_of(life.notes), *remarks)
+    return case_page(
+        solved.case,
+        head(solved),
+        sections,
+        "oscillation",
+        "races",
+        cautions=solved.notes[0],
+        remarks=remarks,
+    )
 
 
 def oscillation_statement(life: OscillationLife) -> Iterator[Block]:
@@ -112,7 +107,7 @@ def _races(life: OscillationLife) -> Section:
     for row in range(rows):
         for race in ("inner", "outer"):
             own = float(getattr(life, f"critical_{race}")[row])
-            races.append(said(_RACES[race]))
+            races.append(race_name(race))
             places.append(row)
             critical.append(own)
             window.append(float(life.window[row]) if race == life.moving else 1.0)
@@ -182,7 +177,7 @@ def oscillation_spectrum_page(found: OscillationSpectrum) -> Document:
     found
         What `rolamento.tasks.life_under_oscillations` gives.
     """
-    title = found.case.title or untitled(found.case)
+    title = title_of(found.case)
     values = {
         "reliability": found.reliability,
         "life": _MILLION * found.life,
@@ -226,12 +221,10 @@ def oscillation_spectrum_page(found: OscillationSpectrum) -> Document:
         _percent(said("share of the damage"), "damage", found.damage.tolist(), tones),
     )
     table = Table(columns, "steps", rule=True)
-    sections = [
-        Section("", (Title(title), statement, *cautions(found.notes)), "head"),
-        Section(said("Steps"), (table,), "steps"),
-        *notes_section(remarks_of(found.notes)),
-    ]
-    return Document(title, tuple(sections), kind="oscillation", main="steps")
+    first = Section("", (Title(title), statement, *cautions(found.notes)), "head")
+    steps = Section(said("Steps"), (table,), "steps")
+    remarks = remarks_of(found.notes)
+    return case_page(found.case, first, [steps], "oscillation", "steps", remarks=remarks)
 
 
 def _percent(head: str, key: str, shares: Sequence[float], tones: Sequence[Tone]) -> Column:

@@ -6,13 +6,13 @@ from collections.abc import Iterable
 from math import isfinite
 from typing import TYPE_CHECKING, Final
 
+from rolamento import plots
 from rolamento.document import (
     Block,
     CellContent,
     Column,
     Document,
     Entry,
-    Figure,
     KeyValues,
     Number,
     Section,
@@ -22,14 +22,13 @@ from rolamento.document import (
     Tone,
 )
 from rolamento.io.dates import moment_after, moment_said
+from rolamento.pages.given import picture
 from rolamento.pages.lives import FIGURES, percent
 from rolamento.pages.notes import cautions, notes_section, remarks_of
 from rolamento.words import ABSENT, ENDLESS, counted, manner, said
 from rolamento.words.naming import one_line, shortened
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.tasks.replace import FleetStudy, RemainingStudy, ReplacementStudy
     from rolamento.weibull.distribution import Interval, LifeDistribution
 
@@ -101,15 +100,10 @@ def remaining_page(study: RemainingStudy) -> Document:
         Section(heading, (Table(columns, "residual_lives"),), "residual"),
     ]
 
-    def draw() -> Picture:
-        from rolamento.plots.replace import remaining_life_figure
-
-        return remaining_life_figure(found)
-
     caption = said("Probability of running on, over the time from now")
     sections += [
         *notes_section(remarks_of(notes)),
-        Section("", (Figure(caption, draw, "remaining"),), "figures"),
+        picture(caption, lambda: plots.remaining_life_figure(found), "remaining", "figures"),
     ]
     return Document(title, tuple(sections), kind="remaining-life", main="residual_lives")
 
@@ -187,15 +181,12 @@ def replacement_page(study: ReplacementStudy) -> Document:
     if found.if_shape:
         sections.append(_if_shape(study))
 
-    def draw() -> Picture:
-        from rolamento.plots.replace import cost_of_ages_figure
-
-        return cost_of_ages_figure(found, study.currency)
-
     caption = said("Cost of replacing at an age")
     sections += [
         *notes_section(remarks_of(notes)),
-        Section("", (Figure(caption, draw, "cost"),), "figures"),
+        picture(
+            caption, lambda: plots.cost_of_ages_figure(found, study.currency), "cost", "figures"
+        ),
     ]
     return Document(title, tuple(sections), kind="age-replacement", main="if_shape")
 
@@ -332,15 +323,10 @@ def fleet_page(study: FleetStudy) -> Document:
         _bearings(study),
     ]
 
-    def draw() -> Picture:
-        from rolamento.plots.replace import fleet_failures_figure
-
-        return fleet_failures_figure(found)
-
     caption = said("Failures of the fleet over the time from now")
     sections += [
         *notes_section(remarks_of(notes)),
-        Section("", (Figure(caption, draw, "failures"),), "figures"),
+        picture(caption, lambda: plots.fleet_failures_figure(found), "failures", "figures"),
     ]
     return Document(title, tuple(sections), kind="fleet", main="steps")
 

@@ -40,7 +40,7 @@ from rolamento.pages.clearance import STEPS
 from rolamento.pages.electrical import electrical_sections
 from rolamento.pages.elements import element_tables, roller_pictures
 from rolamento.pages.equations import equations_of, references_of
-from rolamento.pages.given import no_load_text, untitled
+from rolamento.pages.given import no_load_text, title_of
 from rolamento.pages.life import rating_source
 from rolamento.pages.preload import STAGE_NAMES
 from rolamento.pages.state import rosette_section, stiffness_section
@@ -105,7 +105,7 @@ def report_page(report: Report) -> Document:
         sections += inner
     many = len(report.cases) > 1
     return Document(
-        _title(report) if many else report.cases[0].title or untitled(report.cases[0].case),
+        _title(report) if many else report.cases[0].title or title_of(report.cases[0].case),
         tuple(sections),
         kind="report",
         main="summary",
@@ -197,9 +197,9 @@ def _title(report: Report) -> str:
 
 def _case_titles(report: Report) -> list[Entry]:
     if len(report.cases) == 1:
-        return [Entry(said("case"), report.cases[0].title or untitled(report.cases[0].case))]
+        return [Entry(said("case"), report.cases[0].title or title_of(report.cases[0].case))]
     return [
-        Entry(said("case {name}", name=case.name), case.title or untitled(case.case))
+        Entry(said("case {name}", name=case.name), case.title or title_of(case.case))
         for case in report.cases
     ]
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from rolamento import plots
 from rolamento.document import (
     CellContent,
     Column,
@@ -29,8 +30,6 @@ from rolamento.words.reasons import reason
 from rolamento.words.whirl import whirl_name
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.solved.rotor import UnbalanceResponse
     from rolamento.tasks.rotor import MachineVibration
 
@@ -101,13 +100,9 @@ def _headline(found: MachineVibration) -> Iterable[Statement | NotesBlock]:
 
 
 def _critical(found: MachineVibration) -> tuple[Figure | Table, ...]:
-    def draw() -> Picture:
-        from rolamento.plots.machine import campbell_figure
-
-        return campbell_figure(found.campbell)
 
     caption = said("Natural frequencies over speed, each speed with its own operating point")
-    figure = Figure(caption, draw, "campbell")
+    figure = Figure(caption, lambda: plots.campbell_figure(found.campbell), "campbell")
     critical = found.campbell.critical
     if not critical:
         return (figure,)
@@ -131,11 +126,6 @@ def _critical(found: MachineVibration) -> tuple[Figure | Table, ...]:
 def _modes(found: MachineVibration) -> Section:
     modes = found.modes
 
-    def draw() -> Picture:
-        from rolamento.plots.machine import modes_figure
-
-        return modes_figure(modes)
-
     columns = [
         Column(said("mode"), list(range(1, len(modes) + 1)), "mode"),
         Column("Hz", (modes.frequency * _HERTZ).tolist(), "hertz", figures=5),
@@ -146,7 +136,7 @@ def _modes(found: MachineVibration) -> Section:
         damping = Column("ζ", modes.damping_ratio.tolist(), "damping_ratio", most=4)
         columns.append(damping)
     heading = said("Natural frequencies at the operating point")
-    figure = Figure(said("Mode shapes"), draw, "modes")
+    figure = Figure(said("Mode shapes"), lambda: plots.modes_figure(modes), "modes")
     return Section(heading, (Table(tuple(columns), "modes"), figure), "modes")
 
 
@@ -154,11 +144,6 @@ def _response(found: MachineVibration) -> list[Section]:
     response = found.response
     if response is None:
         return []
-
-    def draw() -> Picture:
-        from rolamento.plots.machine import response_figure
-
-        return response_figure(response)
 
     places = {name: response.amplitude(name) for name in response.displacement}
     lines = [_peak(response, values.max(axis=1), found.speed) for values in places.values()]
@@ -180,7 +165,7 @@ def _response(found: MachineVibration) -> list[Section]:
         legends=(said("greatest radial force in a turn, besides what the bearing carries"),),
     )
     caption = said("Response to unbalance over speed")
-    figure = Figure(caption, draw, "unbalance")
+    figure = Figure(caption, lambda: plots.response_figure(response), "unbalance")
     return [Section(said("Response to unbalance"), (figure, shafts, bearings), "unbalance")]
 
 

@@ -13,7 +13,7 @@ from rolamento.charts.curve_charts import curve_chart
 from rolamento.charts.texts import capitalised
 from rolamento.document import Column, Document, Figure, Section, Statement, Table, Title, Tone
 from rolamento.pages.across import field_column, read_text
-from rolamento.pages.given import untitled
+from rolamento.pages.given import title_of
 from rolamento.pages.notes import cautions
 from rolamento.words import ABSENT, UNITS, manner, said
 
@@ -37,7 +37,7 @@ def seek_page(found: Goal) -> Document:
         Of `rolamento.tasks.seek.GoalSeek`.
     """
     case = found.curve.case
-    title = case.title or untitled(case)
+    title = title_of(case)
     tone: Tone = "good-strong" if found.found else "warning-strong"
     statements = [Statement(seek_statement(found), tone)]
     for at in found.jumps:

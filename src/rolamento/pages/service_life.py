@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from math import isfinite, isinf
 from typing import TYPE_CHECKING
 
+from rolamento import plots
 from rolamento.document import (
     Block,
     CellContent,
@@ -18,16 +19,14 @@ from rolamento.document import (
     Table,
     Tone,
 )
-from rolamento.pages.given import head, untitled
-from rolamento.pages.notes import cautions, notes_section, remarks_of
+from rolamento.pages.given import case_page, head
+from rolamento.pages.notes import cautions, remarks_of
 from rolamento.units import HOUR
 from rolamento.words import said
 from rolamento.words.naming import listed
 from rolamento.words.sentences.service_life import BASES, ENDING_NAMES
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.tasks.endings import Ending
     from rolamento.tasks.time_line import ServiceLife
 
@@ -45,24 +44,24 @@ def service_life_page(found: ServiceLife) -> Document:
         What `rolamento.tasks.service_life` gives.
     """
     solved = found.solved
-    title = solved.title or untitled(solved.case)
-    blocks = (*service_life_statement(found), *cautions((*found.notes, *solved.notes[0])))
-    sections = [head(solved), Section(said("What ends it first"), blocks, "first")]
+    notes = (*found.notes, *solved.notes[0])
+    blocks = (*service_life_statement(found), *cautions(notes))
+    sections = [Section(said("What ends it first"), blocks, "first")]
     if found.endings:
         sections += [endings_section(found), Section("", (time_line(found),), "figure")]
-    sections += notes_section(remarks_of((*found.notes, *solved.notes[0])))
-    return Document(title, tuple(sections), kind="service_life", main="endings")
+    remarks = remarks_of(notes)
+    return case_page(
+        solved.case, head(solved), sections, "service_life", "endings", remarks=remarks
+    )
 
 
 def time_line(found: ServiceLife) -> Figure:
     """Return the picture of all endings on one time line."""
-    return Figure(said("What ends it, on one time line"), lambda: _picture(found), "service_life")
-
-
-def _picture(found: ServiceLife) -> Picture:
-    from rolamento.plots.service_life import service_life_figure
-
-    return service_life_figure(found)
+    return Figure(
+        said("What ends it, on one time line"),
+        lambda: plots.service_life_figure(found),
+        "service_life",
+    )
 
 
 def service_life_statement(found: ServiceLife) -> Iterator[Block]:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from math import isfinite
 from typing import TYPE_CHECKING, Any, Final
 
+from rolamento import plots
 from rolamento.document import (
     Block,
     CellContent,
@@ -291,36 +292,27 @@ def _edge(edges: tuple[float, ...], place: int) -> CellContent:
 
 def _figure(found: SeverityResult) -> Figure:
     if found.forecast is not None:
-
-        def draw_trend() -> Picture:
-            return trend_picture(found)
-
-        return Figure(said("Velocity over time, on the zones"), draw_trend, "trend")
-
-    def draw() -> Picture:
-        return zones_picture(found)
-
-    return Figure(said("Measured velocity on the zones"), draw, "zones")
+        caption = said("Velocity over time, on the zones")
+        return Figure(caption, lambda: trend_picture(found), "trend")
+    return Figure(said("Measured velocity on the zones"), lambda: zones_picture(found), "zones")
 
 
 def zones_picture(found: SeverityResult) -> Picture:
     """Draw the velocities on the zones."""
-    from rolamento.plots.severity import severity_figure
-
     measured = [(one.title, one.severity) for one in found.measured]
-    return severity_figure(measured, found.classes, setting=found.setting)
+    figure: Picture = plots.severity_figure(measured, found.classes, setting=found.setting)
+    return figure
 
 
 def trend_picture(found: SeverityResult) -> Picture:
     """Draw the velocity over time."""
-    from rolamento.plots.severity import severity_trend_figure
-
     assert found.forecast is not None
     series: list[MeasuredSeverity] = [one for one in found.measured if one.severity.measured]
-    return severity_trend_figure(
+    figure: Picture = plots.severity_trend_figure(
         [one.hours / found.time_scale for one in series],
         [1e3 * one.severity.velocity for one in series],
         found.forecast,
         found.machine,
         start=found.start,
     )
+    return figure

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from rolamento import plots
 from rolamento.case.duty import AXES, LOADS, Duty
 from rolamento.document import (
     Beside,
@@ -39,15 +40,13 @@ from rolamento.pages.elements import (
     roller_pictures,
     without_rounding,
 )
-from rolamento.pages.given import BOTH, facing, head, untitled
-from rolamento.pages.notes import cautions_section, notes_section, remarks_of
+from rolamento.pages.given import BOTH, case_page, facing, head
+from rolamento.pages.notes import remarks_of
 from rolamento.pages.preload import stage_table
 from rolamento.solved import NO_LOAD, RACES, Preloading, Rolling, Solved
 from rolamento.words import ABSENT, Note, decimals_for, in_unit, manner, said, worded
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.analysis import Analysis
 
 __all__ = ["rosette", "state_page", "stiffness_section"]
@@ -68,9 +67,8 @@ def state_page(solved: Solved, analysis: Analysis | None = None) -> Document:
     analysis
         What follows from it; film, friction and life are shown if it has them.
     """
-    sections: list[Section | Beside] = [head(solved)]
+    sections: list[Section | Beside] = []
     whole = (*solved.notes[0], *(() if analysis is None else analysis.notes))
-    sections += cautions_section(whole)
     notes = list(remarks_of(whole))
     if solved.converged[0]:
         sections += [*_set(solved), _middle(solved), stiffness_section(solved)]
@@ -79,9 +77,10 @@ def state_page(solved: Solved, analysis: Analysis | None = None) -> Document:
         sections += element_sections(solved)
     if analysis is not None:
         sections += _what_follows(solved, analysis, notes)
-    sections += notes_section(notes)
     main = main_table(solved)
-    return Document(solved.title or untitled(solved.case), tuple(sections), kind="solve", main=main)
+    return case_page(
+        solved.case, head(solved), sections, "solve", main, cautions=whole, remarks=notes
+    )
 
 
 # --- the inner ring ----------------------------------------------------------------------------
@@ -214,19 +213,12 @@ def rosette_section(solved: Solved) -> Section:
             said("Roller loads round the bearing, seen from +x"),
             said("Loads of the rolling elements round the bearing, seen from +x"),
         ),
-        lambda: _picture(solved),
+        lambda: plots.load_rosette(solved),
         "rosette",
         sketch=lambda width, draws: _sketch(solved, width, draws),
         width=count * (2 * _HEIGHT + len(_SIDE)) + (count - 1) * _GAP,
     )
     return Section(heading, (figure,), "rosette")
-
-
-def _picture(solved: Solved) -> Picture:
-    from rolamento.charts.frame import figure_of
-    from rolamento.plots.balls import load_rosette
-
-    return figure_of(load_rosette(solved))
 
 
 def _sketch(solved: Solved, width: int, draws: bool) -> Sketch:

@@ -20,8 +20,8 @@ from rolamento.document import (
     Table,
     Tone,
 )
-from rolamento.pages.given import head, untitled
-from rolamento.pages.notes import cautions_section, notes_section, remarks_of
+from rolamento.pages.given import case_page, head, race_name
+from rolamento.pages.notes import remarks_of
 from rolamento.safety import rockwell_of_vickers
 from rolamento.solved import RACES
 from rolamento.words import ENDLESS, marked, said
@@ -34,7 +34,6 @@ if TYPE_CHECKING:
 
 __all__ = ["static_page", "static_sections"]
 
-_RACES: Final = {"inner": marked("inner race"), "outer": marked("outer race")}
 _ALLOWED: Final = {
     "quiet": marked("mean pressure, has to run quietly afterwards"),
     "other": marked("mean pressure, need not run quietly"),
@@ -54,12 +53,16 @@ def static_page(found: StaticSafety) -> Document:
     """
     solved = found.solved
     notes = (*solved.notes[0], *found.notes)
-    sections = [head(solved), *cautions_section(notes)]
-    if solved.converged[0]:
-        sections += static_sections(found)
-    sections += notes_section(remarks_of(notes))
-    title = solved.title or untitled(solved.case)
-    return Document(title, tuple(sections), kind="static", main="static_safety")
+    sections = static_sections(found) if solved.converged[0] else []
+    return case_page(
+        solved.case,
+        head(solved),
+        sections,
+        "static",
+        "static_safety",
+        cautions=notes,
+        remarks=remarks_of(notes),
+    )
 
 
 def static_sections(found: StaticSafety, level: int = 2) -> list[Section]:
@@ -88,7 +91,7 @@ def _headline(found: StaticSafety) -> tuple[Block, ...]:
     row, race = _where(found)
     wanted = _wanted(found)
     tone: Tone = "" if wanted is None else "good" if lowest["stress"] >= wanted else "warning"
-    place = said(_RACES[race])
+    place = race_name(race)
     if len(found.limit) > 1:
         place = said("{race}, row {row}", race=place, row=row)
     entries = [
@@ -156,7 +159,7 @@ def _contacts(found: StaticSafety) -> Table:
     if rows > 1:
         columns.append(Column(said("row"), [row for row, _ in lines], "row"))
     columns += [
-        Column("", [said(_RACES[race]) for _, race in lines], "race"),
+        Column("", [race_name(race) for _, race in lines], "race"),
         Column(
             "p",
             [float(hardening[race].max_pressure[0, row]) for row, race in lines],
@@ -315,7 +318,7 @@ def _hardening(found: StaticSafety, level: int) -> Section:
     if len(found.limit) > 1:
         columns.append(Column(said("row"), [row for row, _ in lines], "row"))
     columns += [
-        Column("", [said(_RACES[race]) for _, race in lines], "race"),
+        Column("", [race_name(race) for _, race in lines], "race"),
         Column("τ_max", column("shear"), "max_shear", "MPa"),
         Column(said("depth"), column("depth"), "max_shear_depth", "mm", figures=3, most=3),
         Column("HV", hardness, "hardness", figures=3),

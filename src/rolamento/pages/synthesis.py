@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from math import isfinite
 from typing import TYPE_CHECKING, Final
 
+from rolamento import plots
 from rolamento.document import (
     Block,
     Column,
@@ -28,8 +29,6 @@ from rolamento.words import counted, manner, marked, said, said_in
 from rolamento.words.naming import PARTS, listed, one_line, part_name, the_part
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.tasks.synthesis import PlantedFault, PlantedLine, SynthesisResult
 
 __all__ = ["synthesis_page"]
@@ -303,13 +302,6 @@ def _written_number(value: float) -> str:
 
 
 def _figures(found: SynthesisResult) -> Iterable[Figure]:
-    yield Figure(said("The signal over time"), _waveform(found), "waveform")
-
-
-def _waveform(found: SynthesisResult) -> Callable[[], Picture]:
-    def draw() -> Picture:
-        from rolamento.plots.vibration import waveform_figure
-
-        return waveform_figure(found.made.signal)
-
-    return draw
+    yield Figure(
+        said("The signal over time"), lambda: plots.waveform_figure(found.made.signal), "waveform"
+    )

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
+from rolamento import plots
 from rolamento.charts.axes_units import ReadableUnit, readable_unit
 from rolamento.document import (
     CellContent,
     Column,
     Document,
     Entry,
-    Figure,
     KeyValues,
     Section,
     Statement,
@@ -22,6 +22,7 @@ from rolamento.document import (
     Title,
 )
 from rolamento.errors import InputError
+from rolamento.pages.given import picture
 from rolamento.pages.study import in_row
 from rolamento.studies.sensitivity import RankCorrelations, SobolIndices, ToleranceStudy
 from rolamento.studies.tolerance import Samples, ToleranceBand
@@ -29,7 +30,7 @@ from rolamento.words import UNITS, manner, said
 from rolamento.words.reasons import reason
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
+    pass
 
 __all__ = ["MOST_POINTS", "tolerance_page"]
 
@@ -76,14 +77,8 @@ def tolerance_page(study: ToleranceStudy) -> Document:
     if study.sobol is not None:
         sections.append(_sobol(study.sobol))
     if study.ranks is not None and not any(points):
-
-        def draw() -> Picture:
-            from rolamento.plots.tolerance import tolerance_figure
-
-            return tolerance_figure(study)
-
         caption = said("Distributions of the outputs, and the inputs that move them")
-        sections.append(Section(blocks=(Figure(caption, draw, "tolerance"),)))
+        sections.append(picture(caption, lambda: plots.tolerance_figure(study), "tolerance", ""))
     return Document(title, tuple(sections), "tolerance")
 
 

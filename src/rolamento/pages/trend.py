@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Final
 
+from rolamento import plots
 from rolamento.document import (
     CellContent,
     Column,
     Document,
     Entry,
-    Figure,
     KeyValues,
     Number,
     Section,
@@ -19,6 +19,7 @@ from rolamento.document import (
     Title,
 )
 from rolamento.io.dates import moment_after
+from rolamento.pages.given import picture
 from rolamento.pages.limit import limit_section
 from rolamento.units import to_si
 from rolamento.words import marked, said
@@ -78,20 +79,16 @@ def trend_page(found: TrendStudy) -> Document:
         ]  # fmt: skip
         sections.append(limit_section(own, trend.units[place], trend.time_unit, trend.start))
 
-    def draw() -> Picture:
-        return trend_picture(found)
-
     caption = said("Measurements over the running time")
-    sections.append(Section(blocks=(Figure(caption, draw, "trend"),)))
+    sections.append(picture(caption, lambda: trend_picture(found), "trend", ""))
     return Document(title, tuple(sections), "trend")
 
 
 def trend_picture(found: TrendStudy) -> Picture:
     """Draw the record, with its laws and limits."""
-    from rolamento.plots.trend import trend_figure
-
     limits = {(one.bearing, one.quantity): one.forecast for one in found.limits}
-    return trend_figure(found.trend, found.fits, limits)
+    figure: Picture = plots.trend_figure(found.trend, found.fits, limits)
+    return figure
 
 
 def _measurements(trend: Trend) -> Table:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from rolamento import plots
 from rolamento.case.duty import AXES, LOADS
 from rolamento.document import (
     Block,
@@ -25,14 +26,12 @@ from rolamento.document import (
 )
 from rolamento.numerics import FloatArray
 from rolamento.pages.friction import torque_unit
-from rolamento.pages.given import untitled
+from rolamento.pages.given import title_of
 from rolamento.solved import RACES
 from rolamento.words import decimals_for, in_unit, said, said_in, worded
 from rolamento.words.reasons import reason
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.studies.cage_turn import BallHistory, CageTurn, Variation
     from rolamento.studies.torque_turn import TorqueTurn
 
@@ -57,7 +56,7 @@ def turn_page(turn: CageTurn, torque: TorqueTurn | None = None) -> Document:
     torque
         Its friction torque, if that is known.
     """
-    title = turn.case.title or untitled(turn.case)
+    title = title_of(turn.case)
     sections = [Section("", (Title(title), _head(turn)), "given")]
     if turn.converged:
         sections += [_displacement(turn), _load(turn), _stiffness(turn)]
@@ -69,17 +68,11 @@ def turn_page(turn: CageTurn, torque: TorqueTurn | None = None) -> Document:
             said("Displacement, stiffness and ball load over one pitch of the cage"),
             said("Displacement, stiffness and roller load over one pitch of the cage"),
         ),
-        lambda: _picture(turn),
+        lambda: plots.cage_turn_figure(turn),
         "turn",
     )
     sections.append(Section("", (figure, _instants(turn)), "instants"))
     return Document(title, tuple(sections), kind="turn", main="instants")
-
-
-def _picture(turn: CageTurn) -> Picture:
-    from rolamento.plots.cage_turn import cage_turn_figure
-
-    return cage_turn_figure(turn)
 
 
 def _head(turn: CageTurn) -> KeyValues:

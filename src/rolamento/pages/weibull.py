@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
+from rolamento import plots
 from rolamento.document import (
     Beside,
     Block,
@@ -46,7 +47,7 @@ from rolamento.words import ABSENT, Note, counted, manner, marked, said
 from rolamento.words.naming import one_line, shortened
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
+    pass
 
 __all__ = ["weibull_page"]
 
@@ -844,27 +845,24 @@ def _notes(found: LifeTestSummary) -> dict[Note, None]:
 
 def _pictures(found: LifeTestSummary) -> list[Section | Beside]:
     """Weibull paper, and the regions of equal likelihood where there is a fit."""
-
-    def paper() -> Picture:
-        from rolamento.plots.weibull import weibull_figure
-
-        return weibull_figure(found, bands_of(found))
-
-    def regions() -> Picture:
-        from rolamento.plots.weibull import contour_figure
-
-        return contour_figure(found, regions_of(found, found.request.lives[0].name))
-
     if not found.has_result:
         return []
     caption = said("Weibull probability plot: failures, fitted lines and their bounds")
-    figures = [Figure(caption, paper, "weibull_paper")]
+    figures = [
+        Figure(caption, lambda: plots.weibull_figure(found, bands_of(found)), "weibull_paper")
+    ]
     if any(group.main.converged and found.request.shape is None for group in found.groups):
         caption = said(
             "Shape and {quantity}: regions of equal likelihood",
             quantity=life_name(found.request.lives[0]),
         )
-        figures.append(Figure(caption, regions, "likelihood_regions"))
+        figures.append(
+            Figure(
+                caption,
+                lambda: plots.contour_figure(found, regions_of(found, found.request.lives[0].name)),
+                "likelihood_regions",
+            )
+        )
     return [Section(blocks=tuple(figures), key="figures")]
 
 

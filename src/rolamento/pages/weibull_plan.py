@@ -6,27 +6,26 @@ from collections.abc import Sequence
 from math import isclose, isfinite, nan
 from typing import TYPE_CHECKING, Final
 
+from rolamento import plots
 from rolamento.document import (
     Block,
     Break,
     CellContent,
     Column,
     Document,
-    Figure,
     Number,
     Section,
     Statement,
     Table,
     Title,
 )
+from rolamento.pages.given import picture
 from rolamento.pages.lives import FIGURES, life_name, percent
 from rolamento.weibull import Demonstration, Estimand, LifeTestPlan
 from rolamento.words import ABSENT, Note, counted, manner, said
 from rolamento.words.naming import one_line
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure as Picture
-
     from rolamento.tasks.weibull import DemonstrationStudy, PrecisionStudy
 
 __all__ = ["demonstration_page", "precision_page"]
@@ -66,14 +65,15 @@ def demonstration_page(found: DemonstrationStudy) -> Document:
     if found.alternatives:
         sections.append(_trade(found.alternatives, unit))
     if plan.planned:
-
-        def draw() -> Picture:
-            from rolamento.plots.weibull_plan import chance_figure
-
-            return chance_figure([plan, *found.beside], found.unit)
-
         caption = said("Probability of passing the test, by the true life")
-        sections.append(Section(blocks=(Figure(caption, draw, "chance"),)))
+        sections.append(
+            picture(
+                caption,
+                lambda: plots.chance_figure([plan, *found.beside], found.unit),
+                "chance",
+                "",
+            )
+        )
     return Document(title, tuple(sections), "weibull-plan")
 
 
@@ -233,14 +233,10 @@ def precision_page(found: PrecisionStudy) -> Document:
     if found.planned:
         heading = said("Tests") if ratio is None else said("Tests of equal precision")
         sections.append(Section(heading, (_table_of_plans(plans, unit),), "plans"))
-
-        def draw() -> Picture:
-            from rolamento.plots.weibull_plan import cost_figure
-
-            return cost_figure(plans, found.time_label)
-
         caption = said("Duration of the tests and the bearings they need")
-        sections.append(Section(blocks=(Figure(caption, draw, "cost"),)))
+        sections.append(
+            picture(caption, lambda: plots.cost_figure(plans, found.time_label), "cost", "")
+        )
     return Document(title, tuple(sections), "weibull-plan")
 
 
