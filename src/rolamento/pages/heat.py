@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import isfinite, nan
+from math import nan
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -27,12 +27,14 @@ from rolamento.pages.across import cautions_over, field_column
 from rolamento.pages.friction import torque_unit
 from rolamento.pages.given import case_page, picture, title_of
 from rolamento.pages.notes import cautions, remarks_of
+from rolamento.pages.quantities import Quantity, beside
+from rolamento.units import HOUR
 from rolamento.words import marked, said
 from rolamento.words.reasons import reason
 from rolamento.words.sentences.heat import CONDUCTANCE_NAMES, PLACE_NAMES
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Sequence
+    from collections.abc import Callable, Iterator, Sequence
 
     from rolamento.heat import HeatBalance, HeatState
     from rolamento.studies.heat_curves import HeatOver
@@ -173,57 +175,52 @@ def _flows(found: HeatBalance) -> Section:
 def _states_beside(found: HeatBalance) -> Section:
     """Cold beside warm, line by line."""
     states: list[HeatState] = [found.cold, *([found.warm] if found.warm is not None else [])]
-    torques = [one.torque for one in states]
-    unit = torque_unit(torques)
-    lines: list[tuple[str, list[float], str, int]] = [
-        (said("inner ring"), [one.temperatures["inner_ring"] for one in states], "°C", 4),
-        (said("outer ring"), [one.temperatures["outer_ring"] for one in states], "°C", 4),
-        (said("lubricant"), [_known(one.lubricant) for one in states], "°C", 4),
-        (said("preload"), [_known(one.preload) for one in states], "N", 4),
-        (said("axial load"), [one.axial_load or nan for one in states], "N", 4),
-        *_of_rows(said("clearance"), [one.clearance for one in states], "µm"),
-        *_of_rows(said("free contact angle"), [one.contact_angle for one in states], "°"),
-        (said("maximum pressure"), [one.max_pressure for one in states], "MPa", 4),
-        (said("film parameter λ"), [_known(one.film_parameter) for one in states], "", 3),
-        (said("viscosity ratio κ"), [_known(one.viscosity_ratio) for one in states], "", 3),
-        (said("friction torque"), torques, unit, 4),
-        (said("power loss"), [one.power for one in states], "W", 4),
-        (said("life"), [3600.0 * _known(one.life_hours) for one in states], "h", 3),
+    temperatures: list[Quantity[HeatState]] = [
+        Quantity(said("inner ring"), lambda one: one.temperatures["inner_ring"], ".4 °C"),
+        Quantity(said("outer ring"), lambda one: one.temperatures["outer_ring"], ".4 °C"),
+        Quantity(said("lubricant"), lambda one: one.lubricant, ".4 °C"),
+        Quantity(said("preload"), lambda one: one.preload, ".4 N"),
+        Quantity(said("axial load"), lambda one: one.axial_load or None, ".4 N"),
     ]
-    shown = [line for line in lines if any(isfinite(value) for value in line[1])]
-    columns = [
-        Column("", [label for label, *_ in shown], "quantity"),
-        Column(said("unit"), [unit for _, _, unit, _ in shown], "unit"),
+    results: list[Quantity[HeatState]] = [
+        Quantity(said("maximum pressure"), lambda one: one.max_pressure, ".4 MPa"),
+        Quantity(said("film parameter λ"), lambda one: one.film_parameter, ".3"),
+        Quantity(said("viscosity ratio κ"), lambda one: one.viscosity_ratio, ".3"),
+        Quantity(
+            said("friction torque"),
+            lambda one: one.torque,
+            f".4 {torque_unit([one.torque for one in states])}",
+        ),
+        Quantity(said("power loss"), lambda one: one.power, ".4 W"),
+        Quantity(said("life"), lambda one: HOUR * (one.life_hours or nan), ".3 h"),
     ]
+    lines = [
+        *temperatures,
+        *_of_rows(said("clearance"), lambda one: one.clearance, ".4 µm", states),
+        *_of_rows(said("free contact angle"), lambda one: one.contact_angle, ".4 °", states),
+        *results,
+    ]
+    shown = [line for line in lines if line.known(states)]
     heads = (("cold", said("cold")), ("warm", said("warm")))
-    for place, (key, text) in enumerate(heads[: len(states)]):
-        cells: list[CellContent] = [
-            Number(values[place], f".{figures} [{unit}]" if unit else f".{figures}")
-            for _, values, unit, figures in shown
-        ]
-        columns.append(Column(text, cells, key, align="right"))
+    things = [(*head, state) for head, state in zip(heads, states, strict=False)]
     heading = said("Cold and warm") if len(states) > 1 else said("Cold")
-    table = Table(tuple(columns), "states", rule=True, fixed=1)
+    table = Table(tuple(beside(shown, things)), "states", rule=True, fixed=1)
     return Section(heading, (table,), "states")
 
 
 def _of_rows(
-    label: str, states: Sequence[Sequence[float]], unit: str
-) -> list[tuple[str, list[float], str, int]]:
+    label: str, get: Callable[[HeatState], Sequence[float]], form: str, states: Sequence[HeatState]
+) -> list[Quantity[HeatState]]:
     """A line for all rows that are alike in every state, else one for each."""
-    rows = len(states[0])
-    alike = all(np.ptp(one) <= 1e-9 * np.max(np.abs(one)) for one in states) or rows == 1
-    if alike:
-        return [(label, [one[0] for one in states], unit, 4)]
-    return [
-        (said("{label}, row {number}", label=label, number=row), [one[row] for one in states],
-         unit, 4)
-        for row in range(rows)
-    ]  # fmt: skip
+    rows = len(get(states[0]))
+    if rows == 1 or all(np.ptp(get(one)) <= 1e-9 * np.max(np.abs(get(one))) for one in states):
+        return [Quantity(label, lambda one: get(one)[0], form)]
 
+    def of_row(row: int) -> Quantity[HeatState]:
+        text = said("{label}, row {number}", label=label, number=row)
+        return Quantity(text, lambda one: get(one)[row], form)
 
-def _known(value: float | None) -> float:
-    return nan if value is None else value
+    return [of_row(row) for row in range(rows)]
 
 
 def _roots(found: HeatBalance) -> Section:

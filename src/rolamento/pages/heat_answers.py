@@ -3,34 +3,26 @@
 from __future__ import annotations
 
 from math import isfinite, isinf, isnan, nan
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING
 
 from rolamento import plots
-from rolamento.document import (
-    CellContent,
-    Column,
-    Document,
-    Entry,
-    KeyValues,
-    Number,
-    Section,
-    Table,
-    Title,
-)
+from rolamento.document import Column, Document, Entry, KeyValues, Section, Table, Title
 from rolamento.pages.friction import torque_unit
 from rolamento.pages.given import case_page, picture, title_of
 from rolamento.pages.notes import remarks_of
+from rolamento.pages.quantities import Quantity, beside
+from rolamento.units import HOUR
 from rolamento.words import said
 from rolamento.words.reasons import reason
 from rolamento.words.sentences.heat import VARIANT_NAMES
 
 if TYPE_CHECKING:
-    from rolamento.heat import HeatBalance
+    from collections.abc import Callable
+
+    from rolamento.heat import HeatBalance, HeatState
     from rolamento.tasks.heat import HeatAnswers
 
 __all__ = ["heat_answers_page"]
-
-_PLAIN: Final = ".4"
 
 
 def heat_answers_page(found: HeatAnswers) -> Document:
@@ -110,49 +102,36 @@ def _oil(found: HeatAnswers) -> str:
 
 
 def _variants(found: HeatAnswers) -> Section:
-    balances = [one.balance for one in found.variants]
-    torques = [nan if one.warm is None else one.warm.torque for one in balances]
-    unit = torque_unit(torques if any(map(isfinite, torques)) else [1.0])
-
-    def warm(one: HeatBalance, name: str, factor: float = 1.0) -> float:
-        value = None if one.warm is None else getattr(one.warm, name)
-        return nan if value is None else factor * value
-
-    def at(one: HeatBalance, node: str) -> float:
-        return one.temperatures[node]
-
-    lines = [
-        (said("inner ring"), [at(one, "inner_ring") for one in balances], "°C", ".1f"),
-        (said("outer ring"), [at(one, "outer_ring") for one in balances], "°C", ".1f"),
-        (said("power loss"), [one.power for one in balances], "W", _PLAIN),
-        (said("friction torque"), torques, unit, _PLAIN),
-        (said("preload, cold"), [one.cold.preload or nan for one in balances], "N", _PLAIN),
-        (said("preload, warm"), [warm(one, "preload") for one in balances], "N", _PLAIN),
-        (said("axial stiffness"), [warm(one, "axial_stiffness") for one in balances], "N/µm",
-         _PLAIN),
-        (said("maximum pressure"), [warm(one, "max_pressure") for one in balances], "MPa", _PLAIN),
-        (said("film parameter λ"), [warm(one, "film_parameter") for one in balances], "", ".3"),
-        (said("viscosity ratio κ"), [warm(one, "viscosity_ratio") for one in balances], "", ".3"),
-        (said("life"), [warm(one, "life_hours", 3600.0) for one in balances], "h", ".3"),
-    ]  # fmt: skip
-    shown = [line for line in lines if any(isfinite(value) for value in line[1])]
-    columns = [
-        Column("", [label for label, *_ in shown], "quantity"),
-        Column(said("unit"), [unit for _, _, unit, _ in shown], "unit"),
+    warm = [one.balance.warm for one in found.variants]
+    torques = [one.torque for one in warm if one is not None and isfinite(one.torque)]
+    torque = f".4 {torque_unit(torques or [1.0])}"
+    lines: list[Quantity[HeatBalance]] = [
+        Quantity(said("inner ring"), lambda one: one.temperatures["inner_ring"], ".1f °C"),
+        Quantity(said("outer ring"), lambda one: one.temperatures["outer_ring"], ".1f °C"),
+        Quantity(said("power loss"), lambda one: one.power, ".4 W"),
+        _warm(said("friction torque"), lambda one: one.torque, torque),
+        Quantity(said("preload, cold"), lambda one: one.cold.preload or None, ".4 N"),
+        _warm(said("preload, warm"), lambda one: one.preload, ".4 N"),
+        _warm(said("axial stiffness"), lambda one: one.axial_stiffness, ".4 N/µm"),
+        _warm(said("maximum pressure"), lambda one: one.max_pressure, ".4 MPa"),
+        _warm(said("film parameter λ"), lambda one: one.film_parameter, ".3"),
+        _warm(said("viscosity ratio κ"), lambda one: one.viscosity_ratio, ".3"),
+        _warm(said("life"), lambda one: HOUR * (one.life_hours or nan), ".3 h"),
     ]
-    for place, one in enumerate(found.variants):
-        cells: list[CellContent] = [
-            Number(values[place], f"{form} [{own}]" if own else form)
-            for _, values, own, form in shown
-        ]
-        columns.append(Column(said(VARIANT_NAMES[one.name]), cells, one.name, align="right"))
+    balances = [one.balance for one in found.variants]
+    shown = [line for line in lines if line.known(balances)]
+    things = [(one.name, said(VARIANT_NAMES[one.name]), one.balance) for one in found.variants]
     legends = tuple(
         f"{said(VARIANT_NAMES[one.name])}: {reason(one.balance.status)}"
         for one in found.variants
         if not one.balance.converged
     )
-    table = Table(tuple(columns), "variants", legends=legends, rule=True, fixed=2)
+    table = Table(tuple(beside(shown, things)), "variants", legends=legends, rule=True, fixed=2)
     return Section(said("With one thing changed"), (table,), "variants")
+
+
+def _warm(label: str, get: Callable[[HeatState], float | None], form: str) -> Quantity[HeatBalance]:
+    return Quantity(label, lambda one: None if one.warm is None else get(one.warm), form)
 
 
 def _distances(found: HeatAnswers) -> list[Section]:

@@ -47,6 +47,7 @@ if TYPE_CHECKING:
     from rolamento.solved import Solved
 
 __all__ = [
+    "FACTORS",
     "MILLION",
     "changes_section",
     "life_notes",
@@ -69,7 +70,7 @@ MILLION: Final = 1e6
 LIFE: Final = ".3r [10⁶ rev]"
 HOURS: Final = ".3r [h]"
 FACTOR: Final = ".3"
-_FACTORS: Final = (
+FACTORS: Final = (
     ("a_1", "a_1"),
     ("a_ISO", "a_iso"),
     ("a_2", "a_2"),
@@ -562,7 +563,7 @@ def life_columns(
 
 
 def _factor_columns(lives: Sequence[Life], tones: Sequence[Tone]) -> Iterator[Column]:
-    for symbol, name in _FACTORS:
+    for symbol, name in FACTORS:
         if any(name in life.factors for life in lives):
             values: list[CellContent] = [
                 float(life.factors[name][0]) if name in life.factors else None for life in lives
