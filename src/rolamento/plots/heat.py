@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Final
 
 import numpy as np
@@ -12,7 +13,7 @@ from rolamento.charts import Axis, Chart, Line, Look, nothing, series_look
 from rolamento.charts.axes_units import read_values, readable_unit
 from rolamento.charts.drawing import draw
 from rolamento.charts.field_axis import field_axis
-from rolamento.charts.frame import add_title, empty_frame, label_x, label_y, legend_above
+from rolamento.charts.frame import add_title, empty_frame, label_x, label_y, legend_above, panels
 from rolamento.charts.style import new_figure, new_stacked_figure, series, styled
 from rolamento.charts.texts import no_result
 from rolamento.heat import NODES
@@ -45,12 +46,9 @@ def heat_figure(found: HeatBalance) -> Figure:
     found
         What `rolamento.heat.heat_balance` gives.
     """
-    with styled():
-        figure, axes = new_figure(height=95.0)
-        heat_balance_curves(found, axes)
-        if found.case.title:
-            add_title(figure, found.case.title)
-    return figure
+    return panels(
+        lambda axes: heat_balance_curves(found, axes), title=found.case.title, height=95.0
+    )
 
 
 def heat_balance_curves(found: HeatBalance, axes: Axes | None = None) -> Axes:
@@ -96,43 +94,36 @@ def heat_over_figure(found: HeatOver) -> Figure:
     found
         What `rolamento.studies.heat_curves.heat_over` gives.
     """
-    with styled():
-        count = 3 if found.has_preload else 2
-        figure, frames = new_stacked_figure(count, height=60.0 * count)
-        if np.isfinite(found.power).any():
-            _temperatures(found, frames[0])
-            _line(found, frames[1], {said("power loss"): found.power}, "W", said("Power loss"))
-            if found.has_preload:
-                frames[1].set_xlabel("")
-                lines = {said("cold"): found.cold_preload, said("warm"): found.warm_preload}
-                _line(found, frames[2], lines, "N", said("Preload"))
-        else:
-            for axes in frames:
-                empty_frame(axes, no_result())
-        if found.case.title:
-            add_title(figure, found.case.title)
-    return figure
+    charts = [
+        _temperatures(found),
+        _lines(found, {said("power loss"): found.power}, "W", said("Power loss")),
+    ]
+    if found.has_preload:
+        preloads = {said("cold"): found.cold_preload, said("warm"): found.warm_preload}
+        charts.append(_lines(found, preloads, "N", said("Preload")))
+    if not np.isfinite(found.power).any():
+        charts = [nothing(no_result())] * len(charts)
+    drawn = (partial(draw, one, legend=len(one.lines) > 1) for one in charts)
+    return panels(*drawn, title=found.case.title, height=60.0 * len(charts))
 
 
-def _temperatures(found: HeatOver, axes: Axes) -> None:
+def _temperatures(found: HeatOver) -> Chart:
     x = read_values(found.field, found.values)[0]
     lines = (
         Line(x, values - ZERO_CELSIUS, said(PLACE_NAMES[node]), series_look(index))
         for index, (node, values) in enumerate(zip(NODES, found.temperatures, strict=True))
     )
     across = field_axis(found.field, found.values)
-    draw(Chart(tuple(lines), across, Axis(label=said("Temperature (°C)"))), axes)
-    axes.set_xlabel("")
+    return Chart(tuple(lines), across, Axis(label=said("Temperature (°C)")))
 
 
-def _line(found: HeatOver, axes: Axes, lines: dict[str, FloatArray], unit: str, name: str) -> None:
+def _lines(found: HeatOver, lines: dict[str, FloatArray], unit: str, name: str) -> Chart:
     x = read_values(found.field, found.values)[0]
     read = readable_unit(unit, np.concatenate(list(lines.values())))
     drawn = (Line(x, read.of(values), label, series_look(index))
              for index, (label, values) in enumerate(lines.items()))  # fmt: skip
     upright = Axis(name, read.symbol, zero=True)
-    chart = Chart(tuple(drawn), field_axis(found.field, found.values), upright)
-    draw(chart, axes, legend=len(lines) > 1)
+    return Chart(tuple(drawn), field_axis(found.field, found.values), upright)
 
 
 def heat_time_figure(courses: Sequence[tuple[str, HeatTransient]]) -> Figure:
@@ -201,12 +192,11 @@ def heat_variants_figure(variants: Sequence[HeatVariant]) -> Figure:
     variants
         What `rolamento.heat.answers.variants_of` gives.
     """
-    with styled():
-        figure, axes = new_figure(height=95.0)
-        draw(variants_chart(variants), axes)
-        if variants[0].balance.case.title:
-            add_title(figure, variants[0].balance.case.title)
-    return figure
+    return panels(
+        lambda axes: draw(variants_chart(variants), axes),
+        title=variants[0].balance.case.title,
+        height=95.0,
+    )
 
 
 def variants_chart(variants: Sequence[HeatVariant]) -> Chart:
