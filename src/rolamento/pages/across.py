@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rolamento.charts.axes_units import read_values
-from rolamento.document import Column, Notes, Remark
+from rolamento.document import Column, Notes, Remark, Statement
 from rolamento.words import UNITS, Note, manner, said
+from rolamento.words.reasons import reason
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
     from rolamento.case.fields import Field
     from rolamento.words.headlines import Qualified
 
-__all__ = ["cautions_over", "field_column", "place_text", "read_text"]
+__all__ = ["cautions_over", "failures", "field_column", "place_text", "read_text"]
 
 _DECADES: Final = 100.0
 
@@ -68,3 +69,17 @@ def cautions_over(
 
     remarks = tuple(Remark(text(note, where), note.key, "warning") for note, where in found)
     return (Notes(remarks),) if remarks else ()
+
+
+def failures(status: NDArray[np.str_]) -> list[Statement]:
+    """Say how many points of a curve have no result, and why; nothing where all have one."""
+    failed = status[status != "converged"]
+    if not failed.size:
+        return []
+    text = said(
+        "{failed} of {count} points without a result: {reasons}",
+        failed=int(failed.size),
+        count=int(status.size),
+        reasons=[reason(code) for code in np.unique(failed).tolist()],
+    )
+    return [Statement(text, "bad-strong", indent=2)]

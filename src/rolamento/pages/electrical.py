@@ -22,7 +22,6 @@ from rolamento.document import (
 )
 from rolamento.io.data import toml_of
 from rolamento.pages.given import case_page, head, race_name
-from rolamento.pages.notes import remarks_of
 from rolamento.solved import RACES
 from rolamento.words import said
 from rolamento.words.sentences.electrical import BREAKDOWNS, DENSITIES
@@ -48,13 +47,7 @@ def electrical_page(found: BearingElectrics) -> Document:
     notes = (*solved.notes[0], *found.notes)
     sections = electrical_sections(found) if solved.converged[0] else []
     return case_page(
-        solved.case,
-        head(solved),
-        sections,
-        "electrical",
-        "electrical_races",
-        cautions=notes,
-        remarks=remarks_of(notes),
+        solved.case, head(solved), sections, "electrical", "electrical_races", notes=notes
     )
 
 

@@ -23,12 +23,11 @@ from rolamento.document import (
 from rolamento.friction.models import torque_model_name
 from rolamento.friction.summary import no_friction_control
 from rolamento.numerics import BoolArray, FloatArray
-from rolamento.pages.across import cautions_over, field_column, place_text
+from rolamento.pages.across import cautions_over, failures, field_column, place_text
 from rolamento.pages.friction import torque_unit
 from rolamento.pages.given import title_of
 from rolamento.studies.names import setting_name
 from rolamento.words import decimals_for, in_unit, marked, said
-from rolamento.words.reasons import reason
 
 if TYPE_CHECKING:
     from rolamento.studies.friction_curves import FrictionCurve
@@ -175,15 +174,7 @@ def _failures(curve: FrictionCurve) -> Iterator[Block]:
         yield Statement(text, "warning", indent=2)
         if curve.controlled is None and curve.case.bearing.element == "ball":
             yield Statement(no_friction_control().text, "faint", indent=4)
-    failed = curve.status[curve.status != "converged"]
-    if failed.size:
-        text = said(
-            "{failed} of {count} points without a result: {reasons}",
-            failed=int(failed.size),
-            count=len(curve),
-            reasons=[reason(code) for code in np.unique(failed).tolist()],
-        )
-        yield Statement(text, "bad-strong", indent=2)
+    yield from failures(curve.status)
 
 
 def _ratios(curve: FrictionCurve, number: int) -> Section:

@@ -16,7 +16,7 @@ from rolamento.case.rolling_bearing import RollingBearing
 from rolamento.document import Beside, Document, Entry, Figure, KeyValues, Section, Title
 from rolamento.geometry import Race
 from rolamento.notes import nothing_given
-from rolamento.pages.notes import cautions_section, notes_section
+from rolamento.pages.notes import cautions_section, notes_section, remarks_of
 from rolamento.units import Dimension, readable
 from rolamento.words import Note, manner, said, said_in
 from rolamento.words.reasons import reason
@@ -43,6 +43,7 @@ def case_page(
     kind: str,
     main: str = "",
     *,
+    notes: Iterable[Note] = (),
     cautions: Iterable[Note] = (),
     remarks: Iterable[Note] = (),
 ) -> Document:
@@ -56,12 +57,18 @@ def case_page(
         Its head, such as of `head`.
     sections, kind, main
         As of a `Document`.
-    cautions
-        Notes, of which those that qualify a headline stand below the head.
-    remarks
-        Notes for the end.
+    notes
+        Of these those that qualify a headline stand below the head, the others at the end.
+    cautions, remarks
+        As notes, of which only the former or only the latter are shown.
     """
-    whole = (first, *cautions_section(cautions), *sections, *notes_section(remarks))
+    found = tuple(notes)
+    whole = (
+        first,
+        *cautions_section((*found, *cautions)),
+        *sections,
+        *notes_section((*remarks_of(found), *remarks)),
+    )
     return Document(title_of(case), whole, kind=kind, main=main)
 
 

@@ -23,10 +23,10 @@ from rolamento.document import (
     Tone,
 )
 from rolamento.heat import CONDUCTANCES, NODES
-from rolamento.pages.across import cautions_over, field_column
+from rolamento.pages.across import cautions_over, failures, field_column
 from rolamento.pages.friction import torque_unit
 from rolamento.pages.given import case_page, picture, title_of
-from rolamento.pages.notes import cautions, remarks_of
+from rolamento.pages.notes import cautions
 from rolamento.pages.quantities import Quantity, beside
 from rolamento.units import HOUR
 from rolamento.words import marked, said
@@ -70,8 +70,7 @@ def heat_page(found: HeatBalance) -> Document:
         sections,
         "heat",
         "nodes",
-        cautions=found.notes,
-        remarks=remarks_of(found.notes),
+        notes=found.notes,
     )
 
 
@@ -288,15 +287,7 @@ def heat_over_page(found: HeatOver) -> Document:
     )
     table = Table(tuple(columns), "points", legends=(legend,))
     blocks: list[Block] = [table, *cautions_over(found.field, found.values, found.cautions)]
-    failed = found.status[found.failed()]
-    if failed.size:
-        text = said(
-            "{failed} of {count} points without a result: {reasons}",
-            failed=int(failed.size),
-            count=len(found),
-            reasons=[reason(code) for code in np.unique(failed).tolist()],
-        )
-        blocks.append(Statement(text, "bad-strong", indent=2))
+    blocks += failures(found.status)
     heading = said("Heat balance over {field}", field=found.field.label)
     sections = (
         Section("", (Title(title),), "head"),

@@ -9,7 +9,6 @@ from rolamento import plots
 from rolamento.document import Column, Document, Entry, KeyValues, Section, Table, Title
 from rolamento.pages.friction import torque_unit
 from rolamento.pages.given import case_page, picture, title_of
-from rolamento.pages.notes import remarks_of
 from rolamento.pages.quantities import Quantity, beside
 from rolamento.units import HOUR
 from rolamento.words import said
@@ -42,8 +41,7 @@ def heat_answers_page(found: HeatAnswers) -> Document:
         [_variants(found), shown, *_distances(found)],
         "heat_answers",
         "variants",
-        cautions=own.notes,
-        remarks=remarks_of(own.notes),
+        notes=own.notes,
     )
 
 

@@ -53,8 +53,7 @@ def heat_time_page(found: HeatTransient) -> Document:
         _course(found),
         "heat_time",
         "course",
-        cautions=found.notes,
-        remarks=remarks_of(found.notes),
+        notes=found.notes,
     )
 
 

@@ -34,7 +34,7 @@ from rolamento.life.iso16281_modified import THEORY as MODIFIED_REFERENCE
 from rolamento.life.record import BOUNDS, OUTSIDE, note_of
 from rolamento.life.theories import THEORIES
 from rolamento.pages.given import case_page, head
-from rolamento.pages.notes import cautions, remarks_of
+from rolamento.pages.notes import cautions
 from rolamento.units import HOUR
 from rolamento.words import ABSENT, Note, said
 from rolamento.words.theories import theory_life, theory_name, theory_scope
@@ -134,10 +134,7 @@ def life_page(
             sections.append(torque_and_power(solved, friction))
         pictures = (*_charts(summary), *figures)
         sections += [Section("", pictures, "figures")] * bool(pictures)
-    main, remarks = "theories", remarks_of(notes)
-    return case_page(
-        solved.case, head(solved), sections, "life", main, cautions=notes, remarks=remarks
-    )
+    return case_page(solved.case, head(solved), sections, "life", "theories", notes=notes)
 
 
 def _charts(summary: LifeSummary) -> Iterator[Figure]:

@@ -24,13 +24,12 @@ from rolamento.document import (
 )
 from rolamento.life.record import note_of
 from rolamento.life.theories import THEORIES
-from rolamento.pages.across import cautions_over, field_column, place_text, read_text
+from rolamento.pages.across import cautions_over, failures, field_column, place_text, read_text
 from rolamento.pages.given import title_of
 from rolamento.pages.life import MILLION, remarks
 from rolamento.studies.names import setting_name
 from rolamento.units import HOUR
 from rolamento.words import said
-from rolamento.words.reasons import reason
 from rolamento.words.theories import theory_heads, theory_name
 
 if TYPE_CHECKING:
@@ -77,7 +76,7 @@ def _curve(curve: LifeCurve, place: int) -> Section:
         blocks.append(Statement(said("with {setting}", setting=setting), indent=2))
     blocks += [_table(curve, place), *_extremes(curve)]
     blocks += cautions_over(curve.over.field, curve.values, curve.cautions)
-    blocks += [*_remarks(curve), *_failures(curve)]
+    blocks += [*_remarks(curve), *failures(curve.status)]
     heading = said("Life over {field}", field=curve.over.field.label)
     return Section(heading, tuple(blocks), f"life{place or ''}")
 
@@ -184,19 +183,6 @@ def _remarks(curve: LifeCurve) -> Sequence[Block]:
         if where.any()
     ]
     return remarks(found, len(curve.theories))
-
-
-def _failures(curve: LifeCurve) -> list[Block]:
-    failed = curve.status[curve.status != "converged"]
-    if not failed.size:
-        return []
-    text = said(
-        "{failed} of {count} points without a result: {reasons}",
-        failed=int(failed.size),
-        count=len(curve),
-        reasons=", ".join(map(reason, np.unique(failed).tolist())),
-    )
-    return [Statement(text, "bad-strong", indent=2)]
 
 
 # --- files -------------------------------------------------------------------------------------

@@ -37,7 +37,7 @@ from rolamento.friction.models import torque_model_name
 from rolamento.life.record import BOUNDS, OUTSIDE, note_of
 from rolamento.life.theories import THEORIES
 from rolamento.notes import nothing_given
-from rolamento.pages.clearance import STEPS
+from rolamento.pages.clearance import STEPS, chain_lines
 from rolamento.pages.electrical import electrical_sections
 from rolamento.pages.elements import element_tables, roller_pictures
 from rolamento.pages.equations import equations_of, references_of
@@ -1217,14 +1217,14 @@ def _verdict(case: CaseReport, theory: str) -> str:
 
 # --- clearance ------------------------------------------------------------------------------------
 
-_DETAILS: Final = (
-    ("interference", marked("interference as mounted"), "µm"),
-    ("smoothing", marked("loss by smoothing"), "µm"),
-    ("expansion", marked("gain by expansion"), "µm"),
-    ("rotation", marked("loss by rotation"), "µm"),
-    ("effective_interference", marked("interference in operation"), "µm"),
-    ("pressure", marked("contact pressure"), "MPa"),
-)
+_DETAILS: Final = {
+    "interference": marked("interference as mounted"),
+    "smoothing": marked("loss by smoothing"),
+    "expansion": marked("gain by expansion"),
+    "rotation": marked("loss by rotation"),
+    "effective_interference": marked("interference in operation"),
+    "pressure": marked("contact pressure"),
+}
 _LIMITS: Final = ("minimum", "mean", "maximum")
 
 
@@ -1272,39 +1272,19 @@ def _place_of(case: CaseReport, step: str) -> int | None:
 
 def _chain(case: CaseReport) -> Table:
     """The chain of clearances of one case, with what went into the fits."""
-    found = case.clearance
-    lines: list[tuple[str, Sequence[float], str, str, str, Tone]] = []
-    for place, step in enumerate(found.steps):
-        path = f"clearance.steps.{place}"
-        name, source = said(STEPS[step.name]), step.source.text
-        lines.append((name, step.change, "µm", f"{path}.change", source, ""))
-        for key, label, unit in _DETAILS:
-            values = step.details.get(key)
-            if values is not None and (any(values) or key == "interference"):
-                own = f"{path}.details.{key}"
-                lines.append(("  " + said(label), values, unit, own, "", "faint"))
-    limits = (found.minimum, found.mean, found.maximum)
-    lines.append((said("in operation"), limits, "µm", "clearance", "", "strong"))
-    labels, all_values, units, paths, sources, tones = zip(*lines, strict=True)
+    lines = list(chain_lines(case.clearance, _DETAILS))
+    tones = [line.tone for line in lines]
     heads = (said("minimum"), said("mean"), said("maximum"))
     columns = [
-        Column(said("diametral clearance"), labels, "step", tones=tones),
-        Column(said("unit"), units, "unit", tone="faint"),
-        *(
-            Column(
-                head,
-                [
-                    Number(own[at], f".1f [{unit}]")
-                    for own, unit in zip(all_values, units, strict=True)
-                ],
-                _LIMITS[at],
-                align="right",
-                tones=tones,
-            )
-            for at, head in enumerate(heads)
-        ),
-        Column(said("source"), sources, "source", tone="faint"),
-        Column("path", paths, "path", only_in_files=True),
+        Column(said("diametral clearance"), [line.label for line in lines], "step", tones=tones),
+        Column(said("unit"), [line.unit for line in lines], "unit", tone="faint"),
+    ]
+    for at, head in enumerate(heads):
+        cells = [Number(line.values[at], f".1f [{line.unit}]") for line in lines]
+        columns.append(Column(head, cells, _LIMITS[at], align="right", tones=tones))
+    columns += [
+        Column(said("source"), [line.source for line in lines], "source", tone="faint"),
+        Column("path", [line.path for line in lines], "path", only_in_files=True),
     ]
     return Table(tuple(columns), f"clearance_{case.name}", rule=True)
 

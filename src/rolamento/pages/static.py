@@ -21,7 +21,6 @@ from rolamento.document import (
     Tone,
 )
 from rolamento.pages.given import case_page, head, race_name
-from rolamento.pages.notes import remarks_of
 from rolamento.safety import rockwell_of_vickers
 from rolamento.solved import RACES
 from rolamento.words import ENDLESS, marked, said
@@ -54,15 +53,7 @@ def static_page(found: StaticSafety) -> Document:
     solved = found.solved
     notes = (*solved.notes[0], *found.notes)
     sections = static_sections(found) if solved.converged[0] else []
-    return case_page(
-        solved.case,
-        head(solved),
-        sections,
-        "static",
-        "static_safety",
-        cautions=notes,
-        remarks=remarks_of(notes),
-    )
+    return case_page(solved.case, head(solved), sections, "static", "static_safety", notes=notes)
 
 
 def static_sections(found: StaticSafety, level: int = 2) -> list[Section]:
