@@ -47,9 +47,12 @@ def alternative_of(shown: Shown, drawn: Figure | Axes | None = None) -> str:
         What it has drawn; axes carry what their chart says as their label.
     """
     figure: Any = None if drawn is None else drawn.get_figure(root=True)
-    told = [] if figure is None else [str(axes.get_label()) for axes in figure.axes]
-    said = ". ".join(dict.fromkeys(one for one in told if one and not one.startswith(("_", "<"))))
-    return shown.alternative or ". ".join(filter(None, (shown.caption.rstrip("."), said)))
+    labels = [] if figure is None else [str(axes.get_label()) for axes in figure.axes]
+    told = ". ".join(dict.fromkeys(one for one in labels if one and one[0] not in "_<"))
+    caption = shown.caption.rstrip(".")
+    if shown.alternative or not told:
+        return shown.alternative or shown.caption
+    return told if caption in told else f"{caption}. {told}"
 
 
 def picture_bytes(drawn: Figure | Axes, kind: str, *, transparent: bool = False) -> bytes:
