@@ -23,7 +23,6 @@ from rolamento.catalogue.headings import CatalogueColumn, columns_of, heads_cata
 from rolamento.errors import FileError, InputError, UnknownKeyError, guess
 from rolamento.io.data import toml_of
 from rolamento.io.numerals import Numerals
-from rolamento.io.tables import parse_table
 from rolamento.io.text import parse_mapping
 from rolamento.records import frozen
 from rolamento.types import BALL, TYPES, BearingKey, BearingType, of_balls
@@ -257,6 +256,8 @@ def records_of_csv(text: str, source: str) -> tuple[CatalogueBearing, ...]:
     InputError
         With the line, if a column is not known, a figure is missing or out of range.
     """
+    from rolamento.io.tables import parse_table
+
     table = parse_table(
         text,
         source,

@@ -38,7 +38,6 @@ from rolamento.catalogue.records import (
 )
 from rolamento.errors import FileError, InputError
 from rolamento.io.data import toml_of
-from rolamento.io.tables import table_text
 from rolamento.io.text import read_text
 from rolamento.records import frozen
 from rolamento.types import BearingKey, of_balls
@@ -154,6 +153,8 @@ class Catalogue:
         InputError
             If a file cannot be read, or is no catalogue; with the line.
         """
+        from rolamento.io.tables import table_text
+
         added: list[CatalogueBearing] = []
         for path in paths:
             name = os.fspath(path)
