@@ -443,14 +443,15 @@ class _Search:
         return np.where(high > 4.0 * floor, np.sqrt(floor * high), 0.5 * (low + high))
 
     def _around(self) -> FloatArray:
-        """Where lines come to zero, and as far beyond as they differ, toward the farther end.
+        """Where lines come to zero, and half as far beyond as they differ, toward the farther end.
 
         The grip is a straight line close to the loss, or its power 3/2, as a row's load has it.
         """
         _, low, high, _ = self.factors.T
         zeros = np.clip([self.zero(0, 1), self.zero(0, 1, 1.5), self.loss], low, high)
         least, middle, most = np.sort(zeros, axis=0)
-        aside = np.maximum(np.minimum(middle - least, most - middle), 0.2 * PRECISION * high)
+        apart = np.minimum(middle - least, most - middle)
+        aside = np.maximum(0.5 * apart, 0.2 * PRECISION * high)
         farther = np.where(high - middle > middle - low, 1.0, -1.0)
         within = (low < middle) & (middle < high)
         return np.where(within, np.clip(middle + farther * aside, low, high), self._half_way())
@@ -469,10 +470,12 @@ class _Search:
         """Look at multiples of the load, (some, multiples), and keep the four around the loss."""
         found = self._look(probes, self._cases[some], self._deepest[some], start)
         seen = self.seen.some(some).beside(found)
-        order = np.argsort(seen.factor, axis=1, kind="stable")
-        rows, last = np.arange(len(some))[:, np.newaxis], order.shape[1] - 1
-        seen = seen.some((rows, order))
+        rows = np.arange(len(some))[:, np.newaxis]
+        seen = seen.some((rows, np.argsort(seen.factor, axis=1, kind="stable")))
+        again = np.diff(seen.factor, axis=1, prepend=-1.0) == 0.0  # goes behind the others
+        seen = seen.some((rows, np.argsort(again, axis=1, kind="stable")))
+        last = np.count_nonzero(~again, axis=1)[:, np.newaxis] - 1
         gone = ~(seen.grips.min(axis=2) > 0.0)
-        first = np.where(gone.any(axis=1), gone.argmax(axis=1), last)[:, np.newaxis]
+        first = np.where(gone.any(axis=1, keepdims=True), gone.argmax(axis=1)[:, np.newaxis], last)
         kept = np.clip(first + np.arange(-2, 2), 0, last)
         self.seen.put(some, seen.some((rows, kept)))
