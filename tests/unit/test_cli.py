@@ -749,13 +749,28 @@ def modules_of(*arguments: str) -> set[str]:
 HEAVY = {"matplotlib", "numba", "numpy", "pint", "pydantic", "rich", "scipy", "starlette", "xarray"}
 
 
-@pytest.mark.parametrize("asked", ["--version", "--help", "nothing-like-it"])
+@pytest.mark.parametrize("asked", ["--version", "--help"])
 def test_what_needs_no_command_imports_none(asked: str) -> None:
     commands = {f"cli.{name.replace('-', '_')}" for names in COMMANDS.values() for name in names}
     others = {"cli.requested", "cli.outputs", "case", "catalogue", "solved", "studies", "tasks"}
     loaded = modules_of(asked) - {"rolamento.cli.app"}
     assert "rolamento.cli.grouped_help" in loaded
     assert not loaded & (HEAVY | {f"rolamento.{name}" for name in commands | others})
+
+
+ENGINES = {"matplotlib", "numba", "rich", "starlette", "xarray"}
+ENGINES |= {f"scipy.{name}" for name in ("fft", "linalg", "ndimage", "optimize", "special")}
+ENGINES |= {
+    f"rolamento.{name}"
+    for name in ("friction", "life", "lubrication", "pages", "rows", "studies.runner", "system")
+}
+
+
+@pytest.mark.parametrize("name", ["solve", "sweep", "weibull", "diagnose", "anderon", "seek"])
+def test_the_help_of_a_command_imports_no_engine(name: str) -> None:
+    loaded = modules_of(name, "--help")
+    assert "rolamento.cli.optional_value" in loaded
+    assert not loaded & ENGINES
 
 
 @pytest.mark.parametrize("name", [name for names in COMMANDS.values() for name in names])

@@ -348,8 +348,10 @@ class _OwnFile:
 
     def record(self, cells: Sequence[str]) -> CatalogueBearing:
         """Return the bearing of a row."""
-        texts = {name: self._said[name] for name in _TEXTS[1:] if name in self._said}
-        figures = {}
+        texts: dict[str, str] = {
+            name: self._said[name] for name in _TEXTS[1:] if name in self._said
+        }
+        figures: dict[str, float] = {}
         for place, column in self._columns.items():
             if cells[place] and column.is_text:
                 texts[column.figure] = cells[place]
