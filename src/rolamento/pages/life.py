@@ -865,4 +865,4 @@ def life_notes(summary: LifeSummary) -> list[Note]:
 
 
 def _standard_lives(summary: LifeSummary) -> list[Life]:
-    return [life for name, life in summary.theories.items() if THEORIES[name].standard]
+    return [summary[name] for name in summary.theories if THEORIES[name].standard]
