@@ -11,7 +11,7 @@ The chain is computed for many bearings at once: what scatters comes as arrays.
 from __future__ import annotations
 
 from math import inf
-from typing import Any, Final, NamedTuple, Protocol, cast
+from typing import Any, Final, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -20,6 +20,7 @@ from rolamento.case.bearing import Bearing
 from rolamento.case.material import Material
 from rolamento.case.mounting import Mounting, SeatMaterial
 from rolamento.case.roller_bearing import RollerBearing
+from rolamento.case.temperature import Temperature
 from rolamento.clearance.effects import (
     Finish,
     bore_shrinkage,
@@ -53,56 +54,33 @@ from rolamento.words import marked, said
 _WARMEST: Final = 1000.0
 
 
-class Temperatures(Protocol):
-    """What the clearance reads of temperatures; K, or None."""
-
-    @property
-    def inner_ring(self) -> float | None:
-        """Temperature of the inner ring."""
-        ...
-
-    @property
-    def outer_ring(self) -> float | None:
-        """Temperature of the outer ring."""
-        ...
-
-    @property
-    def balls(self) -> float | None:
-        """Temperature of the balls or rollers; that of the inner ring if None."""
-        ...
-
-    @property
-    def shaft(self) -> float | None:
-        """Temperature of the shaft at its seat; that of the inner ring if None."""
-        ...
-
-    @property
-    def housing(self) -> float | None:
-        """Temperature of the housing at its seat; that of the outer ring if None."""
-        ...
-
-    @property
-    def inner_spacer(self) -> float | None:
-        """Temperature of the spacers between inner rings; that of the shaft if None."""
-        ...
-
-    @property
-    def outer_spacer(self) -> float | None:
-        """Temperature of the spacers between outer rings; that of the housing if None."""
-        ...
-
-
 @frozen
 class PartTemperatures:
-    """Temperatures in operation, in K; see `Temperatures`. Without those of the rings: none."""
+    """Temperatures in operation; K, numbers or arrays (cases,). Without those of the rings: none.
 
-    inner_ring: float | None = None
-    outer_ring: float | None = None
-    balls: float | None = None
-    shaft: float | None = None
-    housing: float | None = None
-    inner_spacer: float | None = None
-    outer_spacer: float | None = None
+    Attributes
+    ----------
+    inner_ring, outer_ring
+        of the rings
+    balls
+        of balls or rollers; those of the inner ring if None
+    shaft, housing
+        at their seats; those of the rings if None
+    inner_spacer, outer_spacer
+        of the spacers between the rings; those of shaft and housing if None
+    """
+
+    inner_ring: Any = None
+    outer_ring: Any = None
+    balls: Any = None
+    shaft: Any = None
+    housing: Any = None
+    inner_spacer: Any = None
+    outer_spacer: Any = None
+
+
+Temperatures = Temperature | PartTemperatures
+"""What the clearance reads temperatures of: the table of a case, or their own record."""
 
 
 class Strains(NamedTuple):
@@ -328,7 +306,7 @@ def warm_geometry(bearing: Any, strains: Strains) -> dict[str, Any]:
     Parameters
     ----------
     bearing
-        The row, or an object with its attributes as arrays (cases,).
+        The row, or its parameters in many cases.
     strains
         Of its rings and elements; numbers or arrays.
     """

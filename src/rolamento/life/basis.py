@@ -41,7 +41,6 @@ from rolamento.life.record import BOUNDS, OUTSIDE, Life
 from rolamento.life.reliability import outside_print, reliability_factor
 from rolamento.life.rib_load import RibLoad
 from rolamento.life.row_ratings import (
-    GROOVES,
     INNER_GROOVE,
     Ratings,
     has_steel_elements,
@@ -52,6 +51,7 @@ from rolamento.life.row_ratings import (
 )
 from rolamento.lubrication.oil_state import viscosity_ratio
 from rolamento.numerics import BoolArray, FloatArray
+from rolamento.ratings import rated_as
 from rolamento.records import frozen
 from rolamento.solved import Rows, Solved
 from rolamento.words import said
@@ -620,7 +620,7 @@ def _notes_on_bearing(solved: Solved, given: LifeConditions) -> Notes:
     cases, rows = len(solved), solved.rows
     inner, outer = rows.inner_conformity, rows.outer_conformity
     # rollers have no grooves: NaN, neither open nor close
-    most = np.array([GROOVES.get(kind, (np.inf, np.inf)) for kind in row_kinds(solved)])
+    most = np.array([rated_as(kind)["conformities"] for kind in row_kinds(solved)])
     opened = (inner > most[:, 0] + _GROOVE_MARGIN) | (outer > most[:, 1] + _GROOVE_MARGIN)
     closed = (inner < INNER_GROOVE - _GROOVE_MARGIN) | (outer < INNER_GROOVE - _GROOVE_MARGIN)
     hot = np.zeros(cases, dtype=np.bool_)

@@ -14,7 +14,7 @@ from rolamento.case.profile import Profile
 from rolamento.case.roller_bearing import RollerBearing, raceway_radii
 from rolamento.case.rolling_bearing import RollingBearing
 from rolamento.document import Entry, KeyValues, Section, Title
-from rolamento.notes import nothing_given
+from rolamento.solved.notes import nothing_given
 from rolamento.units import Dimension, readable
 from rolamento.words import manner, said, said_in
 from rolamento.words.reasons import reason

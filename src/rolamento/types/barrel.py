@@ -14,6 +14,7 @@ TYPE: Final = BearingType(
     untitled=marked("Barrel roller bearing"),
     called="barrel barrel_roller tonnenlager rolos_barrilete rodillos_de_barrilete",
     element="barrel",
+    rolling=marked("barrel roller"),
     described=marked(
         "{count} barrel-shaped rollers of {diameter}, effective length {length}, pitch diameter"
         " {pitch}"

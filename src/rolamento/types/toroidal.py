@@ -28,4 +28,5 @@ TYPE: Final = BearingType(
     class_table_of_tapered_bore="toroidal_tapered",
     idle_fields=(*OF_RIBS, "preload"),
     usual_misalignment=radians(0.5),  # SKF, Rolling bearings (17000 EN): up to 0.5°
+    notes=("axial_load_on_torus",),
 )
