@@ -180,7 +180,7 @@ class Refused:
             else:
                 field.checked(value, in_file=False)
         case = self.case.with_(values)
-        if case.mounting is not None and case.bearing.is_set:
+        if case.mounting is not None and not case.bearing.is_one_bearing:
             from rolamento.system.mounted import running_set
 
             return running_set(case)
@@ -192,7 +192,7 @@ class Refused:
 def _solve_varied(case: Case, given: Mapping[str, FloatArray], threads: int | None) -> Solved:
     if case.mounting is None:
         return _solve_many(case, given, threads)
-    if case.bearing.is_set:
+    if not case.bearing.is_one_bearing:
         from rolamento.system.mounted import solve_mounted
 
         solved = solve_mounted(case, bounded(given), threads=threads)
@@ -240,7 +240,7 @@ def _solve_many(case: Case, given: Mapping[str, ArrayLike], threads: int | None)
 
 
 def _solve_one(case: Case, loss: bool) -> Solved:
-    if case.mounting is not None and case.bearing.is_set:
+    if case.mounting is not None and not case.bearing.is_one_bearing:
         return _solve_mounted_set(case, loss)
     notes: tuple[Note, ...] = ()
     given = case

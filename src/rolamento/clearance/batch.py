@@ -71,7 +71,7 @@ def operating_batch(
         If something is missing, or what varies does not go together.
     """
     assert case.mounting is not None
-    assert not case.bearing.is_set, "a set has a preload too: see rolamento.system.mounted"
+    assert case.bearing.is_one_bearing, "a set has a preload too: see rolamento.system.mounted"
     arrays = {name: np.asarray(array, np.float64) for name, array in values.items()}
     bearing = row_bearing(case.bearing, case.bearing, frozenset(), arrays)
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):

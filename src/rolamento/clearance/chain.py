@@ -204,7 +204,7 @@ def assembly_of(
         If the bearing is a set, has no inner ring, does not lie between bore and outside diameter,
         or a temperature or an expansion that is needed is missing.
     """
-    if bearing.is_set:
+    if not bearing.is_one_bearing:
         raise InputError(
             said("is a set: the clearance is that of one of its rows"),
             field="bearing",
@@ -317,7 +317,15 @@ def warm_geometry(bearing: Any, strains: Strains) -> dict[str, Any]:
     pitch = np.asarray(bearing.pitch_diameter * (1.0 + 0.5 * (rings[0] + rings[1])))
     if bearing.bearing_type.has_rollers:
         diameter = np.asarray(bearing.roller_diameter * (1.0 + elements))
-        return {"roller_diameter": diameter, "pitch_diameter": pitch}
+        arcs = {
+            f"{name}_radius": np.asarray(radius * (1.0 + strain))
+            for name, strain in (
+                ("roller_profile", elements), ("inner_raceway", rings[0]),
+                ("outer_raceway", rings[1]),
+            )
+            if (radius := getattr(bearing, f"{name}_radius")) is not None
+        }  # fmt: skip
+        return {"roller_diameter": diameter, "pitch_diameter": pitch, **arcs}
     inner, outer = ((1.0 + ring) / (1.0 + elements) for ring in rings)
     return {
         "ball_diameter": np.asarray(bearing.ball_diameter * (1.0 + elements)),
@@ -331,13 +339,16 @@ def raceways(bearing: Any) -> tuple[Any, Any, Any, Any]:
     """Diameters of the raceways, what an element takes of the radius between them, the clearance.
 
     All in m, numbers or arrays. Balls: at the bottom of the grooves, D. Rollers, whose axis is at β
-    to the bearing's: d_pw ∓ D_we cos β in the middle of their length, D_we cos β, beside which the
-    clearance is nothing; that of a tapered row counts from first contact.
+    to the bearing's, that of barrels at the contact angle: d_pw ∓ D_we cos β in the middle of their
+    length, D_we cos β, beside which the clearance is nothing; that of a tapered row counts from
+    first contact.
     """
     if bearing.bearing_type.has_rollers:
         lean = 0.0
         if bearing.bearing_type.conical:
             lean = bearing.contact_angle - bearing.roller_half_angle
+        elif bearing.bearing_type.barrels and bearing.contact_angle is not None:
+            lean = bearing.contact_angle
         across = bearing.roller_diameter * np.cos(lean)
         clearance = 0.0 if bearing.bearing_type.conical else bearing.diametral_clearance
         return bearing.pitch_diameter - across, bearing.pitch_diameter + across, across, clearance

@@ -43,6 +43,7 @@ from rolamento.life.rib_load import RibLoad
 from rolamento.life.row_ratings import (
     INNER_GROOVE,
     Ratings,
+    UnratedError,
     has_steel_elements,
     nominal_contact_angle,
     ratings_of,
@@ -573,9 +574,7 @@ def static_of_bearings(solved: Solved) -> tuple[FloatArray, FloatArray]:
     rows = solved.rows
     try:
         basis = Basis.of(solved, conditions_of(solved))
-    except InputError as error:
-        if error.field not in ("bearing.contact_angle", "dynamic_rating"):
-            raise
+    except UnratedError:
         nothing = np.full((len(solved), 1), np.nan)
         return nothing, nothing
     ratings, loads = basis.ratings, basis.loads

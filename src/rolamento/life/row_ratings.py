@@ -50,6 +50,10 @@ INNER_GROOVE, OUTER_GROOVE = 0.52, 0.53
 """Conformities of radial bearings up to which the factors hold; ISO 281:2007, 5.1."""
 
 
+class UnratedError(InputError):
+    """A bearing that the standards do not rate: it has no life."""
+
+
 @frozen(eq=False)
 class Ratings:
     """C, C_0 and C_u of each row (cases, rows), and of all of them (cases,); N.
@@ -154,7 +158,7 @@ def ratings_of(solved: Solved, angle: FloatArray, given: LifeConditions) -> Rati
     static = _rating_or(given.static_rating, static, together)
     if dynamic.size and np.all(np.isnan(dynamic)):
         rollers = all(kind.startswith("roller") for kind in kinds)
-        raise InputError(
+        raise UnratedError(
             said(
                 "is missing: the geometry is outside the table of the standard (D cos "
                 "α/d_pw from 0.01 to 0.30)"
@@ -231,7 +235,7 @@ def within_rating(angle: FloatArray, kinds: tuple[Rated, ...]) -> FloatArray:
     radial = np.array([not rated_as(kind)["axial"] for kind in kinds])
     steep = radial & (angle > MAXIMUM_ANGLE * (1.0 + _SAME))
     if steep.size and np.all(steep.any(axis=1)):
-        raise InputError(
+        raise UnratedError(
             said('is above 45°: such a bearing is rated for axial load; give it kind = "thrust"'),
             field="bearing.contact_angle",
             value=f"{float(np.degrees(angle.max())):.4g} deg",
