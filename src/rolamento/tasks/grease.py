@@ -19,6 +19,7 @@ from rolamento.grease.relubrication import Interval, base_interval, intervals
 from rolamento.io.json import dumps
 from rolamento.life.basis import Basis
 from rolamento.life.conditions import conditions_of
+from rolamento.life.row_ratings import UnratedError
 from rolamento.lubrication.oil_choice import OilChoice, choose_oil
 from rolamento.records import frozen
 from rolamento.solution import solve
@@ -347,9 +348,7 @@ class _Asked:
             return nan
         try:
             basis = Basis.of(self.solved, conditions_of(self.solved))
-        except InputError as error:
-            if error.field not in ("bearing.contact_angle", "dynamic_rating"):
-                raise
+        except UnratedError:
             return nan
         load, reference = float(basis.loads.dynamic[0]), float(basis.reference_load[0])
         taken = load if isfinite(load) and load > 0.0 else reference
