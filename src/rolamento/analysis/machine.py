@@ -142,7 +142,7 @@ class MachineAnalysis:
                     "friction_torque": _at(own.friction, "torque", case),
                     "friction_power": _at(own.friction, "power", case),
                 }
-                for case in range(len(self.solved.machines))
+                for case in range(len(self.solved))
             ]
             item["notes"] = [note.to_mapping() for note in self.notes[item["name"]]]
         step = self.hardest_step()
