@@ -160,6 +160,10 @@ class Refused:
         """Return some of the cases."""
         return Refused(self.case, {name: array[index] for name, array in self.values.items()})
 
+    def alone(self, case: int) -> Case:
+        """Return a case as one of its own."""
+        return self.case.with_({name: float(array[case]) for name, array in self.values.items()})
+
     def note(self, case: int) -> Note:
         """Return the note on a case: the rule that it violates."""
         own = {name: float(array[case]) for name, array in self.values.items()}
